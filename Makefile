@@ -37,7 +37,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium
+CI_DEPS    = ccache clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
               python3-jsonschema python3-yaml \
@@ -69,7 +69,7 @@ test_libs         = $(call once,test_libs,$(shell pkg-config --libs cmocka))
 
 # Same bits on every machine: no contraction, no fast-math.
 WARN  = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wpointer-arith -Wwrite-strings $(WERROR)
-MODE  = -std=c17 -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
+MODE  = -std=c2x -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
 FLAGS = $(MODE) $(WARN) -Iinclude -I. $(CPPFLAGS) $(CFLAGS) -MMD -MP
 
 # The two mains and what they share (command line) stay out of the libraries.
@@ -149,10 +149,10 @@ $(BUILD)/.ready: | $(WAIT)
 
 $(BUILD)/sim/%.o: sim/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(extra_$(*F)) -c $< -o $@
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(extra_$(*F)) $(late) -c $< -o $@
 $(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) $(extra_$(*F)) -c $< -o $@
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) $(extra_$(*F)) $(late) -c $< -o $@
 
 # One source of the kernels of forces and of pixels, compiled for each instruction set and chosen at run time.
 # Those of x86-64 are empty elsewhere.
@@ -164,6 +164,7 @@ extra_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512dq -mavx512vl -mprefe
 # Loops over all samples and pixels.
 extra_trajectory_read = -O3
 extra_fourier = -O3
+extra_shock_law = -O3
 extra_area_kernels = -O3
 extra_area_colours = -O3
 extra_colour_table = -O3
@@ -180,6 +181,25 @@ hdf5_hl    = $(firstword $(foreach f,$(hdf5_files),$(if $(findstring _hl,$f),$f)
 hdf5_core  = $(firstword $(filter-out $(hdf5_hl),$(hdf5_files)))
 hdf5_packages = $(call once,hdf5_packages,$(shell dpkg-query -S $(hdf5_files:%=*/%) 2>/dev/null | sed 's/:.*//' | sort -u | paste -sd, | sed 's/,/ and /'))
 extra_h5_library = -DBEAD_HDF5_LIBRARY='"$(hdf5_core)"' -DBEAD_HDF5_HL_LIBRARY='"$(hdf5_hl)"' -DBEAD_HDF5_PACKAGES='"$(or $(hdf5_packages),HDF5)"'
+
+# A library that is opened late (sim/base/library.h): $(1), whose names begin with $(2) and are declared by the header $(3), is
+# called by the sources $(4). Compiled without build/late/$(1).h they leave undefined what they need of it; with it they call that
+# through the table bead_$(1).
+define opened_late
+$(BUILD)/late/$(1).h: $(4) $(wildcard $(3)) sim/base/late.awk $(BUILD)/.ready | $(WAIT)
+	@mkdir -p $$(@D)
+	$$(call say,NAMES,$(1)) $$(run) for source in $(4); do \
+	    $$(CC) $$(MODE) -fno-lto -Iinclude -I. $$(CPPFLAGS) $$(CFLAGS) $$(sim_cflags) $$(render_cflags) $$(extra_h5_library) -DBEAD_LATE='""' \
+	        -c $$$$source -o $$@.o && nm -u $$@.o || exit 1; done >$$@.undefined
+	@awk -v library='$(1)' -v begin='$(2)' -v header='$(3)' -f sim/base/late.awk $$@.undefined >$$@ && rm $$@.*
+$(4:%.c=$(BUILD)/%.o): $(BUILD)/late/$(1).h
+$(4:%.c=$(BUILD)/%.o): private late = -include $(BUILD)/late/$(1).h
+endef
+$(eval $(call opened_late,hdf5,H5,sim/base/h5_private.h,$(wildcard sim/base/h5*.c)))
+$(eval $(call opened_late,libav,av,render/encode/libav.h,$(wildcard render/encode/*.c)))
+$(eval $(call opened_late,gl,gl[A-Z],render/paint/gl.h,render/paint/gl.c render/paint/paint_gl.c))
+$(eval $(call opened_late,egl,egl,EGL/egl.h,render/paint/gl_egl.c))
+$(eval $(call opened_late,osmesa,OSMesa,render/paint/gl_osmesa.h,render/paint/gl_osmesa.c))
 
 # The only place that knows where things get installed; compiled again when that changes.
 extra_assets = -DBEAD_DATADIR='"$(PREFIX)/share/beadreel"'
@@ -224,22 +244,24 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
 # Tests whose allocations fail have an allocator of their own.
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
-# These look at the layouts of all figures.
-with_test_grey = -Wl,--wrap=graph_layout_make
-with_test_legend_room = $(with_test_grey)
-# By room: make would look a name up where an old build knew it.
+# It looks at the layouts of all figures.
+with_test_ready_figures = -Wl,--wrap=graph_layout_make
+# By room: make would look a name up where an old build knew it. Compiled by itself, for ccache.
 define test_room
-$(patsubst $(1)/%.c,$(BUILD)/tests/%,$(wildcard $(1)/test_*.c)): $(BUILD)/tests/%: $(1)/%.c $(TEST_SUPPORT) $(STATIC) | $(WAIT)
+$(patsubst $(1)/%.c,$(BUILD)/tests/%.o,$(wildcard $(1)/test_*.c)): $(BUILD)/tests/%.o: $(1)/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $$(@D)
-	$$(call say,TEST,$$<) $$(run) $$(compile_test) -MF $$@.d -MT $$@ -o $$@ $$< $$(with_$$(@F)) $$(TEST_SUPPORT) $$(STATIC) $$(render_libs) \
-	    $$(sim_libs) $$(hdf5_libs) $$(movie_libs) $$(test_libs)
+	$$(call say,CC,$$<) $$(run) $$(compile_test) $$(filter -f%,$$(with_$$(*F))) -c $$< -o $$@
 endef
 $(foreach room,$(TEST_ROOMS),$(eval $(call test_room,$(room))))
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(TEST_SUPPORT) $(STATIC)
+	$(call say,TEST,$@) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) \
+	    $(sim_libs) $(hdf5_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.
+example_film = -lbeadreel $(shell pkg-config --cflags --libs cairo)
 $(EXAMPLES): $(BUILD)/tests/examples/%: tests/examples/%.c $(LIBRARIES)
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(CC) -std=c17 $(WARN) -Iinclude $(CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< -L$(BUILD) -lbeadsim \
-	    -Wl,-rpath,$(abspath $(BUILD))
+	$(call say,TEST,$<) $(run) $(CC) -std=c17 $(WARN) -Iinclude $(CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< -L$(BUILD) \
+	    $(example_$(@F)) -lbeadsim -lm -Wl,-rpath,$(abspath $(BUILD))
 # Measured beside this program where they are installed.
 peer_precision_gsl      = $(if $(wildcard /usr/include/gsl/gsl_odeiv2.h),-DBENCH_GSL -lgsl -lgslcblas)
 peer_precision_sundials = $(if $(wildcard /usr/include/arkode/arkode_erkstep.h),-DBENCH_SUNDIALS -lsundials_cvode -lsundials_arkode \
@@ -278,7 +300,7 @@ golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests 
 symbols: $(LIBRARIES) ## list what the libraries export, after a function has come: tests/reference/*.symbols
 	@tests/symbols.sh $(BUILD)
 
-asan: ## the tests under address and undefined-behaviour sanitizers
+asan: ## all tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
 
@@ -293,19 +315,27 @@ tsan: ## demo, sweep and every kind of output under the thread sanitizer; ends w
 
 $(FAIL_ALLOC): tests/torture/fail_alloc.c
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(CC) -std=c17 -D_GNU_SOURCE -O1 -g -fPIC -fno-builtin $(WARN) -shared -o $@ $<
+	$(call say,TEST,$<) $(run) $(CC) -std=c2x -D_GNU_SOURCE -O1 -g -fPIC -fno-builtin $(WARN) -shared -o $@ $<
 torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, PAIRS=5, ALLOCATIONS=60 or all; ends with `N passed, M failed`
 	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS) $(PAIRS)
 
-# Each target for FUZZ_SECONDS, or FUZZ_RUNS where that is shorter: in a build of its own, with clang's libFuzzer and sanitizers in all of
-# the project's code. Comparisons of numbers are not traced, which would halve the speed; those of texts are.
+# One build for libFuzzer's targets and for tests under sanitizers: clang's, in all of the project's code. Comparisons of numbers are not
+# traced, which would halve the speed; those of texts are.
+sanitized_build = --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) STRICT_LINK= \
+    CFLAGS="-O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,$(FUZZ_SANITIZERS) -fno-sanitize-recover=all -fno-sanitize-coverage=trace-cmp"
+sanitized: ## clang builds everything, tests and benchmarks too, in the build of fuzz and asan-short
+	@$(MAKE) $(sanitized_build) compile fuzzers
+asan-short: ## the tests of minutes under sanitizers: all but those that tests/long.txt names
+	@$(MAKE) $(sanitized_build) counted
+	@SHORT=1 tests/run.sh $(BUILD)-fuzz
+
+# Each target for FUZZ_SECONDS, or FUZZ_RUNS where that is shorter.
 $(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(STATIC)
 	@mkdir -p $(@D)
 	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs)
 fuzzers: $(BUILD)/beadsim $(FUZZERS)
 fuzz: ## random scenes, settings and files, FUZZ_SECONDS each; ends with `N passed, M failed`
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) \
-	    CFLAGS="-O2 -g -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,$(FUZZ_SANITIZERS) -fno-sanitize-recover=all -fno-sanitize-coverage=trace-cmp" fuzzers
+	@$(MAKE) $(sanitized_build) fuzzers
 	@tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS) $(FUZZ_RUNS) $(TARGETS)
 
 campaign: ## all of that at full length, an hour or two, and its figures: tests/stress/RESULTS.md
@@ -328,7 +358,7 @@ lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
 	@echo "cppcheck" && cppcheck --quiet --std=c11 --language=c --error-exitcode=1 --inline-suppr --enable=warning,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt -j $$(nproc) -i tests/bench/precision_boost.cc -Iinclude -I. -D__linux__ -D__x86_64__ -DBEAD_DATADIR='""' \
-	    -DBEAD_HDF5_LIBRARY='""' -DBEAD_HDF5_HL_LIBRARY='""' -DBEAD_HDF5_PACKAGES='""' sim render tests
+	    -DBEAD_HDF5_LIBRARY='""' -DBEAD_HDF5_HL_LIBRARY='""' -DBEAD_HDF5_PACKAGES='""' -DBEAD_LATE='""' sim render tests
 	@echo "shellcheck" && shellcheck -S warning -e SC2034,SC2154 $(wildcard .ci/run .github/*.sh assets/*/*.sh assets/completions/*.bash tests/*.sh tests/*/*.sh tests/*.bash)
 
 MANUALS = $(wildcard assets/man/*.[15])
@@ -407,6 +437,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: release-check deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: release-check deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+# Not of what `make deb` builds meanwhile.
+-include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

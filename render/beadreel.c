@@ -1,44 +1,42 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* beadreel: does everything a scene asks for, pictures and movies included; draws existing trajectories. */
-#include "beadreel/canvas.h"
 #include "beadreel/colormap.h"
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "beadreel/view_kind.h"
-#include "render/draw/libraries.h"
+#include "render/encode/libav.h"
+#include "render/paint/canvas.h"
+#include "render/paint/gl_context.h"
 #include "sim/cli/command_line.h"
 
-static enum bead_error list_colormaps(FILE *out, struct bead_message *msg)
+static COMMAND_LISTS(list_colormaps)
 {
-    (void)msg;
     for (const struct bead_colormap_info *map = bead_colormap_list(); map->name; map++)
         fprintf(out, "%-14s  %s\n", map->name, map->description);
     return BEAD_OK;
 }
 
-static enum bead_error list_codecs(FILE *out, struct bead_message *msg)
+static COMMAND_LISTS(list_codecs)
 {
-    (void)msg;
     const struct bead_codec_info *codec;
     for (size_t i = 0; (codec = bead_movie_codec(i)); i++)
         fprintf(out, "%-14s  %s\n", codec->extension, codec->description);
     return BEAD_OK;
 }
 
-static enum bead_error list_views(FILE *out, struct bead_message *msg)
+static COMMAND_LISTS(list_views)
 {
-    (void)msg;
     for (size_t i = 0; i < BEAD_VIEW_KINDS; i++)
         fprintf(out, "%-14s  %s\n", bead_view_infos[i].name, bead_view_infos[i].help);
     return BEAD_OK;
 }
 
-static enum bead_error list_libraries(FILE *out, struct bead_message *msg)
+static COMMAND_LISTS(list_libraries)
 {
-    const struct bead_library_info *library;
-    for (size_t i = 0; (library = bead_library_info(i)); i++)
-        command_list_library(out, library);
+    command_list_opened(out, bead_context_osmesa.libraries);
+    command_list_opened(out, bead_context_egl.libraries);
+    command_list_opened(out, bead_av_libraries);
     return command_list_libraries(out, msg);
 }
 
@@ -65,7 +63,6 @@ int main(int argc, char **argv)
     for (size_t i = 0; i + 1 < sizeof canvases / sizeof *canvases && bead_canvas_backend_info(i); i++)
         canvases[i] = bead_canvas_backend_info(i)->name;
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
-    const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
     const struct command_program program = {
         .name = "beadreel",
         .purpose = "compute and film waves in chains of elastic beads",
@@ -79,7 +76,6 @@ int main(int argc, char **argv)
                     "  beadreel --list keys movie                keys of one part of a scene\n",
         .lists = lists,
         .sinks = sinks,
-        .sweep_sinks = sweep_sinks,
         .canvases = canvases,
     };
     return command_main(&program, argc, argv);

@@ -6,6 +6,7 @@
 #include "tests/support.h"
 
 #include "beadreel/law.h"
+#include "sim/chain/system.h"
 #include "sim/integrate/events.h"
 
 enum { STEEL, ALUMINIUM, BRASS, LIGHT };
@@ -33,7 +34,8 @@ static inline void describe(struct setup *x, size_t cell_beads, size_t first, si
                                        .count = count,
                                        .spins = spins ? BEAD_SPINS_DIGITS : BEAD_SPINS_UP,
                                        .digits = (char *)(uintptr_t)spins};
-    x->spec = (struct bead_chain_spec){.striker_material = STEEL,
+    x->spec = (struct bead_chain_spec){.system = &bead_system_beads,
+                                       .striker_material = STEEL,
                                        .striker_velocity = velocity,
                                        .segment_count = 1,
                                        .wall = BEAD_WALL_MATERIAL,
@@ -81,7 +83,6 @@ static inline void steps(struct bead_stepper *s, double h, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         bead_stepper_advance_by(s, h, s->t1 + h);
-    assert_false(bead_events_failed(s->events));
 }
 
 static inline struct bead_stepper *run(const struct setup *x, const char *method, double h, double until)

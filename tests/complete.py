@@ -10,11 +10,14 @@ import select
 import sys
 import time
 
+# Each shell, what loads the script, and what sets its prompt. Where a prompt is, all that came before has been done: nothing here
+# waits for a while to pass. Quotes part the words, so that the echo of what is typed is not taken for what is printed.
+PROMPT = 'type> '
 SHELLS = {
-    'bash': (['bash', '--norc', '--noprofile', '-i'], 'bind "set enable-bracketed-paste off"; source {}'),
+    'bash': (['bash', '--norc', '--noprofile', '-i'], 'bind "set enable-bracketed-paste off"; source {}', 'PS1="ty""pe> "'),
     'zsh': (['zsh', '-f', '-i'], 'bindkey -e; unsetopt zle_bracketed_paste; fpath=({dir} $fpath); '
-            'autoload -Uz compinit; compinit -u -D'),
-    'fish': (['fish', '--no-config', '-i'], 'source {}'),
+            'autoload -Uz compinit; compinit -u -D', 'PS1="ty""pe> "'),
+    'fish': (['fish', '--no-config', '-i'], 'source {}', 'function fish_prompt; echo -n "ty""pe> "; end'),
 }
 
 
@@ -31,21 +34,17 @@ class Terminal:
     def type(self, text):
         os.write(self.fd, text.encode())
 
-    def wait(self, pattern, seconds=20):
-        """The last match of the pattern in what the shell prints from here on; it has printed nothing more for a moment."""
-        end, found = time.monotonic() + seconds, None
-        while time.monotonic() < end:
-            if select.select([self.fd], [], [], 0.3)[0]:
-                try:
-                    self.seen += os.read(self.fd, 65536).decode(errors='replace')
-                except OSError:
-                    break
-                found = re.search(pattern, self.seen)
-            elif found:
-                break
-        if not found:
-            raise TimeoutError(f'{pattern!r} did not come: {self.seen!r}')
-        self.seen = ''
+    def wait(self, pattern, seconds=60):
+        """The first match of the pattern in what the shell prints from here on; what follows it is left for the next call."""
+        end = time.monotonic() + seconds
+        while not (found := re.search(pattern, self.seen)):
+            if not select.select([self.fd], [], [], max(0, end - time.monotonic()))[0]:
+                raise TimeoutError(f'{pattern!r} did not come: {self.seen!r}')
+            try:
+                self.seen += os.read(self.fd, 65536).decode(errors='replace')
+            except OSError as ended:
+                raise EOFError(f'the shell ended before {pattern!r} came: {self.seen!r}') from ended
+        self.seen = self.seen[found.end():]
         return found
 
     def close(self):
@@ -54,17 +53,16 @@ class Terminal:
 
 
 def complete(shell, script, lines):
-    command, load = SHELLS[shell]
+    command, load, prompt = SHELLS[shell]
     terminal = Terminal(command)
     try:
-        # Typed text is echoed; a word in two pieces comes once only.
-        terminal.type(load.format(script, dir=os.path.dirname(os.path.abspath(script))) + '; echo rea""dy\n')
-        terminal.wait('ready')
+        terminal.type(f'{load.format(script, dir=os.path.dirname(os.path.abspath(script)))}; {prompt}\n')
+        terminal.wait(PROMPT)
         for line in lines:
-            terminal.type(line + '\t')
-            terminal.wait('.')
-            terminal.type('\x01echo "<"\'\' \x05 ">"\n')
+            # The shell takes what is typed in order: the rest of the line is read once TAB has done its work.
+            terminal.type(line + '\t' + '\x01echo "<"\'\' \x05 ">"\n')
             yield terminal.wait(r'< ([^\r\n]*?) *>\r').group(1)
+            terminal.wait(PROMPT)
     finally:
         terminal.close()
 

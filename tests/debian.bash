@@ -34,7 +34,7 @@ find_mirror() {
     done
 }
 
-# make_root SUITE [OPTION of debootstrap]... : a minimal system in $root.
+# make_root SUITE [OPTION of debootstrap]... : a minimal system in $root. Where BARE=DIRECTORY is set, one is kept there for the next script.
 make_root() {
     local suite=$1
     shift
@@ -47,19 +47,26 @@ make_root() {
     trap clean_up EXIT
     trap 'exit 130' INT
     trap 'exit 143' TERM HUP
+    if [ -n "${BARE:-}" ] && [ -d "$BARE/$suite" ]; then
+        say "minimal system as in $BARE"
+        cp -a "$BARE/$suite/." "$root" && return
+        exit 1
+    fi
     say "minimal system from $mirror"
     alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
         { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
+    echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/temporary" # nothing here outlives a power cut
+    [ -z "${BARE:-}" ] || cp -a "$root" "$BARE/$suite" || exit 1
 }
 
-# within COMMAND... : in the new system, with the host's devices; nothing of the host's environment.
+# within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it.
 within() {
     # shellcheck disable=SC2016
     alone bash -c '
         root=$1; shift
         mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
         exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-        DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+        DEBIAN_FRONTEND=noninteractive ${CFLAGS:+CFLAGS="$CFLAGS"} ${WERROR:+WERROR="$WERROR"} ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
         ${no_proxy:+no_proxy="$no_proxy"} "$@"
 }
 

@@ -9,8 +9,8 @@
 #define BEADREEL_TESTS_DRAWN_H
 
 #include "sim/base/random.h"
+#include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
-#include "sim/session/driver.h"
 #include "tests/asked.h"
 
 enum { DRAWN_TEXT = 6000 };
@@ -149,10 +149,10 @@ static inline void drawn_compare(const struct drawn *d, const struct peaks *got,
     snprintf(simulate, sizeof simulate, "accuracy: %g", accuracy);
     struct built built = build(d->text, simulate);
     const struct bead_chain *const chains[] = {built.chain};
-    struct bead_driver driver = {.chains = chains, .chain_count = 1, .simulate = &built.scene->simulate};
-    driver.tolerance_factor = bead_run_tolerance_factor(chains, 1, driver.simulate);
-    const double factor = bead_driver_comparison_factor(&driver, false),
-                 effective = bead_run_effective_factor(built.chain, driver.simulate, factor);
+    struct bead_play play = {.chains = chains, .chain_count = 1, .simulate = &built.scene->simulate};
+    play.tolerance_factor = bead_run_tolerance_factor(chains, 1, play.simulate);
+    const double factor = bead_play_comparison_factor(&play, false),
+                 effective = bead_run_effective_factor(built.chain, play.simulate, factor);
     release(&built);
     struct peaks comparison = find_coarse(d->text, accuracy, factor);
     const struct bead_uncertainty_of of = {accuracy, effective, d->damped, fmin(got->end, comparison.end)};

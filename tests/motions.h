@@ -7,16 +7,17 @@
 
 #include "sim/equation/equation.h"
 
-static inline struct bead_motion *start_motion(const struct bead_equation *equation, const struct bead_equation_spec *spec,
+static inline struct bead_motion *start_motion(const struct bead_system *system, const struct bead_equation_spec *spec,
                                                double accuracy, double step, double end)
 {
     struct bead_message msg = {""};
     struct bead_motion *motion = NULL;
-    const char *key = "", *wrong = equation->check(spec, &key);
+    const struct bead_chain_spec chain = {.system = system, .equation = *spec};
+    const char *key = "", *wrong = system->equation->check(spec, &key);
     if (wrong)
         fail_msg("%s %s", key, wrong);
-    struct bead_motion_settings settings = {spec, equation->system.points(spec, accuracy), "auto", accuracy, step, end};
-    if (equation->create(&settings, &motion, &msg))
+    struct bead_motion_settings settings = {spec, system->count(&chain, accuracy), "auto", accuracy, step, end};
+    if (system->equation->create(&settings, &motion, &msg))
         fail_msg("%s", msg.text);
     return motion;
 }
@@ -29,33 +30,32 @@ static inline struct bead_motion *start_motion(const struct bead_equation *equat
     } while (0)
 
 /* Steps of a motion until `time`; they may pass it. */
-static inline void move_until(const struct bead_equation *equation, struct bead_motion *motion, double time)
+static inline void move_until(const struct bead_system *system, struct bead_motion *motion, double time)
 {
     struct bead_message msg = {""};
-    while (equation->time(motion) < time) {
-        if (equation->step(motion, &msg))
+    while (system->equation->time(motion) < time) {
+        if (system->equation->step(motion, &msg))
             fail_msg("%s", msg.text);
     }
 }
 
 /* One field at a time of the last step; to be freed. */
-static inline double *field_at(const struct bead_equation *equation, struct bead_motion *motion, size_t points, double t,
+static inline double *field_at(const struct bead_system *system, struct bead_motion *motion, size_t points, double t,
                                enum bead_field field)
 {
     struct bead_message msg = {""};
     double *value[BEAD_FIELD_COUNT] = {NULL};
     value[field] = calloc(points, sizeof(double));
     assert_non_null(value[field]);
-    if (equation->sample(motion, t, BEAD_FIELD_BIT(field), value, &msg))
+    if (system->equation->sample(motion, t, BEAD_FIELD_BIT(field), value, &msg))
         fail_msg("%s", msg.text);
     return value[field];
 }
 
-static inline bool has_measure(const struct bead_equation *equation, const struct bead_motion *motion, const char *name,
-                               double *value)
+static inline bool has_measure(const struct bead_system *system, const struct bead_motion *motion, const char *name, double *value)
 {
     struct bead_measure all[64];
-    size_t count = equation->measures(motion, all, 64);
+    size_t count = system->equation->measures(motion, all, 64);
     assert_true(count <= 64);
     for (size_t i = 0; i < count; i++) {
         if (strcmp(all[i].name, name) == 0) {
@@ -66,10 +66,10 @@ static inline bool has_measure(const struct bead_equation *equation, const struc
     return false;
 }
 
-static inline double measure(const struct bead_equation *equation, const struct bead_motion *motion, const char *name)
+static inline double measure(const struct bead_system *system, const struct bead_motion *motion, const char *name)
 {
     double value = 0;
-    if (!has_measure(equation, motion, name, &value))
+    if (!has_measure(system, motion, name, &value))
         fail_msg("no measure `%s`", name);
     return value;
 }

@@ -15,8 +15,8 @@
 
 #include <cmocka.h>
 
-#include "beadreel/file.h"
 #include "beadreel/movie.h"
+#include "sim/base/file.h"
 
 enum { WIDTH = 98, HEIGHT = 66, FPS = 50 };
 

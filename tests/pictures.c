@@ -91,7 +91,7 @@ struct built build_chain(const char *output)
              "title: A test\nchain: {name: Ten, beads: [{bead: large-steel, count: 9}], wall: brass}\n"
              "simulate: {until: 1 ms}\noutputs: [{%s}]\n",
              *output ? output : "table: t.csv, show: peaks");
-    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &built.scene, &msg) ||
+    if (bead_scene_parse("test", text, strlen(text), NULL, &built.scene, &msg) ||
         bead_chain_create(built.scene, 0, &built.chain, &msg))
         fail_msg("%s", msg.text);
     assert_int_equal(bead_chain_beads(built.chain), BEADS);
@@ -156,7 +156,7 @@ double pulse_down_the_chain(size_t bead, double time)
 static const struct bead_sink_type *sink_of(const struct bead_output *output)
 {
     for (const struct bead_sink_type *const *type = bead_render_sinks(); *type; type++) {
-        if ((*type)->kind == output->kind && !(*type)->one_frame)
+        if ((*type)->kind == output->kind && (*type)->create && !(*type)->one_frame)
             return *type;
     }
     return NULL;

@@ -36,7 +36,7 @@ static inline enum bead_error try_build(const char *text, const char *simulate, 
     char all[8192];
     *built = (struct built){NULL, NULL};
     snprintf(all, sizeof all, "%ssimulate: {%s}\noutputs: [{table: peaks.csv, show: peaks}]\n", text, simulate);
-    enum bead_error err = bead_scene_parse("test", all, strlen(all), NULL, 0, &built->scene, msg);
+    enum bead_error err = bead_scene_parse("test", all, strlen(all), NULL, &built->scene, msg);
     return err ? err : bead_chain_create(built->scene, 0, &built->chain, msg);
 }
 

@@ -17,9 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/assets.h"
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
+#include "sim/base/assets.h"
 #include "sim/scene/scene_private.h"
 
 #define BEADS   "chain: {beads: [{bead: large-steel}]}\n"
@@ -29,7 +29,8 @@ static inline struct bead_scene *parse_with(const char *text, const char *const 
 {
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    if (bead_scene_parse("test", text, strlen(text), settings, count, &scene, &msg))
+    if (bead_scene_parse("test", text, strlen(text), &(struct bead_overrides){.settings = settings, .setting_count = count}, &scene,
+                         &msg))
         fail_msg("%s", msg.text);
     return scene;
 }
@@ -57,7 +58,8 @@ static inline void refuse_with(const char *text, const char *const *settings, si
 {
     struct bead_message msg = {""};
     struct bead_scene *scene = (struct bead_scene *)&msg;
-    enum bead_error err = bead_scene_parse("test", text, strlen(text), settings, count, &scene, &msg);
+    enum bead_error err = bead_scene_parse("test", text, strlen(text),
+                                           &(struct bead_overrides){.settings = settings, .setting_count = count}, &scene, &msg);
     assert_int_equal(err, BEAD_ERROR_SCENE);
     assert_null(scene);
     if (!strstr(msg.text, expected))
@@ -75,7 +77,7 @@ static inline struct bead_scene *load_ready(const char *name)
     char path[4096];
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    if (bead_scene_find(name, path, sizeof path, &msg) || bead_scene_load(path, NULL, 0, &scene, &msg))
+    if (bead_scene_find(name, path, sizeof path, &msg) || bead_scene_load(path, NULL, &scene, &msg))
         fail_msg("%s", msg.text);
     return scene;
 }

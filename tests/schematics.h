@@ -91,7 +91,7 @@ static inline enum bead_error draw(const struct staged *s, size_t index, struct 
     struct bead_message msg = {""};
     struct bead_page page;
     struct bead_look look;
-    assert_int_equal(bead_page_find(output, "test", &page, &msg), BEAD_OK);
+    assert_int_equal(bead_page_find(output, &page, &msg), BEAD_OK);
     bead_page_look(&page, &output->paper, &look);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, page.width, page.height);
     struct bead_text_watch watch = {see, seen};

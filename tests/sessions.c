@@ -23,15 +23,11 @@ void write_text(const char *path, const char *text)
 struct bead_session *play_session(struct bead_job job)
 {
     static const struct bead_sink_type *const *sinks[3];
-    static const struct bead_sweep_sink *const *sweep_sinks[3];
     struct bead_session *session = NULL;
     struct bead_message msg = {""};
     sinks[0] = bead_data_sinks();
     sinks[1] = bead_render_sinks();
-    sweep_sinks[0] = bead_sweep_data_sinks();
-    sweep_sinks[1] = bead_sweep_render_sinks();
     job.sinks = job.sinks ? job.sinks : sinks;
-    job.sweep_sinks = job.sweep_sinks ? job.sweep_sinks : sweep_sinks;
     job.size = sizeof job;
     job.hash = true;
     if (bead_session_open(&job, &session, &msg) || bead_session_run(session, &msg))

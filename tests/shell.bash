@@ -55,6 +55,14 @@ fails() {
 # says TEXT : stderr of the last run has it.
 says() { grep -qF -- "$1" "$T/err" || { echo "'$1' is not in:"; cat "$T/err"; return 1; }; }
 prints() { grep -qF -- "$1" "$T/out" || { echo "'$1' is not in:"; cat "$T/out"; return 1; }; }
+# await COMMAND... : until the command succeeds, at most a minute.
+await() {
+    local until=$((SECONDS + 60))
+    until "$@" >/dev/null 2>&1; do
+        [ $SECONDS -lt $until ] || { echo "waited in vain for: $*"; return 1; }
+        sleep 0.02
+    done
+}
 # empty DIRECTORY
 empty() { [ -z "$(ls -A "$1" 2>/dev/null)" ] || { ls -lA "$1"; return 1; }; }
 # finish : the last command of a test.

@@ -11,7 +11,7 @@ static inline struct bead_scene *parse(const char *text)
 {
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    if (bead_scene_parse("test.yaml", text, strlen(text), NULL, 0, &scene, &msg))
+    if (bead_scene_parse("test.yaml", text, strlen(text), NULL, &scene, &msg))
         fail_msg("%s", msg.text);
     return scene;
 }

@@ -15,10 +15,16 @@ declared_are_there() {
     comm -13 "$T/have" "$T/want" >"$T/missing"
     [ ! -s "$T/missing" ] || { cat "$T/missing"; return 1; }
 }
-# Neither more nor less than is listed: what is gone breaks programs, what comes is a promise. `make symbols` writes the list anew.
+# Neither more nor less than is listed: what is gone breaks programs, what comes is a promise. `make symbols` writes the lists anew.
+promised() { awk '/^ / {sub("@Base", "", $1); print $1}' "$top/tests/reference/$1.symbols"; }
 as_listed() {
     nm -D --defined-only "$BUILD/$1.so" | awk '$3 ~ /^bead_/ {print $3}' | sort >"$T/have"
-    awk '/^ / {sub("@Base", "", $1); print $1}' "$top/tests/reference/$1.symbols" | sort | diff - "$T/have"
+    { promised "$1"; cat "$top/tests/reference/$1.internal"; } | sort | diff - "$T/have"
+}
+# What is promised is declared in a public header, and what is exported for the house alone is not.
+declared_as_listed() {
+    { promised libbeadsim; promised libbeadreel; } | sort | diff - <(sort "$T/want" | grep -v '^bead_view_infos$') | grep -v 'bead_view_infos$' | grep '^[<>]' && return 1
+    ! cat "$top"/tests/reference/*.internal | grep -xFf - "$T/want"
 }
 no_graphics() { ! readelf -d "$1" | grep NEEDED | grep -iE 'osmesa|libgl|png|avcodec|avformat|avutil|swscale|cairo|pango|libx11'; }
 no_hdf5() { ! readelf -d "$1" | grep NEEDED | grep hdf5; }
@@ -33,6 +39,7 @@ ok "libbeadsim takes no function with different bits from the C library" same_ev
 ok "libbeadsim.so exports bead_* only" only_bead "$BUILD/libbeadsim.so"
 ok "libbeadreel.so exports bead_* only" only_bead "$BUILD/libbeadreel.so"
 ok "every function of the public headers is exported" declared_are_there
+ok "what is promised is what public headers declare" declared_as_listed
 ok "libbeadsim.so exports what is listed" as_listed libbeadsim
 ok "libbeadreel.so exports what is listed" as_listed libbeadreel
 ok "libbeadsim.so needs no graphics" no_graphics "$BUILD/libbeadsim.so"

@@ -49,8 +49,8 @@ for room in sim/chain render/draw tests tests/sim tests/film; do
     ok "an old build is brought up to date after a source has left $room" moved "$room"
 done
 mkdir -p "$T/b/tests"
-printf 'tests/sim/test_stack.c:\n' >"$T/b/tests/test_stack.d"
-in_its_room() { make -n BUILD="$T/b" "$T/b/tests/test_stack" >"$T/out" 2>"$T/err" && grep -q ' tests/render/test_stack\.c ' "$T/out"; }
+printf 'tests/sim/test_strip.c:\n' >"$T/b/tests/test_strip.d"
+in_its_room() { make -n BUILD="$T/b" "$T/b/tests/test_strip" >"$T/out" 2>"$T/err" && grep -q ' tests/render/test_strip\.c ' "$T/out"; }
 ok "... and after a test has changed rooms" in_its_room
 rm -rf "$T/apt" "$T/b/tests"
 ok "make deps where all is there" bare make deps
@@ -182,6 +182,10 @@ if git rev-parse -q --verify HEAD >/dev/null 2>&1; then
 else
     skip "a git checkout" "make dist has every file"
 fi
+
+# Packages are built in a folder of the build, and hold a folder called vendor_completions.d.
+packages_are_no_matter() { mkdir -p "$T/b/deb/x/vendor_completions.d" && quiet make --no-print-directory BUILD="$T/b" "$object"; }
+ok "make while packages are built" packages_are_no_matter
 
 # debian/ says again what the Makefile and the headers have.
 variable() { make -pn help 2>/dev/null | sed -n "s/^$1 = //p"; }

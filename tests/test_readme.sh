@@ -6,8 +6,11 @@ readme=$top/README.md
 # block FILE LANGUAGE NUMBER : the text of a code block
 block() { awk -v want="\`\`\`$2" -v n="$3" '/^```/ {if (inside) {inside = 0; next} if ($0 == want && ++seen == n) {inside = 1; next}} inside' "$1"; }
 block "$readme" yaml 1 >"$T/scene.yaml"
-block "$top/include/beadreel/README.md" c 1 >"$T/minimal.c"
-ok "the example is tests/examples/minimal.c" diff "$T/minimal.c" "$top/tests/examples/minimal.c"
+example=0
+for name in chain law film minimal; do
+    block "$top/include/beadreel/README.md" c $((++example)) >"$T/$name.c"
+    ok "example $example of the libraries is tests/examples/$name.c" diff "$T/$name.c" "$top/tests/examples/$name.c"
+done
 scenes=$(grep -c '^```yaml' "$readme")
 for ((n = 1; n <= scenes; n++)); do
     block "$readme" yaml $n >"$T/block.yaml"

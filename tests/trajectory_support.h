@@ -72,7 +72,7 @@ static inline enum bead_error try_set_up(struct stand *s, const char *chains, co
     *s = (struct stand){.scene = NULL};
     char text[4096];
     snprintf(text, sizeof text, "%soutputs:\n  - {%s}\n", chains, output);
-    if (bead_scene_parse("test.yaml", text, strlen(text), NULL, 0, &s->scene, msg))
+    if (bead_scene_parse("test.yaml", text, strlen(text), NULL, &s->scene, msg))
         fail_msg("%s", msg->text);
     for (size_t c = 0; c < s->scene->chain_count; c++)
         if (bead_chain_create(s->scene, c, &s->chains[c], msg))
@@ -88,7 +88,7 @@ static inline enum bead_error try_set_up(struct stand *s, const char *chains, co
     snprintf(s->path, sizeof s->path, "%s/%s", s->directory, s->scene->outputs[0].path);
     snprintf(s->part, sizeof s->part, "%s.part", s->path);
     for (const struct bead_sink_type *const *t = bead_data_sinks(); *t; t++)
-        if ((*t)->kind == s->scene->outputs[0].kind)
+        if ((*t)->kind == s->scene->outputs[0].kind && (*t)->create)
             s->type = *t;
     assert_non_null(s->type);
     for (size_t c = 0; c < s->scene->chain_count; c++)
@@ -197,7 +197,7 @@ static inline struct bead_trajectory *open_file(const char *path)
 {
     struct bead_message msg = {""};
     struct bead_trajectory *t = NULL;
-    if (bead_trajectory_open(path, NULL, 0, &t, &msg))
+    if (bead_trajectory_open(path, NULL, &t, &msg))
         fail_msg("%s", msg.text);
     return t;
 }

@@ -5,7 +5,8 @@
 
 #include <string.h>
 
-/* Everything is built with -fvisibility=hidden; a function so marked is part of the library. */
+/* Everything is built with -fvisibility=hidden; a function so marked is part of the library. What else the library exports is for
+ * the other one and the programs alone. */
 #define BEAD_API __attribute__((visibility("default")))
 /* The result must be looked at. */
 #define BEAD_CHECK __attribute__((warn_unused_result))
@@ -26,16 +27,16 @@
  * What stays. Within one soname (libbeadsim.so.0), a program that was compiled against older headers runs with a newer library:
  * - Functions are added, never removed or changed. tests/reference/libbeadsim.symbols and libbeadreel.symbols list all of them,
  * with the version that brought them.
- * - Structures that a caller fills in (bead_job, bead_sweep_settings, bead_movie_settings, bead_picture_notes) begin with their
- *   size and grow at the end. What the caller's header did not have gets its default, which is 0. A size that the library cannot
- *   know, such as that of a newer header, is refused with a message.
+ * - Structures that a caller fills in (bead_job, bead_chain_settings, bead_player_settings, bead_sweep_settings,
+ * bead_movie_settings) begin with their size and grow at the end. What the caller's header did not have gets its default, which is
+ * 0. A size that the library cannot know, such as that of a newer header, is refused with a message.
  * - Values of enums keep their numbers; new ones come behind them.
  * - Keys of scenes keep their meaning. Trajectories and results of sweeps remain readable.
  *
  * What may change before 1.0, with a new minor version (0.2), a new soname and an entry in CHANGELOG.md: everything else. These are
  * functions and their arguments; structures that the library fills in (bead_outcome, bead_counts, bead_needs, bead_run_context,
- * bead_sample, ...) or that are passed by value; tables of functions (bead_sink_type, bead_sweep_sink, bead_view_type); bead_scene
- * and what is in it; default values. The last digits of results may change with any version; CHANGELOG.md says so. */
+ * bead_sample, ...), bead_own, or structures that are passed by value; tables of functions (bead_sink_type, bead_view_type);
+ * bead_scene and what is in it; default values. The last digits of results may change with any version; CHANGELOG.md says so. */
 #define BEADREEL_VERSION "0.1.0"
 
 /* Settings begin with their size, and all else that is 0 means the default:

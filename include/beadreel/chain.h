@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chains: beads, contacts and forces, made from a scene; not changed afterwards, so threads may share one.
+/* Chains: beads, contacts and forces, made from a scene or from arrays; not changed afterwards, so threads may share one.
  *
  * Bead 0 is the striker, beads 1..N the chain. Contact k is between beads k and k+1; the contact with
  * the wall, where there is one, is the last. Displacement u_j is from the rest position, positive
@@ -25,10 +25,42 @@ struct bead_sensor {
 /* Chain `index` of the scene. The scene must outlive the chain. Errors: SCENE (with its place), MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, struct bead_chain **chain,
                                                       struct bead_message *msg);
+
+/* Properties of a bead, or of a wall, which needs only modulus and Poisson's ratio. */
+struct bead_properties {
+    double radius;  /* m */
+    double density; /* kg/m3; 0: given by the mass */
+    double mass;    /* kg; 0: follows from density and radius */
+    double modulus; /* Pa, Young's */
+    double poisson; /* -1 .. 0.5 */
+};
+
+/* A chain without a scene. Arrays may go once the chain is made; a law of the caller's own must outlive it. */
+struct bead_chain_settings {
+    size_t size;                         /* of this structure: BEAD_DEFAULT */
+    const struct bead_properties *beads; /* [count], left to right, those that are struck */
+    size_t count;
+    size_t repeat;                        /* so many times the row of `beads`; 0: once */
+    double velocity;                      /* m/s, of the striker as it touches the first bead, at time 0 */
+    struct bead_properties striker;       /* zeros: as the first of `beads` */
+    enum bead_wall wall;                  /* behind the last bead */
+    struct bead_properties wall_material; /* BEAD_WALL_MATERIAL */
+    struct bead_law_spec law;             /* row NULL: Hertz's */
+    double precompression;                /* N, static force in every contact */
+    double tilt;                          /* rad; needs a wall, which holds the lower end */
+    double damping_coefficient;           /* N (s/m)^exponent: force against the speed of compression */
+    double damping_exponent;              /* 0: 1.8 */
+    const char *name;                     /* in messages; NULL: "chain" */
+};
+/* On failure *chain is NULL. Errors: USAGE (names the member that is wrong), MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_chain_make(const struct bead_chain_settings *settings, struct bead_chain **chain,
+                                                    struct bead_message *msg);
 BEAD_API void bead_chain_destroy(struct bead_chain *chain);
 
 BEAD_API const char *bead_chain_name(const struct bead_chain *chain); /* "" where it has none */
 BEAD_API const struct bead_chain_spec *bead_chain_spec(const struct bead_chain *chain);
+/* `file:line:column: ` of the chain in its scene, or `--set:number:column: `, into `text`; "" without a scene. Returns text. */
+BEAD_API const char *bead_chain_place(const struct bead_chain *chain, char *text, size_t size);
 BEAD_API const struct bead_scene *bead_chain_scene(const struct bead_chain *chain);
 BEAD_API size_t bead_chain_beads(const struct bead_chain *chain);    /* with the striker: N + 1 */
 BEAD_API size_t bead_chain_contacts(const struct bead_chain *chain); /* N, and one more with a wall */
@@ -51,7 +83,7 @@ BEAD_API double bead_chain_magnetism(const struct bead_chain *chain);
 
 BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, size_t *count);
 
-/* What a field of this chain's samples means: its title and unit; NULL: it has no such field. */
+/* Title and unit of a field of this chain's samples; NULL: it has no such field. */
 BEAD_API const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, enum bead_field field);
 BEAD_API unsigned bead_chain_fields(const struct bead_chain *chain);       /* BEAD_FIELD_BITs of those it has */
 BEAD_API const char *bead_chain_time_unit(const struct bead_chain *chain); /* "s"; "" where times have no unit */
@@ -60,7 +92,7 @@ BEAD_API const char *bead_chain_time_unit(const struct bead_chain *chain); /* "s
 BEAD_API bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field);
 /* Colour of a bead, sRGB 0..1 [3]. */
 BEAD_API const double *bead_chain_colour(const struct bead_chain *chain, size_t bead);
-/* What moves, in a few words: of equations their formula, of beads "". */
+/* A few words about the system: the formula of an equation; "" for beads. */
 BEAD_API void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size);
 
 /* Linear modes of an equation: which fields of a sample their energies follow from (0: it has no modes), what these are called, and
@@ -70,7 +102,7 @@ BEAD_API const char *bead_chain_mode_title(const struct bead_chain *chain);
 BEAD_API void bead_chain_mode_energies(const struct bead_chain *chain, const double *const field[BEAD_FIELD_COUNT], size_t count,
                                        double *energy);
 
-/* The axis along a chain: value i of a field stands at first + i * spacing. */
+/* The axis along a chain: value i of a field is at first + i * spacing. */
 struct bead_chain_axis {
     const char *title; /* "bead", "contact", or "x" */
     const char *unit;  /* as graphs and axes take it: "1" of numbers of beads, "" of coordinates */

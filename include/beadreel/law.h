@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pair forces: one const row each. Compression d > 0 pushes the beads apart with force f(d).
  *
- * Everything that depends on the law is asked of its row. To add a law: a row in sim/chain/law.c and, if it has settings, its keys
- * in sim/scene/scene_chain.c. Every row has all functions but `exponent` and
- * `coefficient_rates`. */
+ * Everything that depends on the law is asked of its row. Every row has a name, a description and all functions but `exponent` and
+ * `coefficient_rates`. A law of your own is such a row: hand it to a chain (bead_chain_settings.law) or to a session
+ * (bead_job.laws), whose scenes then find it by its name. It must outlive them. Functions of rows are called by several threads at
+ * once, and return the same for the same arguments.
+ *
+ * To add a law to the library: a row in sim/chain/law.c and, if it has settings, its keys in sim/scene/scene_chain.c. */
 #ifndef BEADREEL_LAW_H
 #define BEADREEL_LAW_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "beadreel/api.h"
+#include "beadreel/error.h"
 #include "beadreel/scene.h"
 
 BEAD_BEGIN
@@ -24,11 +27,12 @@ struct bead_coefficient_rates {
 struct bead_law {
     const char *name;        /* as in scenes */
     const char *description; /* with the source of the formula */
+    const void *context;     /* for its functions, which find it as spec->row->context: the numbers of a law of your own, ... */
     bool one_sided;          /* no force at d <= 0: contacts open and close */
     bool hertz;              /* the force is a d^{3/2}: kernels may take square roots instead of calling `force` */
     bool as_printed;         /* in the order of operations of the thesis's program, where the last bit matters */
-    /* p where the force is a d^p at d > 0. NULL: it is no such power; contact events, which must know how the force begins, are
-     * then not corrected, and measures that follow from the power are left out. */
+    /* p where the force is a d^p at d > 0. NULL: it is no such power; measures that follow from the power are then left out, and
+     * how the force begins, which contact events must know, is found from `force` and `stiffness`. */
     double (*exponent)(const struct bead_law_spec *spec);
     /* The coefficient a of a contact between two beads, or of a bead and a wall; right NULL: a rigid wall. */
     double (*coefficient)(const struct bead_law_spec *spec, const struct bead_material *left, const struct bead_material *right,
@@ -44,6 +48,8 @@ struct bead_law {
     double (*energy_compression)(double a, const struct bead_law_spec *spec, double e); /* m, inverse of energy */
 };
 
+/* Has the row what every row needs? Errors: USAGE, with the name of what is missing. */
+BEAD_API BEAD_CHECK enum bead_error bead_law_check(const struct bead_law *law, struct bead_message *msg);
 /* NULL: there is no such law. */
 BEAD_API const struct bead_law *bead_law_find(const char *name);
 /* Row `index`, NULL behind the last. */
@@ -52,7 +58,7 @@ BEAD_API const struct bead_law *bead_law_info(size_t index);
 /* Stiffness A of a contact of two spheres (thesis Eq. 13):
  * A = 4 E1 E2 sqrt(R1 R2 / (R1 + R2)) / (3 [E2 (1 - nu1^2) + E1 (1 - nu2^2)]), N/m^{3/2}. */
 BEAD_API double bead_hertz_spheres(const struct bead_material *a, const struct bead_material *b);
-/* The same for a sphere and a flat wall, sqrt(R) instead; wall NULL: rigid. */
+/* Stiffness of a contact of a sphere and a flat wall, with sqrt(R) instead; wall NULL: rigid. */
 BEAD_API double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall);
 /* Both as the program of the thesis's Appendix 4 has them, operation by operation; between spheres it takes
  * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. */

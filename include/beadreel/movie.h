@@ -52,7 +52,7 @@ struct bead_movie_settings {
     double length; /* s: where the last chapter ends */
     int channels;  /* of sound: 1, or 2 (left and right); 0: none. bead_movie_sound will be called. mp4, mov, mkv and webm */
     bool alpha;    /* frames have alpha, and so has the movie: webm, mov, apng and png */
-    /* The same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
+    /* For the same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
     const struct bead_movie_subtitle *subtitles;
     size_t subtitle_count;
 };

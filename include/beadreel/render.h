@@ -9,8 +9,6 @@ BEAD_BEGIN
 
 /* NULL-terminated. */
 BEAD_API const struct bead_sink_type *const *bead_render_sinks(void);
-struct bead_sweep_sink; /* sweep.h */
-BEAD_API const struct bead_sweep_sink *const *bead_sweep_render_sinks(void);
 
 BEAD_END
 

@@ -53,7 +53,7 @@ BEAD_API size_t bead_grid_count(const struct bead_grid *grid);
 /* Time of sample `index`. */
 BEAD_API double bead_grid_time(const struct bead_grid *grid, size_t index);
 
-/* Where a chain's energy is, and where it went: together as much as there was at the start, J. */
+/* The parts of a chain's energy, those lost included: their sum is the energy at the start, J. */
 struct bead_budget {
     double kinetic;
     double contacts, wall; /* elastic, above the chain at rest, less the work of what precompresses it */
@@ -71,7 +71,7 @@ struct bead_sample {
     size_t active; /* beads >= active are exactly at rest, all their values 0 (or static) */
     const double *field[BEAD_FIELD_COUNT];
     const struct bead_budget *budget; /* where a sink asks for it; NULL in stored samples */
-    /* The same of the comparison run: the same chain run a second time with another accuracy, at the same time. Its beads >=
+    /* Values of the comparison run: the same chain run a second time with another accuracy, at the same time. Its beads >=
      * comparison_active are at rest. NULL where nobody asked. */
     const double *comparison[BEAD_FIELD_COUNT];
     size_t comparison_active;

@@ -2,12 +2,12 @@
 /* Scenes: what chain to strike and what pictures are wanted.
  *
  *   struct bead_scene *scene;
- *   err = bead_scene_load(path, settings, n_settings, &scene, &msg);
+ *   err = bead_scene_load(path, NULL, &scene, &msg);
  *   ... read it, make chains from it (chain.h), run it (session.h) ...
  *   bead_scene_free(scene);
  *
  * A scene is plain data, checked and with every default filled in; it is not changed after loading.
- * All numbers are SI. The keys, units, defaults, ranges and help of the settings below stand in one
+ * All numbers are SI. The keys, units, defaults, ranges and help of the settings below are in one
  * table for each structure (options.h), from which parser, help and error messages are made. */
 #ifndef BEADREEL_SCENE_H
 #define BEADREEL_SCENE_H
@@ -24,10 +24,13 @@
 
 BEAD_BEGIN
 
-/* Where something stands in the scene's text, from 1; for messages `file:line:column: key: ...`. */
+/* A place in the scene's text, counted from 1; for messages `file:line:column: key: ...`. */
 struct bead_place {
     size_t line, column;
 };
+/* The scene's text as a tree, of which each node knows its place. */
+struct bead_yaml;
+struct bead_node;
 
 struct bead_material {
     char *name;
@@ -51,7 +54,7 @@ struct bead_segment {
     size_t *each;      /* [count * cell_beads] materials of the cells as written, where they differ; NULL: all are `cell` */
     size_t count;      /* cells, >= 1 */
     enum bead_spins spins;
-    bool spins_given; /* `spins` stands in the scene: these cells count for the magnetism of the chain */
+    bool spins_given; /* the scene has `spins`: these cells count for the magnetism of the chain */
     char *digits;     /* BEAD_SPINS_DIGITS: '0' and '1', one a cell */
     double magnetism; /* BEAD_SPINS_RANDOM: the nearest that `count` allows is taken, majority up */
     uint64_t seed;
@@ -65,13 +68,12 @@ struct bead_law; /* law.h */
 
 /* A pair force and the numbers that its row asks for. */
 struct bead_law_spec {
-    const struct bead_law *row; /* NULL: an equation, which has no contacts */
+    const struct bead_law *row; /* NULL: the system has no contacts */
     double power, coefficient;  /* of power: the exponent, and the force at a compression of 1 m, N/m^power */
     double alpha, stiffness;    /* of fpu-alpha: 1/m, N/m */
 };
 
-/* A system that is not a chain of beads: sim/equation/equation.h has the tables. All numbers are those of the equation, without
- * units. */
+/* The numbers of an equation, without units. */
 enum bead_ends { BEAD_ENDS_FIXED, BEAD_ENDS_PERIODIC };
 enum bead_start_kind { BEAD_START_MODE, BEAD_START_PULSE, BEAD_START_SOLITONS, BEAD_START_COSINE, BEAD_START_SIMPLE_WAVE };
 enum bead_moving { BEAD_MOVING_REST, BEAD_MOVING_RIGHT, BEAD_MOVING_LEFT };
@@ -81,12 +83,8 @@ struct bead_soliton {
     double speed, at; /* its centre at t = 0 */
 };
 
-struct bead_system;
-
 struct bead_equation_spec {
-    char *name;                       /* "fput", "kdv", "shock"; NULL: a chain of beads */
-    const struct bead_system *system; /* that of this name: a const row of a table inside of the library */
-    size_t points;                    /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
+    size_t points;      /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
     double low, length; /* the domain: low <= x < low + length; fput: the left end's place, or the first mass's of a ring */
     enum bead_ends ends;
     double alpha, beta;                     /* fput: force of a spring stretched by r: r + alpha r^2 + beta r^3 */
@@ -101,10 +99,14 @@ struct bead_equation_spec {
     size_t soliton_count;
 };
 
+struct bead_system; /* system.h */
+
 struct bead_chain_spec {
-    char *name;  /* "" for a single unnamed chain */
-    char *title; /* the same as pictures show it: words for an identifier */
-    char *label; /* a line under the name, or "" */
+    const struct bead_system *system; /* what it is; never NULL */
+    char *name;                       /* "" for a single unnamed chain */
+    char *title;                      /* the same as pictures show it: words for an identifier */
+    char *label;                      /* a line under the name, or "" */
+    /* For beads: */
     size_t striker_material;
     double striker_velocity; /* m/s */
     struct bead_segment *segments;
@@ -116,11 +118,12 @@ struct bead_chain_spec {
     double tilt;                /* rad, >= 0: the wall end is the lower one */
     double damping_coefficient; /* N (s/m)^exponent */
     double damping_exponent;
-    struct bead_equation_spec equation; /* name not NULL: this, and nothing of the above but name and label */
-    struct bead_place place;
+    /* For the other systems: */
+    struct bead_equation_spec equation;
+    const struct bead_node *node; /* where the scene says it; NULL: made without a scene */
 };
 
-/* What is measured of every chain of a sweep. */
+/* Measurements of every chain of a sweep. */
 struct bead_sweep_measures {
     bool peak;       /* the largest bead force, first passage, over `beads`, or at each of `sensors` where there are some */
     size_t beads[2]; /* counted from the last random bead: 3, 5 are the third to the fifth behind it */
@@ -152,16 +155,17 @@ struct bead_sweep_spec {
     char **spins;          /* [group_count], one digit a random cell, where the scene gives them; else NULL */
     size_t configurations; /* of each group; one where there is only one way to arrange the spins */
     uint64_t seed;
+    bool whole; /* no bead is dropped behind the front */
     struct bead_sweep_measures measures;
-    struct bead_place place;
 };
 
 struct bead_simulate {
-    double until;    /* s; NaN: until the first pulse has passed the end of the chain */
-    double accuracy; /* relative error wanted in first-passage peak forces */
-    char *method;    /* "auto" or a name from methods.h */
-    double step;     /* s; 0: chosen from accuracy */
-    bool verify;     /* accuracy as a guarantee: shorter steps until two runs agree to it */
+    double until;        /* s; NaN: until the first pulse has passed the end of the chain */
+    double accuracy;     /* relative error wanted in first-passage peak forces */
+    bool accuracy_given; /* else outputs may want more (sink.h) */
+    char *method;        /* "auto" or a name from methods.h */
+    double step;         /* s; 0: chosen from accuracy */
+    bool verify;         /* accuracy as a guarantee: shorter steps until two runs agree to it */
 };
 
 enum bead_show {
@@ -180,7 +184,7 @@ enum bead_show {
     BEAD_SHOW_COUNT
 };
 enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_PROFILE_TIMES = 12 };
-/* What plots and tables of sweeps show: force against magnetism, forces of every configuration, peaks along the chain. */
+/* Contents of plots and tables of sweeps: force against magnetism, forces of every configuration, peaks along the chain. */
 enum bead_sweep_show {
     BEAD_SWEEP_MEDIAN,
     BEAD_SWEEP_MEAN,
@@ -209,7 +213,7 @@ enum bead_type { BEAD_TYPE_NORMAL, BEAD_TYPE_LARGE };
 
 /* ---- outputs: groups of settings that several kinds share ---- */
 
-/* What of the chains is shown or stored. */
+/* The part of the chains that is shown or stored. */
 struct bead_shown {
     enum bead_field field;
     struct bead_span beads; /* {0, SIZE_MAX}: all */
@@ -227,12 +231,14 @@ enum bead_orientation {
     BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of pictures without axes only */
 };
 
-/* What is drawn, from top to bottom: image, movie. */
+/* Views of an image or a movie, from top to bottom. */
+enum { BEAD_MOST_VIEWS = 8 };
 struct bead_views_asked {
-    enum bead_view_kind kinds[8];
-    size_t count;   /* 0: of the kinds without the key `views`, such as plots, which draw curves */
-    bool axes;      /* false: bare pixels */
-    double magnify; /* factor on displacements; 0: automatic */
+    unsigned kinds[BEAD_MOST_VIEWS];         /* a bead_view_kind; those of `own` count from BEAD_VIEW_KINDS on */
+    const struct bead_view_type *const *own; /* as in bead_own; NULL: none */
+    size_t count;                            /* 0: of the kinds without the key `views`, such as plots, which draw curves */
+    bool axes;                               /* false: bare pixels */
+    double magnify;                          /* factor on displacements; 0: automatic */
     enum bead_orientation orientation;
 };
 
@@ -263,7 +269,7 @@ struct bead_still_asked {
     bool letters; /* (a), (b), ... at the panels */
 };
 
-/* Of an output that is a panel. */
+/* For an output that is a panel. */
 struct bead_panel_asked {
     size_t row;   /* from 0 */
     size_t chain; /* number of the only chain shown; SIZE_MAX: all */
@@ -281,7 +287,7 @@ struct bead_curves_asked {
     size_t contact_count;
 };
 
-/* What plots and tables of sweeps show. */
+/* Contents of plots and tables of sweeps. */
 struct bead_sweep_curves_asked {
     enum bead_sweep_show show;
     char *threshold; /* how the threshold is found: a name of statistics.h */
@@ -304,9 +310,8 @@ struct bead_caption {
     double at;      /* s of the motion: from when on */
     double until;   /* s of the motion; NaN: not given */
     double lasting; /* s of the film; NaN: not given. Neither: until the next caption, the last one as long as it takes to read */
-    double pause;   /* s of the film for which the motion stands when the caption appears */
+    double pause;   /* s of the film for which the motion pauses when the caption appears */
     char *text;
-    struct bead_place place; /* of `at` */
 };
 /* A point of the curve of speed. */
 struct bead_speed {
@@ -314,13 +319,13 @@ struct bead_speed {
     double factor; /* s of the motion for one of the film, > 0 */
 };
 
-/* What a movie shows before the motion. */
+/* The title card, shown before the motion. */
 struct bead_card {
     double lasting; /* s of the film; 0: no card */
     char *text;     /* below the title, or "" */
 };
 
-/* What a movie sounds like: a force, slowed like the picture. */
+/* The sound of a movie: a force, slowed like the picture. */
 enum bead_sound_of { BEAD_SOUND_OFF, BEAD_SOUND_WALL, BEAD_SOUND_CONTACT, BEAD_SOUND_SENSOR };
 struct bead_sound_asked {
     enum bead_sound_of of;
@@ -331,7 +336,7 @@ struct bead_sound_asked {
 struct bead_movie_asked {
     double fps, duration; /* 1/s, s; duration is that of the film, not of the motion */
     enum bead_quality quality;
-    enum bead_layout layout;       /* where chains and views stand */
+    enum bead_layout layout;       /* arrangement of chains and views */
     enum bead_type type;           /* size of letters */
     struct bead_caption *captions; /* by rising times */
     size_t caption_count;
@@ -364,8 +369,11 @@ struct bead_sheet_asked {
  * shared ones that the kind has no key for are automatic: all beads, all times, ... */
 struct bead_output {
     enum bead_output_kind kind;
-    char *path; /* as written; relative to the output directory; NULL: a panel */
-    struct bead_place place;
+    const struct bead_sink_type *own; /* that makes it; NULL: one of the library's kinds */
+    char *path;                       /* as written; relative to the output directory; NULL: a panel */
+    const char *file;                 /* of the scene, for messages */
+    const struct bead_node *node;     /* its entry there; NULL: made without a scene */
+    size_t entry;                     /* number of that in the list, where an entry may name several files */
     struct bead_shown shown;
     struct bead_views_asked views;
     struct bead_colours_asked colours;
@@ -381,11 +389,21 @@ struct bead_output {
     struct bead_sheet_asked sheet;
 };
 
+/* Parts that a program adds to the library's own: lists that end with NULL, or NULL. Scenes find the parts by their names. All must
+ * outlive the scenes. */
+struct bead_own {
+    const struct bead_law *const *laws;        /* law.h */
+    const struct bead_view_type *const *views; /* view.h */
+    const struct bead_sink_type *const *sinks; /* sink.h: of outputs whose key is the sink's name */
+};
+
 struct bead_scene {
-    char *file;   /* name for messages */
-    char *text;   /* the whole YAML as run, settings of the command line applied (a copy that parses to this scene) */
-    char *title;  /* "" where none */
-    char *author; /* "" where none */
+    char *file;             /* name for messages */
+    struct bead_own own;    /* as given when it was loaded */
+    struct bead_yaml *tree; /* what was read, settings of the command line applied */
+    char *text;             /* the whole YAML as run, settings of the command line applied (a copy that parses to this scene) */
+    char *title;            /* "" where none */
+    char *author;           /* "" where none */
     struct bead_material *materials;
     size_t material_count;
     struct bead_chain_spec *chains;
@@ -401,18 +419,43 @@ struct bead_scene {
 /* Does a material have tolerances: do its beads differ? */
 BEAD_API bool bead_scene_tolerances(const struct bead_scene *scene);
 
-/* Load a scene from a file. `settings` are `key.path=value` overrides (`simulate.step=0.1 us`,
- * `chain.striker.velocity=1 m/s`, `outputs.0.size=[640, 360]`), applied in order; messages call
- * them `--set`, or as they begin: `--colormap:outputs.0.colormap=grey`. `--config=FILE` stands for the user's own settings, see
- * bead_config. On success
- * *scene belongs to the caller; on failure it is NULL and the message reads
- * `file:line:column: key: what is wrong and what is allowed`. Errors: SCENE, IO, MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const char *const *settings, size_t setting_count,
+/* A change of a scene: the value goes where the path leads, before the scene is read. */
+struct bead_override {
+    const char *origin;      /* what messages call the value's place: "--set". It ends, as does `path`, at a `=` */
+    const char *path;        /* "chain.striker.velocity"; elements of lists by number or name; `+` appends one; "": the whole */
+    const char *below;       /* where the path begins, "outputs.3"; NULL: at the top */
+    struct bead_place place; /* of the value: number of the option, column in it */
+    const char *value;       /* in YAML */
+    const struct bead_node *node; /* instead of `value`: copied */
+};
+/* All that changes a scene, each laid over what is there by then. NULL or zeros: nothing. */
+struct bead_overrides {
+    const struct bead_override *all;
+    size_t count;
+    const char *const *settings; /* of --set, laid last: "simulate.step=0.1 us", "outputs.0.size=[640, 360]" */
+    size_t setting_count;
+    const char *config;         /* file of the user's own settings, which give what is said nowhere else: bead_config. NULL: none */
+    const struct bead_own *own; /* what the program adds; NULL: nothing, or what the scene that is changed has */
+};
+
+/* Load a scene from a file. On success *scene belongs to the caller; on failure it is NULL and the message reads
+ * `file:line:column: key: what is wrong and what is allowed`, or `--set:number:column: ...`. Errors: SCENE, IO, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const struct bead_overrides *overrides,
                                                     struct bead_scene **scene, struct bead_message *msg);
-/* The same from memory; `name` stands for the file in messages. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length, const char *const *settings,
-                                                     size_t setting_count, struct bead_scene **scene, struct bead_message *msg);
+/* Reads a scene from memory; messages call it `name`. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length,
+                                                     const struct bead_overrides *overrides, struct bead_scene **scene,
+                                                     struct bead_message *msg);
+/* Makes a changed scene from one that has been loaded, which stays as it is. */
+BEAD_API BEAD_CHECK enum bead_error bead_scene_change(const struct bead_scene *before, const struct bead_overrides *overrides,
+                                                      struct bead_scene **scene, struct bead_message *msg);
 BEAD_API void bead_scene_free(struct bead_scene *scene);
+
+/* Reports an error of an output found after its scene was read: by its sink, or against a trajectory. Fails with
+ * `file:line:column: KEY: ...`, or with the option that gave the key: `--size:1:1: size: ...`. The message begins with the key, as
+ * in "size: leaves no room"; where the output does not give that key, the place is the output's. Errors: SCENE. */
+BEAD_API enum bead_error bead_output_wrong(const struct bead_output *output, struct bead_message *msg, const char *format, ...)
+    BEAD_PRINTF(3, 4);
 
 /* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
  * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
@@ -453,7 +496,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_scene_materials(struct bead_scene **sce
 /* Write all keys of scenes with units, ranges and defaults, from the tables that the parser uses: as text, or as sections
  * of a man page. */
 BEAD_API void bead_scene_help(FILE *out);
-/* The same of one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
+/* Help on one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
 BEAD_API BEAD_CHECK enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg);
 BEAD_API void bead_scene_help_man(FILE *out);
 

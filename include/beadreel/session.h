@@ -20,23 +20,14 @@
 #include <stdio.h>
 
 #include "beadreel/error.h"
+#include "beadreel/play.h"
 #include "beadreel/scene.h"
 #include "beadreel/sink.h"
 
 BEAD_BEGIN
 
-/* Told now and then (at most some ten times a second) while a session runs. */
-struct bead_progress {
-    const char *what; /* "scouting", "simulating", "drawing beads.mp4" */
-    double done;      /* 0..1 */
-    double time;      /* s of physical time reached; NaN: not one time */
-    double items;     /* things done so far; 0: not counted */
-    const char *item; /* "chains" */
-};
-
 struct bead_chain; /* chain.h */
 struct bead_sweep;
-struct bead_sweep_sink; /* sweep.h */
 
 struct bead_job {
     size_t size;                 /* of this structure: BEAD_DEFAULT */
@@ -52,7 +43,6 @@ struct bead_job {
     bool hash;                                        /* fill bead_counts.state_hash */
     bool full_window;                                 /* compute beads at rest too (for checks; same results) */
     const struct bead_sink_type *const *const *sinks; /* NULL-terminated list of NULL-terminated lists */
-    const struct bead_sweep_sink *const *const *sweep_sinks; /* the same for outputs of sweeps; NULL: none */
     const char
         *configuration; /* of a sweep's file: or a scene: run this chain of it: "17", or "NAME:17" where it has several sweeps */
     bool sheet;         /* make nothing but a contact sheet, the file `output` */
@@ -61,11 +51,12 @@ struct bead_job {
     const volatile sig_atomic_t *stop; /* non-zero: finish files and return STOPPED; may be NULL */
     void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
     void *progress_context;
-    const char *const *looks; /* "KEY=VALUE" of the one output that `output` names */
+    const char *const *looks; /* "--KEY=VALUE": options for keys of the one output that `output` names */
     size_t look_count;
     const char *config; /* a file of the user's own settings, see bead_config in scene.h; NULL: none */
     const char *frame;  /* make nothing but this frame of a movie, as PNG: "2.1 ms" of the motion, "50%" of the film, or "peak", the
                            moment that a poster shows; NULL: no */
+    const struct bead_own *own; /* what the program adds to scenes (scene.h); NULL: nothing. As long as the session */
 };
 
 struct bead_session;
@@ -74,7 +65,7 @@ struct bead_session;
  * Errors: SCENE, USAGE, IO, FORMAT, MEMORY. On failure *session is NULL. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session,
                                                       struct bead_message *msg);
-/* What will be computed, what is skipped, and why: lines of text into `out`. */
+/* Writes the plan, lines of text, to `out`: the work that will be done, the work that is skipped, and why. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_plan(const struct bead_session *session, FILE *out, struct bead_message *msg);
 /* Output number `index` of those that the session knows; false behind the last. Strings are the session's. */
 struct bead_planned {
@@ -82,6 +73,7 @@ struct bead_planned {
     bool made;                      /* not left out by --only, and a kind that the program makes */
 };
 BEAD_API bool bead_session_planned(const struct bead_session *session, size_t index, struct bead_planned *planned);
+/* Once: whatever came of it, another run is refused with USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *session, struct bead_message *msg);
 
 /* After a run: the files made, in the order of the scene; and the counts that --plan promised. */
@@ -104,7 +96,7 @@ struct bead_counts {
     uint64_t comparison_evaluations, comparison_steps; /* of comparison runs, which are counted nowhere else */
     uint64_t chains;                                   /* of a sweep, computed now */
     uint64_t passes;                                   /* times the chains were simulated: 1, or more with scouting */
-    uint64_t state_hash; /* FNV-1a over displacement and velocity bits of all chains after every step */
+    uint64_t state_hash; /* fingerprint of displacement and velocity bits of all chains after every step */
 };
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
 /* Unit of the session's times: "s", or "" (bead_chain_time_unit). */

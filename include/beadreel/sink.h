@@ -9,7 +9,13 @@
  *   sample   once for each time on its grid and each chain, chains in order within a time;
  *   again    after the last sample, where there is one: perhaps all samples are wanted once more;
  *   end      once after the last sample: finish, fsync, rename to `name`;
- *   destroy  always; where end was not reached, removes or (trajectory) closes the .part file properly. */
+ *   destroy  always; where end was not reached, removes or (trajectory) closes the .part file properly.
+ *
+ * A sink of your own is of the kind BEAD_OUTPUT_OWN. Hand it to a session (bead_job.own); scenes then ask for it by its name,
+ * `- NAME: FILE`, with the keys field, beads, time and every, and `-o FILE` by the ending of the file. It must have the functions
+ * create, needs, begin, sample, end and destroy.
+ *
+ * Outputs of sweeps show results that are there at once: all that their sinks do is `write`. */
 #ifndef BEADREEL_SINK_H
 #define BEADREEL_SINK_H
 
@@ -17,15 +23,17 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "beadreel/chain.h"
 #include "beadreel/error.h"
+#include "beadreel/peaks.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 
 BEAD_BEGIN
 
-/* What a sink reads; the run computes the union and nothing else. */
+/* Needs of a sink; the run computes their union and nothing else. */
 struct bead_needs {
     unsigned fields;        /* BEAD_FIELD_BITs of samples; 0 with grid.every == 0: no samples */
     struct bead_span beads; /* valid part of the samples' arrays; contacts first..last likewise */
@@ -51,7 +59,10 @@ struct bead_frame_asked {
     double time, part; /* s of the motion, or a part of the film, 0..1: NaN where it is not that; both: the frame of posters */
 };
 
-/* What is known before the first sample. */
+struct bead_sweep;          /* sweep.h */
+struct bead_sweep_settings; /* sweep.h */
+
+/* Known before the first sample. */
 struct bead_run_context {
     const struct bead_scene *scene;
     const struct bead_chain *const *chains;
@@ -70,70 +81,13 @@ struct bead_run_context {
     const void *asker;
     const struct bead_frame_asked *frame; /* of sinks with `one_frame`; else NULL */
     bool claimed; /* the caller holds claims on all files (file.h); else sinks that write as they go claim their own */
+    const struct bead_sweep *sweep;                   /* of outputs of sweeps; else NULL */
+    const struct bead_sweep_settings *sweep_settings; /* for those that run chains of it (bead_sweep_watch) */
 };
 
 /* Found by scouting: of the sink's range_field, over all chains. */
 struct bead_range {
     double low, high;
-};
-
-struct bead_peak {
-    double value; /* N: the largest; the static force where the wave has not come */
-    double time;  /* s; NaN where the contact was never loaded, 0 where it never carried more than its static force */
-    bool open;    /* that of the end of the run, where the force was still rising */
-};
-
-/* A number that a run has measured: "recurrence time", "", 9376.4 */
-struct bead_measure {
-    char name[48];
-    const char *unit; /* SI; "" of numbers without */
-    double value;
-    char note[40]; /* what the number does not say: "none seen" of a NaN, the time of a sample; "": nothing */
-};
-
-/* All beads at one time. */
-struct bead_moment {
-    double time;                           /* s */
-    const double *displacement, *velocity; /* [beads] m, m/s; NULL: not known, or not asked for */
-};
-
-/* The derivatives of one contact's peak force. */
-struct bead_sensitivity {
-    size_t index;                    /* of the contact; all NaN where its force still rises as a run ends by itself */
-    bool of_default;                 /* it is one of those meant where a sink names none */
-    double *mass, *radius, *modulus; /* [beads] N/kg, N/m, N/Pa: by those of each bead, all else kept */
-    double velocity;                 /* N s/m: by that of the striker */
-    double wall_modulus;             /* N/Pa: by that of the wall; 0 where there is none, or a rigid one */
-};
-
-/* What is known about one chain after the run. */
-struct bead_outcome {
-    double end;           /* s: simulated until here */
-    double front_arrival; /* s: last contact exceeded 1e-4 of the largest force so far; NaN: never */
-    const char *method;
-    double step;                         /* s, nominal */
-    uint64_t steps, evaluations;         /* evaluations of one bead's force */
-    double energy_start, energy_end;     /* J */
-    double momentum_start, momentum_end; /* kg m/s */
-    /* What the run knows of its own errors, the largest seen of each, as parts of what was put in; NaN where the method
-     * has no such estimate: */
-    double energy_error;   /* of the energy */
-    double embedded_error; /* of a velocity: a step against the embedded method of lower order, away from contacts that open or
-                              close */
-    double event_error;    /* of a velocity: the last correction of a contact that opens or closes */
-    const struct bead_peak *contact_peaks;                /* [contacts], NULL where not asked */
-    const struct bead_peak *bead_peaks;                   /* [beads], NULL where not asked */
-    const double *contact_uncertainty, *bead_uncertainty; /* N, of these; NULL where not asked */
-    const double *contact_deviation, *bead_deviation;     /* N, standard deviations of these; NULL where not asked */
-    const struct bead_sensitivity *sensitivities;         /* of the contacts asked for by any sink, rising */
-    size_t sensitivity_count;
-    /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not
-     * asked.
-     */
-    double worst_contact, worst_bead, worst_force, worst_uncertainty;
-    struct bead_moment arrived, final;   /* as the front arrives; at `end` */
-    const struct bead_measure *measures; /* what an equation's run has measured; NULL: none */
-    size_t measure_count;
 };
 
 struct bead_sink; /* each type's own */
@@ -142,7 +96,8 @@ struct bead_sink_type {
     const char *name; /* "image" */
     const char *help; /* one line */
     enum bead_output_kind kind;
-    bool background; /* works in threads of its own: ended after the others, which work meanwhile */
+    const char *endings; /* of BEAD_OUTPUT_OWN: how its files may end, ".txt or .dat"; else NULL, the kind knows */
+    bool background;     /* works in threads of its own: ended after the others, which work meanwhile */
     enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg);
     /* Asked again after `begin` and `again`: what is known then may make it less. */
@@ -155,7 +110,7 @@ struct bead_sink_type {
      * removed. */
     enum bead_error (*stop)(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg);
     void (*destroy)(struct bead_sink *sink);
-    /* For the result line: bytes written so far, and a work measure such as frames; may be NULL. */
+    /* For the result line: bytes written so far, and a work measure such as frames. NULL: the bytes are those of the file. */
     void (*result)(const struct bead_sink *sink, uint64_t *bytes, uint64_t *items);
     /* Who made it, after `end`: "painted by ..., encoded by ..." (the sink's). "": nothing to tell. May be NULL. */
     const char *(*makers)(const struct bead_sink *sink);
@@ -164,12 +119,33 @@ struct bead_sink_type {
     /* Does `create` look at arrays of the chains, such as the places of beads? Else they need not be built for a plan: until
      * `begin` only functions may be asked that return no arrays. NULL: it does not. */
     bool (*looks_at_beads)(const struct bead_output *output);
+    /* The accuracy that its run should have where the scene gives none; 0: it does not matter. Asked before `create`, and only of
+     * outputs that are made. NULL: it does not matter. */
+    double (*accuracy)(const struct bead_output *output);
     bool one_frame; /* makes a frame rather than the film: listed before the sink that makes all */
     /* After the last sample: does it want them all once more? Only of a sink that is alone. NULL: no. */
     enum bead_error (*again)(struct bead_sink *sink, bool *again, struct bead_message *msg);
+    /* Only in types for outputs of sweeps, which have none of the functions above: write the whole file. */
+    enum bead_error (*write)(const struct bead_output *output, const struct bead_run_context *context, const char *path,
+                             uint64_t *bytes, struct bead_message *msg);
+    const char *(*why)(const struct bead_output *output); /* what is written, in words for --plan */
+    bool runs_chains;                                     /* `write` runs the chains that it shows, */
+    bool without_results;                                 /* and needs no results of others */
 };
 
-/* The sinks that need no graphics: trajectory, tables. NULL-terminated. */
+/* ---- files of sinks: they appear whole, or not at all ---- */
+
+/* `path` seen from `directory` (NULL, "" or ".": the working directory; absolute paths stay as they are).
+ * *joined belongs to the caller (free), NULL on failure. Errors: MEMORY, IO (empty path). */
+BEAD_API BEAD_CHECK enum bead_error bead_file_join(const char *directory, const char *path, char **joined,
+                                                   struct bead_message *msg);
+/* Fills the opened `file`, named `part` in messages. */
+typedef enum bead_error (*bead_file_fill)(void *context, FILE *file, const char *part, struct bead_message *msg);
+/* The file `path` as `fill` writes it, or not at all. bytes may be NULL. Errors: MEMORY, IO, those of `fill`. */
+BEAD_API BEAD_CHECK enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes,
+                                                    struct bead_message *msg);
+
+/* The sinks that need no graphics: trajectory, tables, results of sweeps. NULL-terminated. */
 BEAD_API const struct bead_sink_type *const *bead_data_sinks(void);
 
 BEAD_END

@@ -34,9 +34,34 @@
 #include "beadreel/error.h"
 #include "beadreel/scene.h"
 #include "beadreel/session.h"
-#include "beadreel/statistics.h"
 
 BEAD_BEGIN
+
+struct bead_summary {
+    size_t count;
+    double mean, deviation;   /* deviation of the sample, with count - 1; NaN below two values */
+    double standard_error;    /* of the mean: deviation / sqrt(count) */
+    double low, high, median; /* quantiles by linear interpolation between the sorted values ((count - 1) q) */
+    double quartile[2];       /* 1/4, 3/4 */
+};
+
+/* The two regimes: F = plateau below the threshold, exp(-rate (1 - M^2)) above it. The number of domains of reversed cells grows as
+ * 1 - M^2, and each takes the same part of the wave. */
+struct bead_threshold {
+    double plateau, plateau_error; /* mean over all M <= 0.2 of the means */
+    double rate, rate_error;
+    double critical, critical_error; /* M_c; NaN where there is none */
+    double low, high;                /* M that the law was fitted to */
+};
+
+/* Decay along a chain of what is 1 without disorder, y at places (beads) 0, 1, ...: exponential near the striker, y ~ exp(-x /
+ * length), a power law farther on, y ~ x^exponent. */
+struct bead_decay {
+    double length, length_error;           /* beads; INFINITY where it does not decay */
+    double exponent, exponent_error;       /* NaN where the places do not reach to eight times `last` */
+    double length_offset, exponent_offset; /* ln y at place 0, and at place 1, of the two lines */
+    size_t first, last;                    /* places that the exponential was fitted over; the power law: from `last` on */
+};
 
 struct bead_sweep;
 
@@ -81,7 +106,7 @@ BEAD_API const char *bead_sweep_place(const struct bead_sweep *sweep, size_t pan
  * Borrowed from the sweep. */
 BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index,
                                        struct bead_sweep_configuration *configuration);
-/* How many configurations (and reference chains) there are, and are known. */
+/* Number of configurations (and reference chains), and of those that are known. */
 BEAD_API size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known);
 
 /* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
@@ -91,10 +116,11 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct bead_sw
                                                             struct bead_sweep_chain **chain, struct bead_message *msg);
 BEAD_API const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
 BEAD_API void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
-/* The text of a scene that is this one chain, with `outputs` (YAML: "[{movie: a.mp4}]"); to be freed with free(). Errors: SCENE,
- * MEMORY. */
+/* A scene that is this one chain, without outputs: a tree of the sweep's scene, for an override of the whole. Errors: SCENE,
+ * MEMORY.
+ */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
-                                                      const char *outputs, char **text, struct bead_message *msg);
+                                                      const struct bead_node **scene, struct bead_message *msg);
 
 struct bead_sweep_settings {
     size_t size;              /* of this structure: BEAD_DEFAULT */
@@ -106,7 +132,7 @@ struct bead_sweep_settings {
     void (*progress)(void *context, const struct bead_progress *progress);
     void *progress_context;
 };
-/* How far the unfinished sweep got whose journal is `path`. False: this is no journal. */
+/* Progress of the unfinished sweep whose journal is `path`. False: this is no journal. */
 struct bead_sweep_progress {
     size_t chains, done; /* of all parts; in this journal */
     size_t part, parts;
@@ -127,7 +153,7 @@ struct bead_sweep_watch {
     void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
     /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
      * energies at the arrival, beads, and the clean index (participation.h) */
-    double arrival, force, participation, order;
+    double arrival, force, participation, clean_index;
 };
 /* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches, size_t count,
@@ -140,9 +166,9 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg);
 /* True where the file says that it is one of a sweep. */
 BEAD_API bool bead_sweep_is(const char *path);
-/* Read one; `settings` change the outputs of its scene. Everything in the file is checked. The sweep has a scene of its own.
- * Errors: IO, FORMAT, MEMORY, SCENE. */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const char *const *settings, size_t setting_count,
+/* Read one; overrides change the outputs of its scene. Everything in the file is checked. The sweep has a scene of its own.
+ * Errors: IO, FORMAT, MEMORY, SCENE, USAGE (an override of what was computed). */
+BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const struct bead_overrides *overrides,
                                                     struct bead_sweep **sweep, struct bead_message *msg);
 /* Put parts together, in any order; all must be there, once, and of the same scene and version. Errors: those of open; USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep,
@@ -167,30 +193,14 @@ struct bead_sweep_statistics {
     struct bead_threshold threshold;
     bool has_threshold;
 };
-/* Of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. Errors: MEMORY; NUMBERS where the
- * clean chain is not known. */
+/* Statistics of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. Errors: MEMORY; NUMBERS
+ * where the clean chain is not known. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place,
                                                           const char *threshold, struct bead_sweep_statistics *statistics,
                                                           struct bead_message *msg);
 BEAD_API void bead_sweep_statistics_free(struct bead_sweep_statistics *statistics);
 
-/* Outputs of sweeps: each kind of file is one const row. */
-struct bead_sweep_sink {
-    const char *name;
-    enum bead_output_kind kind;
-    /* What is written, in words for --plan. */
-    const char *(*why)(const struct bead_output *output);
-    enum bead_error (*write)(const struct bead_output *output, const struct bead_sweep *sweep, const char *path, uint64_t *bytes,
-                             struct bead_message *msg);
-    /* Instead of write: needs no results of the sweep, and runs what it shows. */
-    enum bead_error (*run)(const struct bead_output *output, const struct bead_sweep *sweep,
-                           const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes, struct bead_message *msg);
-    bool needs_results; /* `run` does need those of the sweep */
-};
-/* Tables. NULL-terminated. */
-BEAD_API const struct bead_sweep_sink *const *bead_sweep_data_sinks(void);
-
-/* How peaks decay along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
+/* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
  * chain's. */
 struct bead_sweep_decay {
     double magnetism;

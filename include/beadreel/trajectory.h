@@ -3,7 +3,7 @@
  *
  * Reading: bead_trajectory_open checks the file (it is not trusted), rebuilds the scene and its chains from
  * the stored text, and gives the samples in order. Writing is the sink for `trajectory:` outputs.
- * Several chains of a scene stand in one particles group one after the other; /parameters/beadreel/chains
+ * Several chains of a scene share one particles group, one after the other; /parameters/beadreel/chains
  * says where each begins.
  *
  * In the file, all in double and SI units, only what was asked for:
@@ -35,9 +35,9 @@ struct bead_trajectory;
 
 /* True where the file looks like HDF5, whatever it is called. */
 BEAD_API bool bead_trajectory_is(const char *path);
-/* `settings` change the stored scene's outputs (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY,
+/* Overrides change the stored scene's outputs (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY,
  * SCENE. */
-BEAD_API BEAD_CHECK enum bead_error bead_trajectory_open(const char *path, const char *const *settings, size_t setting_count,
+BEAD_API BEAD_CHECK enum bead_error bead_trajectory_open(const char *path, const struct bead_overrides *overrides,
                                                          struct bead_trajectory **trajectory, struct bead_message *msg);
 BEAD_API void bead_trajectory_close(struct bead_trajectory *trajectory);
 

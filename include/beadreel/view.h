@@ -4,7 +4,8 @@
  *   create -> place (rectangle) -> decorate (axes: once) -> feed (samples, in time order) and draw (contents at a time), repeated
  *
  * A view knows neither files nor codecs, nor where the rectangle lies in the picture. The same view serves PNG, PDF, SVG and
- * movies. */
+ * movies. A view of your own is such a table: hand it to a session (bead_job.own), whose scenes then find it by its name. Its views
+ * may be drawn by several threads at once, each view by one. */
 #ifndef BEADREEL_VIEW_H
 #define BEADREEL_VIEW_H
 
@@ -12,7 +13,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "beadreel/canvas.h"
 #include "beadreel/chain.h"
 #include "beadreel/colormap.h"
 #include "beadreel/error.h"
@@ -24,8 +24,9 @@
 BEAD_BEGIN
 
 struct bead_camera;
+struct bead_canvas;
 
-/* Where titles of vertical axes stand: turned, beside the axis (figures); above the plot (movies). */
+/* Places of the titles of vertical axes: turned, beside the axis (figures); above the plot (movies). */
 enum bead_titles { BEAD_TITLES_BESIDE, BEAD_TITLES_ABOVE, BEAD_TITLES_NONE };
 
 struct bead_view_setup {
@@ -39,7 +40,7 @@ struct bead_view_setup {
     bool axes;       /* axes and labels around the plot */
     bool ticks_only; /* no labels on the vertical axis: plots are low, or the plot at the left has them */
     enum bead_titles titles;
-    bool name_left;   /* the title of the axis along the chain stands left of its numbers, where vertical axes have theirs */
+    bool name_left;   /* the title of the axis along the chain is left of its numbers, where vertical axes have theirs */
     int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
     bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
@@ -65,7 +66,7 @@ struct bead_view_type {
     /* The plot rectangle (without axes) in device pixels; once, before anything is drawn. `canvas` is NULL without
      * BEAD_DRAWS_ON_CANVAS. */
     enum bead_error (*place)(struct bead_view *view, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg);
-    /* What never changes: frame, axes, labels, reaching out of the plot rectangle. */
+    /* Draws the parts that never change: frame, axes and labels, outside the plot rectangle too. */
     enum bead_error (*decorate)(struct bead_view *view, cairo_t *cr, struct bead_message *msg);
     /* A sample of this view's chain. */
     enum bead_error (*feed)(struct bead_view *view, const struct bead_sample *sample, struct bead_message *msg);
@@ -75,7 +76,7 @@ struct bead_view_type {
                             struct bead_changes *changes, struct bead_message *msg);
     /* Instead of draw, of a frame that nobody will see. NULL: what is drawn does not depend on frames before. */
     void (*pass)(struct bead_view *view, double time);
-    /* The same contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
+    /* Draws the contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
     enum bead_error (*vector)(struct bead_view *view, double time, cairo_t *cr, struct bead_message *msg);
     void (*destroy)(struct bead_view *view);
 
@@ -87,7 +88,7 @@ struct bead_view_type {
 
     /* ---- for layouts; NULL where there is nothing to say ---- */
 
-    /* How far left and right of its plot rectangle the view draws, px. NULL: not at all. */
+    /* Room that the view needs left and right of its plot rectangle, px. NULL: none. */
     void (*margins)(const struct bead_look *look, int *left, int *right);
     /* The view never needs more than this height in a plot of this width, px. NULL: it can use any. */
     double (*most_height)(const struct bead_view_setup *setup, double width);
@@ -111,6 +112,9 @@ static inline bool bead_view_has(const struct bead_view_type *type, unsigned tra
 
 /* Never NULL for a kind below BEAD_VIEW_KINDS. */
 BEAD_API const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
+/* View `index` of those that an output asks for. Errors: USAGE (a function is missing). */
+BEAD_API BEAD_CHECK enum bead_error bead_view_take(const struct bead_views_asked *asked, size_t index,
+                                                   const struct bead_view_type **type, struct bead_message *msg);
 
 BEAD_END
 

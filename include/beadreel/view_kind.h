@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The views that there are, one row each: what scenes, layouts and captions must know of a view. How it draws stands in view.h.
+/* The views that there are, one row each: what scenes, layouts and captions must know of a view. view.h has the functions that
+ * draw.
  *
  * To add a view: its row here, and its file render/view/view_NAME.c with a `const struct bead_view_type bead_view_NAME_type`. */
 #ifndef BEADREEL_VIEW_KIND_H
@@ -25,7 +26,7 @@ enum bead_view_trait {
     BEAD_OVERLAYS = 256,        /* can show several chains on one axis */
 };
 
-/* What the horizontal axis counts. An image's counts time where it does not run down. */
+/* The quantity on the horizontal axis; time for an image whose time does not run down. */
 enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES };
 
 /* Shares are of the height that all views of a picture have; `most` is the largest useful height in widths of the plot. `shape`:
@@ -63,9 +64,12 @@ struct bead_view_info {
 /* By kind. */
 extern BEAD_API const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS];
 
+struct bead_views_asked; /* scene.h */
+/* View `index` of those asked for. */
+BEAD_API const struct bead_view_info *bead_views_info(const struct bead_views_asked *asked, size_t index);
 /* Has any of these views the trait? Have all? */
-BEAD_API bool bead_views_any(const enum bead_view_kind *views, size_t count, unsigned trait);
-BEAD_API bool bead_views_all(const enum bead_view_kind *views, size_t count, unsigned trait);
+BEAD_API bool bead_views_any(const struct bead_views_asked *asked, unsigned trait);
+BEAD_API bool bead_views_all(const struct bead_views_asked *asked, unsigned trait);
 
 BEAD_END
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Colour maps: the list of them, reading one from its file, and the colour of a value. */
+/* Colour maps: their list, their files, and the colour of a value. */
 #include "beadreel/colormap.h"
 
 #include <math.h>
@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/assets.h"
+#include "sim/base/assets.h"
+#include "sim/base/suggest.h"
 
 static const struct bead_colormap_info maps[] = {
     {"viridis", "dark violet, green, yellow; even lightness"},
@@ -29,10 +30,8 @@ const struct bead_colormap_info *bead_colormap_list(void)
 static enum bead_error unknown(const char *name, struct bead_message *msg)
 {
     char names[256] = "";
-    for (const struct bead_colormap_info *map = maps; map->name; map++) {
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", map->name);
-    }
+    for (const struct bead_colormap_info *map = maps; map->name; map++)
+        bead_list_add(names, sizeof names, ", ", map->name);
     return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map `%.40s`; allowed are %s, or a file of colours such as mine.txt",
                      name, names);
 }
@@ -45,7 +44,7 @@ static enum bead_error parse(const char *file, const char *text, struct bead_col
         if (*line == '#' || *line == '\n')
             continue;
         if (rows == 256 || sscanf(line, "%d %d %d", &rgb[0], &rgb[1], &rgb[2]) != 3)
-            return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: row %zu: not three numbers in one of 256 rows", file, rows + 1);
+            return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: row %zu: must be three numbers, in 256 rows in all", file, rows + 1);
         for (int c = 0; c < 3; c++) {
             if (rgb[c] < 0 || rgb[c] > 255)
                 return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: row %zu: %d is not within 0 to 255", file, rows + 1, rgb[c]);
@@ -58,7 +57,7 @@ static enum bead_error parse(const char *file, const char *text, struct bead_col
     return BEAD_OK;
 }
 
-/* The colour at `place` from 0 to 255 of `count` colours, "#rrggbb " each, at equal distances. */
+/* The colour at `place`, 0 to 255, on a scale of `count` equally spaced colours, "#rrggbb " each. */
 static void between(const char *colours, size_t count, int place, uint8_t rgb[3])
 {
     const double at = (double)place * (double)(count - 1) / 255;
@@ -70,7 +69,7 @@ static void between(const char *colours, size_t count, int place, uint8_t rgb[3]
     }
 }
 
-/* A map of one's own: "#000000 #ff8000 #ffffff". */
+/* Makes a map of the user's own colours: "#000000 #ff8000 #ffffff". */
 static enum bead_error own(const char *colours, struct bead_colormap *map, struct bead_message *msg)
 {
     const size_t length = strlen(colours), count = (length + 1) / 8;
@@ -79,7 +78,7 @@ static enum bead_error own(const char *colours, struct bead_colormap *map, struc
         good = colours[8 * i] == '#' && strspn(colours + 8 * i + 1, "0123456789abcdefABCDEF") == 6 &&
                (colours[8 * i + 7] == ' ' || i + 1 == count);
     if (!good)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "colours of one's own must be two or more such as #ff8000, a space between each");
+        return bead_fail(msg, BEAD_ERROR_SCENE, "own colours must be two or more such as #ff8000, separated by a space");
     snprintf(map->name, sizeof map->name, "own");
     for (int i = 0; i < 256; i++)
         between(colours, count, i, map->rgb[i]);

@@ -7,14 +7,15 @@
 
 /* A logarithmic scale without a given lower end begins at this part of the largest value. */
 static const double log_span = 1e-4;
-/* An event is left out where the typical values are below this part of it; they have so much room. */
+/* An event is left out if the typical values are below this part of it; the range then ends at this multiple of them. */
 static const double hides = 0.5, headroom = 1.05;
-/* Values of one sign may have a few of the other, by errors or small waves. */
+/* Values of one sign may include smaller ones of the other, up to this part of the largest, from errors or small waves. */
 static const double ripple = 0.05;
-/* Samples seldom hit a maximum: so little below a round number, it may as well be that. */
+/* Samples seldom hit a maximum: from this part of a round number on, the range ends at the number. */
 static const double nearly = 0.99;
 
-/* The next number of one digit (1, 2, ... 10 times a power of ten), if `size` is nearly that: the bar ends with a labelled tick. */
+/* The next number of one digit (1, 2, ... 10 times a power of ten) if `size` nearly is it: the bar then ends with a labelled tick.
+ */
 static double rounded(double size)
 {
     if (!(size > 0) || !isfinite(size))
@@ -42,7 +43,7 @@ static void automatic(enum bead_scale scale, bool is_signed, double least, doubl
     }
 }
 
-/* The largest magnitude of an event that hides the rest; 0: there is none. */
+/* The largest magnitude of an event that hides the rest; 0: none. */
 static double find_hidden(const struct bead_colours_asked *asked, const struct bead_shown_values *values)
 {
     double size = fmax(fabs(values->least), fabs(values->largest));
@@ -83,23 +84,19 @@ void bead_colour_range_ends(const struct bead_output *output, const struct bead_
     *under = given ? both && output->colours.scale != BEAD_SCALE_LOG : found->under;
 }
 
-enum bead_error bead_colour_range_check(const struct bead_output *output, const char *file, struct bead_message *msg)
+enum bead_error bead_colour_range_check(const struct bead_output *output, struct bead_message *msg)
 {
     const double *range = output->colours.range;
-    struct bead_place place = output->place;
     if (range[0] >= range[1])
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; the first must be less than the second", file,
-                         place.line, place.column, range[0], range[1]);
+        return bead_output_wrong(output, msg, "range: is [%g, %g]; the first must be less than the second", range[0], range[1]);
     if (output->colours.scale == BEAD_SCALE_LOG && (range[0] <= 0 || range[1] <= 0))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: range: is [%g, %g]; a logarithmic scale needs numbers above 0", file,
-                         place.line, place.column, range[0], range[1]);
+        return bead_output_wrong(output, msg, "range: is [%g, %g]; a logarithmic scale needs numbers above 0", range[0], range[1]);
     return BEAD_OK;
 }
 
 enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark,
                                       struct bead_colormap *map, struct bead_message *msg)
 {
-    const char *file = bead_chain_scene(chain)->file;
     bool signs = bead_chain_signed(chain, output->shown.field);
     bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};
@@ -109,6 +106,6 @@ enum bead_error bead_colour_range_map(const struct bead_output *output, const st
                                                             : "viridis",
                                              map, &why);
     if (err == BEAD_ERROR_SCENE)
-        return bead_fail(msg, err, "%s:%zu:%zu: colormap: %.500s", file, output->place.line, output->place.column, why.text);
+        return bead_output_wrong(output, msg, "colormap: %.500s", why.text);
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }

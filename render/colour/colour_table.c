@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Colours of many values at once: the thresholds between colours, found once, and a search without branches. Areas use it. */
+/* Colours of many values at once: the thresholds between colours, found once, and a search without branches. Used by areas. */
 #include "render/colour/colour_table.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@ static int64_t rank_of(double value)
     return bits >> 63 ? (int64_t) ~(bits & ~((uint64_t)1 << 63)) : (int64_t)bits;
 }
 
-/* The smallest number above `below` whose colour is `index` or a later one. */
+/* The smallest number above `below` whose colour is `index` or later; NAN: none. */
 static double least_of(const struct bead_colours *colours, int index, double below)
 {
     int64_t low = rank_of(below), high = rank_of(INFINITY);
@@ -45,7 +45,7 @@ void bead_colour_table_make(const struct bead_colours *colours, struct bead_colo
         return;
     for (int i = 1; i < 256; i++) {
         double before = table->least[i - 1];
-        bool skipped = i > 1 && bead_colours_index(colours, before) >= i; /* a colour without any value */
+        bool skipped = i > 1 && bead_colours_index(colours, before) >= i; /* no value has this colour */
         table->least[i] = skipped ? before : least_of(colours, i, before);
     }
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Colours of many values: the same indices as bead_colours_index gives one by one. */
-#ifndef BEADREEL_RENDER_COLOUR_COLOUR_TABLE_H
-#define BEADREEL_RENDER_COLOUR_COLOUR_TABLE_H
+/* Colours of many values at once, with the indices of bead_colours_index. */
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -13,8 +12,6 @@ struct bead_colour_table {
     double least[256]; /* smallest value of colour i; NaN: none. Not used for linear scales */
 };
 
-/* Evaluates the scale's function some thousand times, once for all. `colours->map` is borrowed. */
+/* Evaluates the scale's function a few thousand times, once. `colours->map` is borrowed. */
 void bead_colour_table_make(const struct bead_colours *colours, struct bead_colour_table *table);
 void bead_colour_table_find(const struct bead_colour_table *table, size_t n, const double *values, uint8_t *indices);
-
-#endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Palettes of animations: which colours all frames get, and their pixels as indices. GIF files are made with it. */
+/* Palettes of animations: chooses the colours of all frames and turns their pixels into indices. Used for GIF files. */
 #include <limits.h>
 #include <math.h>
 #include <stdbool.h>
@@ -17,17 +17,12 @@ struct box {
     double spread; /* weighted sum of squared deviations along it */
 };
 
-/* Every pixel counts: with less for frequent colours, slow gradients of large areas would show steps. */
-static double weight(const struct bead_tone *tone)
-{
-    return tone->count;
-}
-
 static int channel(uint32_t colour, int shift)
 {
     return (int)(colour >> shift & 255);
 }
 
+/* Every pixel weighs the same: with less weight for frequent colours, slow gradients of large areas would show steps. */
 static void palette_measure(const struct bead_tone *tones, struct box *box)
 {
     static const double importance[] = {0.6, 1, 0.8}; /* approximate weight of blue, green and red for the eye */
@@ -36,7 +31,7 @@ static void palette_measure(const struct bead_tone *tones, struct box *box)
     for (int shift = 0; shift < 24; shift += 8) {
         double sum = 0, first = 0, second = 0;
         for (size_t i = box->first; i < box->first + box->count; i++) {
-            double w = weight(&tones[i]), c = channel(tones[i].colour, shift);
+            double w = tones[i].count, c = channel(tones[i].colour, shift);
             sum += w;
             first += w * c;
             second += w * c * c;
@@ -49,7 +44,7 @@ static void palette_measure(const struct bead_tone *tones, struct box *box)
     }
 }
 
-/* By one channel, then by all, so that the order does not depend on the sort. */
+/* Orders by one channel, then by all: the result does not depend on the sort. */
 static int compare(const struct bead_tone *a, const struct bead_tone *b, int shift)
 {
     int difference = channel(a->colour, shift) - channel(b->colour, shift);
@@ -71,19 +66,19 @@ static int by_red(const void *a, const void *b)
     return compare(a, b, 16);
 }
 
-/* The number of tones of a sorted box below the cut that leaves the least spread in the two parts, at least one in each: there, the
- * squared first moment over the weight, summed over both parts, is largest. */
+/* The number of tones of a sorted box below the cut that leaves the least spread in the two parts, at least one in each: it has the
+ * largest sum over both parts of the squared first moment over the weight. */
 static size_t best_cut(const struct bead_tone *tones, size_t count, int shift)
 {
     double total = 0, moment = 0, below = 0, moment_below = 0, most = -1;
     for (size_t i = 0; i < count; i++) {
-        total += weight(&tones[i]);
-        moment += weight(&tones[i]) * channel(tones[i].colour, shift);
+        total += tones[i].count;
+        moment += (double)tones[i].count * channel(tones[i].colour, shift);
     }
     size_t best = 1;
     for (size_t i = 0; i + 1 < count; i++) {
-        below += weight(&tones[i]);
-        moment_below += weight(&tones[i]) * channel(tones[i].colour, shift);
+        below += tones[i].count;
+        moment_below += (double)tones[i].count * channel(tones[i].colour, shift);
         double rest = moment - moment_below, gain = moment_below * moment_below / below + rest * rest / (total - below);
         if (gain > most) {
             most = gain;
@@ -121,7 +116,7 @@ size_t bead_palette_cut(struct bead_tone *tones, size_t count, size_t most, uint
     size_t used = count > 0;
     if (used)
         palette_measure(tones, &boxes[0]);
-    while (used < most && used < MOST_BOXES && used) {
+    while (used > 0 && used < most && used < MOST_BOXES) {
         struct box *widest = &boxes[0];
         for (size_t i = 1; i < used; i++) {
             if (boxes[i].spread > widest->spread)
@@ -161,7 +156,7 @@ static size_t nearest(const uint32_t *colours, size_t count, uint32_t colour)
     return best;
 }
 
-/* Of the tones that one colour stands for. */
+/* Statistics of the tones that share one colour. */
 struct group {
     double weight, sum[3];
     const struct bead_tone *most; /* the most frequent */
@@ -172,16 +167,18 @@ static uint32_t middle_of(const struct group *g)
     uint32_t colour = 0;
     for (int c = 0; c < 3; c++)
         colour |= (uint32_t)lround(g->sum[c] / g->weight) << 8 * c;
-    return weight(g->most) > 0.5 * g->weight ? g->most->colour : colour; /* flat areas keep what they have */
+    return g->most->count > 0.5 * g->weight ? g->most->colour : colour; /* flat areas keep their colour */
 }
 
-void bead_palette_refine(const struct bead_tone *tones, size_t count, uint32_t *colours, size_t used)
+/* Moves colours to the middle of the tones nearest to each, a few times over. A tone with more than half of its group's pixels
+ * stays. */
+static void refine(const struct bead_tone *tones, size_t count, uint32_t *colours, size_t used)
 {
     for (int round = 0; round < ROUNDS; round++) {
         struct group groups[MOST_BOXES] = {{.weight = 0}};
         for (size_t i = 0; i < count; i++) {
             struct group *g = &groups[nearest(colours, used, tones[i].colour)];
-            double w = weight(&tones[i]);
+            double w = tones[i].count;
             g->weight += w;
             for (int c = 0; c < 3; c++)
                 g->sum[c] += w * channel(tones[i].colour, 8 * c);
@@ -200,8 +197,8 @@ enum { COLOURS = 1 << 24 };
 struct bead_palette {
     uint32_t colour[BEAD_PALETTE_MOST]; /* 0x00RRGGBB */
     size_t used;
-    uint32_t *histogram; /* [COLOURS] pixels of each; pages are taken as needed, as those of known */
-    uint8_t *known;      /* [COLOURS] index + 1 of a colour's stand-in, 0: not looked up yet */
+    uint32_t *histogram; /* [COLOURS] pixels of each; like `known`, takes memory only for pages in use */
+    uint8_t *known;      /* [COLOURS] index + 1 of the colour's replacement, 0: not looked up yet */
 };
 
 enum bead_error bead_palette_create(struct bead_palette **palette, struct bead_message *msg)
@@ -254,7 +251,7 @@ enum bead_error bead_palette_choose(struct bead_palette *palette, struct bead_me
     }
     palette->used = bead_palette_cut(tones, count, BEAD_PALETTE_MOST, palette->colour);
     if (count > BEAD_PALETTE_MOST)
-        bead_palette_refine(tones, count, palette->colour, palette->used);
+        refine(tones, count, palette->colour, palette->used);
     free(tones);
     return BEAD_OK;
 }

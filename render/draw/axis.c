@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the ticks of axes, and their labels. axis_draw.c draws them. */
+/* Chooses the ticks and labels of axes; axis_draw.c draws them. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/colormap.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/quantity.h"
 
 enum {
@@ -127,7 +127,7 @@ static bool has_tick(const struct bead_axis *axis, double place)
     return false;
 }
 
-/* Steps that lead to the end, of an axis that began with a tick from there, too: the widest with so many ticks. */
+/* The widest steps with at least `least` ticks, one of them at the upper end; `from_low`: and one at the lower. */
 static bool steps_to_the_end(struct bead_axis *axis, const struct room *room, bool counts, bool from_low, size_t least)
 {
     enum { MANTISSAS = 5 };
@@ -141,7 +141,7 @@ static bool steps_to_the_end(struct bead_axis *axis, const struct room *room, bo
     return false;
 }
 
-/* An axis from 0.6 to 1.5 has both numbers: in smaller steps or in threes and fours, if those fit. */
+/* An axis from 0.6 to 1.5 shows both numbers: with smaller steps, or steps of 3 or 4, if these fit. */
 static void equal_steps(struct bead_axis *axis, struct room room, bool counts)
 {
     round_steps(axis, room, counts);
@@ -195,7 +195,7 @@ static bool has_one_digit(double number)
     return fabs(mantissa - round(mantissa)) < 1e-6;
 }
 
-/* On nonlinear scales: the roundest numbers first, as long as there is room between those taken. */
+/* On nonlinear scales: adds the roundest numbers first, while there is room between the ticks. */
 static void roundest_first(struct bead_axis *axis, const struct room *room)
 {
     double low = axis->low * axis->factor, high = axis->high * axis->factor, slack = 1e-9 * (high - low);
@@ -235,12 +235,6 @@ static void minor_between(struct bead_axis *axis, const struct room *room, size_
             axis->minor[axis->minor_count++] = bead_axis_place(axis, low + k * step);
         return;
     }
-}
-
-static void minor_between_labels(struct bead_axis *axis, const struct room *room)
-{
-    for (size_t i = 0; i + 1 < axis->count; i++)
-        minor_between(axis, room, i);
 }
 
 static void power_label(struct bead_tick *tick, int exponent, bool plain)
@@ -324,8 +318,9 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
         decades(axis, &room);
     else
         roundest_first(axis, &room);
-    if (scale == BEAD_SCALE_SQRT || (scale == BEAD_SCALE_LINEAR && axis->count <= FEW && !counts))
-        minor_between_labels(axis, &room);
+    const bool between = scale == BEAD_SCALE_SQRT || (scale == BEAD_SCALE_LINEAR && axis->count <= FEW && !counts);
+    for (size_t i = 0; between && i + 1 < axis->count; i++)
+        minor_between(axis, &room, i);
     if (scale == BEAD_SCALE_LOG && high / low > wide && high / low <= 30)
         minor_ticks(axis, 1, length / log10(high / low));
 }

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws axes: line, ticks, labels and title, and measures how far they reach. Without a context it only measures, for layouts. */
+/* Draws axes: line, ticks, labels and title, and measures their reach. Without a context it only measures, for layouts. */
 #include <math.h>
 #include <stdio.h>
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/markup.h"
 
 /* In units of the ticks' font size. */
 static const double tick_length = 0.38, minor_length = 0.55 /* of a tick */, label_gap = 0.3, digit_height = 0.7, title_gap = 0.45;
-/* Titles: how small they may become, and into how many lines they may be broken. */
+/* Limits of titles: sizes, lines. */
 static const double little_smaller = 0.85, smallest_title = 0.72, most_lines = 3.2, line_height = 1.3;
 
 void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot)
@@ -37,6 +37,12 @@ struct drawing {
     double length; /* of ticks */
 };
 
+/* The direction away from the plot, along x. */
+static double outwards(const struct drawing *d)
+{
+    return d->side == BEAD_SIDE_LEFT ? -1 : 1;
+}
+
 static double along(const struct drawing *d, double place)
 {
     if (d->side == BEAD_SIDE_BOTTOM)
@@ -52,7 +58,7 @@ static void draw_tick(const struct drawing *d, double place, double length)
         cairo_rel_line_to(d->cr, 0, length);
     } else {
         cairo_move_to(d->cr, d->edge, at);
-        cairo_rel_line_to(d->cr, d->side == BEAD_SIDE_LEFT ? -length : length, 0);
+        cairo_rel_line_to(d->cr, outwards(d) * length, 0);
     }
 }
 
@@ -78,7 +84,7 @@ static struct bead_text_style tick_style(const struct drawing *d)
                                     .down = d->side == BEAD_SIDE_BOTTOM ? BEAD_ALIGN_BASELINE : BEAD_ALIGN_MIDDLE};
 }
 
-/* Returns how far beyond the ticks the labels reach. */
+/* Returns the labels' reach beyond the ticks. */
 static double draw_labels(const struct drawing *d)
 {
     struct bead_text_style style = tick_style(d);
@@ -92,10 +98,8 @@ static double draw_labels(const struct drawing *d)
             continue;
         if (d->side == BEAD_SIDE_BOTTOM)
             bead_text_draw(d->cr, &style, at, d->edge + d->length + (label_gap + digit_height) * em, label);
-        else if (d->side == BEAD_SIDE_LEFT)
-            bead_text_draw(d->cr, &style, d->edge - d->length - label_gap * em, at, label);
         else
-            bead_text_draw(d->cr, &style, d->edge + d->length + label_gap * em, at, label);
+            bead_text_draw(d->cr, &style, d->edge + outwards(d) * (d->length + label_gap * em), at, label);
     }
     if (d->axis->count == 0)
         return 0;
@@ -134,30 +138,34 @@ void bead_axis_title(const struct bead_axis *axis, const char *title, char *out,
     snprintf(out, size, *axis->unit ? "%s (%s)" : "%s", name, axis->unit);
 }
 
+/* Shrinks a title to the room, down to `least` of its full size. */
+static bool shrink(const struct drawing *d, double least, double room, const char *markup, struct bead_text_style *style)
+{
+    double width, height;
+    style->size = d->look->label;
+    bead_text_size(d->cr, style, markup, &width, &height);
+    style->size *= fmin(1, fmax(least, 0.99 * room / width)); /* widths are not quite proportional to the size */
+    return fits(d, style, 0, markup, room, INFINITY);
+}
+
 /* Finds a title that fits: a little smaller, then in lines (*wrap), then small, then only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
-    double full = style->size, width, height, room = d->side == BEAD_SIDE_BOTTOM ? d->plot.width : d->plot.height;
+    double room = d->side == BEAD_SIDE_BOTTOM ? d->plot.width : d->plot.height;
     bead_axis_title(d->axis, title, markup, size);
-    bead_text_size(d->cr, style, markup, &width, &height);
-    style->size = full * fmin(1, fmax(little_smaller, 0.99 * room / width)); /* widths are not quite proportional to the size */
-    if (fits(d, style, 0, markup, room, INFINITY))
+    if (shrink(d, little_smaller, room, markup, style))
         return true;
-    style->size = full;
+    style->size = d->look->label;
     *wrap = room;
-    if (words_fit(d, style, markup, room) && fits(d, style, room, markup, room, most_lines * line_height * full))
+    if (words_fit(d, style, markup, room) && fits(d, style, room, markup, room, most_lines * line_height * style->size))
         return true;
     *wrap = 0;
-    style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));
-    if (fits(d, style, 0, markup, room, INFINITY))
+    if (shrink(d, smallest_title, room, markup, style))
         return true;
-    style->size = full;
     if (*d->axis->unit)
         snprintf(markup, size, "%s", d->axis->unit);
-    bead_text_size(d->cr, style, markup, &width, &height);
-    style->size = full * fmin(1, fmax(smallest_title, 0.99 * room / width));
-    return fits(d, style, 0, markup, room, INFINITY);
+    return shrink(d, smallest_title, room, markup, style);
 }
 
 static double one_line(const struct drawing *d, const struct bead_text_style *style)
@@ -167,7 +175,7 @@ static double one_line(const struct drawing *d, const struct bead_text_style *st
     return height;
 }
 
-/* `out`: how far ticks and labels reach. Returns how far the title reaches. */
+/* `out`: reach of ticks and labels. Returns the title's. */
 static double draw_title(const struct drawing *d, double out, const char *title)
 {
     char markup[2100];
@@ -186,14 +194,12 @@ static double draw_title(const struct drawing *d, double out, const char *title)
     double thickness = vertical ? height : 0.98 * em + lines;
     if (!d->cr)
         return out + title_gap * em + thickness;
-    if (d->side == BEAD_SIDE_BOTTOM)
+    if (vertical)
+        bead_text_draw_lines(d->cr, &style, wrap, d->edge + outwards(d) * (out + title_gap * em + thickness / 2),
+                             d->plot.y + d->plot.height / 2.0, markup);
+    else
         bead_text_draw_lines(d->cr, &style, wrap, d->plot.x + d->plot.width / 2.0, d->edge + out + title_gap * em + 0.75 * em,
                              markup);
-    else {
-        double shift = out + title_gap * em + thickness / 2;
-        bead_text_draw_lines(d->cr, &style, wrap, d->side == BEAD_SIDE_LEFT ? d->edge - shift : d->edge + shift,
-                             d->plot.y + d->plot.height / 2.0, markup);
-    }
     return out + title_gap * em + thickness;
 }
 

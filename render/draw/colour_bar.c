@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "beadreel/colormap.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 /* In units of the label's font size and of the look's gap; movies leave more to the picture. */
 static const struct {
@@ -34,7 +34,7 @@ static void draw_bands(cairo_t *cr, const struct bead_colours *colours, struct b
     cairo_set_antialias(cr, before);
 }
 
-/* How far the pointed ends of a bar reach, px. */
+/* Length of the pointed ends of a bar, px. */
 static double point_length(struct bead_rect bar)
 {
     return 0.9 * bar.width;
@@ -67,7 +67,7 @@ static void draw_point(cairo_t *cr, const struct bead_colours *colours, struct b
     cairo_fill(cr);
 }
 
-/* The bar, standing. */
+/* The bar, upright. */
 static void draw_bar(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours, struct bead_rect bar, bool over,
                      bool under)
 {
@@ -98,7 +98,7 @@ double bead_colour_bar_draw_lying(cairo_t *cr, const struct bead_look *look, con
 {
     struct bead_axis axis;
     bead_axis_make(&axis, colours->low, colours->high, si_unit, colours->scale, bar.width, look->tick, true);
-    if (cr) { /* the standing bar's up is right here, its right is down */
+    if (cr) { /* up becomes right, right becomes down */
         cairo_matrix_t turn;
         cairo_matrix_init(&turn, 0, 1, -1, 0, bar.x + bar.width, bar.y);
         cairo_save(cr);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/base/large.h"
+#include "sim/base/memory.h"
 
 static int least(int a, int b)
 {
@@ -24,7 +24,7 @@ enum bead_error bead_frame_create(int width, int height, struct bead_frame *fram
 {
     *frame = (struct bead_frame){0};
     if (width < 1 || height < 1 || width > LARGEST_SIDE || height > LARGEST_SIDE)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a picture of %d x %d pixels: sides of 1 to %d are allowed", width, height,
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a picture of %d x %d pixels: its sides can be 1 to %d pixels", width, height,
                          LARGEST_SIDE);
     size_t stride = ((size_t)width * 4 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
     size_t bytes = stride * (size_t)height;
@@ -81,8 +81,8 @@ static int64_t area(struct bead_rect r)
     return (int64_t)r.width * r.height;
 }
 
-/* A rectangle is merged with the one whose area then grows least, if it does not grow at all or the list is full. So things that
- * move far apart stay apart. */
+/* A rectangle is merged with the one whose area grows least, if it does not grow at all or the list is full: distant movements keep
+ * separate rectangles. */
 void bead_changes_add(struct bead_changes *changes, struct bead_rect rect)
 {
     const size_t room = sizeof changes->rect / sizeof changes->rect[0];

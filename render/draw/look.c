@@ -1,19 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Looks: fonts, sizes and colours of paper, slide, screen and movie. Every picture takes its look from here. */
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define WHITE   \
-    {           \
-        1, 1, 1 \
-    }
-#define BLACK   \
-    {           \
-        0, 0, 0 \
-    }
+#include "render/draw/page.h"
 
 /* In units of the label's font size. */
 static const double paper_margin = 0.35, screen_margin = 1.3;
@@ -33,42 +26,46 @@ void bead_look_paper(struct bead_look *look, double dpi)
         .line = whole(0.5 * pt),
         .gap = 4 * pt,
         .margin = round(paper_margin * 8 * pt),
-        .background = WHITE,
+        .background = {1, 1, 1},
         .panel = {0.94, 0.94, 0.94},
-        .ink = BLACK,
+        .ink = {0, 0, 0},
         .faint = {0.35, 0.35, 0.35},
         .accent = {0.11, 0.31, 0.55},
-        .axis = BLACK,
+        .axis = {0, 0, 0},
     };
     snprintf(look->family, sizeof look->family, "STIX");
+}
+
+void bead_look_darken(struct bead_look *look)
+{
+    look->dark = true;
+    look->background = (struct bead_rgb){0.051, 0.059, 0.078};
+    look->panel = (struct bead_rgb){0.078, 0.090, 0.122};
+    look->ink = (struct bead_rgb){0.91, 0.92, 0.94};
+    look->faint = (struct bead_rgb){0.60, 0.63, 0.68};
+    look->accent = (struct bead_rgb){0.96, 0.76, 0.31};
+    look->axis = (struct bead_rgb){0.42, 0.44, 0.49};
 }
 
 void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
 {
     double size = fmin(height, 0.75 * width);
     *look = (struct bead_look){
-        .dark = dark,
         .title = fmax(13, 0.030 * size),
         .label = fmax(11, 0.0225 * size),
         .tick = fmax(10, 0.0205 * size),
         .line = whole(size / 800),
         .gap = fmax(5, 0.012 * size),
         .margin = round(screen_margin * fmax(11, 0.0225 * size)),
-        .background = WHITE,
+        .background = {1, 1, 1},
         .panel = {0.945, 0.95, 0.96},
         .ink = {0.13, 0.14, 0.17},
         .faint = {0.42, 0.44, 0.48},
         .accent = {0.72, 0.32, 0.05},
         .axis = {0.42, 0.44, 0.48},
     };
-    if (dark) {
-        look->background = (struct bead_rgb){0.051, 0.059, 0.078};
-        look->panel = (struct bead_rgb){0.078, 0.090, 0.122};
-        look->ink = (struct bead_rgb){0.91, 0.92, 0.94};
-        look->faint = (struct bead_rgb){0.60, 0.63, 0.68};
-        look->accent = (struct bead_rgb){0.96, 0.76, 0.31};
-        look->axis = (struct bead_rgb){0.42, 0.44, 0.49};
-    }
+    if (dark)
+        bead_look_darken(look);
     snprintf(look->family, sizeof look->family, "Lato");
 }
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 static const char italics[] = "<span face=\"STIX\"><i>", upright[] = "</i></span>";
 /* Pango's <sub> is too small to read in 8 pt. */
@@ -49,14 +49,19 @@ struct writer {
     bool full;
 };
 
-static void markup_put(struct writer *w, const char *text)
+static void put_bytes(struct writer *w, const char *text, size_t length)
 {
-    size_t length = strlen(text);
     w->full = w->full || w->used + length >= w->size;
     if (w->full)
         return;
-    memcpy(w->out + w->used, text, length + 1);
+    memcpy(w->out + w->used, text, length);
     w->used += length;
+    w->out[w->used] = '\0';
+}
+
+static void markup_put(struct writer *w, const char *text)
+{
+    put_bytes(w, text, strlen(text));
 }
 
 /* Bytes of the character at `text`; 1 for a byte of broken UTF-8. */
@@ -204,7 +209,7 @@ static bool is_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool stands_alone(const char *text, const char *at)
+static bool is_single(const char *text, const char *at)
 {
     char before = at > text ? at[-1] : ' ', after = at[1];
     bool joined = is_letter(before) || is_letter(after) || (before >= '0' && before <= '9') || (before && strchr("*_^{\\", before));
@@ -221,7 +226,7 @@ static size_t lowered(const char *text)
     return length;
 }
 
-/* The letter or digit that a subscript character stands for. */
+/* The letter or digit that a subscript character represents. */
 static char plain_of(const char *lowered_character)
 {
     static const char plain[] = "0123456789+-=() aeoxehklmnpst";
@@ -252,14 +257,12 @@ void bead_markup_symbols(const char *text, char *out, size_t size)
     if (size > 0)
         out[0] = '\0';
     for (const char *at = text; *at && !w.full;) {
-        char plain[8] = "";
         size_t length = character(at);
-        if (stands_alone(text, at)) {
+        if (is_single(text, at)) {
             length = 1 + lowered(at + 1);
             put_symbol(&w, *at, at + 1, length - 1);
         } else {
-            memcpy(plain, at, length < sizeof plain ? length : sizeof plain - 1);
-            markup_put(&w, plain);
+            put_bytes(&w, at, length);
         }
         at += length;
     }

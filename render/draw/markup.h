@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Texts of figures to Pango markup: `_x`, `_{xy}`, `^x` and `^{xy}` set subscripts and superscripts, `*x*` mathematical italics; a
  * backslash keeps the next character as it is. Greek and signs are UTF-8. */
-#ifndef BEADREEL_RENDER_DRAW_MARKUP_H
-#define BEADREEL_RENDER_DRAW_MARKUP_H
+#pragma once
 
 #include <stddef.h>
 
@@ -13,12 +12,10 @@
 size_t bead_markup_size(const char *text);
 /* Writes markup into `out` of `size` bytes; if it does not fit, the text is copied as it is, cut between characters. */
 void bead_markup(const char *text, char *out, size_t size);
-/* The same in memory of its own, to be freed; NULL: out of memory. */
+/* Markup in new memory, which the caller frees; NULL: out of memory. */
 char *bead_markup_new(const char *text);
 /* Quotes plain text, such as names with a `_`, so that bead_markup shows it as it is. Too long a text is cut between characters. */
 void bead_markup_quote(const char *text, char *out, size_t size);
-/* Letters that stand alone are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays, and so does
+/* Single letters are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays, and so does
  * what is already in italics, a subscript or a superscript. Too long a text is cut between characters. */
 void bead_markup_symbols(const char *text, char *out, size_t size);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What pictures call chains and materials: never the identifiers of the scene. */
-#ifndef BEADREEL_RENDER_DRAW_NAMES_H
-#define BEADREEL_RENDER_DRAW_NAMES_H
+/* Names of chains and materials in pictures: never the identifiers of the scene. */
+#pragma once
 
 #include <string.h>
 
@@ -16,10 +15,8 @@ static inline const char *bead_chain_title(const struct bead_chain *chain)
 
 /* Fewest decimals, at most three, that write a magnetism: 0 for 1, 2 for 0.25, 3 for 1/3. */
 int bead_magnetism_digits(double magnetism);
-/* As many as the chain that needs most, for all of a picture. */
+/* The number that the chain with the most needs, for all of a picture. */
 int bead_magnetism_decimals(const struct bead_chain *const *chains, size_t count);
 
 /* Plain text: "brass wall", "rigid wall". */
 void bead_wall_name(const struct bead_chain *chain, char *out, size_t size);
-
-#endif

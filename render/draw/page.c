@@ -9,6 +9,7 @@
 
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
+#include "sim/chain/system.h"
 
 static bool is_vector(const char *path)
 {
@@ -28,7 +29,7 @@ bool bead_page_titled(const struct bead_page *page)
     return !page->paper && page->height >= least;
 }
 
-enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page, struct bead_message *msg)
+enum bead_error bead_page_find(const struct bead_output *output, struct bead_page *page, struct bead_message *msg)
 {
     double size[2];
     enum bead_error err = output->views.axes ? bead_text_check(msg) : BEAD_OK;
@@ -38,9 +39,8 @@ enum bead_error bead_page_find(const struct bead_output *output, const char *fil
     for (int i = 0; i < 2; i++)
         size[i] = round(length ? output->paper.size[i] / inch * output->paper.dpi : output->paper.size[i]);
     if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= largest_side && size[1] <= largest_side && size[0] * size[1] <= largest_area))
-        return bead_fail(msg, BEAD_ERROR_SCENE,
-                         "%s:%zu:%zu: size: is %.0f x %.0f pixels; at most %.0f a side and %.0f million in all", file,
-                         output->place.line, output->place.column, size[0], size[1], largest_side, largest_area / 1e6);
+        return bead_output_wrong(output, msg, "size: is %.0f x %.0f pixels; at most %.0f a side and %.0f million in all", size[0],
+                                 size[1], largest_side, largest_area / 1e6);
     bool screen = output->paper.style == BEAD_STYLE_SLIDE || output->paper.style == BEAD_STYLE_MOVIE;
     bool paper = output->paper.style == BEAD_STYLE_PAPER || (length && !screen);
     double dpi = length || paper ? output->paper.dpi : vector ? screen_dpi : 0;
@@ -70,17 +70,8 @@ static void set_look(const struct bead_page *page, const struct bead_paper *aske
         return;
     }
     bead_look_paper(look, page->dpi);
-    if (dark) { /* type and lines of paper, colours of the screen */
-        struct bead_look screen;
-        bead_look_screen(&screen, page->width, page->height, true);
-        look->dark = true;
-        look->background = screen.background;
-        look->panel = screen.panel;
-        look->ink = screen.ink;
-        look->faint = screen.faint;
-        look->accent = screen.accent;
-        look->axis = screen.axis;
-    }
+    if (dark)
+        bead_look_darken(look);
 }
 
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look)
@@ -90,7 +81,7 @@ void bead_page_look(const struct bead_page *page, const struct bead_paper *asked
     look->clear = page->clear;
 }
 
-/* What the picture shows, in words. */
+/* Describes the picture in words. */
 static const char *subject_of(const struct bead_output *output, const struct bead_scene *scene)
 {
     static const char *const plots[BEAD_SHOW_COUNT] = {
@@ -108,8 +99,8 @@ static const char *subject_of(const struct bead_output *output, const struct bea
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes)
 {
-    const char *what = subject_of(output, scene), *equation = scene->chains[0].equation.name;
-    if (equation)
+    const char *what = subject_of(output, scene), *equation = scene->chains[0].system->label;
+    if (*equation)
         snprintf(description, size, "%s of the equation %s", what, equation);
     else
         snprintf(description, size, "%s in %zu chain%s of beads", what, scene->chain_count, scene->chain_count == 1 ? "" : "s");

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: size and look of a still, from its output's settings and file name. */
-#ifndef BEADREEL_RENDER_DRAW_PAGE_H
-#define BEADREEL_RENDER_DRAW_PAGE_H
+#pragma once
 
 #include <stdbool.h>
 
-#include "beadreel/look.h"
-#include "beadreel/picture.h"
 #include "beadreel/scene.h"
+#include "render/draw/axis.h"
+#include "render/draw/picture.h"
 
 struct bead_page {
     int width, height;          /* px */
@@ -16,24 +15,20 @@ struct bead_page {
     bool clear;                 /* nothing is painted behind what is drawn */
 };
 
-/* How far axes, headings and bar reach out of the plots, px. */
-struct bead_insets {
-    double left, top, right, bottom;
-};
-
-/* Whether the page shows the scene's title: papers have captions instead, and low pictures no room. */
+/* Whether the page shows the scene's title: papers have captions instead, low pictures no room. */
 bool bead_page_titled(const struct bead_page *page);
 /* Errors: SCENE (with the output's place). */
-BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, const char *file, struct bead_page *page,
-                                          struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, struct bead_page *page, struct bead_message *msg);
 enum { BEAD_SIZE_WORDS = 64 };
 /* The size of a picture as the scene gives it, for messages: "86 x 64 mm", "1920 x 1080 pixels". Returns `words`. */
 const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS]);
+/* Gives a look the dark colours of screens. */
+void bead_look_darken(struct bead_look *look);
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look);
-/* What a picture file says about itself; `description` of `size` bytes must live as long as the notes. */
+/* Metadata of a picture file; `description` of `size` bytes must live as long as the notes. */
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      char *description, size_t size, struct bead_picture_notes *notes);
-/* How to draw a page: into vector files, and into frames if these are drawn differently (NULL: the same way). */
+/* Functions that draw a page into vector files and into frames (NULL: like vector files). */
 struct bead_drawing {
     bead_draw draw;
     enum bead_error (*raster)(void *context, struct bead_frame *frame, struct bead_message *msg);
@@ -43,5 +38,3 @@ struct bead_drawing {
 BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,
                                            const struct bead_scene *scene, const struct bead_drawing *drawing, const char *path,
                                            uint64_t *bytes, struct bead_message *msg);
-
-#endif

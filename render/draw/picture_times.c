@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the span of time that a picture shows, and its sampling grid. Figures, bare images and plots ask it. */
+/* Chooses the span of time that figures, bare images and plots show, and its sampling grid. */
 #include "render/draw/picture_times.h"
 
 #include <math.h>
@@ -11,8 +11,8 @@ enum bead_error bead_picture_times(const struct bead_output *output, const struc
     time[0] = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
     time[1] = isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end);
     if (!(time[1] > time[0]) || !isfinite(time[1]))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: from %g to %g there is nothing to show; the run ends at %g",
-                         context->scene->file, output->place.line, output->place.column, time[0], time[1], end);
+        return bead_output_wrong(output, msg, "time: from %g to %g there is nothing to show; the run ends at %g", time[0], time[1],
+                                 end);
     return BEAD_OK;
 }
 

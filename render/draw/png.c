@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes PNG through libpng: fast settings for flat colours (no filter, since rows repeat), exact colours, notes. */
+/* Writes PNG through libpng, with fast settings for flat colours (no filter, as rows repeat), exact colours, notes. */
 #include <errno.h>
+#include <glib.h>
 #include <png.h>
 #include <setjmp.h>
 #include <stdbool.h>
@@ -9,11 +10,11 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "beadreel/file.h"
-#include "beadreel/picture.h"
 #include "render/draw/notes.h"
-#include "render/draw/straight.h"
-#include "sim/base/large.h"
+#include "render/draw/picture.h"
+#include "render/draw/raster.h"
+#include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 struct writer {
     png_structp png;
@@ -23,7 +24,7 @@ struct writer {
     jmp_buf jump;
 };
 
-/* What to write: indices with a palette, or a frame. */
+/* The picture to write: indices with a palette, or a frame. */
 struct image {
     int width, height;
     const uint8_t *indices; /* NULL: RGB, or RGBA, from the frame */
@@ -40,30 +41,13 @@ static void on_error(png_structp png, png_const_charp text)
     longjmp(w->jump, 1);
 }
 
-static void on_warning(png_structp png, png_const_charp text)
-{
-    (void)png, (void)text;
-}
+static void on_warning(png_structp, png_const_charp) {}
 
 static void on_write(png_structp png, png_bytep data, size_t length)
 {
     FILE *file = png_get_io_ptr(png);
     if (fwrite(data, 1, length, file) != length)
         png_error(png, strerror(errno));
-}
-
-static void on_flush(png_structp png)
-{
-    (void)png;
-}
-
-static bool is_ascii(const char *text)
-{
-    for (; *text; text++) {
-        if ((unsigned char)*text > 126)
-            return false;
-    }
-    return true;
 }
 
 static void put_notes(struct writer *w, const struct bead_picture_notes *notes)
@@ -77,7 +61,7 @@ static void put_notes(struct writer *w, const struct bead_picture_notes *notes)
         if (!all[i].text || !*all[i].text)
             continue;
         png_text chunk = {.key = (png_charp)all[i].key, .text = (png_charp)all[i].text};
-        bool is_long = strlen(chunk.text) > LONG, ascii = is_ascii(chunk.text);
+        bool is_long = strlen(chunk.text) > LONG, ascii = g_str_is_ascii(chunk.text);
         chunk.compression = ascii ? (is_long ? PNG_TEXT_COMPRESSION_zTXt : PNG_TEXT_COMPRESSION_NONE)
                                   : (is_long ? PNG_ITXT_COMPRESSION_zTXt : PNG_ITXT_COMPRESSION_NONE);
         if (ascii)
@@ -102,42 +86,32 @@ static void put_header(struct writer *w, const struct image *image)
     if (image->indices)
         png_set_PLTE(w->png, w->info, image->palette, image->colours);
     png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
-    if (image->notes)
-        put_notes(w, image->notes);
+    put_notes(w, image->notes);
     png_set_compression_level(w->png, 1);
     png_set_compression_strategy(w->png, Z_DEFAULT_STRATEGY);
     png_set_filter(w->png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
     png_write_info(w->png, w->info);
 }
 
-static void put_row(const uint8_t *from, size_t width, uint8_t *to)
-{
-    for (size_t x = 0; x < width; x++) { /* four bytes at once; the next pixel overwrites the last one */
-        uint32_t pixel;
-        memcpy(&pixel, from + 4 * x, 4);
-        pixel = __builtin_bswap32(pixel) >> 8;
-        memcpy(to + 3 * x, &pixel, 4);
-    }
-}
-
 static void png_put_rows(struct writer *w, const struct image *image)
 {
-    for (int y = 0; y < image->height; y++) {
-        if (image->indices) {
-            png_write_row(w->png, image->indices + (size_t)y * (size_t)image->width);
-            continue;
+    if (!image->indices && !image->frame->alpha) {
+        png_set_filler(w->png, 0, PNG_FILLER_AFTER);
+        png_set_bgr(w->png);
+    }
+    for (size_t y = 0; y < (size_t)image->height; y++) {
+        const uint8_t *row =
+            image->indices ? image->indices + y * (size_t)image->width : image->frame->pixels + y * image->frame->stride;
+        if (!image->indices && image->frame->alpha) {
+            bead_straight_rgba(row, (size_t)image->width, w->row);
+            row = w->row;
         }
-        const uint8_t *from = image->frame->pixels + (size_t)y * image->frame->stride;
-        if (image->frame->alpha)
-            bead_straight_rgba(from, (size_t)image->width, w->row);
-        else
-            put_row(from, (size_t)image->width, w->row);
-        png_write_row(w->png, w->row);
+        png_write_row(w->png, row);
     }
     png_write_end(w->png, w->info);
 }
 
-/* Everything that libpng may leave by longjmp. */
+/* All calls of libpng that may longjmp. */
 static enum bead_error png_encode(struct writer *w, const struct image *image, FILE *file, const char *part,
                                   struct bead_message *msg)
 {
@@ -148,7 +122,7 @@ static enum bead_error png_encode(struct writer *w, const struct image *image, F
     w->row = malloc(4 * (size_t)image->width + 1);
     if (!w->info || !w->row)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a PNG encoder", part);
-    png_set_write_fn(w->png, file, on_write, on_flush);
+    png_set_write_fn(w->png, file, on_write, NULL);
     put_header(w, image);
     png_put_rows(w, image);
     return BEAD_OK;
@@ -166,7 +140,7 @@ static enum bead_error png_fill(void *context, FILE *file, const char *part, str
     return err;
 }
 
-/* Colours met so far, in an open hash table. */
+/* Colours found so far, in an open hash table. */
 struct colours {
     uint32_t colour[1024]; /* with the top bit set if taken */
     uint8_t index[1024];
@@ -217,10 +191,10 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
                                uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_picture_notes own;
-    enum bead_error err = notes ? bead_notes_take(&own, notes, msg) : BEAD_OK;
+    enum bead_error err = bead_notes_take(&own, notes, msg);
     if (err)
         return err;
-    struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = notes ? &own : NULL};
+    struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = &own};
     if (frame->alpha)
         return bead_file_write(path, png_fill, &image, bytes, msg);
     uint8_t *indices = bead_large_take((size_t)frame->width * (size_t)frame->height);
@@ -238,10 +212,10 @@ enum bead_error bead_png_write_indexed(const char *path, int width, int height, 
                                        struct bead_message *msg)
 {
     struct bead_picture_notes own;
-    enum bead_error err = notes ? bead_notes_take(&own, notes, msg) : BEAD_OK;
+    enum bead_error err = bead_notes_take(&own, notes, msg);
     if (err)
         return err;
-    struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = notes ? &own : NULL};
+    struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = &own};
     for (int i = 0; i < 256; i++)
         image.palette[i] = (png_color){palette[i][0], palette[i][1], palette[i][2]};
     return bead_file_write(path, png_fill, &image, bytes, msg);

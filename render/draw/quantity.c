@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/quantity.h"
 
 #define THIN_SPACE "\u2009"
@@ -17,7 +17,7 @@ static const struct prefix {
                 {-9, "n"}, {-12, "p"}, {-15, "f"}, {-18, "a"}, {-21, "z"}, {-24, "y"}};
 enum { PREFIXES = sizeof prefixes / sizeof prefixes[0] };
 
-/* Which prefixes are usual before a unit: nobody writes kiloseconds. Other units take none. */
+/* The largest usual prefixes of units: kiloseconds are not used. Other units take none. */
 static const struct {
     const char *unit;
     int largest;
@@ -59,6 +59,17 @@ static void append(char *out, size_t size, const char *text)
         snprintf(out + used, size - used, "%s", text);
 }
 
+/* Appends digits with thin spaces between the thousands of the first `whole`. */
+static void append_digits(char *out, size_t size, const char *digits, size_t whole)
+{
+    for (size_t i = 0; i < whole; i++) {
+        if (i > 0 && (whole - i) % 3 == 0)
+            append(out, size, THIN_SPACE);
+        append(out, size, (char[]){digits[i], '\0'});
+    }
+    append(out, size, digits + whole);
+}
+
 void bead_number(double number, int decimals, char *out, size_t size)
 {
     char digits[64];
@@ -75,12 +86,7 @@ void bead_number(double number, int decimals, char *out, size_t size)
     size_t whole = strcspn(digits, ".");
     if (number < 0 && strtod(digits, NULL) != 0)
         append(out, size, "\u2212");
-    for (size_t i = 0; i < whole; i++) {
-        if (i > 0 && (whole - i) % 3 == 0 && whole >= 5)
-            append(out, size, THIN_SPACE);
-        append(out, size, (char[]){digits[i], '\0'});
-    }
-    append(out, size, digits + whole);
+    append_digits(out, size, digits, whole >= 5 ? whole : 0);
 }
 
 /* Decimals that leave `digits` significant ones. */
@@ -98,12 +104,11 @@ void bead_quantity(double value, const char *si_unit, int digits, char *out, siz
     int exponent = bead_prefix_exponent(value, si_unit);
     double shown = value / bead_power_of_ten(exponent);
     int decimals = decimals_for(shown, digits);
-    double rounded = round(shown * bead_power_of_ten(decimals)) / bead_power_of_ten(decimals);
-    int rounded_exponent = bead_prefix_exponent(rounded * bead_power_of_ten(exponent), si_unit);
-    if (isfinite(value) && value != 0 && rounded != 0) { /* 999.96 may have become 1000: takes the next prefix and a digit less */
-        shown = value / bead_power_of_ten(rounded_exponent);
-        decimals = decimals_for(rounded * bead_power_of_ten(exponent) / bead_power_of_ten(rounded_exponent), digits);
-        exponent = rounded_exponent;
+    double rounded = round(shown * bead_power_of_ten(decimals)) / bead_power_of_ten(decimals) * bead_power_of_ten(exponent);
+    if (isfinite(value) && rounded != 0) { /* 999.96 may have become 1000: takes the next prefix and a digit less */
+        exponent = bead_prefix_exponent(rounded, si_unit);
+        shown = value / bead_power_of_ten(exponent);
+        decimals = decimals_for(rounded / bead_power_of_ten(exponent), digits);
     }
     bead_number(shown, decimals, number, sizeof number);
     snprintf(out, size, "%s%s%s%s", number, *si_unit ? "\u00a0" : "", bead_prefix_sign(exponent), si_unit);
@@ -141,15 +146,8 @@ void bead_round_number(double x, char *out, size_t size)
         return;
     }
     double unit = pow(10, floor(log10(x)) - 1);
-    char digits[40], *at = out;
+    char digits[40];
     snprintf(digits, sizeof digits, "%.0f", round(x / unit) * unit);
-    size_t length = strlen(digits);
-    for (size_t i = 0; i < length && at + 8 < out + size; i++) {
-        *at++ = digits[i];
-        if ((length - i) % 3 == 1 && i + 1 < length) {
-            memcpy(at, THIN_SPACE, sizeof THIN_SPACE - 1);
-            at += sizeof THIN_SPACE - 1;
-        }
-    }
-    *at = '\0';
+    out[0] = '\0';
+    append_digits(out, size, digits, strlen(digits));
 }

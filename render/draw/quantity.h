@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Numbers and units as people write them. */
-#ifndef BEADREEL_RENDER_DRAW_QUANTITY_H
-#define BEADREEL_RENDER_DRAW_QUANTITY_H
+#pragma once
 
 #include <stddef.h>
 
@@ -15,5 +14,3 @@ void bead_number(double number, int decimals, char *out, size_t size);
 void bead_round_number(double x, char *out, size_t size);
 /* 10^exponent; shown values are SI values divided by it, exactly rounded for negative exponents too. */
 double bead_power_of_ten(int exponent);
-
-#endif

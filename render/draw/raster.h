@@ -4,10 +4,10 @@
  *   cairo_t *cr = bead_raster_begin(&frame);
  *   ...
  *   err = bead_raster_end(cr, "curves", &msg); */
-#ifndef BEADREEL_RENDER_DRAW_RASTER_H
-#define BEADREEL_RENDER_DRAW_RASTER_H
+#pragma once
 
-#include "beadreel/picture.h"
+#include "beadreel/colormap.h"
+#include "render/draw/picture.h"
 
 /* A surface of the frame's pixels, which must outlive it. */
 cairo_surface_t *bead_raster_surface(const struct bead_frame *frame);
@@ -19,4 +19,10 @@ BEAD_CHECK enum bead_error bead_raster_end(cairo_t *cr, const char *what, struct
 BEAD_CHECK enum bead_error bead_raster_draw(const struct bead_frame *frame, bead_draw draw, void *context,
                                             struct bead_message *msg);
 
-#endif
+/* Draws colour map indices, [height][width], as pixels; vector files keep them sharp. Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_raster_indices(cairo_t *cr, struct bead_rect rect, const uint8_t *indices,
+                                               const struct bead_colormap *map, struct bead_message *msg);
+
+/* Straight from premultiplied colours, as files of pictures and movies need them: converts `count` pixels B G R A of a frame with
+ * alpha (frame.h) to straight R G B A. Added light covers as much as its brightest channel. Fully transparent pixels are black. */
+void bead_straight_rgba(const uint8_t *bgra, size_t count, uint8_t *rgba);

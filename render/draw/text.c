@@ -11,14 +11,14 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "beadreel/look.h"
-#include "render/draw/svg_text.h"
+#include "render/draw/axis.h"
+#include "render/draw/svg.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;
 
-/* How high lines of a family are, above and below the baseline, in units of the font size. Lato 2.0 says so itself, Lato 2.015
- * says 0.987 and 0.213: pictures are laid out alike with either. */
+/* Height of a family's lines above and below the baseline, in units of the font size. These are Lato 2.0's own; Lato 2.015 has
+ * 0.987 and 0.213: pictures are laid out alike with either. */
 static const struct line_metrics {
     const char *family;
     double above, below;
@@ -28,7 +28,7 @@ static const struct line_metrics {
 static const char symbols[] = "STIX";
 static const double symbol_scale = 1.1;
 
-/* As high as the letters around them; within lowered and raised text, which has a size of its own, there is none to set. */
+/* Makes symbols as high as the letters around them; lowered and raised text has its own size already. */
 static void match_symbols(PangoAttrList *attributes)
 {
     GSList *all = pango_attr_list_get_attributes(attributes);
@@ -53,7 +53,7 @@ static void match_symbols(PangoAttrList *attributes)
     g_slist_free_full(all, (GDestroyNotify)pango_attribute_destroy);
 }
 
-/* Broken markup is shown as it stands: Pango's own call would print a warning. */
+/* Broken markup is shown as plain text: Pango's own call would print a warning. */
 static void set_contents(PangoLayout *layout, const char *family, const char *markup)
 {
     PangoAttrList *attributes = NULL;
@@ -106,7 +106,7 @@ static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style
     return layout;
 }
 
-/* A line of a layout, in Pango's units: where it is drawn from, and what it reaches above and below that baseline. */
+/* A line of a layout, in Pango's units: its left end and baseline, and its reach above and below that. */
 struct line {
     PangoLayoutLine *line;
     PangoRectangle ink; /* right of and below the layout's origin */
@@ -122,7 +122,7 @@ struct laid_out {
     double begins, width, height, baseline;
 };
 
-/* Puts what is to count into above and below, in Pango's units; false: they are that already, as near as files of fonts round. */
+/* Corrects above and below, in Pango's units, to the family's metrics; false: they are right, within the rounding of font files. */
 static bool count_metrics(const char *family, double size, int *above, int *below)
 {
     const double same = 0.02 * size;
@@ -137,7 +137,7 @@ static bool count_metrics(const char *family, double size, int *above, int *belo
     return false;
 }
 
-/* The same for the run at `runs`, which may be raised or lowered. */
+/* Like count_metrics, for the run at `runs`, which may be raised or lowered. */
 static bool run_metrics(PangoLayoutIter *runs, int *above, int *below)
 {
     PangoRectangle box;
@@ -200,8 +200,8 @@ static struct laid_out lay_out(cairo_t *cr, const struct bead_text_style *style,
         line->baseline = height + line->above;
         height += line->above + line->below;
     }
-    text.height = (double)(text.moved ? height : box.height) / PANGO_SCALE;
-    text.baseline = (double)(text.moved ? text.lines[0].baseline : pango_layout_get_baseline(text.layout)) / PANGO_SCALE;
+    text.height = (double)height / PANGO_SCALE;
+    text.baseline = (double)text.lines[0].baseline / PANGO_SCALE;
     return text;
 }
 
@@ -218,7 +218,7 @@ bool bead_text_watch(cairo_surface_t *surface, const struct bead_text_watch *wat
     return cairo_surface_set_user_data(surface, &watch_key, (void *)watch, NULL) == CAIRO_STATUS_SUCCESS;
 }
 
-/* Tell of the text at the context's origin. */
+/* Tells the watch of the text at the context's origin. */
 static void tell(cairo_t *cr, const struct laid_out *text, const char *markup)
 {
     const struct bead_text_watch *watch = cairo_surface_get_user_data(cairo_get_target(cr), &watch_key);
@@ -244,33 +244,21 @@ static double aligned(enum bead_align align, double extent)
     return align == BEAD_ALIGN_MIDDLE ? extent / 2 : align == BEAD_ALIGN_END ? extent : 0;
 }
 
-static void keep(FILE *file, cairo_t *cr, const struct laid_out *text)
-{
-    PangoLayoutIter *iter = pango_layout_get_iter(text->layout);
-    for (int i = 0; i < text->count; i++) {
-        bead_svg_text_line(file, cr, text->layout, iter,
-                           text->moved ? text->lines[i].baseline : pango_layout_iter_get_baseline(iter));
-        pango_layout_iter_next_line(iter);
-    }
-    pango_layout_iter_free(iter);
-}
-
 /* At the context's origin. */
 static void show(cairo_t *cr, const struct laid_out *text)
 {
     FILE *file = bead_svg_text_file(cr);
-    if (file) {
-        keep(file, cr, text);
-        return;
-    }
     cairo_move_to(cr, 0, 0);
     pango_cairo_update_layout(cr, text->layout);
-    if (!text->moved)
+    if (!file && !text->moved)
         pango_cairo_show_layout(cr, text->layout);
-    for (int i = 0; text->moved && i < text->count; i++) {
+    for (int i = 0; (file || text->moved) && i < text->count; i++) {
         const struct line *line = &text->lines[i];
         cairo_move_to(cr, (double)line->x / PANGO_SCALE, (double)line->baseline / PANGO_SCALE);
-        pango_cairo_show_layout_line(cr, line->line);
+        if (file)
+            bead_svg_text_line(file, cr, text->layout, line->line, line->x, line->baseline);
+        else
+            pango_cairo_show_layout_line(cr, line->line);
     }
 }
 
@@ -303,10 +291,7 @@ void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, doub
     lay_away(&text);
 }
 
-/* A context to measure with where there is none to draw with: the layout does not depend on it. */
-/* Can as many files be opened as fonts and their configuration may need at once? fontconfig silently leaves out what it cannot
- * open.
- */
+/* Whether fonts and their configuration can be opened: fontconfig silently leaves out files that cannot. */
 static bool descriptors_are_left(void)
 {
     enum { NEEDED = 8 };
@@ -322,18 +307,19 @@ enum bead_error bead_text_check(struct bead_message *msg)
 {
     const char *missing = NULL;
     if (!descriptors_are_left())
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "there are too few file descriptors for fonts (see ulimit -n)");
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "too few file descriptors are left for fonts (see ulimit -n)");
     FcStrList *files = FcInit() ? FcConfigGetConfigFiles(NULL) : NULL;
     FcFontSet *fonts = files ? FcConfigGetFonts(NULL, FcSetSystem) : NULL;
     if (!files || !FcStrListNext(files))
         missing = "fontconfig cannot read its configuration";
     else if (!fonts || fonts->nfont == 0)
-        missing = "fontconfig finds no font; install some (fonts-stix and fonts-lato of Debian, say)";
+        missing = "fontconfig finds no font; install some (on Debian, fonts-stix and fonts-lato)";
     if (files)
         FcStrListDone(files);
-    return missing ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "there is nothing to write with: %s", missing) : BEAD_OK;
+    return missing ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "text cannot be drawn: %s", missing) : BEAD_OK;
 }
 
+/* A context for measuring only: the layout does not depend on it. */
 static cairo_t *measuring_context(void)
 {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);

@@ -10,18 +10,17 @@
 #include <strings.h>
 #include <time.h>
 
-#include "beadreel/file.h"
-#include "beadreel/picture.h"
 #include "render/draw/notes.h"
-#include "render/draw/svg_ids.h"
-#include "render/draw/svg_text.h"
+#include "render/draw/picture.h"
+#include "render/draw/svg.h"
 #include "render/draw/warnings.h"
+#include "sim/base/file.h"
 
 struct format {
     const char *extension;
     cairo_surface_t *(*create)(cairo_write_func_t write, void *closure, double width, double height);
     void (*describe)(cairo_surface_t *surface, const struct bead_picture_notes *notes);
-    bool named; /* has names that must be renumbered */
+    bool named; /* contains names, to be renumbered */
 };
 
 static void vector_put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
@@ -30,7 +29,7 @@ static void vector_put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const
         cairo_pdf_surface_set_metadata(surface, key, text);
 }
 
-/* The same file from the same scene: no clock, unless a packager sets one (reproducible-builds.org/specs/source-date-epoch). */
+/* One scene always gives the same file: no clock, unless a packager sets one (reproducible-builds.org/specs/source-date-epoch). */
 static void put_date(cairo_surface_t *surface)
 {
     const char *epoch = getenv("SOURCE_DATE_EPOCH");
@@ -51,9 +50,8 @@ static void describe_pdf(cairo_surface_t *surface, const struct bead_picture_not
     put_date(surface);
 }
 
-static void describe_svg(cairo_surface_t *surface, const struct bead_picture_notes *notes)
+static void describe_svg(cairo_surface_t *surface, const struct bead_picture_notes *)
 {
-    (void)notes;
     cairo_svg_surface_restrict_to_version(surface, CAIRO_SVG_VERSION_1_1);
 }
 
@@ -106,7 +104,7 @@ static enum bead_error draw_page(cairo_surface_t *surface, double scale, const s
     return err;
 }
 
-/* `words`: where letters go that are to stay text; NULL: they are drawn. */
+/* `words`: the file for letters that remain text; NULL: they are drawn. */
 static enum bead_error write_page(const struct page *page, FILE *file, FILE *words, const char *part, struct bead_message *msg)
 {
     const struct bead_picture_notes *notes = page->notes;
@@ -156,6 +154,6 @@ enum bead_error bead_vector_write(const char *path, int width, int height, bead_
         return err;
     struct page page = {find_format(path), width, height, draw, context, &own};
     if (!page.format || !(own.dpi > 0))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: a vector file is .pdf or .svg, with dots per inch > 0", path);
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: vector files end in .pdf or .svg and need dots per inch > 0", path);
     return bead_file_write(path, vector_fill, &page, bytes, msg);
 }

@@ -6,7 +6,7 @@
 #include <pthread.h>
 #include <stdio.h>
 
-/* Not constant, as the handler below has no other way to reach the thread that draws. */
+/* Per thread: the handler has no other way to reach the thread that draws. */
 static _Thread_local char first[200];
 static GLogFunc others;
 
@@ -32,5 +32,5 @@ void bead_warnings_watch(void)
 
 enum bead_error bead_warnings_check(struct bead_message *msg)
 {
-    return *first ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "a picture could not be drawn as it should be: %s", first) : BEAD_OK;
+    return *first ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "a picture was not drawn correctly: %s", first) : BEAD_OK;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files as libav reads and writes them: by descriptor, so that no name is looked up, and no link followed, after the first time. */
-#ifndef BEADREEL_RENDER_ENCODE_AV_FILE_H
-#define BEADREEL_RENDER_ENCODE_AV_FILE_H
+/* Files of libav, read and written by descriptor: after the first time no name is looked up, and no link followed. */
+#pragma once
 
 #include <stdbool.h>
 
@@ -9,23 +8,24 @@
 #include "render/encode/libav.h"
 #include "render/encode/tracks.h"
 
-/* Open `part` as bead_file_open does, and empty it. On failure no new file is left. Errors: IO. */
+/* Open `part` like bead_file_open, and empty it. A failure leaves no new file. Errors: IO. */
 BEAD_CHECK enum bead_error bead_av_file_create(const char *part, int *descriptor, struct bead_message *msg);
-/* A context that writes to, or reads, the whole file from its beginning, at a place of its own; NULL: no memory. The descriptor
- * stays the caller's. */
-AVIOContext *bead_av_file_wrap(const struct bead_av *av, int descriptor, bool writes);
-/* Free it without flushing, and set *context to NULL. NULL and pointers to NULL are allowed. */
-void bead_av_file_unwrap(const struct bead_av *av, AVIOContext **context);
+/* A context that reads or writes the whole file from its beginning, at a position of its own; NULL: out of memory. The caller keeps
+ * the descriptor. */
+AVIOContext *bead_av_file_wrap(int descriptor, bool writes);
+/* Free a context without flushing it, and set *context to NULL. NULL and pointers to NULL are allowed. */
+void bead_av_file_unwrap(AVIOContext **context);
 
-/* What comes to the pictures in the finished file. */
+/* Added to the pictures in the finished file. */
 struct bead_av_beside {
-    AVRational frame_time; /* s: how long the last picture lasts */
+    AVRational frame_time; /* s: duration of the last picture */
     struct bead_tracks *tracks;
     AVPacket *cover; /* PNG; NULL: none */
 };
-/* The movie that `from` holds, and what comes to it, into the file `to`, in the same container with other options, without
- * encoding. `to` knows its metadata, but neither streams nor file yet. Returns 0 or libav's negative number. */
-int bead_av_copy(const struct bead_av *av, int from, AVFormatContext *to, int descriptor, AVDictionary **options,
-                 const struct bead_av_beside *beside);
+/* Copy the movie in `from`, with the additions, into the file `to`, in the same container with other options, without encoding.
+ * `to` has its metadata, but no streams and no file yet. Returns 0 or libav's error number. */
+int bead_av_copy(int from, AVFormatContext *to, int descriptor, AVDictionary **options, const struct bead_av_beside *beside);
 
-#endif
+/* Make a GIF file from a finished lossless movie: from the descriptor of an APNG file to that of an empty file; `frames` in all, of
+ * `frame_time` s each. Returns 0 or libav's error number. */
+int bead_gif_make(int from, int to, AVRational frame_time, int64_t frames);

@@ -1,22 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of codecs: for every movie format its container, and for every quality its encoder and options. */
+/* The table of codecs: the container of each movie format, and the encoder and options of each quality. */
 #include "render/encode/movie_private.h"
 
-#include "render/encode/file_comment.h"
-#include "render/encode/sound.h"
-#include "render/encode/subtitles.h"
+#include "render/encode/tracks.h"
 
 #include <math.h>
 #include <string.h>
 #include <strings.h>
 
-/* Most of a bead movie never changes, and there the search for a better encoding is the cost, not the picture:
- * constant QP, no lookahead and no B-frames take a third of the time of the presets they start from. Small intra blocks buy more
- * than a better search for motion, and QP 26 with them is as far from the picture as the usual rate factor 18.
- * Where images fill in, blocks without the filter at their edges show at once: the standard quality has it, at QP 24, for about a
- * fifth of the size; drafts go without.
- * What stands still keeps what the key frames gave it: these are 12 QP better (ipratio=4; high: 9), which makes colour bars true to
- * two levels and text sharp for 1 % of the size.
+/* Most of a bead movie never changes, so most of the encoder's time is spent on its search for a better encoding: constant QP, no
+ * lookahead and no B-frames take a third of the time of the presets that they modify. Small intra blocks improve the picture more
+ * than a better motion search: with them QP 26 is as close to the original as the usual rate factor 18. Where images fill in, block
+ * edges are visible without the deblocking filter: the standard quality uses it, at QP 24, for about a fifth of the size; drafts do
+ * not. Parts that do not move keep the quality of the key frames: these are 12 QP better (ipratio=4; high: 9), which makes colour
+ * bars exact to two levels and text sharp, for 1 % of the size.
  */
 #define H264_LEAN     "x264-params=bframes=0:rc-lookahead=0:sync-lookahead=0:mbtree=0:scenecut=0:weightp=0"
 #define H264_DRAFT    "preset=ultrafast qp=28 " H264_LEAN ":ipratio=4:cabac=1"
@@ -45,8 +42,8 @@ static const struct bead_preset vp9_clear[] = {
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
     {.encoder = NULL}};
-/* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), which leave flat colours cheap; the vendor is what editors
- * expect. It is never lossless; PNG is. */
+/* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), at which flat colours take little room. The vendor is the one
+ * that editing programs expect. ProRes is never lossless; PNG is. */
 #define PRORES(quantiser) "profile=4444 vendor=apl0 flags=+qscale global_quality=" quantiser
 static const struct bead_preset prores[] = {{"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("1416")},
                                             {"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("708")},
@@ -56,7 +53,7 @@ static const struct bead_preset prores_clear[] = {{"prores_ks", AV_PIX_FMT_YUVA4
                                                   {"prores_ks", AV_PIX_FMT_YUVA444P10, 4, false, PRORES("708")},
                                                   {"prores_ks", AV_PIX_FMT_YUVA444P10, 4, false, PRORES("236")},
                                                   {"png", AV_PIX_FMT_RGBA, 4, false, "pred=sub compression_level=3"}};
-/* The same pixels at every quality: only the work on the size differs. */
+/* All qualities give the same pixels; they differ in the effort to make the file small. */
 static const struct bead_preset apng[] = {{"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
                                           {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=3"},
                                           {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=6"},
@@ -65,7 +62,7 @@ static const struct bead_preset apng_clear[] = {{"apng", AV_PIX_FMT_RGBA, 1, fal
                                                 {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=3"},
                                                 {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=6"},
                                                 {"apng", AV_PIX_FMT_RGBA, 1, false, "pred=sub compression_level=6"}};
-/* A GIF grows as an animated PNG. */
+/* A GIF is first written as an animated PNG. */
 static const struct bead_preset growing_gif[] = {{"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Changed rectangles of a frame into the pixel format of an encoder: kinds of YUV and of RGB, with alpha or without. */
+/* Converts changed rectangles of a frame to the pixel formats of encoders: YUV and RGB, with and without alpha. */
 #include "render/encode/convert.h"
 
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
-#include "render/draw/straight.h"
+#include "render/draw/raster.h"
 #include "render/paint/pixel_kernels.h"
 
 /* A block is 16 pixels wide: a cache line of BGRX. */
@@ -38,8 +38,8 @@ static void to_rgba(const struct bead_frame *frame, struct bead_rect r, AVFrame 
         bead_straight_rgba(row(frame, r.x, y), (size_t)r.width, line(picture, 0, y) + 4 * (ptrdiff_t)r.x);
 }
 
-/* Two rows of a block: B G R A with straight colours. What is wholly transparent takes the colour of its neighbours, since chroma
- * is the mean of four pixels, and a dark one would show at the edges. */
+/* Two rows of a block as B G R A with straight colours. Transparent pixels take the colour of their neighbours: chroma is the mean
+ * of four pixels, so a dark one would be visible at edges. */
 static void straighten(const struct bead_frame *frame, int x, int y, uint8_t out[2][4 * BLOCK])
 {
     for (int k = 0; k < 2; k++) {
@@ -76,7 +76,7 @@ static void to_yuva420(const struct bead_frame *frame, struct bead_rect r, AVFra
     }
 }
 
-/* BT.709 in 10 bits, of limited range. */
+/* BT.709 with 10 bits, limited range. */
 static void to_yuv444(const uint8_t rgb[3], uint16_t yuv[3])
 {
     const float r = rgb[0] / 255.0f, g = rgb[1] / 255.0f, b = rgb[2] / 255.0f;

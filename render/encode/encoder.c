@@ -1,56 +1,50 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes frames to a file with libavcodec and libavformat: one video stream, times in frames, pictures kept and changed in place.
- * The sink's encoding thread calls these functions; pictures.c converts the pixels before. */
+/* Writes frames to a file with libavcodec and libavformat: one video stream, times in frames, pictures changed in place. The sink's
+ * encoding thread calls these functions after pictures.c has converted the pixels. */
 #include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "beadreel/file.h"
 #include "render/encode/av_file.h"
-#include "render/encode/chapters.h"
-#include "render/encode/gif.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
-#include "render/encode/sound.h"
-#include "render/encode/subtitles.h"
 #include "render/encode/tracks.h"
+#include "sim/base/file.h"
 
 enum {
-    KEY_INTERVAL = 300 /* encoded frames from one that players can jump to, to the next */,
-    FLUSH_INTERVAL = 8 /* encoded frames: so many are lost when the run is killed */
+    KEY_INTERVAL = 300 /* encoded frames between two that players can jump to */,
+    FLUSH_INTERVAL = 8 /* encoded frames that are lost, at most, when the run is killed */
 };
 
 struct bead_encoder {
-    struct bead_av av;
     AVFormatContext *format;
     AVCodecContext *codec;
-    struct bead_changes changes;   /* against the picture encoded last */
-    struct bead_pictures pictures; /* frames as converted so far; the first is that of movies added at once */
-    size_t now;                    /* the one added last */
-    AVPacket *packet, *held;       /* a packet waits in `held` until the time of the next tells its duration */
+    struct bead_changes changes;   /* since the last encoded picture */
+    struct bead_pictures pictures; /* converted frames; the first is for frames added at once */
+    size_t now;                    /* the last one added */
+    AVPacket *packet, *held;       /* a packet waits in `held` until the next one gives its duration */
     AVPacket *cover;               /* written at the end; NULL: none */
     struct bead_tracks tracks;     /* likewise */
     int file;                      /* descriptor of the part; -1: none */
     int unflushed;                 /* packets */
     AVRational frame_time;         /* s: unit of all times here */
-    int64_t group;                 /* frames shown as one, to stay below the container's rate; usually 1 */
-    int64_t last;                  /* time of the picture encoded last */
-    bool dirty;                    /* what is shown has changed since */
+    int64_t last;                  /* time of the last encoded picture */
+    bool dirty;                    /* the movie has changed since */
     bool holding;
     bool begun; /* the header is written, the trailer not */
 };
 
-/* One clear line from libav's error number. If the file could not be written, that caused all the rest. */
+/* A message from libav's error number. A failed write comes first: it causes the other errors. */
 static enum bead_error fail(const struct bead_movie *movie, const char *what, int code, struct bead_message *msg)
 {
     const struct bead_encoder *e = movie->encoder;
     const AVFormatContext *format = e->format;
     int written = format && format->pb ? format->pb->error : 0;
     char text[AV_ERROR_MAX_STRING_SIZE] = "";
-    e->av.av_strerror(written < 0 ? written : code, text, sizeof text);
+    av_strerror(written < 0 ? written : code, text, sizeof text);
     if (code == AVERROR(ENOMEM))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
     if (written < 0)
@@ -63,94 +57,95 @@ static enum bead_error no_memory(const struct bead_movie *movie, struct bead_mes
     return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
 }
 
-static void set_up(struct bead_encoder *e, const struct bead_preset *preset, const struct bead_picture_format *f)
+/* BT.709 for YUV, sRGB for everything else. */
+static void set_colours(AVCodecContext *c)
 {
+    const enum AVPixelFormat pixels = c->pix_fmt;
+    const bool halved = pixels == AV_PIX_FMT_YUV420P || pixels == AV_PIX_FMT_YUVA420P;
+    const bool yuv = halved || pixels == AV_PIX_FMT_YUV444P10 || pixels == AV_PIX_FMT_YUVA444P10;
+    c->color_primaries = AVCOL_PRI_BT709;
+    c->color_trc = yuv ? AVCOL_TRC_BT709 : AVCOL_TRC_IEC61966_2_1; /* pixels unchanged, in sRGB */
+    c->colorspace = yuv ? AVCOL_SPC_BT709 : AVCOL_SPC_RGB;
+    c->color_range = yuv ? AVCOL_RANGE_MPEG : AVCOL_RANGE_JPEG;
+    c->chroma_sample_location = halved ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_UNSPECIFIED;
+}
+
+static void set_up(const struct bead_movie *movie)
+{
+    const struct bead_encoder *e = movie->encoder;
     AVCodecContext *c = e->codec;
-    c->width = f->width;
-    c->height = f->height;
-    c->pix_fmt = f->pixels;
-    c->color_primaries = f->primaries;
-    c->color_trc = f->transfer;
-    c->colorspace = f->matrix;
-    c->color_range = f->range;
-    c->chroma_sample_location = f->chroma;
+    c->width = movie->settings.width;
+    c->height = movie->settings.height;
+    c->pix_fmt = movie->preset->format;
+    set_colours(c);
     c->time_base = e->frame_time;
     c->framerate = av_inv_q(e->frame_time);
     c->sample_aspect_ratio = (AVRational){1, 1};
     c->gop_size = KEY_INTERVAL;
     c->max_b_frames = 0;
-    /* Never as many as there are processors: the number is part of the file. */
-    c->thread_count = preset->threads;
+    /* Not the number of processors: the file depends on it. */
+    c->thread_count = movie->preset->threads;
     c->thread_type = FF_THREAD_FRAME;
     c->flags |= AV_CODEC_FLAG_BITEXACT;
     if (e->format->oformat->flags & AVFMT_GLOBALHEADER)
         c->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
 }
 
-static int start_codec(struct bead_encoder *e, const struct bead_preset *preset, const struct bead_picture_format *format)
+static int start_codec(const struct bead_movie *movie)
 {
-    const AVCodec *type = e->av.avcodec_find_encoder_by_name(preset->encoder);
-    e->codec = e->av.avcodec_alloc_context3(type);
+    struct bead_encoder *e = movie->encoder;
+    const struct bead_preset *preset = movie->preset;
+    const AVCodec *type = avcodec_find_encoder_by_name(preset->encoder);
+    e->codec = avcodec_alloc_context3(type);
     if (!e->codec)
         return AVERROR(ENOMEM);
-    set_up(e, preset, format);
+    set_up(movie);
     AVDictionary *options = NULL;
-    int code = bead_av_options(&e->av, preset->options, &options);
+    int code = bead_av_options(preset->options, &options);
     if (code >= 0 && preset->hinted)
-        code = bead_av_options(&e->av, BEAD_AV_HINT_OPTIONS, &options);
+        code = bead_av_options(BEAD_AV_HINT_OPTIONS, &options);
     if (code >= 0)
-        code = e->av.avcodec_open2(e->codec, type, &options);
-    if (code >= 0 && e->av.av_dict_count(options))
+        code = avcodec_open2(e->codec, type, &options);
+    if (code >= 0 && av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
-    e->av.av_dict_free(&options);
+    av_dict_free(&options);
     return code;
 }
 
 static enum bead_error open_codec(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    const struct bead_movie_settings *settings = &movie->settings;
-    const struct bead_preset *preset = bead_codec_preset(movie->codec, settings);
-    const struct bead_picture_format pictures = bead_picture_format(settings->width, settings->height, preset->format);
-    int code = start_codec(e, preset, &pictures);
+    int code = start_codec(movie);
     if (code < 0)
-        return fail(movie, "the encoder cannot be opened", code, msg);
-    return bead_pictures_open(&e->av, &pictures, movie->path, &e->pictures, msg);
-}
-
-static enum bead_error open_packets(struct bead_movie *movie, struct bead_message *msg)
-{
-    struct bead_encoder *e = movie->encoder;
-    e->packet = e->av.av_packet_alloc();
-    e->held = e->av.av_packet_alloc();
-    return e->packet && e->held ? BEAD_OK : no_memory(movie, msg);
+        return fail(movie, "cannot open the encoder", code, msg);
+    return bead_pictures_open(e->codec, movie->path, &e->pictures, msg);
 }
 
 static int open_stream(struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;
-    AVStream *stream = e->av.avformat_new_stream(e->format, NULL);
+    AVStream *stream = avformat_new_stream(e->format, NULL);
     if (!stream)
         return AVERROR(ENOMEM);
     stream->time_base = e->frame_time;
     stream->avg_frame_rate = av_inv_q(e->frame_time);
     stream->sample_aspect_ratio = (AVRational){1, 1};
-    int code = e->av.avcodec_parameters_from_context(stream->codecpar, e->codec);
+    int code = avcodec_parameters_from_context(stream->codecpar, e->codec);
     if (code >= 0 && movie->settings.title)
-        code = e->av.av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
-    if (code >= 0 && movie->codec->chapters && !movie->codec->plain_options) /* else the finished file has them */
-        code = bead_chapters_add(&e->av, e->format, &movie->settings);
+        code = av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
+    if (code >= 0 && movie->codec->chapters && !movie->codec->plain_options) /* else in the finished file */
+        code = bead_chapters_add(e->format, &movie->settings);
     if (code >= 0 && movie->settings.comment)
-        code = e->av.av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
+        code = av_dict_set(&e->format->metadata, "comment", movie->settings.comment, 0);
     return code;
 }
 
 static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    e->av.av_packet_free(&e->cover);
-    e->cover = e->av.av_packet_alloc();
-    if (!e->cover || bytes > INT_MAX / 2 || e->av.av_new_packet(e->cover, (int)bytes) < 0)
+    av_packet_free(&e->cover);
+    e->cover = av_packet_alloc();
+    if (!e->cover || bytes > INT_MAX / 2 || av_new_packet(e->cover, (int)bytes) < 0)
         return no_memory(movie, msg);
     memcpy(e->cover->data, png, bytes);
     e->cover->flags = AV_PKT_FLAG_KEY;
@@ -161,19 +156,8 @@ static enum bead_error libav_cover(struct bead_movie *movie, const uint8_t *png,
 static enum bead_error libav_sound(struct bead_movie *movie, const float *samples, size_t count, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    int code = bead_sound_make(&e->av, movie->codec->sound, samples, count, movie->settings.channels, &e->tracks);
-    return code < 0 ? fail(movie, "the sound cannot be encoded", code, msg) : BEAD_OK;
-}
-
-/* On success e->format writes to the part. */
-static enum bead_error open_part(struct bead_movie *movie, struct bead_message *msg)
-{
-    struct bead_encoder *e = movie->encoder;
-    enum bead_error err = bead_av_file_create(movie->part, &e->file, msg);
-    if (err)
-        return err;
-    e->format->pb = bead_av_file_wrap(&e->av, e->file, true);
-    return e->format->pb ? BEAD_OK : no_memory(movie, msg);
+    int code = bead_sound_make(movie->codec->sound, samples, count, movie->settings.channels, &e->tracks);
+    return code < 0 ? fail(movie, "cannot encode the sound", code, msg) : BEAD_OK;
 }
 
 static enum bead_error open_file(struct bead_movie *movie, struct bead_message *msg)
@@ -182,74 +166,69 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
     int code = open_stream(movie);
     if (code < 0)
         return fail(movie, "no stream", code, msg);
-    enum bead_error err = open_part(movie, msg);
+    enum bead_error err = bead_av_file_create(movie->part, &e->file, msg);
     if (err)
         return err;
+    e->format->pb = bead_av_file_wrap(e->file, true);
+    if (!e->format->pb)
+        return no_memory(movie, msg);
     AVDictionary *options = NULL;
-    code = bead_av_options(&e->av, movie->codec->muxer_options, &options);
+    code = bead_av_options(movie->codec->muxer_options, &options);
     if (code >= 0)
-        code = e->av.avformat_write_header(e->format, &options);
+        code = avformat_write_header(e->format, &options);
     e->begun = code >= 0;
-    if (code >= 0 && e->av.av_dict_count(options))
+    if (code >= 0 && av_dict_count(options))
         code = AVERROR_OPTION_NOT_FOUND;
-    e->av.av_dict_free(&options);
-    return code < 0 ? fail(movie, "the file cannot be started", code, msg) : BEAD_OK;
+    av_dict_free(&options);
+    return code < 0 ? fail(movie, "cannot start the file", code, msg) : BEAD_OK;
 }
 
-/* Without a name: the container comes from the table, the file from open_part. */
-static int make_format(struct bead_encoder *e, const struct bead_movie *movie, AVFormatContext **format)
+/* Without a name: the table gives the container, open_file the file. */
+static int make_format(const struct bead_movie *movie, AVFormatContext **format)
 {
-    int code = e->av.avformat_alloc_output_context2(format, NULL, movie->codec->muxer, NULL);
+    int code = avformat_alloc_output_context2(format, NULL, movie->codec->muxer, NULL);
     if (code < 0)
         return code;
     (*format)->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO; /* no dates, no random identifiers */
-    (*format)->flush_packets = 0;                                   /* but by `flush` */
+    (*format)->flush_packets = 0;                                   /* only by `flush` */
     return code;
-}
-
-static enum bead_error open_format(struct bead_movie *movie, struct bead_message *msg)
-{
-    struct bead_encoder *e = movie->encoder;
-    int code = make_format(e, movie, &e->format);
-    return code < 0 ? fail(movie, "libavformat does not write this container", code, msg) : BEAD_OK;
 }
 
 static enum bead_error libav_open(struct bead_movie *movie, struct bead_message *msg)
 {
-    struct bead_av av;
-    enum bead_error err = bead_av_open(&av, msg);
+    enum bead_error err = bead_av_open(msg);
     if (err)
         return err;
     struct bead_encoder *e = movie->encoder = calloc(1, sizeof *e);
     if (!e)
         return no_memory(movie, msg);
-    e->av = av;
     e->file = -1;
-    bead_av_silence(&e->av);
-    double fps = movie->settings.fps;
-    e->frame_time = av_inv_q(e->av.av_d2q(fps, 100100));
-    e->group = (int64_t)bead_codec_group(movie->codec, fps);
-    err = open_format(movie, msg);
-    if (!err)
-        err = open_codec(movie, msg);
-    if (!err)
-        err = open_packets(movie, msg);
+    bead_av_silence();
+    e->frame_time = av_inv_q(av_d2q(movie->settings.fps, 100100));
+    e->packet = av_packet_alloc();
+    e->held = av_packet_alloc();
+    if (!e->packet || !e->held)
+        return no_memory(movie, msg);
+    int code = make_format(movie, &e->format);
+    if (code < 0)
+        return fail(movie, "libavformat does not write this container", code, msg);
+    err = open_codec(movie, msg);
     return err ? err : open_file(movie, msg);
 }
 
-/* What has been encoded can be read from the file. */
+/* Make all encoded frames readable from the file. */
 static int flush(struct bead_encoder *e, const char *ending)
 {
-    int code = e->format->oformat->flags & AVFMT_ALLOW_FLUSH ? e->av.av_write_frame(e->format, NULL) : 0;
+    int code = e->format->oformat->flags & AVFMT_ALLOW_FLUSH ? av_write_frame(e->format, NULL) : 0;
     e->unflushed = 0;
-    e->av.avio_flush(e->format->pb);
-    /* The next packet overwrites it. */
-    if (code >= 0 && ending && pwrite(e->file, ending, BEAD_ENDING_BYTES, e->av.avio_seek(e->format->pb, 0, SEEK_CUR)) < 0)
+    avio_flush(e->format->pb);
+    /* The next packet overwrites the ending. */
+    if (code >= 0 && ending && pwrite(e->file, ending, BEAD_ENDING_BYTES, avio_seek(e->format->pb, 0, SEEK_CUR)) < 0)
         code = AVERROR(errno);
     return code;
 }
 
-/* Write the packet that waited; the next one, or the end, comes at time `next`. */
+/* Write the waiting packet; `next`: time of the next one, or of the end. */
 static int release(const struct bead_movie *movie, int64_t next)
 {
     struct bead_encoder *e = movie->encoder;
@@ -257,10 +236,10 @@ static int release(const struct bead_movie *movie, int64_t next)
         return 0;
     e->holding = false;
     e->held->duration = next - e->held->pts;
-    e->av.av_packet_rescale_ts(e->held, e->frame_time, e->format->streams[0]->time_base);
+    av_packet_rescale_ts(e->held, e->frame_time, e->format->streams[0]->time_base);
     e->held->stream_index = 0;
-    int code = e->av.av_write_frame(e->format, e->held);
-    e->av.av_packet_unref(e->held);
+    int code = av_write_frame(e->format, e->held);
+    av_packet_unref(e->held);
     return code >= 0 && ++e->unflushed == FLUSH_INTERVAL ? flush(e, movie->codec->ending) : code;
 }
 
@@ -268,7 +247,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
     for (;;) {
-        int code = e->av.avcodec_receive_packet(e->codec, e->packet);
+        int code = avcodec_receive_packet(e->codec, e->packet);
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF)
             return BEAD_OK;
         if (code < 0)
@@ -278,7 +257,7 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
             code = e->format->pb->error;
         if (code < 0)
             return fail(movie, "writing failed", code, msg);
-        e->av.av_packet_move_ref(e->held, e->packet);
+        av_packet_move_ref(e->held, e->packet);
         e->holding = true;
     }
 }
@@ -286,13 +265,12 @@ static enum bead_error drain(struct bead_movie *movie, struct bead_message *msg)
 static enum bead_error encode(struct bead_movie *movie, int64_t time, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    const struct bead_preset *preset = bead_codec_preset(movie->codec, &movie->settings);
     AVFrame *picture = e->pictures.slots[e->now].picture;
     picture->pts = e->last = time;
     e->dirty = false;
-    int code = bead_av_hint(&e->av, picture, preset->hinted ? &e->changes : NULL);
+    int code = bead_av_hint(picture, movie->preset->hinted ? &e->changes : NULL);
     if (code >= 0)
-        code = e->av.avcodec_send_frame(e->codec, picture);
+        code = avcodec_send_frame(e->codec, picture);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     e->changes.count = 0;
@@ -312,14 +290,14 @@ static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, cons
     return bead_pictures_convert(&movie->encoder->pictures, slot, frame, missing, msg);
 }
 
-/* Of a group of frames the last is shown, at the time of the first; but the movie begins with its first. A frame that repeats the
- * one before is encoded again, from the picture there is: players seek in such files and editors count their frames. Drafts show
- * the picture before for longer instead. */
+/* A group of frames is encoded as its last one, at the time of its first; but the movie begins with its first frame. A frame equal
+ * to the previous one is encoded again, as players seek and editing programs count frames; in drafts the previous picture lasts
+ * longer instead. */
 static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
                                       struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    int64_t time = (int64_t)movie->shown, place = time % e->group;
+    int64_t time = (int64_t)movie->shown, place = time % movie->group;
     const struct bead_changes aligned = bead_pictures_align(&e->pictures, changes);
     e->now = slot;
     e->dirty = e->dirty || aligned.count > 0;
@@ -329,7 +307,7 @@ static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, con
         return BEAD_OK;
     if (time == 0)
         return encode(movie, 0, msg);
-    return place == e->group - 1 && time >= e->group ? encode(movie, time - place, msg) : BEAD_OK;
+    return place == movie->group - 1 && time >= movie->group ? encode(movie, time - place, msg) : BEAD_OK;
 }
 
 static enum bead_error libav_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
@@ -339,12 +317,12 @@ static enum bead_error libav_add(struct bead_movie *movie, const struct bead_fra
     return err ? err : libav_add_slot(movie, 0, changes, msg);
 }
 
-/* What is not on the screen yet, and the last frame again where it was only shown for longer: players and tools
- * disagree about the duration of a last picture, unless it is one frame. */
+/* Encode pending changes, and the last frame once more if its picture was only made to last longer: players and tools disagree
+ * about the duration of a last picture, unless it is one frame. */
 static enum bead_error last_frame(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    int64_t time = (int64_t)movie->shown - 1, start = time - time % e->group;
+    int64_t time = (int64_t)movie->shown - 1, start = time - time % movie->group;
     if (e->last >= start && !e->dirty)
         return BEAD_OK;
     return encode(movie, start > e->last ? start : time, msg);
@@ -356,15 +334,15 @@ static int set_final_delay(const struct bead_movie *movie)
     if (!movie->codec->final_delay)
         return 0;
     /* An exact fraction of a second. */
-    AVRational delay = e->av.av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
-    return e->av.av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
+    AVRational delay = av_mul_q((AVRational){(int)((int64_t)movie->shown - e->last), 1}, e->frame_time);
+    return av_opt_set_q(e->format->priv_data, "final_delay", delay, 0);
 }
 
-/* Everything encoded is in the file, and the container closed. */
+/* Write all encoded frames and close the container. */
 static enum bead_error end_part(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    int code = e->av.avcodec_send_frame(e->codec, NULL);
+    int code = avcodec_send_frame(e->codec, NULL);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
     enum bead_error err = drain(movie, msg);
@@ -375,12 +353,12 @@ static enum bead_error end_part(struct bead_movie *movie, struct bead_message *m
         code = set_final_delay(movie);
     if (code >= 0) {
         e->begun = false;
-        code = e->av.av_write_trailer(e->format);
+        code = av_write_trailer(e->format);
     }
-    e->av.avio_flush(e->format->pb);
+    avio_flush(e->format->pb);
     if (code >= 0)
         code = e->format->pb->error;
-    return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : BEAD_OK;
+    return code < 0 ? fail(movie, "cannot finish the file", code, msg) : BEAD_OK;
 }
 
 static int copy_plain(struct bead_movie *movie, int descriptor)
@@ -389,55 +367,48 @@ static int copy_plain(struct bead_movie *movie, int descriptor)
     const struct bead_av_beside beside = {e->frame_time, &e->tracks, e->cover};
     AVFormatContext *plain = NULL;
     AVDictionary *options = NULL;
-    int code = make_format(e, movie, &plain);
+    int code = make_format(movie, &plain);
     if (code >= 0)
-        code = e->av.av_dict_copy(&plain->metadata, e->format->metadata, 0);
+        code = av_dict_copy(&plain->metadata, e->format->metadata, 0);
     if (code >= 0 && movie->codec->chapters)
-        code = bead_chapters_add(&e->av, plain, &movie->settings);
+        code = bead_chapters_add(plain, &movie->settings);
     if (code >= 0)
-        code = bead_av_options(&e->av, movie->codec->plain_options, &options);
+        code = bead_av_options(movie->codec->plain_options, &options);
     if (code >= 0)
-        code = bead_av_copy(&e->av, e->file, plain, descriptor, &options, &beside);
-    e->av.av_dict_free(&options);
-    e->av.avformat_free_context(plain);
+        code = bead_av_copy(e->file, plain, descriptor, &options, &beside);
+    av_dict_free(&options);
+    avformat_free_context(plain);
     return code;
 }
 
-/* Fragments are for the unfinished file: players seek faster in a plain one. Tracks beside the pictures are only in the finished
- * file. */
+/* The finished file without fragments, which only the growing file needs: players seek faster in it. It also has the tracks of
+ * sound and subtitles. */
 static enum bead_error make_plain(struct bead_movie *movie, struct bead_message *msg)
 {
     int descriptor;
     enum bead_error err = bead_file_part_name(movie->part, &movie->plain, msg);
     if (!err)
         err = bead_av_file_create(movie->plain, &descriptor, msg);
-    if (err) { /* what stands there is not ours */
+    if (err) { /* a file of this name is not ours */
         free(movie->plain);
         movie->plain = NULL;
         return err;
     }
     const struct bead_encoder *e = movie->encoder;
-    int code = movie->codec->gif ? bead_gif_make(&e->av, e->file, descriptor, e->frame_time, (int64_t)movie->shown)
+    int code = movie->codec->gif ? bead_gif_make(e->file, descriptor, e->frame_time, (int64_t)movie->shown)
                                  : copy_plain(movie, descriptor);
     if (code >= 0 && movie->codec->gif && movie->comment)
         err = movie->codec->comment(descriptor, movie->comment, msg);
     if (close(descriptor) != 0 && code >= 0)
         code = AVERROR(errno);
-    return code < 0 ? fail(movie, "the file cannot be finished", code, msg) : err;
-}
-
-static enum bead_error make_tracks(struct bead_movie *movie, struct bead_message *msg)
-{
-    struct bead_encoder *e = movie->encoder;
-    int code = bead_subtitles_make(&e->av, movie->codec->subtitles, &movie->settings, &e->tracks);
-    return code < 0 ? fail(movie, "no subtitles", code, msg) : BEAD_OK;
+    return code < 0 ? fail(movie, "cannot finish the file", code, msg) : err;
 }
 
 static enum bead_error close_part(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    bead_av_file_unwrap(&e->av, &e->format->pb);
-    bool own = movie->comment && !movie->codec->gif; /* else the finished file has it */
+    bead_av_file_unwrap(&e->format->pb);
+    bool own = movie->comment && !movie->codec->gif; /* else in the finished file */
     enum bead_error err = own ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK;
     if (err)
         return err;
@@ -451,8 +422,9 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
     enum bead_error err = last_frame(movie, msg);
     if (!err)
         err = end_part(movie, msg);
-    if (!err && complete)
-        err = make_tracks(movie, msg);
+    int code = !err && complete ? bead_subtitles_make(movie->codec->subtitles, &movie->settings, &movie->encoder->tracks) : 0;
+    if (code < 0)
+        err = fail(movie, "no subtitles", code, msg);
     if (!err && complete && (movie->codec->plain_options || movie->codec->gif || movie->encoder->tracks.count > 0))
         err = make_plain(movie, msg);
     return err ? err : close_part(movie, msg);
@@ -464,17 +436,17 @@ static void libav_destroy(struct bead_movie *movie)
     if (!e)
         return;
     bead_pictures_close(&e->pictures);
-    bead_tracks_free(&e->av, &e->tracks);
-    e->av.av_packet_free(&e->cover);
-    e->av.av_packet_free(&e->held);
-    e->av.av_packet_free(&e->packet);
-    e->av.avcodec_free_context(&e->codec);
-    /* Muxers that set delays keep a packet back, and some free it only with the trailer. */
+    bead_tracks_free(&e->tracks);
+    av_packet_free(&e->cover);
+    av_packet_free(&e->held);
+    av_packet_free(&e->packet);
+    avcodec_free_context(&e->codec);
+    /* Muxers that set delays hold a packet, and some free it only with the trailer. */
     if (e->begun && movie->codec->final_delay)
-        e->av.av_write_trailer(e->format);
+        av_write_trailer(e->format);
     if (e->format)
-        bead_av_file_unwrap(&e->av, &e->format->pb);
-    e->av.avformat_free_context(e->format);
+        bead_av_file_unwrap(&e->format->pb);
+    avformat_free_context(e->format);
     if (e->file >= 0)
         close(e->file);
     free(e);

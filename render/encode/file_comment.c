@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Inserts a comment before the last byte of a GIF file, or before the last chunk of a PNG file. encoder.c calls it before it closes
- * the part. */
-#include "render/encode/file_comment.h"
+/* Inserts a comment before the last byte of a GIF file, or before the last chunk of a PNG file. */
+#include "render/encode/libav.h"
+#include "render/encode/movie_private.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -12,7 +12,7 @@
 
 enum { GIF_BLOCK = 255, PNG_END_BYTES = 12 };
 
-/* The comment and the end that was there. */
+/* The comment and the end of the file. */
 struct insert {
     uint8_t *bytes;
     size_t used;
@@ -30,7 +30,7 @@ static void put_number(struct insert *to, uint32_t number)
     insert_put(to, bytes, sizeof bytes);
 }
 
-/* Overwrites the last `end_bytes` of the file, which must be `end`, by `insert`, which ends in them too. */
+/* Overwrite the last `end_bytes` of the file, which must be `end`, with `insert`, which also ends with them. */
 static enum bead_error write_insert(int descriptor, const struct insert *insert, const void *end, size_t end_bytes,
                                     struct bead_message *msg)
 {
@@ -40,10 +40,10 @@ static enum bead_error write_insert(int descriptor, const struct insert *insert,
     off_t at = good ? status.st_size - (off_t)end_bytes : 0;
     good = good && pread(descriptor, found, end_bytes, at) == (ssize_t)end_bytes && memcmp(found, end, end_bytes) == 0;
     good = good && pwrite(descriptor, insert->bytes, insert->used, at) == (ssize_t)insert->used;
-    return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "the comment of a movie cannot be written");
+    return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "cannot write the comment of a movie");
 }
 
-/* Blocks of at most 255 bytes, each after its length, and an empty one. */
+/* Blocks of at most 255 bytes, each preceded by its length; the last one is empty. */
 enum bead_error bead_comment_gif(int descriptor, const char *text, struct bead_message *msg)
 {
     static const uint8_t begin[] = {0x21, 0xfe}, end[] = {0x3b};
@@ -64,23 +64,11 @@ enum bead_error bead_comment_gif(int descriptor, const char *text, struct bead_m
     return err;
 }
 
-/* As the PNG specification has it, annex D. */
-static uint32_t check_sum(const uint8_t *bytes, size_t count)
-{
-    uint32_t sum = 0xffffffffu;
-    for (size_t i = 0; i < count; i++) {
-        sum ^= bytes[i];
-        for (int bit = 0; bit < 8; bit++)
-            sum = sum & 1 ? 0xedb88320u ^ sum >> 1 : sum >> 1;
-    }
-    return sum ^ 0xffffffffu;
-}
-
-/* A chunk iTXt, whose text is UTF-8: not compressed, of no language. */
+/* A chunk iTXt, with UTF-8 text: not compressed, without a language. */
 enum bead_error bead_comment_png(int descriptor, const char *text, struct bead_message *msg)
 {
     static const uint8_t end[PNG_END_BYTES] = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
-    static const char head[] = "iTXtComment\0\0\0\0"; /* and its last zero */
+    static const char head[] = "iTXtComment\0\0\0\0"; /* with the final zero */
     size_t length = strlen(text), name = 4;
     struct insert insert = {.bytes = malloc(length + sizeof head + 8 + sizeof end)};
     if (!insert.bytes)
@@ -88,7 +76,7 @@ enum bead_error bead_comment_png(int descriptor, const char *text, struct bead_m
     put_number(&insert, (uint32_t)(sizeof head - name + length));
     insert_put(&insert, head, sizeof head);
     insert_put(&insert, text, length);
-    put_number(&insert, check_sum(insert.bytes + 4, insert.used - 4));
+    put_number(&insert, ~av_crc(av_crc_get_table(AV_CRC_32_IEEE_LE), UINT32_MAX, insert.bytes + 4, insert.used - 4));
     insert_put(&insert, end, sizeof end);
     enum bead_error err = write_insert(descriptor, &insert, end, sizeof end, msg);
     free(insert.bytes);

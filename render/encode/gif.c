@@ -1,112 +1,105 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes a GIF file in two passes over a lossless one: the first counts colours, the second encodes with the best palette for all
  * frames. */
-#include "render/encode/gif.h"
+#include "render/encode/av_file.h"
 
 #include <string.h>
 
 #include "render/colour/palette.h"
-#include "render/encode/av_file.h"
 
-enum { PER_SECOND = 100 /* units of GIF's times */, LEAST_DELAY = 2 /* of these: players slow shorter ones down */ };
+enum { PER_SECOND = 100 /* units of GIF's times */, LEAST_DELAY = 2 /* units: players slow shorter delays down */ };
 
 struct gif {
-    const struct bead_av *av;
     AVRational frame_time;
-    int64_t frames, last; /* in all; number of the one written last */
+    int64_t frames, last; /* in all; number of the last one written */
     struct bead_palette *palette;
     AVFormatContext *format;
     AVCodecContext *codec;
     AVPacket *packet;
 };
 
-/* Does something with a picture, RGB24, that is shown from frame `at` on. */
+/* Takes a picture, RGB24, that is shown from frame `at` on. */
 typedef int (*take_picture)(struct gif *gif, const AVFrame *picture, int64_t at);
 
 /* ---- reading ---- */
 
 static int take_pictures(struct gif *gif, AVCodecContext *decoder, const AVFormatContext *from, AVFrame *picture, take_picture take)
 {
-    const struct bead_av *av = gif->av;
     int code;
-    while ((code = av->avcodec_receive_frame(decoder, picture)) >= 0) {
-        int64_t at = av->av_rescale_q(picture->best_effort_timestamp, from->streams[0]->time_base, gif->frame_time);
+    while ((code = avcodec_receive_frame(decoder, picture)) >= 0) {
+        int64_t at = av_rescale_q(picture->best_effort_timestamp, from->streams[0]->time_base, gif->frame_time);
         code = picture->format == AV_PIX_FMT_RGB24 ? take(gif, picture, at) : AVERROR_INVALIDDATA;
-        av->av_frame_unref(picture);
+        av_frame_unref(picture);
         if (code < 0)
             return code;
     }
     return code == AVERROR(EAGAIN) || code == AVERROR_EOF ? 0 : code;
 }
 
-static int open_decoder(const struct bead_av *av, const AVFormatContext *from, AVCodecContext **decoder)
+static int open_decoder(const AVFormatContext *from, AVCodecContext **decoder)
 {
-    const AVCodec *type = av->avcodec_find_decoder(from->streams[0]->codecpar->codec_id);
-    *decoder = type ? av->avcodec_alloc_context3(type) : NULL;
+    const AVCodec *type = avcodec_find_decoder(from->streams[0]->codecpar->codec_id);
+    *decoder = type ? avcodec_alloc_context3(type) : NULL;
     if (!*decoder)
         return type ? AVERROR(ENOMEM) : AVERROR_DECODER_NOT_FOUND;
     (*decoder)->thread_count = 1;
-    int code = av->avcodec_parameters_to_context(*decoder, from->streams[0]->codecpar);
-    return code < 0 ? code : av->avcodec_open2(*decoder, type, NULL);
+    int code = avcodec_parameters_to_context(*decoder, from->streams[0]->codecpar);
+    return code < 0 ? code : avcodec_open2(*decoder, type, NULL);
 }
 
 static int decode_all(struct gif *gif, AVFormatContext *from, AVFrame *picture, take_picture take)
 {
-    const struct bead_av *av = gif->av;
     AVCodecContext *decoder = NULL;
-    int code = from->nb_streams == 1 ? open_decoder(av, from, &decoder) : AVERROR_INVALIDDATA;
-    while (code >= 0 && (code = av->av_read_frame(from, gif->packet)) >= 0) {
-        code = av->avcodec_send_packet(decoder, gif->packet);
-        av->av_packet_unref(gif->packet);
+    int code = from->nb_streams == 1 ? open_decoder(from, &decoder) : AVERROR_INVALIDDATA;
+    while (code >= 0 && (code = av_read_frame(from, gif->packet)) >= 0) {
+        code = avcodec_send_packet(decoder, gif->packet);
+        av_packet_unref(gif->packet);
         if (code >= 0)
             code = take_pictures(gif, decoder, from, picture, take);
     }
     if (code == AVERROR_EOF)
-        code = av->avcodec_send_packet(decoder, NULL);
+        code = avcodec_send_packet(decoder, NULL);
     if (code >= 0)
         code = take_pictures(gif, decoder, from, picture, take);
-    av->avcodec_free_context(&decoder);
+    avcodec_free_context(&decoder);
     return code;
 }
 
 static int read_all(struct gif *gif, int descriptor, take_picture take)
 {
-    const struct bead_av *av = gif->av;
-    AVIOContext *reader = bead_av_file_wrap(av, descriptor, false);
-    AVFormatContext *from = av->avformat_alloc_context();
-    AVFrame *picture = av->av_frame_alloc();
+    AVIOContext *reader = bead_av_file_wrap(descriptor, false);
+    AVFormatContext *from = avformat_alloc_context();
+    AVFrame *picture = av_frame_alloc();
     int code = reader && from && picture ? 0 : AVERROR(ENOMEM);
     if (code >= 0) {
         from->pb = reader;
-        code = av->avformat_open_input(&from, NULL, NULL, NULL); /* frees it on failure, but not its pb */
+        code = avformat_open_input(&from, NULL, NULL, NULL); /* on failure frees the context, but not its pb */
     }
     if (code >= 0)
         code = decode_all(gif, from, picture, take);
-    av->av_frame_free(&picture);
+    av_frame_free(&picture);
     if (from)
-        av->avformat_close_input(&from);
-    bead_av_file_unwrap(av, &reader);
+        avformat_close_input(&from);
+    bead_av_file_unwrap(&reader);
     return code;
 }
 
 /* ---- the first pass ---- */
 
-static int count_colours(struct gif *gif, const AVFrame *picture, int64_t at)
+static int count_colours(struct gif *gif, const AVFrame *picture, int64_t)
 {
-    (void)at;
     for (int y = 0; y < picture->height; y++)
         bead_palette_count(gif->palette, picture->data[0] + (ptrdiff_t)y * picture->linesize[0], (size_t)picture->width);
     return 0;
 }
 
-/* ---- the second ---- */
+/* ---- the second pass ---- */
 
 static int start(struct gif *gif, const AVFrame *picture)
 {
-    const struct bead_av *av = gif->av;
-    const AVCodec *type = av->avcodec_find_encoder_by_name("gif");
-    AVStream *stream = av->avformat_new_stream(gif->format, NULL);
-    AVCodecContext *c = gif->codec = av->avcodec_alloc_context3(type);
+    const AVCodec *type = avcodec_find_encoder_by_name("gif");
+    AVStream *stream = avformat_new_stream(gif->format, NULL);
+    AVCodecContext *c = gif->codec = avcodec_alloc_context3(type);
     if (!stream || !c)
         return AVERROR(ENOMEM);
     c->width = picture->width;
@@ -114,21 +107,20 @@ static int start(struct gif *gif, const AVFrame *picture)
     c->pix_fmt = AV_PIX_FMT_PAL8;
     c->time_base = stream->time_base = gif->frame_time;
     c->flags |= AV_CODEC_FLAG_BITEXACT;
-    int code = av->avcodec_open2(c, type, NULL);
+    int code = avcodec_open2(c, type, NULL);
     if (code >= 0)
-        code = av->avcodec_parameters_from_context(stream->codecpar, c);
-    return code < 0 ? code : av->avformat_write_header(gif->format, NULL);
+        code = avcodec_parameters_from_context(stream->codecpar, c);
+    return code < 0 ? code : avformat_write_header(gif->format, NULL);
 }
 
 static int write_packets(struct gif *gif)
 {
-    const struct bead_av *av = gif->av;
     int code;
-    while ((code = av->avcodec_receive_packet(gif->codec, gif->packet)) >= 0) {
-        av->av_packet_rescale_ts(gif->packet, gif->frame_time, gif->format->streams[0]->time_base);
+    while ((code = avcodec_receive_packet(gif->codec, gif->packet)) >= 0) {
+        av_packet_rescale_ts(gif->packet, gif->frame_time, gif->format->streams[0]->time_base);
         gif->packet->stream_index = 0;
-        code = av->av_write_frame(gif->format, gif->packet);
-        av->av_packet_unref(gif->packet);
+        code = av_write_frame(gif->format, gif->packet);
+        av_packet_unref(gif->packet);
         if (code < 0 || gif->format->pb->error < 0)
             return code < 0 ? code : gif->format->pb->error;
     }
@@ -137,70 +129,67 @@ static int write_packets(struct gif *gif)
 
 static int encode_picture(struct gif *gif, const AVFrame *picture, int64_t at)
 {
-    const struct bead_av *av = gif->av;
     uint32_t colours[256];
     int code = gif->codec ? 0 : start(gif, picture);
-    AVFrame *own = av->av_frame_alloc(); /* the encoder keeps it to compare with the next */
+    AVFrame *own = av_frame_alloc(); /* the encoder keeps it, to compare it with the next */
     if (code < 0 || !own) {
-        av->av_frame_free(&own);
+        av_frame_free(&own);
         return code < 0 ? code : AVERROR(ENOMEM);
     }
     own->width = picture->width;
     own->height = picture->height;
     own->format = AV_PIX_FMT_PAL8;
     own->pts = gif->last = at;
-    code = av->av_frame_get_buffer(own, 0);
+    code = av_frame_get_buffer(own, 0);
     if (code >= 0) {
         bead_palette_colours(gif->palette, colours);
         memcpy(own->data[1], colours, sizeof colours);
         for (int y = 0; y < picture->height; y++)
             bead_palette_convert(gif->palette, picture->data[0] + (ptrdiff_t)y * picture->linesize[0], (size_t)picture->width,
                                  own->data[0] + (ptrdiff_t)y * own->linesize[0]);
-        code = av->avcodec_send_frame(gif->codec, own);
+        code = avcodec_send_frame(gif->codec, own);
     }
-    av->av_frame_free(&own);
+    av_frame_free(&own);
     return code >= 0 ? write_packets(gif) : code;
 }
 
 static int finish(struct gif *gif)
 {
-    const struct bead_av *av = gif->av;
     const AVRational unit = {1, PER_SECOND};
     if (!gif->codec)
         return AVERROR_INVALIDDATA;
-    int64_t lasts = av->av_rescale_q(gif->frames, gif->frame_time, unit) - av->av_rescale_q(gif->last, gif->frame_time, unit);
-    int code = av->avcodec_send_frame(gif->codec, NULL);
+    int64_t lasts = av_rescale_q(gif->frames, gif->frame_time, unit) - av_rescale_q(gif->last, gif->frame_time, unit);
+    int code = avcodec_send_frame(gif->codec, NULL);
     if (code >= 0)
         code = write_packets(gif);
     if (code >= 0)
-        code = av->av_opt_set_int(gif->format->priv_data, "final_delay", lasts > LEAST_DELAY ? lasts : LEAST_DELAY, 0);
+        code = av_opt_set_int(gif->format->priv_data, "final_delay", lasts > LEAST_DELAY ? lasts : LEAST_DELAY, 0);
     if (code >= 0)
-        code = av->av_write_trailer(gif->format);
-    av->avio_flush(gif->format->pb);
+        code = av_write_trailer(gif->format);
+    avio_flush(gif->format->pb);
     return code >= 0 ? gif->format->pb->error : code;
 }
 
 static int write_all(struct gif *gif, int from, int to)
 {
-    const struct bead_av *av = gif->av;
-    int code = av->avformat_alloc_output_context2(&gif->format, NULL, "gif", NULL);
+    int code = avformat_alloc_output_context2(&gif->format, NULL, "gif", NULL);
     if (code < 0)
         return code;
     gif->format->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO;
-    gif->format->pb = bead_av_file_wrap(av, to, true);
+    gif->format->pb = bead_av_file_wrap(to, true);
     code = gif->format->pb ? read_all(gif, from, encode_picture) : AVERROR(ENOMEM);
     if (code >= 0)
         code = finish(gif);
-    else if (gif->codec) /* the muxer keeps a packet back, and frees it only with the trailer */
-        av->av_write_trailer(gif->format);
-    bead_av_file_unwrap(av, &gif->format->pb);
-    av->avformat_free_context(gif->format);
+    else if (gif->codec) /* the muxer holds a packet, and frees it only with the trailer */
+        av_write_trailer(gif->format);
+    bead_av_file_unwrap(&gif->format->pb);
+    avformat_free_context(gif->format);
     return code;
 }
 
-int bead_gif_make(const struct bead_av *av, int from, int to, AVRational frame_time, int64_t frames)
+int bead_gif_make(int from, int to, AVRational frame_time, int64_t frames)
 {
-    struct gif gif = {.av = av, .frame_time = frame_time, .frames = frames, .packet = av->av_packet_alloc()};
+    struct gif gif = {.frame_time = frame_time, .frames = frames, .packet = av_packet_alloc()};
     int code = gif.packet && bead_palette_create(&gif.palette, NULL) == BEAD_OK ? 0 : AVERROR(ENOMEM);
     if (code >= 0)
         code = read_all(&gif, from, count_colours);
@@ -208,8 +197,8 @@ int bead_gif_make(const struct bead_av *av, int from, int to, AVRational frame_t
         code = AVERROR(ENOMEM);
     if (code >= 0)
         code = write_all(&gif, from, to);
-    av->avcodec_free_context(&gif.codec);
-    av->av_packet_free(&gif.packet);
+    avcodec_free_context(&gif.codec);
+    av_packet_free(&gif.packet);
     bead_palette_destroy(gif.palette);
     return code;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Movies: checks, and the steps from open to close. The functions of the format (encoder.c, hashes.c) do the rest. */
+/* Movies: checks, and the steps from open to close. The functions of the format are in encoder.c and hashes.c. */
 #include "beadreel/movie.h"
 
 #include <math.h>
@@ -7,29 +7,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/file.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
-#include "render/encode/sound.h"
+#include "render/encode/tracks.h"
+#include "sim/base/file.h"
 #include "sim/base/settings.h"
+#include "sim/base/suggest.h"
 
 enum { MOST_PIXELS = 16384 };
 
 static enum bead_error unknown_extension(const char *path, struct bead_message *msg)
 {
     char list[256] = "";
-    size_t used = 0;
     const struct bead_codec_info *info;
-    for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
-        int length = snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "", info->extension);
-        if (length < 0 || (size_t)length >= sizeof list - used)
-            break;
-        used += (size_t)length;
-    }
+    for (size_t i = 0; (info = bead_movie_codec(i)); i++)
+        bead_list_add(list, sizeof list, ", ", info->extension);
     return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is not the name of a movie; it may end in: %s", path, list);
 }
 
-/* Formats with a colour for every 2 x 2 pixels need even sizes. */
+/* Formats with one chroma value for 2 x 2 pixels need even sizes. */
 static bool needs_even(enum AVPixelFormat format)
 {
     return format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUVA420P;
@@ -50,7 +46,6 @@ static void list_codecs(bool (*has)(const struct bead_codec *), char *list, size
 {
     const struct bead_codec_info *info;
     const char *last = NULL; /* not listed yet */
-    size_t used = 0;
     list[0] = '\0';
     for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
         char path[16];
@@ -58,20 +53,20 @@ static void list_codecs(bool (*has)(const struct bead_codec *), char *list, size
         if (!has(bead_codec_find(path)))
             continue;
         if (last)
-            snprintf(list + used, size - used, "%s%s", used ? ", " : "", last);
-        used = strlen(list);
+            bead_list_add(list, size, ", ", last);
         last = info->extension;
     }
-    snprintf(list + used, size - used, "%s%s", used ? " and " : "", last ? last : "");
+    if (last)
+        bead_list_add(list, size, " and ", last);
 }
 
-/* Who asks for what a format has not is told which have it. */
+/* The messages name the formats that have what this one lacks. */
 static enum bead_error check_kind(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
                                   struct bead_message *msg)
 {
     char list[128];
     if (settings->channels < 0 || settings->channels > 2)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %d channels of sound are not 0, 1 or 2", path, settings->channels);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %d channels of sound; must be 0, 1 or 2", path, settings->channels);
     if (settings->alpha && codec->presets && !bead_codec_preset(codec, settings)) {
         list_codecs(has_alpha, list, sizeof list);
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s%s files cannot be transparent (`background: none`); %s files can", path,
@@ -79,7 +74,7 @@ static enum bead_error check_kind(const char *path, const struct bead_codec *cod
     }
     if (settings->channels > 0 && codec->presets && !codec->sound) {
         list_codecs(has_sound, list, sizeof list);
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s files have no sound (`sound`); %s files can have", path,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s files cannot have sound (`sound`); %s files can", path,
                          codec->info.extension, list);
     }
     return BEAD_OK;
@@ -90,7 +85,7 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
 {
     int w = settings->width, h = settings->height;
     if (w < 1 || h < 1 || w > MOST_PIXELS || h > MOST_PIXELS)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is not between 1 x 1 and %d x %d", path, w, h, MOST_PIXELS,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d; must be between 1 x 1 and %d x %d", path, w, h, MOST_PIXELS,
                          MOST_PIXELS);
     if (codec->presets && needs_even(bead_codec_preset(codec, settings)->format) && (w % 2 || h % 2))
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: size %d x %d is odd, and this codec needs even sizes; the nearest is %d x %d",
@@ -103,13 +98,12 @@ static enum bead_error check_encoders(const char *path, const struct bead_codec 
 {
     const char *const names[] = {bead_codec_preset(codec, settings)->encoder, settings->channels > 0 ? codec->sound->encoder : NULL,
                                  codec->gif ? "gif" : NULL};
-    struct bead_av av;
     struct bead_message why;
-    enum bead_error err = bead_av_open(&av, &why);
+    enum bead_error err = bead_av_open(&why);
     if (err)
         return bead_fail(msg, err, "%s: %s", path, why.text);
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (names[i] && !av.avcodec_find_encoder_by_name(names[i]))
+        if (names[i] && !avcodec_find_encoder_by_name(names[i]))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, names[i]);
     }
     return BEAD_OK;
@@ -129,7 +123,7 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
     if (err)
         return err;
     if (!(settings->fps >= 0.01 && settings->fps <= 1000))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second are not between 0.01 and 1000", path, settings->fps);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %g frames a second; must be between 0.01 and 1000", path, settings->fps);
     return (*codec)->presets ? check_encoders(path, *codec, settings, msg) : BEAD_OK;
 }
 
@@ -172,10 +166,11 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     if (!m)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     m->codec = codec;
+    m->preset = bead_codec_preset(codec, &own);
+    m->group = (int64_t)bead_codec_group(codec, own.fps);
     m->settings = own;
-    if (codec->presets)
-        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)",
-                 codec->gif ? "gif" : bead_codec_preset(codec, &own)->encoder);
+    if (m->preset)
+        snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->gif ? "gif" : m->preset->encoder);
     if (own.comment && codec->comment && !(m->comment = strdup(own.comment)))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     if (!err)
@@ -273,7 +268,7 @@ uint64_t bead_movie_encoded(const struct bead_movie *movie)
 static enum bead_error finish(struct bead_movie *movie, bool complete, struct bead_message *msg)
 {
     if (movie->failed)
-        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, for a frame could not be written", movie->path);
+        return bead_fail(msg, BEAD_ERROR_CODEC, "%s: not finished, as a frame could not be written", movie->path);
     if (!movie->shown)
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: a movie without frames", movie->path);
     return movie->codec->way->finish(movie, complete, msg);
@@ -289,7 +284,7 @@ static enum bead_error commit(struct bead_movie *movie, struct bead_message *msg
     return err;
 }
 
-/* `whole`: under its own name; else the unfinished file stays, which plays up to here. */
+/* `whole`: finish the file under its own name; else leave the unfinished file, which can be played up to here. */
 static enum bead_error conclude(struct bead_movie *movie, bool whole, uint64_t *bytes, struct bead_message *msg)
 {
     enum bead_error err = finish(movie, whole, msg);

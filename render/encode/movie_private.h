@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of a movie: the table of codecs, and the two ways to write frames (libav's encoders; lines of hashes). */
-#ifndef BEADREEL_RENDER_ENCODE_MOVIE_PRIVATE_H
-#define BEADREEL_RENDER_ENCODE_MOVIE_PRIVATE_H
+/* The insides of movies: the table of codecs, and the two ways to write frames (libav's encoders, lines of hashes). */
+#pragma once
 
 #include <libavutil/pixfmt.h>
 #include <stdbool.h>
@@ -19,31 +18,30 @@ struct bead_movie_way {
     enum bead_error (*open)(struct bead_movie *movie, struct bead_message *msg);
     enum bead_error (*add)(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
                            struct bead_message *msg);
-    /* The same in two steps, for two threads: see bead_movie_reserve. NULL: there is no such thing. */
+    /* `add` in two steps, for two threads: see bead_movie_reserve. NULL: not available. */
     enum bead_error (*reserve)(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
     enum bead_error (*convert)(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
                                const struct bead_changes *missing, struct bead_message *msg);
     enum bead_error (*add_slot)(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
                                 struct bead_message *msg);
-    /* The movie's cover; NULL: movies of this kind have none. */
+    /* Set the cover; NULL: movies of this kind have none. */
     enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
-    /* Its sound; NULL: likewise. */
+    /* Set the sound; NULL: likewise. */
     enum bead_error (*sound)(struct bead_movie *movie, const float *samples, size_t count, struct bead_message *msg);
-    /* Everything that was added is in the part, and the part closed. Of complete movies the finished file may be another one,
-     * `plain`. */
+    /* Write all that was added to the part, and close it. For complete movies, may make another finished file, `plain`. */
     enum bead_error (*finish)(struct bead_movie *movie, bool complete, struct bead_message *msg);
     void (*destroy)(struct bead_movie *movie);
 };
 
 extern const struct bead_movie_way bead_movie_libav, bead_movie_hashes;
 
-/* How one quality is encoded. */
+/* The encoder of one quality. */
 struct bead_preset {
     const char *encoder; /* libav's name */
     enum AVPixelFormat format;
-    int threads;         /* of the encoder, each with frames of its own */
-    bool hinted;         /* the encoder skips what it is told has not changed */
-    const char *options; /* of the encoder, as libav has them: "key=value key=value" */
+    int threads;         /* of the encoder, each for frames of its own */
+    bool hinted;         /* the encoder skips parts that are unchanged by the hints */
+    const char *options; /* of the encoder: "key=value key=value" */
 };
 
 enum { BEAD_ENDING_BYTES = 12 };
@@ -51,52 +49,57 @@ enum { BEAD_ENDING_BYTES = 12 };
 struct bead_codec {
     struct bead_codec_info info;
     const struct bead_movie_way *way;
-    const char *muxer;         /* libav's name; NULL, like all behind it, where the way has no codec */
-    const char *muxer_options; /* "key=value key=value"; the file can be read while it grows */
-    const char *plain_options; /* of the finished file; NULL: it is what has grown */
-    const char *ending;        /* BEAD_ENDING_BYTES that end a growing file for those who read it; NULL: it needs none */
+    const char *muxer;         /* libav's name; NULL, like all members below, if the way has no codec */
+    const char *muxer_options; /* "key=value key=value", with which the growing file can be read */
+    const char *plain_options; /* of the finished file; NULL: that is the part itself */
+    const char *ending;        /* BEAD_ENDING_BYTES after each flush, so that the growing file can be read; NULL: not needed */
     enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
     const struct bead_preset *presets;                                                      /* by enum bead_quality */
     const struct bead_preset
-        *clear;       /* of transparent movies, likewise; without an encoder: of this quality there are none. NULL: at all */
-    bool final_delay; /* the muxer has this option, since it knows durations only from the next picture */
+        *clear;       /* of transparent movies, likewise; without an encoder: not in this quality. NULL: in no quality */
+    bool final_delay; /* the muxer has this option, as it finds durations only from the next picture */
     bool chapters;    /* the container has chapters */
     const struct bead_subtitle_format *subtitles; /* NULL: it has none */
     const struct bead_sound_format *sound;        /* NULL: it has none */
-    bool gif;                                     /* the finished file is a GIF, made of the one that has grown */
-    bool covers;                                  /* the container has room for a picture beside the movie */
-    int most_fps;                                 /* 1/s: more are thinned out, because players slow such files down; 0: no limit */
+    bool gif;                                     /* the finished file is a GIF, made from the part */
+    bool covers;                                  /* the container can hold a cover */
+    int most_fps; /* 1/s: above it frames are left out, as players slow such files down; 0: no limit */
 };
 
-/* By the extension of `path`, in any case of letters; NULL: none. */
+/* For files whose muxers write no comments: insert the text (UTF-8) before the end of a finished file. Errors: IO (also if the file
+ * does not end like such files). */
+BEAD_CHECK enum bead_error bead_comment_gif(int descriptor, const char *text, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_comment_png(int descriptor, const char *text, struct bead_message *msg);
+
+/* By the extension of `path`, ignoring case; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);
-/* What encodes a movie of such quality, transparent or not; NULL: nothing does. */
+/* The encoder for these settings (quality, transparency); NULL: there is none. */
 const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings);
-/* So many frames are one picture in the file, to stay below its most_fps; usually 1. */
+/* The number of frames for one picture in the file, so that it keeps to most_fps; usually 1. */
 size_t bead_codec_group(const struct bead_codec *codec, double fps);
 
 struct bead_movie {
     const struct bead_codec *codec;
+    const struct bead_preset *preset;    /* the codec's, for these settings; NULL: none */
+    int64_t group;                       /* bead_codec_group */
     struct bead_movie_settings settings; /* title and comment: only within open */
     char *path, *part;
-    char *plain; /* the finished file, on its way; NULL: the part */
+    char *plain; /* name of the finished file while it is written; NULL: the part */
     char encoded_by[48];
-    char *comment;                /* where the codec writes it at the end; NULL: none */
+    char *comment;                /* if the codec writes it at the end; NULL: none */
     struct bead_encoder *encoder; /* bead_movie_libav */
     FILE *lines;                  /* bead_movie_hashes */
     uint64_t shown, encoded;
     bool failed;
 };
 
-/* Frames in two steps: one thread converts them into pictures as the encoder wants them, another one encodes these. A slot is a
- * picture, and belongs to one of the two at a time. *reserved is false where frames are better added at once: hashes need
- * no conversion. Errors: MEMORY. */
+/* Frames in two steps: one thread converts them into the encoder's pictures, another one encodes these. A slot is a picture, which
+ * belongs to one of the threads at a time. *reserved is false if frames need no conversion and should be added at once (hashes).
+ * Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
-/* Bring a slot up to date with the frame: what changed since the slot was up to date, the first time all. Errors: CODEC, MEMORY. */
+/* Bring a slot up to date with the frame. `missing`: changes since it last was; the first time all. Errors: CODEC, MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
                                               const struct bead_changes *missing, struct bead_message *msg);
-/* As bead_movie_add. `changes`: since the frame before. */
+/* Like bead_movie_add. `changes`: since the previous frame. */
 BEAD_CHECK enum bead_error bead_movie_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
                                                struct bead_message *msg);
-
-#endif

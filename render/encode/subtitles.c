@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes the packets of subtitles. They are texts with little around them, which needs no encoder. */
-#include "render/encode/subtitles.h"
+/* Makes the packets of subtitles: texts with little around them, which need no encoder. */
+#include "render/encode/tracks.h"
 
 #include <math.h>
 #include <string.h>
 
 static const int subtitles_per_second = 1000;
 
-/* As 3GPP TS 26.245 has them, 5.16: at the bottom, in the middle, white letters of 16 px on nothing, a font named Arial. */
+/* The style record of 3GPP TS 26.245, 5.16: at the bottom, centred, white letters of 18 px without background, in a font named
+ * Sans. */
 static const uint8_t timed_text[] = {
     0, 0, 0, 0,  1,   0xff, 0,   0,   0,    0,                /* flags, place, background */
     0, 0, 0, 0,  0,   0,    0,   0,                           /* box: all of the frame */
@@ -19,7 +20,7 @@ const struct bead_subtitle_format bead_subtitles_mp4 = {
 const struct bead_subtitle_format bead_subtitles_mkv = {.codec = AV_CODEC_ID_SUBRIP};
 const struct bead_subtitle_format bead_subtitles_webm = {.codec = AV_CODEC_ID_WEBVTT, .escaped = true};
 
-/* `out` NULL: only counts. Returns the bytes of the packet. */
+/* Returns the bytes of the packet; `out` NULL: only counts them. */
 static size_t write_text(const struct bead_subtitle_format *format, const char *text, uint8_t *out)
 {
     static const char special[] = "&<>", *const escapes[] = {"&amp;", "&lt;", "&gt;"};
@@ -38,11 +39,10 @@ static size_t write_text(const struct bead_subtitle_format *format, const char *
     return used;
 }
 
-static int add_text(const struct bead_av *av, const struct bead_subtitle_format *format, const struct bead_movie_subtitle *from,
-                    struct bead_track *track)
+static int add_text(const struct bead_subtitle_format *format, const struct bead_movie_subtitle *from, struct bead_track *track)
 {
-    AVPacket *packet = bead_track_add(av, track);
-    if (!packet || av->av_new_packet(packet, (int)write_text(format, from->text, NULL)) < 0)
+    AVPacket *packet = bead_track_add(track);
+    if (!packet || av_new_packet(packet, (int)write_text(format, from->text, NULL)) < 0)
         return AVERROR(ENOMEM);
     write_text(format, from->text, packet->data);
     packet->pts = packet->dts = llround(from->start * subtitles_per_second);
@@ -51,33 +51,32 @@ static int add_text(const struct bead_av *av, const struct bead_subtitle_format 
     return 0;
 }
 
-static int describe_text(const struct bead_av *av, const struct bead_subtitle_format *format, AVCodecParameters *codec)
+static int describe_text(const struct bead_subtitle_format *format, AVCodecParameters *codec)
 {
     codec->codec_type = AVMEDIA_TYPE_SUBTITLE;
     codec->codec_id = format->codec;
     if (!format->style)
         return 0;
-    codec->extradata = av->av_malloc((size_t)format->style_bytes + AV_INPUT_BUFFER_PADDING_SIZE);
+    codec->extradata = av_mallocz((size_t)format->style_bytes + AV_INPUT_BUFFER_PADDING_SIZE);
     if (!codec->extradata)
         return AVERROR(ENOMEM);
-    memset(codec->extradata, 0, (size_t)format->style_bytes + AV_INPUT_BUFFER_PADDING_SIZE);
     memcpy(codec->extradata, format->style, (size_t)format->style_bytes);
     codec->extradata_size = format->style_bytes;
     return 0;
 }
 
-int bead_subtitles_make(const struct bead_av *av, const struct bead_subtitle_format *format,
-                        const struct bead_movie_settings *settings, struct bead_tracks *tracks)
+int bead_subtitles_make(const struct bead_subtitle_format *format, const struct bead_movie_settings *settings,
+                        struct bead_tracks *tracks)
 {
     if (!format || settings->subtitle_count == 0)
         return 0;
-    struct bead_track *track = bead_tracks_add(av, tracks);
+    struct bead_track *track = bead_tracks_add(tracks);
     if (!track)
         return AVERROR(ENOMEM);
     track->unit = (AVRational){1, subtitles_per_second};
     track->title = "Captions";
-    int code = describe_text(av, format, track->codec);
+    int code = describe_text(format, track->codec);
     for (size_t i = 0; i < settings->subtitle_count && code >= 0; i++)
-        code = add_text(av, format, &settings->subtitles[i], track);
+        code = add_text(format, &settings->subtitles[i], track);
     return code;
 }

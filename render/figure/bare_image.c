@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bare pixels, `axes: false`: unless the scene wants them otherwise (`orientation`) they lie as in Octave's imagesc, bead 0 in the
- * top row, beads downwards, time to the right. Several chains stand one below the other, or side by side where time runs down. The
- * picture has exactly the size asked for, and its palette is the colour map. */
+/* Bare pixels, `axes: false`: unless the scene changes it (`orientation`), as in Octave's imagesc, bead 0 in the top row, time to
+ * the right. Several chains are one below the other, or side by side where time runs down. The picture has exactly the requested
+ * size, and its palette is the colour map. */
 #include "render/figure/still.h"
 
 #include <math.h>
@@ -13,9 +13,10 @@
 #include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 #include "render/draw/picture_times.h"
+#include "render/draw/raster.h"
 #include "render/view/area_colours.h"
 #include "render/view/orientation.h"
-#include "sim/base/large.h"
+#include "sim/base/memory.h"
 
 struct bead_still {
     const struct bead_output *output;
@@ -32,24 +33,15 @@ struct bead_still {
 
 static bool bare_wanted(const struct bead_output *output)
 {
-    return !output->views.axes && output->views.count == 1 && bead_views_any(output->views.kinds, 1, BEAD_SHOWS_IMAGE);
+    return !output->views.axes && output->views.count == 1 && bead_views_any(&output->views, BEAD_SHOWS_IMAGE);
 }
 
 static void bare_destroy(struct bead_still *b)
 {
-    if (!b)
-        return;
     for (size_t c = 0; b->areas && c < b->context.chain_count; c++)
         bead_area_destroy(b->areas[c]);
     free(b->areas);
     free(b->tops);
-    free(b);
-}
-
-static enum bead_error scene_error(const struct bead_still *b, const char *text, struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", b->context.scene->file, b->output->place.line,
-                     b->output->place.column, text);
 }
 
 static bool time_down(const struct bead_still *b)
@@ -73,7 +65,7 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
     b->columns = time_down(b) ? b->page.height : b->page.width;
     b->across = time_down(b) ? b->page.width : b->page.height;
     if ((size_t)b->across < chains)
-        return scene_error(b, "size: fewer rows (or columns) of pixels than chains", msg);
+        return bead_output_wrong(b->output, msg, "size: fewer rows (or columns) of pixels than chains");
     enum bead_error err = BEAD_OK;
     b->beads = (struct bead_span){b->output->shown.beads.first, 0};
     for (size_t c = 0; !err && c < chains; c++) {
@@ -81,7 +73,7 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
         size_t count = count_of(b, c);
         setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
         if (setup.beads.first > setup.beads.last)
-            return scene_error(b, "beads: begin behind the end of the chain", msg);
+            return bead_output_wrong(b->output, msg, "beads: begin behind the end of the chain");
         b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
         b->tops[c + 1] = (int)((long long)b->across * (long long)(c + 1) / (long long)chains);
         setup.places = b->tops[c + 1] - b->tops[c];
@@ -90,17 +82,19 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
     return err;
 }
 
-static enum bead_error bare_prepare(struct bead_still *b, struct bead_message *msg)
+static enum bead_error bare_create(const struct bead_output *output, const struct bead_run_context *context, struct bead_still *b,
+                                   struct bead_message *msg)
 {
-    const struct bead_output *output = b->output;
+    b->output = output;
+    b->context = *context;
     double end = b->context.end;
     const double time[2] = {isnan(output->shown.time[0]) ? 0 : output->shown.time[0],
                             isnan(output->shown.time[1]) ? end : fmin(output->shown.time[1], end)};
-    enum bead_error err = bead_page_find(output, b->context.scene->file, &b->page, msg);
+    enum bead_error err = bead_page_find(output, &b->page, msg);
     if (!err && (!(time[1] > time[0]) || !isfinite(time[1])))
-        err = scene_error(b, "time: there is nothing to show; the run ends before", msg);
+        err = bead_output_wrong(b->output, msg, "time: there is nothing to show; the run ends before");
     if (!err)
-        err = bead_colour_range_check(output, b->context.scene->file, msg);
+        err = bead_colour_range_check(output, msg);
     if (!err)
         err = bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, &b->map, msg);
     if (!err)
@@ -122,10 +116,10 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
         high = fmax(high, one[1]);
     }
     return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field),
-                                  &(struct bead_shown_values){low, high, INFINITY}); /* there is no bar that could say more */
+                                  &(struct bead_shown_values){low, high, INFINITY}); /* no bar could mark values beyond */
 }
 
-/* Where the pixels of a chain go. */
+/* The place of a chain's pixels. */
 static struct bead_area_image image_of(const struct bead_still *b, size_t chain, uint8_t *indices)
 {
     const ptrdiff_t width = b->page.width, begin = b->tops[chain] * (time_down(b) ? 1 : width);
@@ -149,7 +143,7 @@ static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices
 
 /* The pixels that draw_pixels embeds in a vector file. */
 struct pixels {
-    const struct bead_page *page;
+    struct bead_rect rect;
     const uint8_t *indices;
     const struct bead_colormap *map;
 };
@@ -157,31 +151,12 @@ struct pixels {
 static enum bead_error draw_pixels(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct pixels *p = context;
-    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, p->page->width, p->page->height);
-    unsigned char *data = cairo_image_surface_get_data(image);
-    size_t stride = (size_t)cairo_image_surface_get_stride(image);
-    for (int y = 0; data && y < p->page->height; y++) {
-        for (int x = 0; x < p->page->width; x++) {
-            const uint8_t *rgb = p->map->rgb[p->indices[(size_t)y * (size_t)p->page->width + (size_t)x]];
-            unsigned char *pixel = data + (size_t)y * stride + 4 * (size_t)x;
-            pixel[0] = rgb[2];
-            pixel[1] = rgb[1];
-            pixel[2] = rgb[0];
-        }
-    }
-    cairo_surface_mark_dirty(image);
-    cairo_set_source_surface(cr, image, 0, 0);
-    cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
-    cairo_paint(cr);
-    cairo_surface_destroy(image);
-    cairo_status_t status = cairo_status(cr);
-    return status ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "image: %s", cairo_status_to_string(status)) : BEAD_OK;
+    return bead_raster_indices(cr, p->rect, p->indices, p->map, msg);
 }
 
-static enum bead_error bare_write(struct bead_still *b, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
+static enum bead_error bare_write(struct bead_still *b, const struct bead_outcome *, const char *path, uint64_t *bytes,
                                   struct bead_message *msg)
 {
-    (void)outcomes;
     struct bead_picture_notes notes;
     char description[512];
     const size_t count = (size_t)b->page.width * (size_t)b->page.height;
@@ -191,28 +166,12 @@ static enum bead_error bare_write(struct bead_still *b, const struct bead_outcom
     memset(indices, 0, count);
     bead_page_notes(&b->page, b->output, b->context.scene, description, sizeof description, &notes);
     enum bead_error err = fill_indices(b, indices, msg);
-    struct pixels pixels = {&b->page, indices, &b->map};
+    struct pixels pixels = {{0, 0, b->page.width, b->page.height}, indices, &b->map};
     if (!err && b->page.vector)
         err = bead_vector_write(path, b->page.width, b->page.height, draw_pixels, &pixels, &notes, bytes, msg);
     else if (!err)
         err = bead_png_write_indexed(path, b->page.width, b->page.height, indices, b->map.rgb, &notes, bytes, msg);
     free(indices);
-    return err;
-}
-
-static enum bead_error bare_create(const struct bead_output *output, const struct bead_run_context *context,
-                                   struct bead_still **still, struct bead_message *msg)
-{
-    struct bead_still *b = *still = calloc(1, sizeof *b);
-    if (!b)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
-    b->output = output;
-    b->context = *context;
-    enum bead_error err = bare_prepare(b, msg);
-    if (err) {
-        bare_destroy(b);
-        *still = NULL;
-    }
     return err;
 }
 
@@ -232,6 +191,7 @@ static enum bead_error bare_feed(struct bead_still *b, const struct bead_sample 
 }
 
 const struct bead_still_kind bead_bare_image = {
+    .size = sizeof(struct bead_still),
     .wanted = bare_wanted,
     .create = bare_create,
     .needs = bare_needs,

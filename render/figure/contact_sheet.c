@@ -47,40 +47,28 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
         }
     }
     const size_t values = s->of_contacts ? bead_chain_contacts(chain) : image->beads;
-    bool down = s->orientation == BEAD_TIME_DOWN;
-    const struct bead_area_setup setup = {{0, values - 1},
-                                          {0, s->end},
-                                          down ? image->picture.width : image->picture.height,
-                                          down ? image->picture.height : image->picture.width,
-                                          BEAD_SAMPLING_AREA};
+    const int columns = contact_columns(s, image), places = image->picture.width + image->picture.height - columns;
+    const struct bead_area_setup setup = {{0, values - 1}, {0, s->end}, places, columns, BEAD_SAMPLING_AREA};
     err =
         image->spin ? bead_area_create(&setup, &image->area, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     bead_sweep_chain_destroy(made);
     return err;
 }
 
-/* What a run needs to feed its samples into its picture. */
-struct taking {
-    struct contact_image *image;
-    enum bead_field field;
-};
-
-static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *)
 {
-    const struct taking *t = context;
-    (void)msg;
-    bead_area_feed(t->image->area, sample->time, sample->field[t->field], sample->active);
+    const struct contact_image *image = context;
+    bead_area_feed(image->area, sample->time, sample->field[image->field], sample->active);
     return BEAD_OK;
 }
 
-/* Finds when all pictures end: at `until` if the scene gives it; else all configurations run, and the last arrival counts. */
+/* Finds the end of all pictures: `until` if the scene gives it; else all configurations run, and the last arrival counts. */
 static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(s->sweep)->simulate.until;
-    for (size_t i = 0; i < s->image_count; i++)
-        s->watches[i] =
-            (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index, .end = isnan(until) ? 0 : until};
     s->end = isnan(until) ? 0 : until;
+    for (size_t i = 0; i < s->image_count; i++)
+        s->watches[i] = (struct bead_sweep_watch){.panel = s->images[i].panel, .index = s->images[i].index, .end = s->end};
     if (!isnan(until))
         return BEAD_OK; /* only the run with samples is needed */
     enum bead_error err = bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
@@ -91,56 +79,43 @@ static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_
 
 static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
-    struct taking *taking = calloc(s->image_count, sizeof *taking);
-    enum bead_error err = taking ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < s->image_count && !err; i++) {
         struct contact_image *image = &s->images[i];
-        int columns = s->orientation == BEAD_TIME_DOWN ? image->picture.height : image->picture.width;
-        taking[i] = (struct taking){image, s->output->shown.field};
+        image->field = s->output->shown.field;
         err = sheet_read_chain(s, image, msg);
         s->watches[i] = (struct bead_sweep_watch){.panel = image->panel,
                                                   .index = image->index,
                                                   .end = s->end,
-                                                  .fields = BEAD_FIELD_BIT(s->output->shown.field),
-                                                  .every = s->end / (SAMPLES_A_PIXEL * (double)columns),
+                                                  .fields = BEAD_FIELD_BIT(image->field),
+                                                  .every = s->end / (SAMPLES_A_PIXEL * (double)contact_columns(s, image)),
                                                   .take = take,
-                                                  .context = &taking[i]};
+                                                  .context = image};
     }
-    if (!err)
-        err = bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
-    free(taking);
-    return err;
+    return err ? err : bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
 }
 
-static enum bead_error find_colours(struct contact_sheet *s, struct bead_message *msg)
+static void find_colours(struct contact_sheet *s)
 {
-    struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
     double low = INFINITY, high = -INFINITY;
-    if (err)
-        return err;
-    for (size_t i = 0; i < s->image_count && s->images && s->images[i].area; i++) {
+    for (size_t i = 0; i < s->image_count; i++) {
         double one[2];
         bead_area_extremes(s->images[i].area, &one[0], &one[1]);
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    s->range = bead_colour_range_find(&s->output->colours, bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field),
-                                      &(struct bead_shown_values){low, high, INFINITY});
+    s->range = bead_colour_range_find(&s->output->colours, s->is_signed, &(struct bead_shown_values){low, high, INFINITY});
     s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
-    bead_sweep_chain_destroy(made);
-    return BEAD_OK;
 }
 
 /* Page, look and colour map. */
 static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_message *msg)
 {
-    const struct bead_scene *scene = bead_sweep_scene(s->sweep);
     static const double smaller = 0.85;
     struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_page_find(s->output, scene->file, &s->page, msg);
+    enum bead_error err = bead_page_find(s->output, &s->page, msg);
     if (!err)
-        err = bead_colour_range_check(s->output, scene->file, msg);
+        err = bead_colour_range_check(s->output, msg);
     if (!err)
         err = bead_sweep_chain_create(s->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
     if (err)
@@ -150,6 +125,7 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
     s->orientation = bead_orientation_of(s->output);
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
+    s->is_signed = bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field);
     err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, &s->map, msg);
     bead_sweep_chain_destroy(made);
     return err;
@@ -164,26 +140,32 @@ enum bead_error contact_sheet_make(struct contact_sheet *s, const struct bead_sw
         err = sheet_measure(s, settings, msg);
     if (!err)
         err = take_pictures(s, settings, msg);
-    return err ? err : find_colours(s, msg);
+    if (!err)
+        find_colours(s);
+    return err;
 }
 
-static enum bead_error sheet_run(const struct bead_output *output, const struct bead_sweep *sweep,
-                                 const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes,
-                                 struct bead_message *msg)
+static enum bead_error write_sheet(const struct bead_output *output, const struct bead_run_context *context, const char *path,
+                                   uint64_t *bytes, struct bead_message *msg)
 {
-    struct contact_sheet s = {.output = output, .sweep = sweep};
-    enum bead_error err = contact_sheet_make(&s, settings, msg);
+    struct contact_sheet s = {.output = output, .sweep = context->sweep};
+    enum bead_error err = contact_sheet_make(&s, context->sweep_settings, msg);
     if (!err)
-        err = bead_page_write(&s.page, output, bead_sweep_scene(sweep), &(struct bead_drawing){contact_sheet_draw, NULL, &s}, path,
-                              bytes, msg);
+        err = bead_page_write(&s.page, output, context->scene, &(struct bead_drawing){contact_sheet_draw, NULL, &s}, path, bytes,
+                              msg);
     contact_sheet_clear(&s);
     return err;
 }
 
-static const char *sheet_why(const struct bead_output *output)
+static const char *sheet_why(const struct bead_output *)
 {
-    (void)output;
     return "small pictures of many configurations, rows by magnetism; nothing but these is run for it";
 }
 
-const struct bead_sweep_sink bead_contact_sheet_sink = {"sheet", BEAD_OUTPUT_SHEET, sheet_why, NULL, sheet_run, false};
+const struct bead_sink_type bead_contact_sheet_sink = {.name = "sheet",
+                                                       .help = "small pictures of many configurations of a sweep",
+                                                       .kind = BEAD_OUTPUT_SHEET,
+                                                       .why = sheet_why,
+                                                       .write = write_sheet,
+                                                       .runs_chains = true,
+                                                       .without_results = true};

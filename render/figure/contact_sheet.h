@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
  * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_words.c, contact_sheet_draw.c. */
-#ifndef BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H
-#define BEADREEL_RENDER_FIGURE_CONTACT_SHEET_H
+#pragma once
 
 #include <stdint.h>
 
 #include "beadreel/colormap.h"
-#include "beadreel/look.h"
 #include "beadreel/sweep.h"
 #include "render/colour/colour_range.h"
+#include "render/draw/axis.h"
 #include "render/draw/page.h"
 #include "render/view/area.h"
 
-/* A row of pictures; all of one magnetism if the sweep has several. */
+/* A row of pictures, of one magnetism if the sweep has several. */
 struct contact_row {
     size_t panel, first, count; /* configurations first .. first + count - 1 */
     double magnetism;           /* NaN: they differ */
@@ -21,8 +20,9 @@ struct contact_row {
 
 struct contact_image {
     size_t panel, index, row;
+    enum bead_field field; /* of the area */
     double magnetism;
-    struct bead_rect picture, spins; /* px; spins stand along the chain: above, or left of pictures with time to the right */
+    struct bead_rect picture, spins; /* px; spins are along the chain: above, or left of pictures with time to the right */
     struct bead_rect words;          /* below: numbers, and the bar of the index */
     signed char *spin;               /* [beads]: 1 up, 0 reversed, -1: no cell */
     size_t beads;
@@ -45,17 +45,23 @@ struct contact_sheet {
     double label_width;          /* of the rows */
     bool several;                /* sweeps */
     double end;                  /* s */
-    bool of_contacts, behind;    /* values belong to contacts; forces are measured behind the random cells */
+    bool of_contacts, is_signed; /* values: of contacts; can be negative */
+    bool behind;                 /* forces are measured behind the random cells */
     struct bead_colormap map;
     struct bead_colours colours;
     struct bead_colour_range range;
 };
 
-/* Runs what the sheet of `output` and `sweep` shows, until it can be drawn; to be cleared also after an error. Errors: SCENE,
+/* Runs the chains of the sheet of `output` and `sweep`, until it can be drawn; to be cleared even after an error. Errors: SCENE,
  * MEMORY, those of the runs. */
 BEAD_CHECK enum bead_error contact_sheet_make(struct contact_sheet *sheet, const struct bead_sweep_settings *settings,
                                               struct bead_message *msg);
 void contact_sheet_clear(struct contact_sheet *sheet);
+/* px along time. */
+static inline int contact_columns(const struct contact_sheet *sheet, const struct contact_image *image)
+{
+    return sheet->orientation == BEAD_TIME_DOWN ? image->picture.height : image->picture.width;
+}
 /* Rows, images and their places. Errors: SCENE (no room), MEMORY. */
 BEAD_CHECK enum bead_error contact_sheet_arrange(struct contact_sheet *sheet, struct bead_message *msg);
 /* A bead_draw. */
@@ -64,12 +70,10 @@ BEAD_CHECK enum bead_error contact_sheet_draw(void *sheet, cairo_t *cr, struct b
 double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, double width);
 /* Name of a row: markup. */
 void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);
-/* Of a cell: 1 up, 0 reversed, -1 none. */
+/* `spin` of a cell: 1 up, 0 reversed, -1 none. */
 struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int spin);
 /* From a to b. */
 struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part);
 void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height);
 
-extern const struct bead_sweep_sink bead_contact_sheet_sink;
-
-#endif
+extern const struct bead_sink_type bead_contact_sheet_sink;

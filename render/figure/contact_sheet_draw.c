@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/raster.h"
+#include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
 #include "render/view/orientation.h"
 
@@ -13,8 +15,8 @@
 
 static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
 {
-    const struct bead_text_style style = {
-        .family = s->look.family, .size = s->look.tick, .colour = s->look.ink, .bold = true, .down = BEAD_ALIGN_MIDDLE};
+    struct bead_text_style style = bead_words_style(&s->look, s->look.tick, s->look.ink, BEAD_ALIGN_MIDDLE);
+    style.bold = true;
     size_t before = (size_t)-1;
     for (size_t i = 0; i < s->image_count; i++) {
         const struct contact_image *image = &s->images[i];
@@ -32,14 +34,12 @@ static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
 static void draw_pair(const struct contact_sheet *s, cairo_t *cr, const struct bead_rect *box, double y, bool strong,
                       const char *left, const char *right)
 {
-    struct bead_text_style style = {
-        .family = s->look.family, .size = s->small, .colour = strong ? s->look.ink : s->look.faint, .down = BEAD_ALIGN_BASELINE};
-    double width[2], height;
-    bead_text_size(NULL, &style, left, &width[0], &height);
-    bead_text_size(NULL, &style, right, &width[1], &height);
+    const struct bead_rgb colour = strong ? s->look.ink : s->look.faint;
+    struct bead_text_style style = bead_words_style(&s->look, s->small, colour, BEAD_ALIGN_BASELINE);
+    const double wide = bead_words_width(NULL, &style, left) + bead_words_width(NULL, &style, right);
     bead_text_draw(cr, &style, box->x, y, left);
     style.across = BEAD_ALIGN_END;
-    if (width[0] + width[1] + 0.5 * s->small <= box->width)
+    if (wide + 0.5 * s->small <= box->width)
         bead_text_draw(cr, &style, box->x + box->width, y, right);
 }
 
@@ -52,15 +52,15 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
     double y = image->words.y + round(0.3 * small);
     contact_sheet_fill(cr, contact_sheet_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width,
                        meter);
-    if (found->order > 0)
-        contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->order * image->words.width), meter);
+    if (found->clean_index > 0)
+        contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->clean_index * image->words.width), meter);
     if (s->several)
         bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->spec->title, name, sizeof name);
     snprintf(left, sizeof left, "<b>%s%s%zu</b>", name, *name ? ":" : "#", image->index);
     if (isnan(s->rows[image->row].magnetism) && isfinite(image->magnetism))
         snprintf(left + strlen(left), sizeof left - strlen(left), "  " BEAD_SYMBOL("M") " %.3g", image->magnetism);
-    snprintf(right, sizeof right, BEAD_SYMBOL("C") " %.2f", found->order);
-    if (isnan(found->order))
+    snprintf(right, sizeof right, BEAD_SYMBOL("C") " %.2f", found->clean_index);
+    if (isnan(found->clean_index))
         right[0] = '\0';
     draw_pair(s, cr, &image->words, y + meter + 1.25 * small, true, left, right);
     bead_quantity(found->force, "N", 3, force, sizeof force);
@@ -73,7 +73,7 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
 
 /* ---- pictures ---- */
 
-/* Beads from..to - 1 of the row of spins, which stands along the chain. */
+/* Beads from..to - 1 of the spins, which are along the chain. */
 static void fill_spins(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image, size_t from, size_t to)
 {
     const struct bead_rect *box = &image->spins;
@@ -106,9 +106,8 @@ static void draw_spins(const struct contact_sheet *s, cairo_t *cr, const struct 
 static enum bead_error find_indices(const struct contact_sheet *s, const struct contact_image *image, uint8_t *indices,
                                     struct bead_message *msg)
 {
-    const bool down = s->orientation == BEAD_TIME_DOWN;
-    const int width = image->picture.width, height = image->picture.height, columns = down ? height : width;
-    const struct bead_area_image to = bead_orientation_image(s->orientation, down ? width : height, indices, width);
+    const int columns = contact_columns(s, image), places = image->picture.width + image->picture.height - columns;
+    const struct bead_area_image to = bead_orientation_image(s->orientation, places, indices, image->picture.width);
     struct bead_colour_table table;
     enum bead_error err = BEAD_OK;
     bead_colour_table_make(&s->colours, &table);
@@ -120,30 +119,14 @@ static enum bead_error find_indices(const struct contact_sheet *s, const struct 
 static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image,
                                     struct bead_message *msg)
 {
-    const struct bead_rect *box = &image->picture;
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, box->width, box->height);
-    unsigned char *data = cairo_image_surface_get_data(surface);
-    size_t stride = (size_t)cairo_image_surface_get_stride(surface), width = (size_t)box->width;
-    uint8_t *indices = calloc(width, (size_t)box->height);
-    enum bead_error err =
-        indices ? find_indices(s, image, indices, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
-    for (size_t i = 0; data && !err && i < width * (size_t)box->height; i++) {
-        const uint8_t *rgb = s->map.rgb[indices[i]];
-        unsigned char *pixel = data + i / width * stride + 4 * (i % width);
-        pixel[0] = rgb[2];
-        pixel[1] = rgb[1];
-        pixel[2] = rgb[0];
-    }
-    cairo_surface_mark_dirty(surface);
-    cairo_set_source_surface(cr, surface, box->x, box->y);
-    cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
-    cairo_paint(cr);
-    cairo_status_t status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
+    uint8_t *indices = calloc((size_t)image->picture.width, (size_t)image->picture.height);
+    if (!indices)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    enum bead_error err = find_indices(s, image, indices, msg);
+    if (!err)
+        err = bead_raster_indices(cr, image->picture, indices, &s->map, msg);
     free(indices);
-    if (err || !status)
-        return err;
-    return bead_fail(msg, BEAD_ERROR_GRAPHICS, "sheet: %s", cairo_status_to_string(status));
+    return err;
 }
 
 enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_message *msg)

@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
 
-/* In units of the numbers' font size: the preferred and the smallest size of a picture, and the heights of what stands above and
+/* In units of the numbers' font size: the preferred and the smallest size of a picture, and the heights of the parts above and
  * below it. */
 static const double wanted_width = 11.5, wanted_height = 5.8, least_width = 6, least_height = 2.5;
 static const double spins_height = 0.55, spins_gap = 0.22, words_height = 3.3, between = 1.1;
@@ -118,13 +119,13 @@ static enum bead_error sheet_choose(struct contact_sheet *s, size_t room, struct
 
 static double find_label_width(const struct contact_sheet *s)
 {
-    double most = 0, width, height;
+    double most = 0;
+    struct bead_text_style style = bead_words_style(&s->look, s->look.tick, s->look.ink, BEAD_ALIGN_MIDDLE);
+    style.bold = true;
     for (size_t r = 0; r < s->row_count; r++) {
         char text[400];
-        const struct bead_text_style style = {.family = s->look.family, .size = s->look.tick, .bold = true};
         contact_sheet_row_name(s, &s->rows[r], text, sizeof text);
-        bead_text_size(NULL, &style, text, &width, &height);
-        most = fmax(most, *text ? width : 0);
+        most = fmax(most, bead_words_width(NULL, &style, text));
     }
     return most > 0 ? most + s->look.gap : 0;
 }
@@ -172,10 +173,8 @@ static enum bead_error make_images(struct contact_sheet *s, double left, double 
 static enum bead_error sheet_no_room(const struct contact_sheet *s, struct bead_message *msg)
 {
     char size[BEAD_SIZE_WORDS];
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s have no room for %zu row%s of %zu picture%s",
-                     bead_sweep_scene(s->sweep)->file, s->output->place.line, s->output->place.column,
-                     bead_page_size(&s->page, size), s->row_count, s->row_count == 1 ? "" : "s", s->columns,
-                     s->columns == 1 ? "" : "s");
+    return bead_output_wrong(s->output, msg, "size: %s have no room for %zu row%s of %zu picture%s", bead_page_size(&s->page, size),
+                             s->row_count, s->row_count == 1 ? "" : "s", s->columns, s->columns == 1 ? "" : "s");
 }
 
 /* The largest number of configurations of one magnetism. */
@@ -190,6 +189,14 @@ static size_t sheet_most_configurations(const struct contact_sheet *s)
             most = panel->spec->groups[g].configurations > most ? panel->spec->groups[g].configurations : most;
     }
     return most;
+}
+
+/* The words that explain the sheet, between two x; returns their height. */
+static double place_intro(struct contact_sheet *s, double left, double right)
+{
+    double height = contact_sheet_intro(s, NULL, right - left);
+    s->intro = (struct bead_rect){(int)round(left), (int)round(s->look.margin), (int)round(right - left), (int)ceil(height)};
+    return height;
 }
 
 enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_message *msg)
@@ -207,28 +214,20 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
         return err;
     s->label_width = find_label_width(s);
     width = (width - s->label_width + gap) / (double)s->columns - gap;
-    const double left = margin + s->label_width;
+    const double left = margin + s->label_width, right = left + (double)s->columns * (width + gap) - gap;
+    const double row = (height + gap) / (double)s->row_count - gap;
     double top = margin;
-    /* If the first row has a single picture, the words fit beside it; else they stand above. */
+    /* beside the first row if that has a single picture and there is room, else above */
     bool beside = s->rows[0].count == 1 && s->columns >= 3 && s->row_count > 1;
-    double words = beside ? left + width + 2 * gap : margin, across = left + (double)s->columns * (width + gap) - gap - words;
-    double words_high = contact_sheet_intro(s, NULL, across);
-    if (beside) {
-        double row = (height + gap) / (double)s->row_count - gap;
-        beside = words_high <= row;
+    if (!beside || place_intro(s, left + width + 2 * gap, right) > row) {
+        double words = place_intro(s, margin, right) + 1.5 * gap;
+        top += words;
+        height -= words;
     }
-    if (!beside) {
-        words = margin;
-        across = left + (double)s->columns * (width + gap) - gap - words;
-        words_high = contact_sheet_intro(s, NULL, across);
-        top += words_high + 1.5 * gap;
-        height -= words_high + 1.5 * gap;
-    }
-    s->intro = (struct bead_rect){(int)round(words), (int)round(margin), (int)round(across), (int)ceil(words_high)};
     height = (height + gap) / (double)s->row_count - lines;
     if (width < least_width * s->small || height < least_height * s->small)
         return sheet_no_room(s, msg);
-    s->bar = (struct bead_rect){(int)round(left + (double)s->columns * (width + gap) - gap + 1.5 * s->look.gap), (int)round(top),
+    s->bar = (struct bead_rect){(int)round(right + 1.5 * s->look.gap), (int)round(top),
                                 (int)round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET)),
                                 (int)round((double)s->row_count * (height + lines) - lines)};
     return make_images(s, left, top, width, height, msg);

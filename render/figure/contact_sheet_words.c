@@ -6,9 +6,10 @@
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
 #include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
 
-/* Colours of the spins, from those of curves: up is pale, reversed stands out. */
+/* Colours of the spins, from those of curves: up is pale, reversed is strong. */
 enum { REVERSED = 1 };
 static const double up_part = 0.45; /* share of ink in the colour of cells that are up */
 
@@ -43,8 +44,7 @@ static double draw_key(const struct contact_sheet *s, cairo_t *cr, double x, dou
     static const char *const words[] = {"cell as written", "reversed cell"};
     double width, height = 0;
     for (int i = 0; i < 2; i++) {
-        const struct bead_text_style style = {
-            .family = s->look.family, .size = s->look.tick, .colour = s->look.ink, .down = BEAD_ALIGN_MIDDLE};
+        const struct bead_text_style style = bead_words_style(&s->look, s->look.tick, s->look.ink, BEAD_ALIGN_MIDDLE);
         bead_text_size(NULL, &style, words[i], &width, &height);
         if (cr) {
             draw_square(s, cr, 1 - i, x, y + height / 2);
@@ -67,11 +67,12 @@ static double draw_lines(cairo_t *cr, const struct bead_text_style *style, doubl
 double contact_sheet_intro(const struct contact_sheet *s, cairo_t *cr, double width)
 {
     const struct bead_look *look = &s->look;
-    const struct bead_text_style title = {.family = look->family, .size = look->title, .colour = look->ink, .bold = true},
-                                 line = {.family = look->family, .size = look->tick, .colour = look->faint};
+    const struct bead_text_style line = bead_words_style(look, look->tick, look->faint, BEAD_ALIGN_START);
+    struct bead_text_style title = bead_words_style(look, look->title, look->ink, BEAD_ALIGN_START);
     const char *own = bead_sweep_scene(s->sweep)->title;
     char text[2048], end[64];
     double y = s->intro.y, start = y;
+    title.bold = true;
     if (*own) {
         bead_text_escape(own, text, sizeof text);
         y += draw_lines(cr, &title, width, s->intro.x, y, text) + 0.4 * look->gap;

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Creates a figure and feeds it samples; figure_write.c finishes it. It is a still of its own (figure_still.c) or one of several
- * panels. */
+/* Creates a figure and feeds it samples; figure_write.c finishes it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "render/draw/picture_times.h"
-#include "render/figure/figure_private.h"
+#include "render/figure/figure.h"
 #include "render/view/magnify.h"
 #include "render/view/orientation.h"
 
@@ -16,21 +15,25 @@ bool bead_tile_collects(const struct bead_tile *panel)
     return bead_view_has(panel->type, BEAD_SHOWS_ALL_TIMES);
 }
 
+void bead_figure_release(struct bead_figure *f)
+{
+    for (size_t t = 0; t < f->tile_count; t++) {
+        if (f->tiles[t].view)
+            f->tiles[t].type->destroy(f->tiles[t].view);
+        f->tiles[t].view = NULL;
+    }
+}
+
 void bead_figure_destroy(struct bead_figure *f)
 {
     if (!f)
         return;
-    for (size_t c = 0; f->cells && c < f->cell_count; c++) {
-        struct bead_cell *cell = &f->cells[c];
-        for (size_t v = 0; v < f->view_count; v++) {
-            if (cell->panel[v].view)
-                cell->panel[v].type->destroy(cell->panel[v].view);
-        }
-        for (size_t m = 0; m < 2; m++) {
-            for (size_t field = 0; field < BEAD_FIELD_COUNT; field++)
-                free((double *)cell->moment[m].field[field]);
-        }
+    bead_figure_release(f);
+    for (size_t m = 0; m < 2 * f->cell_count; m++) {
+        for (size_t field = 0; field < BEAD_FIELD_COUNT; field++)
+            free((double *)f->cells[m / 2].moment[m % 2].field[field]);
     }
+    free(f->tiles);
     free(f->cells);
     free(f);
 }
@@ -43,31 +46,37 @@ static enum bead_error figure_find_span(const struct bead_figure *f, size_t chai
     *span = output->shown.beads;
     span->last = span->last < count ? span->last : count - 1;
     if (span->first > span->last)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: begin at %zu, but the chain has %zu %s", f->context.scene->file,
-                         output->place.line, output->place.column, span->first, count, contacts ? "contacts" : "beads");
+        return bead_output_wrong(output, msg, "beads: begin at %zu, but the chain has %zu %s", span->first, count,
+                                 contacts ? "contacts" : "beads");
     return BEAD_OK;
 }
 
 /* A picture of sensors alone shows only chains that have some. */
-static bool is_shown(const struct bead_figure *f, size_t chain, const enum bead_view_kind *views, size_t view_count)
+static bool is_shown(const struct bead_figure *f, size_t chain)
 {
     size_t sensors;
     if (f->set.chain != SIZE_MAX && f->set.chain != chain)
         return false;
     (void)bead_chain_sensors(f->context.chains[chain], &sensors);
-    return sensors > 0 || view_count != 1 || !bead_views_any(views, 1, BEAD_SHOWS_SENSORS);
+    return sensors > 0 || f->view_count != 1 || !bead_views_any(&f->output->views, BEAD_SHOWS_SENSORS);
 }
 
-static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, const enum bead_view_kind *views, double magnify,
-                                 struct bead_message *msg)
+bool bead_figure_looks_at_beads(const struct bead_output *output)
 {
+    return !bead_views_all(&output->views, BEAD_SHOWS_ALL_TIMES);
+}
+
+static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, double magnify, struct bead_message *msg)
+{
+    const struct bead_views_asked *views = &f->output->views;
     enum bead_error err = BEAD_OK;
-    bool moments = !bead_views_all(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
+    bool moments = bead_figure_looks_at_beads(f->output);
     for (size_t v = 0; !err && v < f->view_count; v++) {
         struct bead_tile *panel = &cell->panel[v];
-        panel->type = bead_view_find(views[v]);
-        if (!panel->type)
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "this build has no view of kind %d", (int)views[v]);
+        panel->cell = cell;
+        err = bead_view_take(views, v, &panel->type, msg);
+        if (err)
+            return err;
         panel->setup = (struct bead_view_setup){.chain = f->context.chains[cell->chain],
                                                 .chain_index = cell->chain,
                                                 .field = f->output->shown.field,
@@ -84,58 +93,52 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }
-    f->coloured = bead_views_any(views, f->view_count, BEAD_SHOWS_COLOURS);
-    f->collects = bead_views_any(views, f->view_count, BEAD_SHOWS_ALL_TIMES);
+    f->coloured = bead_views_any(views, BEAD_SHOWS_COLOURS);
+    f->collects = bead_views_any(views, BEAD_SHOWS_ALL_TIMES);
     f->stills = f->stills || moments;
     return err;
 }
 
-bool bead_figure_looks_at_beads(const struct bead_output *output)
-{
-    return !bead_views_all(output->views.kinds, output->views.count, BEAD_SHOWS_ALL_TIMES);
-}
-
-static enum bead_error make_cells(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
+static enum bead_error make_cells(struct bead_figure *f, struct bead_message *msg)
 {
     f->cells = calloc(f->context.chain_count, sizeof *f->cells);
-    if (!f->cells)
+    f->tiles = calloc(f->context.chain_count * f->view_count, sizeof *f->tiles);
+    if (!f->cells || !f->tiles)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     double magnify = f->output->views.magnify;
     if (!(magnify > 0))
         magnify = bead_figure_looks_at_beads(f->output) ? bead_magnify_auto(f->context.chains, f->context.chain_count) : 1;
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; !err && c < f->context.chain_count; c++) {
-        if (!is_shown(f, c, views, f->view_count))
+        if (!is_shown(f, c))
             continue;
         struct bead_cell *cell = &f->cells[f->cell_count++];
         cell->chain = c;
-        err = fill_cell(f, cell, views, magnify, msg);
+        cell->panel = &f->tiles[f->tile_count];
+        f->tile_count += f->view_count;
+        err = fill_cell(f, cell, magnify, msg);
     }
     if (!err && f->cell_count == 0)
-        err = bead_fail(msg, BEAD_ERROR_SCENE,
-                        "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
-                        f->context.scene->file, f->output->place.line, f->output->place.column);
+        err = bead_output_wrong(f->output, msg, "there is no sensor to show; give a bead one: {bead: steel, sensor: first}");
     return err;
 }
 
 enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct bead_canvas *canvas, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    for (size_t c = 0; c < f->cell_count; c++) {
-        for (size_t v = 0; !err && v < f->view_count; v++) {
-            struct bead_tile *panel = &f->cells[c].panel[v];
-            if (bead_tile_collects(panel) != collecting)
-                continue;
-            err = panel->type->create(&panel->setup, &panel->view, msg);
-            if (!err)
-                err = panel->type->place(panel->view, panel->plot, bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) ? canvas : NULL,
-                                         msg);
-        }
+    for (size_t t = 0; !err && t < f->tile_count; t++) {
+        struct bead_tile *panel = &f->tiles[t];
+        if (bead_tile_collects(panel) != collecting)
+            continue;
+        err = panel->type->create(&panel->setup, &panel->view, msg);
+        if (!err)
+            err =
+                panel->type->place(panel->view, panel->plot, bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) ? canvas : NULL, msg);
     }
     return err;
 }
 
-/* Pixels along time of the figure's space-time image; 2000 if it has only curves. */
+/* Pixels along time of the figure's space-time image; 2000 for curves alone. */
 static double time_pixels(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
@@ -163,47 +166,27 @@ static void explain(struct bead_figure *f)
         snprintf(f->why, sizeof f->why, "%d x %d pixels, one moment", f->page.width, f->page.height);
 }
 
-/* All but the places of things. */
-static enum bead_error figure_prepare(struct bead_figure *f, const enum bead_view_kind *views, struct bead_message *msg)
+/* All but the layout. */
+static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
     bool is_signed = bead_chain_signed(f->context.chains[0], output->shown.field);
-    enum bead_error err = bead_colour_range_check(output, f->context.scene->file, msg);
+    enum bead_error err = bead_colour_range_check(output, msg);
     if (!err)
         err = bead_picture_times(output, &f->context, f->time, msg);
     f->at = isnan(output->image.at) ? f->time[1] : output->image.at;
     if (!err && f->at > f->context.end * (1 + 1e-9))
-        err = bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: is %g; the run ends at %g", f->context.scene->file,
-                        output->place.line, output->place.column, f->at, f->context.end);
+        err = bead_output_wrong(output, msg, "at: is %g; the run ends at %g", f->at, f->context.end);
     f->at = fmin(f->at, f->context.end);
     if (!err)
         err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, &f->map, msg);
     if (err)
         return err;
-    /* as wide as labels can get; the real range is known at the end */
+    /* the widest labels; the real range is known at the end */
     f->range =
         bead_colour_range_find(&output->colours, is_signed, &(struct bead_shown_values){is_signed ? -888 : 0, 888, INFINITY});
     f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
-    return make_cells(f, views, msg);
-}
-
-static enum bead_error new_figure(const struct bead_output *output, const struct bead_run_context *context,
-                                  const struct bead_page *page, const struct bead_look *look, struct bead_figure **figure,
-                                  struct bead_message *msg)
-{
-    *figure = NULL;
-    if (output->views.count < 1 || output->views.count > BEAD_STACK_VIEWS)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", BEAD_STACK_VIEWS);
-    struct bead_figure *f = *figure = calloc(1, sizeof *f);
-    if (!f)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
-    f->output = output;
-    f->context = *context;
-    f->view_count = output->views.count;
-    f->page = *page;
-    f->look = *look;
-    f->set.chain = SIZE_MAX;
-    return BEAD_OK;
+    return make_cells(f, msg);
 }
 
 enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *msg)
@@ -218,30 +201,21 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
                                    const struct bead_page *page, const struct bead_look *look,
                                    const struct bead_part_settings *settings, struct bead_figure **figure, struct bead_message *msg)
 {
-    enum bead_error err = new_figure(output, context, page, look, figure, msg);
-    struct bead_figure *f = *figure;
-    if (err)
-        return err;
+    *figure = NULL;
+    if (output->views.count < 1 || output->views.count > BEAD_MOST_VIEWS)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", BEAD_MOST_VIEWS);
+    struct bead_figure *f = *figure = calloc(1, sizeof *f);
+    if (!f)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    f->output = output;
+    f->context = *context;
+    f->view_count = output->views.count;
+    f->page = *page;
+    f->look = *look;
     f->part = settings != NULL;
+    f->set = settings ? *settings : (struct bead_part_settings){.chain = SIZE_MAX};
     f->margin = !f->part && output->views.axes ? look->margin : 0;
-    if (settings)
-        f->set = *settings;
-    err = figure_prepare(f, output->views.kinds, msg);
-    if (err) {
-        bead_figure_destroy(f);
-        *figure = NULL;
-    }
-    return err;
-}
-
-void bead_figure_change(struct bead_figure *f, const struct bead_part_settings *settings)
-{
-    f->set = *settings;
-}
-
-void bead_figure_regrid(struct bead_figure *f, const struct bead_grid *grid)
-{
-    f->grid = *grid;
+    return figure_prepare(f, msg);
 }
 
 static unsigned figure_fields_of(const struct bead_figure *f, bool collecting)
@@ -255,25 +229,25 @@ static unsigned figure_fields_of(const struct bead_figure *f, bool collecting)
     return fields;
 }
 
+static void take_beads(struct bead_span *all, size_t first, size_t last)
+{
+    all->first = first < all->first ? first : all->first;
+    all->last = last > all->last ? last : all->last;
+}
+
 /* The beads shown and those with sensors. */
 static struct bead_span all_beads(const struct bead_figure *f)
 {
     struct bead_span all = {SIZE_MAX, 0};
-    for (size_t c = 0; c < f->cell_count; c++) {
-        for (size_t v = 0; v < f->view_count; v++) {
-            const struct bead_tile *panel = &f->cells[c].panel[v];
-            size_t count = 0;
-            const struct bead_sensor *sensors = bead_chain_sensors(panel->setup.chain, &count);
-            bool plotted = bead_view_has(panel->type, BEAD_SHOWS_SENSORS);
-            for (size_t s = 0; plotted && s < count; s++) {
-                all.first = sensors[s].bead < all.first ? sensors[s].bead : all.first;
-                all.last = sensors[s].bead > all.last ? sensors[s].bead : all.last;
-            }
-            if (!plotted) {
-                all.first = panel->setup.beads.first < all.first ? panel->setup.beads.first : all.first;
-                all.last = panel->setup.beads.last > all.last ? panel->setup.beads.last : all.last;
-            }
-        }
+    for (size_t t = 0; t < f->tile_count; t++) {
+        const struct bead_tile *panel = &f->tiles[t];
+        size_t count = 0;
+        const struct bead_sensor *sensors = bead_chain_sensors(panel->setup.chain, &count);
+        bool plotted = bead_view_has(panel->type, BEAD_SHOWS_SENSORS);
+        for (size_t s = 0; plotted && s < count; s++)
+            take_beads(&all, sensors[s].bead, sensors[s].bead);
+        if (!plotted)
+            take_beads(&all, panel->setup.beads.first, panel->setup.beads.last);
     }
     /* A drawn bead takes the values of the contacts on both sides. */
     if (f->stills && bead_field_info(f->output->shown.field)->of_contacts)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws what is not a view in a figure: headings, title and time, the colour bar. */
+/* Draws everything in a figure except its views: headings, title and time, the colour bar. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,51 +7,9 @@
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
 #include "render/draw/quantity.h"
-#include "render/figure/figure_private.h"
+#include "render/draw/words.h"
+#include "render/figure/figure.h"
 #include "render/view/trust_words.h"
-
-static struct bead_text_style figure_style_of(const struct bead_look *look, double size, struct bead_rgb colour)
-{
-    return (struct bead_text_style){
-        .family = look->family, .size = size, .colour = colour, .across = BEAD_ALIGN_START, .down = BEAD_ALIGN_BASELINE};
-}
-
-static double figure_width_of(cairo_t *cr, const struct bead_text_style *style, const char *markup)
-{
-    double width = 0, height;
-    if (*markup)
-        bead_text_size(cr, style, markup, &width, &height);
-    return width;
-}
-
-static void to_markup(const char *text, bool marked, char *markup, size_t size)
-{
-    if (marked)
-        bead_markup(text, markup, size);
-    else
-        bead_text_escape(text, markup, size);
-}
-
-/* Text that fits into `room`, shortened with an ellipsis if need be. False: nothing fits. */
-static bool fit(cairo_t *cr, const struct bead_text_style *style, const char *text, bool marked, double room, char *markup,
-                size_t size)
-{
-    char cut[512];
-    snprintf(cut, sizeof cut, "%.500s", text);
-    to_markup(cut, marked, markup, size);
-    size_t length = strlen(cut);
-    while (figure_width_of(cr, style, markup) > room) {
-        while (length > 0 && ((unsigned char)cut[length - 1] & 0xC0) == 0x80)
-            length--;
-        length -= length > 0;
-        if (length == 0)
-            return false;
-        snprintf(cut + length, sizeof cut - length, "\u2026");
-        to_markup(cut, marked, markup, size);
-        cut[length] = '\0';
-    }
-    return *markup != '\0';
-}
 
 struct words {
     char letter[128], magnetism[128], moment[160];
@@ -59,9 +17,12 @@ struct words {
     bool marked; /* the name is a panel's title, with markup */
 };
 
-/* As many digits as the time needs, at most three decimals. */
-static void figure_time_words(double time, const char *unit, char *text, size_t size)
+/* "t = 1.64 ms" with as many digits as the time needs, at most three decimals; "": no view shows one moment. */
+static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 {
+    double time = f->at;
+    const char *unit = bead_chain_time_unit(f->context.chains[0]);
+    char text[64];
     int exponent = bead_prefix_exponent(time, unit), digits = 1;
     double shown = time / bead_power_of_ten(exponent);
     int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
@@ -70,26 +31,23 @@ static void figure_time_words(double time, const char *unit, char *text, size_t 
         if (fabs(round(shown * part) / part - shown) < 1e-6 * shown)
             break;
     }
-    bead_quantity(time, unit, digits, text, size);
+    bead_quantity(time, unit, digits, text, sizeof text);
+    snprintf(markup, f->stills ? size : 1, BEAD_SYMBOL("t") " = %s", text);
 }
 
-/* A panel's heading has the letter, the title and the moment, which other figures show above everything. */
+/* A panel's heading has the letter, the title and the moment; other figures show the moment above everything. */
 static void part_words(const struct bead_figure *f, struct words *words)
 {
-    char time[64];
     bool alone = f->cell_count == 1;
     if (alone && f->set.title)
         words->name = f->set.title;
     words->marked = words->name == f->set.title;
     snprintf(words->letter, sizeof words->letter, "%s%s%s", f->set.letter, !alone && f->set.title && *f->set.letter ? " " : "",
              !alone && f->set.title ? f->set.title : "");
-    if (!f->stills)
-        return;
-    figure_time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
-    snprintf(words->moment, sizeof words->moment, BEAD_SYMBOL("t") " = %s", time);
+    moment_words(f, words->moment, sizeof words->moment);
 }
 
-/* Of all chains with as many decimals. */
+/* "M = 0.20", with the same decimals for all chains. */
 static void figure_magnetism(const struct bead_figure *f, const struct bead_chain *chain, char *text, size_t size)
 {
     char number[32];
@@ -112,8 +70,8 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
     return f->output->views.axes && (*words->letter || *words->name || *words->magnetism || *words->moment);
 }
 
-/* How much a heading says, from everything to a shortened name: the same for all chains, chosen so that the longest fits. Several
- * chains always keep their names, cut if need be, to tell them apart. */
+/* The words of headings, from everything to a shortened name: the same for all chains, chosen so that the longest fits. Several
+ * chains always keep their names, shortened if necessary, to tell them apart. */
 enum terseness { NAME_M_LABEL, NAME_M, NAME, CUT_NAME_M, M, CUT_NAME };
 
 static const double shortest_cut = 3; /* of a name beside M, in units of its font size */
@@ -127,12 +85,12 @@ struct heading {
 static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
 {
     const struct bead_look *look = &f->look;
-    const bool plain = f->page.paper || f->part; /* as the headings of plots, which may stand beside it */
+    const bool plain = f->page.paper || f->part; /* like the headings of plots, which may be beside it */
     const double size = f->part ? look->label : look->title;
     (void)words_of(f, cell, &h->words);
-    h->letter = h->name = figure_style_of(look, size, look->ink);
-    h->magnetism = figure_style_of(look, size, plain ? look->ink : look->accent);
-    h->label = figure_style_of(look, look->label, look->faint);
+    h->letter = h->name = bead_words_style(look, size, look->ink, BEAD_ALIGN_BASELINE);
+    h->magnetism = bead_words_style(look, size, plain ? look->ink : look->accent, BEAD_ALIGN_BASELINE);
+    h->label = bead_words_style(look, look->label, look->faint, BEAD_ALIGN_BASELINE);
     h->name.bold = !plain;
     h->gap = 0.7 * look->label;
     h->letter.bold = true;
@@ -163,12 +121,10 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
     else
         bead_text_escape(h->words.label, label, sizeof label);
     bead_markup(h->words.letter, letters, sizeof letters);
-    to_markup(h->words.name, h->words.marked, name, sizeof name);
-    double letter = *h->words.letter ? figure_width_of(cr, &h->letter, letters) + h->gap : 0;
-    double after_name = *h->words.magnetism ? h->gap + figure_width_of(cr, &h->magnetism, h->words.magnetism) : 0;
-    after_name += *label ? 2 * h->gap + figure_width_of(cr, &h->label, label) : 0;
-    if (draw && !fit(cr, &h->name, h->words.name, h->words.marked, room - letter - after_name, name, sizeof name))
-        name[0] = '\0';
+    double letter = *h->words.letter ? bead_words_width(cr, &h->letter, letters) + h->gap : 0;
+    double after_name = *h->words.magnetism ? h->gap + bead_words_width(cr, &h->magnetism, h->words.magnetism) : 0;
+    after_name += *label ? 2 * h->gap + bead_words_width(cr, &h->label, label) : 0;
+    bead_words_fit(cr, &h->name, h->words.name, h->words.marked, draw ? room - letter - after_name : INFINITY, name, sizeof name);
     const char *words[] = {letters, name, h->words.magnetism, label};
     double begin = x, end = x;
     for (size_t i = 0; i < 4; i++) {
@@ -176,7 +132,7 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
             continue;
         if (draw)
             bead_text_draw(cr, styles[i], x, y, words[i]);
-        double width = figure_width_of(cr, styles[i], words[i]);
+        double width = bead_words_width(cr, styles[i], words[i]);
         end = x + (i == 1 ? fmin(width, longest) : width);
         x = end + after[i];
     }
@@ -215,15 +171,11 @@ bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *ce
 }
 
 /* "t = 1.64 ms, displacements x 60": for figures with beads or profiles. */
-static void moment_words(const struct bead_figure *f, char *markup, size_t size)
+static void line_words(const struct bead_figure *f, char *markup, size_t size)
 {
-    char time[64], magnify[64];
-    markup[0] = '\0';
-    if (!f->stills)
-        return;
-    figure_time_words(f->at, bead_chain_time_unit(f->context.chains[0]), time, sizeof time);
-    snprintf(markup, size, BEAD_SYMBOL("t") " = %s", time);
-    for (size_t v = 0; v < f->view_count; v++) {
+    char magnify[64];
+    moment_words(f, markup, size);
+    for (size_t v = 0; f->stills && v < f->view_count; v++) {
         const struct bead_tile *panel = &f->cells[0].panel[v];
         if (!bead_view_has(panel->type, BEAD_SHOWS_BEADS))
             continue;
@@ -243,20 +195,21 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     if (!cr)
         return true;
     char markup[1024], moment[256];
-    moment_words(f, moment, sizeof moment);
-    struct bead_text_style bold = figure_style_of(look, 1.2 * look->title, look->ink),
-                           right = figure_style_of(look, look->label, look->ink);
+    line_words(f, moment, sizeof moment);
+    struct bead_text_style bold = bead_words_style(look, 1.2 * look->title, look->ink, BEAD_ALIGN_BASELINE),
+                           right = bead_words_style(look, look->label, look->ink, BEAD_ALIGN_BASELINE);
     bold.bold = true;
     right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
-    double y = f->line.y + look->title, taken = figure_width_of(cr, &right, moment);
-    if (*title && fit(cr, &bold, title, false, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup))
+    double y = f->line.y + look->title, taken = bead_words_width(cr, &right, moment);
+    if (bead_words_fit(cr, &bold, title, false, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup) >
+        0)
         bead_text_draw(cr, &bold, f->line.x, y, markup);
     if (*moment)
         bead_text_draw(cr, &right, *title ? f->line.x + f->line.width : f->line.x, y, moment);
     return true;
 }
 
-/* The line that says until when the two runs of the chain agree. */
+/* The time until which the two runs of the chain agree. */
 static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
 {
     struct bead_trust trust = bead_trust_make(f->context.chains[0], f->context.tolerance_factor);
@@ -285,7 +238,7 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
     }
 }
 
-/* The bar is shortened by its pointed ends, so that these end where the images end. */
+/* Shortens the bar by its pointed ends, which end where the images end. */
 static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;
@@ -302,8 +255,6 @@ static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 enum bead_error bead_figure_decorate(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    if (!f->part)
-        bead_look_paint(&f->look, cr);
     bead_figure_line(f, cr);
     for (size_t c = 0; !err && c < f->cell_count; c++) {
         bead_figure_heading(f, &f->cells[c], cr);

@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/figure/figure_private.h"
+#include "render/draw/layout.h"
+#include "render/figure/figure.h"
 #include "render/view/orientation.h"
 
 /* Lengths in units of the label's font size. */
@@ -14,21 +15,6 @@ static const double bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_lin
 static const double trust_share = 0.75;
 static const int smallest_plot = 12; /* px */
 enum { FAR = 8192 };                 /* px */
-
-/* How far axes and labels reach out of a plot, px. */
-struct reach {
-    double left, top, right, bottom;
-};
-
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static struct reach largest(struct reach a, struct reach b)
-{
-    return (struct reach){larger(a.left, b.left), larger(a.top, b.top), larger(a.right, b.right), larger(a.bottom, b.bottom)};
-}
 
 /* A temporary view draws its axes around a plot of this size, far from any border, onto a surface that only records extents. */
 static enum bead_error draw_axes(const struct bead_tile *panel, const struct bead_view_setup *setup, cairo_t *cr, int width,
@@ -44,11 +30,11 @@ static enum bead_error draw_axes(const struct bead_tile *panel, const struct bea
     return err;
 }
 
-/* Stand-ins for ranges that are known only at the end, with labels as wide as they can get. */
+/* Stand-ins for ranges known only at the end, with the widest labels. */
 static const double ranges[] = {888, 630, 310};
 
 static enum bead_error figure_measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
-                                      struct reach *reach, struct bead_message *msg)
+                                      struct bead_insets *reach, struct bead_message *msg)
 {
     bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->colours.range[1]);
     cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
@@ -71,9 +57,10 @@ static enum bead_error figure_measure(const struct bead_figure *f, const struct 
     int left = 0, right = 0;
     if (panel->type->margins && panel->setup.axes)
         panel->type->margins(panel->setup.look, &left, &right);
-    *reach = (struct reach){left, 0, right, 0};
+    *reach = (struct bead_insets){left, 0, right, 0};
     if (w > 0 && h > 0)
-        *reach = largest(*reach, (struct reach){FAR - x, FAR - y, x + w - FAR - width, y + h - FAR - height});
+        *reach = (struct bead_insets){fmax(left, FAR - x), fmax(0, FAR - y), fmax(right, x + w - FAR - width),
+                                      fmax(0, y + h - FAR - height)};
     return err;
 }
 
@@ -82,47 +69,19 @@ static bool has_bar(const struct bead_figure *f)
     return f->coloured && f->output->views.axes && !f->set.no_bar;
 }
 
-/* All lengths of a layout, from which the plots follow. */
+static double bar_width(const struct bead_figure *f)
+{
+    return round(bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE));
+}
+
+/* A line of title and time, and below it rows of chains with their views; a bar at the right of all columns. */
 struct plan {
-    double margin, trust;           /* trust: part of the heading's height */
-    double *left, *right;           /* [columns] */
-    struct bead_stack_reach *reach; /* [rows * views]: largest in each line of plots */
-    double bar_room;                /* bar, gap and labels */
-    struct bead_insets least;       /* of all plots together */
-    int width;                      /* of plots */
-    struct bead_stack stack;
+    struct bead_figure *f;
+    struct bead_layout_grid grid;
+    double trust;     /* px: part of the heading's height */
+    double bar_gap;   /* px: between the plots and the bar */
+    double bar_least; /* px that panels leave at the right border for bars */
 };
-
-static void free_plan(struct plan *plan)
-{
-    free(plan->left);
-    free(plan->right);
-    free(plan->reach);
-}
-
-static enum bead_error make_plan(const struct bead_figure *f, const struct bead_insets *least, struct plan *plan,
-                                 struct bead_message *msg)
-{
-    double em = f->look.label;
-    bool headings = false;
-    for (size_t c = 0; c < f->cell_count; c++)
-        headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
-    *plan = (struct plan){.margin = f->margin, .least = *least, .trust = f->output->shown.trust ? round(trust_line * em) : 0};
-    plan->left = calloc(f->columns, sizeof *plan->left);
-    plan->right = calloc(f->columns, sizeof *plan->right);
-    plan->reach = calloc(f->rows * f->view_count, sizeof *plan->reach);
-    plan->stack = (struct bead_stack){.rows = f->rows,
-                                      .views = f->view_count,
-                                      .heading = plan->trust + (headings ? round(1.15 * f->look.title + heading_gap * em) : 0),
-                                      .between_rows = round(between_rows * em),
-                                      .between_views = round(between_views * em),
-                                      .reach = plan->reach};
-    if (!plan->left || !plan->right || !plan->reach) {
-        free_plan(plan);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the layout of a figure");
-    }
-    return BEAD_OK;
-}
 
 /* The greatest width of the bar's labels, for any range unless the scene gives it. */
 static double bar_labels(const struct bead_figure *f, int height)
@@ -140,208 +99,112 @@ static double bar_labels(const struct bead_figure *f, int height)
             colours.high = sizes[i];
             colours.low = colours.scale == BEAD_SCALE_LOG ? 1e-4 * sizes[i] : f->colours.low < 0 ? -sizes[i] : 0;
         }
-        widest = larger(widest, bead_colour_bar_draw(NULL, &f->look, &colours, field->unit, title, bar, true, true));
+        widest = fmax(widest, bead_colour_bar_draw(NULL, &f->look, &colours, field->unit, title, bar, true, true));
     }
     return widest;
 }
 
-/* All that is not plots: margins, title, headings, axes. */
-static double fixed_height(const struct bead_figure *f, const struct plan *plan)
+static enum bead_error too_small(void *plan, struct bead_message *msg)
 {
-    return 2 * plan->margin + f->line.height + bead_stack_fixed(&plan->stack);
-}
-
-static double fixed_width(const struct bead_figure *f, const struct plan *plan)
-{
-    double width = 2 * plan->margin + plan->bar_room + (double)(f->columns - 1) * round(between_columns * f->look.label);
-    for (size_t c = 0; c < f->columns; c++)
-        width += ceil(plan->left[c]) + (c + 1 == f->columns && has_bar(f) ? 0 : ceil(plan->right[c]));
-    return width;
-}
-
-static enum bead_error too_small(const struct bead_figure *f, struct bead_message *msg)
-{
+    const struct bead_figure *f = ((const struct plan *)plan)->f;
     const struct bead_output *output = f->output;
     char size[BEAD_SIZE_WORDS];
-    return bead_fail(msg, BEAD_ERROR_SCENE,
-                     "%s:%zu:%zu: size: %s leave no room for %zu plots and their labels; use a larger picture, fewer views or "
-                     "`axes: false`",
-                     f->context.scene->file, output->place.line, output->place.column, bead_page_size(&f->page, size),
-                     f->cell_count * f->view_count);
+    return bead_output_wrong(output, msg,
+                             "size: %s leave no room for %zu plots and their labels; use a larger picture, fewer views or "
+                             "`axes: false`",
+                             bead_page_size(&f->page, size), f->cell_count * f->view_count);
 }
 
-/* The greatest height that a view can use, px. */
-static double figure_most_height(const struct bead_figure *f, const struct plan *plan, size_t view)
+/* The greatest height that a view can use, px; 0: any. */
+static double figure_most_height(const struct bead_figure *f, double width, size_t view)
 {
     double most = 0;
     const struct bead_view_type *type = f->cells[0].panel[view].type;
-    if (f->view_count == 1 || !type->most_height)
-        return INFINITY;
-    for (size_t c = 0; c < f->cell_count; c++)
-        most = larger(most, type->most_height(&f->cells[c].panel[view].setup, plan->width));
+    for (size_t c = 0; f->view_count > 1 && type->most_height && c < f->cell_count; c++)
+        most = fmax(most, type->most_height(&f->cells[c].panel[view].setup, (int)width));
     return most;
 }
 
-/* Divides the remaining room among the plots. Rows of beads leave what they cannot use to the other views. */
-static enum bead_error figure_divide(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
+static void heights(void *user)
 {
-    plan->width = (int)floor((f->area.width - fixed_width(f, plan)) / (double)f->columns);
-    if (plan->width < smallest_plot)
-        return too_small(f, msg);
-    for (size_t v = 0; v < f->view_count; v++) {
-        plan->stack.share[v] = f->cells[0].panel[v].type->info->still_share;
-        plan->stack.most[v] = figure_most_height(f, plan, v);
-    }
-    bead_stack_divide(&plan->stack, (f->area.height - fixed_height(f, plan)) / (double)f->rows);
-    for (size_t v = 0; v < f->view_count; v++) {
-        if (plan->stack.height[v] < smallest_plot)
-            return too_small(f, msg);
-    }
-    return BEAD_OK;
+    struct plan *plan = user;
+    const struct bead_figure *f = plan->f;
+    struct bead_lane *rows = plan->grid.rows.lane;
+    for (size_t i = 1; i < plan->grid.rows.count; i++)
+        rows[i].most = figure_most_height(f, plan->grid.columns.lane[0].size, (i - 1) % f->view_count);
 }
 
-static void keep_least(const struct bead_figure *f, struct plan *plan)
+static void place_cell(const struct plan *plan, struct bead_cell *cell, const struct bead_layout_box *boxes)
 {
-    struct bead_stack_reach *first = &plan->reach[0], *last = &plan->reach[f->rows * f->view_count - 1];
-    double *right = &plan->right[f->columns - 1];
-    plan->left[0] = larger(plan->left[0], plan->least.left);
-    first->above = larger(first->above, plan->least.top);
-    last->below = larger(last->below, plan->least.bottom);
-    if (!has_bar(f))
-        *right = larger(*right, plan->least.right);
-}
-
-static enum bead_error measure_all(const struct bead_figure *f, struct plan *plan, struct bead_message *msg)
-{
-    enum bead_error err = BEAD_OK;
-    memset(plan->left, 0, f->columns * sizeof *plan->left);
-    memset(plan->right, 0, f->columns * sizeof *plan->right);
-    memset(plan->reach, 0, f->rows * f->view_count * sizeof *plan->reach);
-    for (size_t c = 0; c < f->cell_count; c++) {
-        const struct bead_cell *cell = &f->cells[c];
-        for (size_t v = 0; !err && v < f->view_count; v++) {
-            struct bead_stack_reach *row = &plan->reach[cell->row * f->view_count + v];
-            struct reach reach;
-            err = figure_measure(f, &cell->panel[v], plan->width, plan->stack.height[v], &reach, msg);
-            plan->left[cell->column] = larger(plan->left[cell->column], reach.left);
-            plan->right[cell->column] = larger(plan->right[cell->column], reach.right);
-            *row = (struct bead_stack_reach){larger(row->above, reach.top), larger(row->below, reach.bottom)};
-        }
-    }
-    keep_least(f, plan);
-    return err;
-}
-
-static void put_cell(const struct bead_figure *f, const struct plan *plan, const struct bead_stack_places *places,
-                     struct bead_cell *cell)
-{
+    const struct bead_figure *f = plan->f;
+    const struct bead_lane *top = &plan->grid.rows.lane[boxes->row];
+    const struct bead_rect *first = &boxes->at;
     bool last = cell->column + 1 == f->columns; /* to the border of the page */
-    int width = last ? f->area.x + f->area.width - (int)plan->margin - cell->heading.x : cell->heading.width;
-    int trust = (int)plan->trust, above = places->plot[0] - trust;
-    for (size_t v = 0; v < f->view_count; v++) {
-        cell->panel[v].plot.y = places->plot[v];
-        cell->panel[v].plot.height = plan->stack.height[v];
-    }
-    cell->heading.y = places->heading;
-    cell->heading.height = above - places->heading;
-    cell->trust = (struct bead_rect){cell->heading.x, above, width, (int)round(trust_share * trust)};
+    int width = last ? f->area.x + f->area.width - (int)f->margin - first->x : first->width, trust = (int)plan->trust;
+    int y = (int)(top->at - top->reach[0]), above = first->y - trust;
+    cell->heading = (struct bead_rect){first->x, y, first->width, above - y};
+    cell->trust = (struct bead_rect){first->x, above, width, (int)round(trust_share * trust)};
+    for (size_t v = 0; v < f->view_count; v++)
+        cell->panel[v].plot = boxes[v].at;
 }
 
-static void figure_put_rows(struct bead_figure *f, const struct plan *plan, int *bottom)
+static void place_all(const struct plan *plan)
 {
-    double y = f->area.y + plan->margin + f->line.height;
-    for (size_t r = 0; r < f->rows; r++) {
-        struct bead_stack_places places;
-        y = bead_stack_row(&plan->stack, r, y, &places) + plan->stack.between_rows;
-        for (size_t c = 0; c < f->cell_count; c++) {
-            if (f->cells[c].row == r)
-                put_cell(f, plan, &places, &f->cells[c]);
-        }
-        *bottom = places.plot[f->view_count - 1] + plan->stack.height[f->view_count - 1];
-    }
-}
-
-static void figure_put_columns(struct bead_figure *f, const struct plan *plan, int *right)
-{
-    double x = f->area.x + plan->margin;
-    for (size_t k = 0; k < f->columns; k++) {
-        x += ceil(plan->left[k]) + (k > 0 ? round(between_columns * f->look.label) : 0);
-        for (size_t c = 0; c < f->cell_count; c++) {
-            struct bead_cell *cell = &f->cells[c];
-            if (cell->column != k)
-                continue;
-            cell->heading.x = (int)x;
-            cell->heading.width = plan->width;
-            for (size_t v = 0; v < f->view_count; v++) {
-                cell->panel[v].plot.x = (int)x;
-                cell->panel[v].plot.width = plan->width;
-            }
-        }
-        *right = (int)x + plan->width;
-        x += plan->width + ceil(plan->right[k]);
-    }
-}
-
-static void put_everything(struct bead_figure *f, const struct plan *plan)
-{
-    int right = 0, bottom = 0;
-    figure_put_columns(f, plan, &right);
-    figure_put_rows(f, plan, &bottom);
-    f->line.x = f->cells[0].heading.x;
-    f->line.y = f->area.y + (int)plan->margin;
-    f->line.width = right - f->line.x;
+    struct bead_figure *f = plan->f;
+    const struct bead_lane *line = plan->grid.rows.lane, *lowest = line + plan->grid.rows.count - 1;
+    const struct bead_lane *column = &plan->grid.columns.lane[f->columns - 1];
+    const struct bead_rect *first = &plan->grid.boxes[0].at;
+    int right = (int)(column->at + column->size), bottom = (int)(lowest->at + lowest->size);
+    for (size_t c = 0; c < f->cell_count; c++)
+        place_cell(plan, &f->cells[c], &plan->grid.boxes[c * f->view_count]);
+    f->line = (struct bead_rect){first->x, (int)line->at, right - first->x, (int)line->size};
     f->bar = (struct bead_rect){0};
+    if (has_bar(f))
+        f->bar = (struct bead_rect){right + (int)plan->bar_gap, first->y, (int)fmax(4, bar_width(f)), bottom - first->y};
+}
+
+/* The labels of the last column belong to the gap between it and the bar. */
+static void measure_bar(struct plan *plan)
+{
+    struct bead_figure *f = plan->f;
+    struct bead_lane *bar = &plan->grid.columns.lane[f->columns];
     if (!has_bar(f))
         return;
-    double em = f->look.label, reach = plan->right[f->columns - 1];
-    int width = (int)fmax(4, round(bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE)));
-    int top = f->cells[0].panel[0].plot.y;
-    f->bar = (struct bead_rect){right + (int)fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em)), top, width, bottom - top};
-}
-
-/* Of the bar beside all rows. */
-static int bar_height(struct bead_figure *f, const struct plan *plan)
-{
-    put_everything(f, plan);
-    return f->bar.height;
-}
-
-/* Two passes: the room for axes depends on the size of plots, and the reverse. */
-static enum bead_error figure_settle(struct bead_figure *f, struct plan *plan, struct bead_message *msg)
-{
-    double em = f->look.label;
-    for (size_t c = 0; c < f->columns; c++)
-        plan->left[c] = f->output->views.axes ? 4 * em : 0;
-    enum bead_error err = figure_divide(f, plan, msg);
-    for (int pass = 0; !err && pass < 2; pass++) {
-        err = measure_all(f, plan, msg);
-        if (!err && has_bar(f)) {
-            double reach = plan->right[f->columns - 1], gap = fmax(ceil(reach) + round(0.3 * em), round(bar_gap * em));
-            double width = round(bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE));
-            plan->bar_room = larger(plan->least.right, gap + width + ceil(bar_labels(f, bar_height(f, plan))));
-        }
-        if (!err)
-            err = figure_divide(f, plan, msg);
+    double em = f->look.label, reach = 0;
+    for (size_t i = 0; i < plan->grid.count; i++) {
+        struct bead_layout_box *box = &plan->grid.boxes[i];
+        reach = box->column + 1 == f->columns ? fmax(reach, ceil(box->reach.right)) : reach;
+        box->reach.right = box->column + 1 == f->columns ? 0 : box->reach.right;
     }
+    plan->bar_gap = fmax(reach + round(0.3 * em), round(bar_gap * em));
+    bar->least = fmax(plan->bar_least, plan->bar_gap + bar_width(f) + ceil(bar_labels(f, f->bar.height)));
+}
+
+static enum bead_error measure_all(void *user, struct bead_message *msg)
+{
+    struct plan *plan = user;
+    struct bead_figure *f = plan->f;
+    enum bead_error err = BEAD_OK;
+    place_all(plan);
+    for (size_t i = 0; !err && i < plan->grid.count; i++) {
+        struct bead_layout_box *box = &plan->grid.boxes[i];
+        err = figure_measure(f, &f->tiles[i], box->at.width, box->at.height, &box->reach, msg);
+    }
+    measure_bar(plan);
     return err;
 }
 
 /* Arranges chains in columns and rows so that plots get the best shape. */
 static void figure_choose_columns(struct bead_figure *f)
 {
-    double em = f->look.label, best = INFINITY, wanted = f->view_count > 1 ? 1.9 : f->cells[0].panel[0].type->info->shape;
-    for (size_t columns = 1; columns <= f->cell_count; columns++) {
-        size_t rows = (f->cell_count + columns - 1) / columns;
-        double width = (f->area.width - 10 * em) / (double)columns - 2 * em;
-        double height = (f->area.height - 5 * em) / (double)rows - 2.5 * em;
-        double empty = (double)(columns * rows - f->cell_count) / (double)(columns * rows);
-        double badness = width > 0 && height > 0 ? fabs(log(width / height / wanted)) + 2 * empty : 1e6 + (double)columns;
-        if (badness < best) {
-            best = badness;
-            f->columns = columns;
-            f->rows = rows;
-        }
-    }
+    double em = f->look.label;
+    f->columns = bead_layout_columns(
+        f->cell_count, &(struct bead_layout_area){.width = f->area.width - 10 * em,
+                                                  .height = f->area.height - 5 * em,
+                                                  .around = {2 * em, 2.5 * em},
+                                                  .shape = f->view_count > 1 ? 1.9 : f->cells[0].panel[0].type->info->shape,
+                                                  .empty = 2});
+    f->rows = (f->cell_count + f->columns - 1) / f->columns;
     for (size_t c = 0; c < f->cell_count; c++) {
         f->cells[c].column = c % f->columns;
         f->cells[c].row = c / f->columns;
@@ -359,7 +222,7 @@ static bool same_beads(const struct bead_figure *f)
     return true;
 }
 
-/* What a panel's horizontal axis counts. */
+/* The quantity along a panel's horizontal axis. */
 static enum bead_view_across across(const struct bead_tile *panel)
 {
     return bead_orientation_across(panel->setup.orientation, panel->type->info);
@@ -400,43 +263,67 @@ struct bead_axis_kind bead_figure_axis(const struct bead_figure *f, bool upright
     return (struct bead_axis_kind){"time", f->time[0], f->time[1]};
 }
 
+/* Wants of rows: the line above all, then views; plots stay at least `least` away from the borders. */
+static void want_rows(struct plan *plan, const struct bead_insets *least)
+{
+    const struct bead_figure *f = plan->f;
+    struct bead_lane *rows = plan->grid.rows.lane;
+    double em = f->look.label;
+    bool headings = false;
+    for (size_t c = 0; c < f->cell_count; c++)
+        headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
+    double heading = plan->trust + (headings ? round(1.15 * f->look.title + heading_gap * em) : 0);
+    rows[0].least = bead_figure_line(f, NULL) ? round(1.35 * f->look.title + line_gap * em) : 0;
+    for (size_t i = 1; i < plan->grid.rows.count; i++) {
+        size_t view = (i - 1) % f->view_count;
+        double gap = view > 0 ? between_views : i > 1 ? between_rows : 0;
+        rows[i] = (struct bead_lane){.gap = round(gap * em),
+                                     .keep = {view > 0 ? 0 : heading, 0},
+                                     .least = smallest_plot,
+                                     .share = f->cells[0].panel[view].type->info->still_share};
+    }
+    rows[1].keep[0] = fmax(rows[1].keep[0], least->top);
+    rows[plan->grid.rows.count - 1].keep[1] = least->bottom;
+}
+
+static void want_columns(struct plan *plan, const struct bead_insets *least)
+{
+    const struct bead_figure *f = plan->f;
+    struct bead_lane *columns = plan->grid.columns.lane;
+    double em = f->look.label;
+    bead_lanes_want(columns, f->columns,
+                    (struct bead_lane){.gap = round(between_columns * em), .least = smallest_plot, .share = 1});
+    columns[0].keep[0] = least->left;
+    columns[f->columns - 1].keep[1] = has_bar(f) ? 0 : least->right;
+    plan->bar_least = least->right;
+    for (size_t c = 0; c < f->columns; c++)
+        columns[c].reach[0] = f->output->views.axes ? 4 * em : 0; /* a first guess */
+}
+
 enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, const struct bead_insets *least,
                                 struct bead_insets *insets, struct bead_message *msg)
 {
     f->area = area;
-    enum bead_error err = bead_figure_arrange(f, least, msg);
-    int right = 0, bottom = 0;
-    for (size_t c = 0; !err && c < f->cell_count; c++) {
-        const struct bead_rect *plot = &f->cells[c].panel[f->view_count - 1].plot;
-        right = right > plot->x + plot->width ? right : plot->x + plot->width;
-        bottom = bottom > plot->y + plot->height ? bottom : plot->y + plot->height;
-    }
-    const struct bead_rect *first = &f->cells[0].panel[0].plot;
-    *insets =
-        (struct bead_insets){first->x - area.x, first->y - area.y, area.x + area.width - right, area.y + area.height - bottom};
-    return err;
-}
-
-void bead_figure_stretch_bar(struct bead_figure *f, int bottom)
-{
-    if (f->bar.width > 0)
-        f->bar.height = bottom - f->bar.y;
-}
-
-enum bead_error bead_figure_arrange(struct bead_figure *f, const struct bead_insets *least, struct bead_message *msg)
-{
-    struct plan plan;
     figure_choose_columns(f);
     share_axes(f);
-    f->line = (struct bead_rect){0};
-    if (bead_figure_line(f, NULL))
-        f->line.height = (int)round(1.35 * f->look.title + line_gap * f->look.label);
-    enum bead_error err = make_plan(f, least, &plan, msg);
+    struct plan plan = {.f = f, .trust = f->output->shown.trust ? round(trust_line * f->look.label) : 0};
+    struct bead_layout_grid *grid = &plan.grid;
+    enum bead_error err = bead_layout_make(f->columns + has_bar(f), 1 + f->rows * f->view_count, f->tile_count, grid, msg);
     if (err)
         return err;
-    err = figure_settle(f, &plan, msg);
+    for (size_t i = 0; i < grid->count; i++) {
+        const struct bead_cell *cell = f->tiles[i].cell;
+        grid->boxes[i].column = cell->column;
+        grid->boxes[i].row = 1 + cell->row * f->view_count + i % f->view_count;
+    }
+    want_rows(&plan, least);
+    want_columns(&plan, least);
+    bead_lanes_within(&grid->columns, area.x + f->margin, area.width - 2 * f->margin);
+    bead_lanes_within(&grid->rows, area.y + f->margin, area.height - 2 * f->margin);
+    err = bead_layout_settle(grid, 2, false, &(struct bead_layout_owner){&plan, heights, measure_all, too_small}, msg);
     if (!err)
-        put_everything(f, &plan);
-    free_plan(&plan);
+        place_all(&plan);
+    *insets = bead_layout_insets(grid, area);
+    bead_layout_free(grid);
     return err;
 }

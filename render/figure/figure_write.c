@@ -2,7 +2,7 @@
 /* The end of a figure: ranges are known, the views of one moment are created, and everything is drawn. */
 #include <math.h>
 
-#include "render/figure/figure_private.h"
+#include "render/figure/figure.h"
 
 static void figure_widen(double low, double high, double typical, struct bead_shown_values *all)
 {
@@ -17,18 +17,17 @@ void bead_figure_extremes(const struct bead_figure *f, struct bead_shown_values 
     double low, high;
     struct bead_shown_values moment = BEAD_NOTHING_SHOWN;
     bool images = false;
+    for (size_t t = 0; t < f->tile_count; t++) {
+        const struct bead_tile *panel = &f->tiles[t];
+        bool coloured = bead_view_has(panel->type, BEAD_SHOWS_COLOURS);
+        if (!panel->type->extremes)
+            continue;
+        panel->type->extremes(panel->view, &low, &high);
+        figure_widen(low, high, panel->type->typical ? panel->type->typical(panel->view) : INFINITY, coloured ? colours : sensors);
+        images = images || (coloured && low <= high);
+    }
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
-        for (size_t v = 0; v < f->view_count; v++) {
-            const struct bead_tile *panel = &cell->panel[v];
-            bool coloured = bead_view_has(panel->type, BEAD_SHOWS_COLOURS);
-            if (!panel->type->extremes)
-                continue;
-            panel->type->extremes(panel->view, &low, &high);
-            figure_widen(low, high, panel->type->typical ? panel->type->typical(panel->view) : INFINITY,
-                         coloured ? colours : sensors);
-            images = images || (coloured && low <= high);
-        }
         const double *values = cell->moments ? cell->moment[1].field[f->output->shown.field] : NULL;
         const struct bead_span *span = &cell->panel[0].setup.beads;
         for (size_t i = span->first; values && i <= span->last; i++)
@@ -45,42 +44,33 @@ void bead_figure_set_range(struct bead_figure *f, const struct bead_shown_values
         bead_colour_range_find(&f->output->colours, bead_chain_signed(f->context.chains[0], f->output->shown.field), colours);
     f->colours.low = f->range.low;
     f->colours.high = f->range.high;
-    for (size_t c = 0; c < f->cell_count; c++) {
-        for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_tile *panel = &f->cells[c].panel[v];
-            panel->setup.colours = f->colours;
-            if (panel->type->set_range)
-                panel->type->set_range(panel->view, &f->colours, ends);
-        }
+    for (size_t t = 0; t < f->tile_count; t++) {
+        struct bead_tile *panel = &f->tiles[t];
+        panel->setup.colours = f->colours;
+        if (panel->type->set_range)
+            panel->type->set_range(panel->view, &f->colours, ends);
     }
 }
 
 /* The earliest horizon of each cell's views. */
 static void find_horizons(struct bead_figure *f)
 {
-    for (size_t c = 0; c < f->cell_count; c++) {
-        struct bead_cell *cell = &f->cells[c];
-        cell->horizon = INFINITY;
-        for (size_t v = 0; f->output->shown.trust && v < f->view_count; v++) {
-            struct bead_tile *panel = &cell->panel[v];
-            if (panel->type->horizon)
-                cell->horizon = fmin(cell->horizon, panel->type->horizon(panel->view));
-        }
+    for (size_t c = 0; c < f->cell_count; c++)
+        f->cells[c].horizon = INFINITY;
+    for (size_t t = 0; f->output->shown.trust && t < f->tile_count; t++) {
+        const struct bead_tile *panel = &f->tiles[t];
+        if (panel->type->horizon)
+            panel->cell->horizon = fmin(panel->cell->horizon, panel->type->horizon(panel->view));
     }
 }
 
 static enum bead_error feed_moments(struct bead_figure *f, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    for (size_t c = 0; c < f->cell_count; c++) {
-        struct bead_cell *cell = &f->cells[c];
-        for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_tile *panel = &cell->panel[v];
-            if (bead_tile_collects(panel))
-                continue;
-            for (size_t m = 2 - cell->moments; !err && m < 2; m++)
-                err = panel->type->feed(panel->view, &cell->moment[m], msg);
-        }
+    for (size_t t = 0; t < f->tile_count; t++) {
+        const struct bead_tile *panel = &f->tiles[t];
+        for (size_t m = 2 - panel->cell->moments; !err && !bead_tile_collects(panel) && m < 2; m++)
+            err = panel->type->feed(panel->view, &panel->cell->moment[m], msg);
     }
     return err;
 }
@@ -99,12 +89,9 @@ enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame
 {
     struct bead_changes changes = {0};
     enum bead_error err = BEAD_OK;
-    for (size_t c = 0; c < f->cell_count; c++) {
-        const struct bead_cell *cell = &f->cells[c];
-        for (size_t v = 0; !err && v < f->view_count; v++) {
-            const struct bead_tile *panel = &cell->panel[v];
-            err = panel->type->draw(panel->view, moment_of(f, cell), frame, background, &changes, msg);
-        }
+    for (size_t t = 0; !err && t < f->tile_count; t++) {
+        const struct bead_tile *panel = &f->tiles[t];
+        err = panel->type->draw(panel->view, moment_of(f, panel->cell), frame, background, &changes, msg);
     }
     return err;
 }
@@ -121,12 +108,9 @@ bool bead_figure_needs_canvas(const struct bead_figure *f)
 enum bead_error bead_figure_vector(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    for (size_t c = 0; c < f->cell_count; c++) {
-        const struct bead_cell *cell = &f->cells[c];
-        for (size_t v = 0; !err && v < f->view_count; v++) {
-            const struct bead_tile *panel = &cell->panel[v];
-            err = panel->type->vector(panel->view, moment_of(f, cell), cr, msg);
-        }
+    for (size_t t = 0; !err && t < f->tile_count; t++) {
+        const struct bead_tile *panel = &f->tiles[t];
+        err = panel->type->vector(panel->view, moment_of(f, panel->cell), cr, msg);
     }
     return err;
 }
@@ -136,17 +120,4 @@ enum bead_error bead_figure_finish(struct bead_figure *f, struct bead_canvas *ca
     find_horizons(f);
     enum bead_error err = bead_figure_views(f, false, canvas, msg);
     return err ? err : feed_moments(f, msg);
-}
-
-void bead_figure_release_canvas(struct bead_figure *f)
-{
-    for (size_t c = 0; c < f->cell_count; c++) {
-        for (size_t v = 0; v < f->view_count; v++) {
-            struct bead_tile *panel = &f->cells[c].panel[v];
-            if (!bead_view_has(panel->type, BEAD_DRAWS_ON_CANVAS) || !panel->view)
-                continue;
-            panel->type->destroy(panel->view);
-            panel->view = NULL;
-        }
-    }
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stills of several panels, and images with a caption: made and fed. The first kind of still that still.c asks. */
+/* Stills of several panels, and images with a caption or without: made and fed. The first kind of still that still.c asks, and the
+ * last. */
 #include "render/figure/panels_private.h"
 
 #include <math.h>
@@ -16,50 +17,38 @@ static bool panels_wanted(const struct bead_output *output)
 
 static void panels_destroy(struct bead_still *still)
 {
-    if (!still)
-        return;
     for (size_t p = 0; still->panels && p < still->count; p++) {
         bead_figure_destroy(still->panels[p].figure);
         bead_plot_data_destroy(still->panels[p].plot);
     }
     free(still->panels);
-    free(still->title);
-    free(still->caption);
-    free(still);
+    free(still->words.title);
+    free(still->words.caption);
 }
 
-/* Title of screens, and caption. */
+/* Title, on screens only, and caption. */
 static enum bead_error make_words(struct bead_still *s, struct bead_message *msg)
 {
     const char *title = s->context.scene->title, *caption = s->output->still.caption;
+    if (s->alone) /* a figure with a page of its own has its own line for these */
+        return BEAD_OK;
     if (bead_page_titled(&s->page) && *title) {
         size_t size = 6 * strlen(title) + 1;
-        s->title = malloc(size);
-        if (s->title)
-            bead_text_escape(title, s->title, size);
-        if (!s->title)
+        s->words.title = malloc(size);
+        if (s->words.title)
+            bead_text_escape(title, s->words.title, size);
+        if (!s->words.title)
             return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     }
     if (caption && *caption)
-        s->caption = bead_markup_new(caption);
-    return !caption || !*caption || s->caption ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
-}
-
-static void make_letter(const struct bead_still *s, size_t index, char *letter, size_t size)
-{
-    letter[0] = '\0';
-    if (!s->output->still.letters || s->count < 2)
-        return;
-    if (index < 26)
-        snprintf(letter, size, "(%c)", (char)('a' + index));
-    else
-        snprintf(letter, size, "(%c%c)", (char)('a' + index / 26 - 1), (char)('a' + index % 26));
+        s->words.caption = bead_markup_new(caption);
+    return !caption || !*caption || s->words.caption ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
 }
 
 static enum bead_error panels_make_panel(struct bead_still *s, size_t index, struct bead_message *msg)
 {
     struct still_panel *panel = &s->panels[index];
-    bool own = s->output->still.panel_count == 0; /* an image with a caption is one panel */
+    bool own = s->output->still.panel_count == 0; /* an image is one panel */
     panel->output = own ? s->output : &s->output->still.panels[index];
     panel->row = own ? 0 : panel->output->panel.row;
     for (size_t p = 0; p < index; p++)
@@ -67,12 +56,12 @@ static enum bead_error panels_make_panel(struct bead_still *s, size_t index, str
     s->rows = panel->row + 1;
     panel->set =
         (struct bead_part_settings){.chain = own ? SIZE_MAX : panel->output->panel.chain, .title = panel->output->panel.title};
-    make_letter(s, index, panel->set.letter, sizeof panel->set.letter);
-    if (panel->output->panel.title)
-        snprintf(panel->title, sizeof panel->title, "%s", panel->output->panel.title);
+    if (s->output->still.letters && s->count > 1)
+        graph_letter(index, panel->set.letter, sizeof panel->set.letter);
     if (panel->output->views.count == 0)
         return bead_plot_data_create(panel->output, &s->context, panel->set.chain, &panel->plot, msg);
-    return bead_figure_create(panel->output, &s->context, &s->page, &s->look, &panel->set, &panel->figure, msg);
+    const struct bead_part_settings *set = s->alone ? NULL : &panel->set;
+    return bead_figure_create(panel->output, &s->context, &s->page, &s->look, set, &panel->figure, msg);
 }
 
 /* One sampling grid for all panels: as fine as the finest, over all times shown. Profiles are interpolated linearly between its
@@ -97,26 +86,33 @@ static void join_grids(struct bead_still *s)
     s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0};
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
-            bead_figure_regrid(s->panels[p].figure, &s->grid);
+            s->panels[p].figure->grid = s->grid;
     }
 }
 
-static enum bead_error panels_create(const struct bead_output *output, const struct bead_run_context *context,
-                                     struct bead_still **still, struct bead_message *msg)
+static enum bead_error start_panel(struct still_panel *panel, struct bead_message *msg)
 {
-    struct bead_still *s = *still = calloc(1, sizeof *s);
-    size_t count = output->still.panel_count > 0 ? output->still.panel_count : 1;
-    if (s)
-        s->panels = calloc(count, sizeof *s->panels);
-    if (!s || !s->panels) {
-        panels_destroy(s);
-        *still = NULL;
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    if (panel->plot) {
+        bead_plot_data_needs(panel->plot, &panel->needs);
+        return BEAD_OK;
     }
+    enum bead_error err = bead_figure_start(panel->figure, msg);
+    bead_figure_needs(panel->figure, &panel->needs);
+    return err;
+}
+
+static enum bead_error panels_create(const struct bead_output *output, const struct bead_run_context *context, struct bead_still *s,
+                                     struct bead_message *msg)
+{
+    size_t count = output->still.panel_count > 0 ? output->still.panel_count : 1;
+    s->panels = calloc(count, sizeof *s->panels);
+    if (!s->panels)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
     s->output = output;
     s->context = *context;
     s->count = count;
-    enum bead_error err = bead_page_find(output, context->scene->file, &s->page, msg);
+    s->alone = !panels_wanted(output);
+    enum bead_error err = bead_page_find(output, &s->page, msg);
     if (!err) {
         bead_page_look(&s->page, &output->paper, &s->look);
         err = make_words(s, msg);
@@ -125,22 +121,15 @@ static enum bead_error panels_create(const struct bead_output *output, const str
         err = panels_make_panel(s, p, msg);
     if (!err)
         err = panels_arrange(s, msg);
-    for (size_t p = 0; !err && p < count; p++) {
-        struct still_panel *panel = &s->panels[p];
-        if (panel->figure) {
-            err = bead_figure_start(panel->figure, msg);
-            bead_figure_needs(panel->figure, &panel->needs);
-        } else {
-            bead_plot_data_needs(panel->plot, &panel->needs);
-        }
-    }
-    if (err) {
-        panels_destroy(s);
-        *still = NULL;
+    for (size_t p = 0; !err && p < count; p++)
+        err = start_panel(&s->panels[p], msg);
+    if (err)
         return err;
-    }
     join_grids(s);
-    snprintf(s->why, sizeof s->why, "%d x %d pixels, %zu panel%s", s->page.width, s->page.height, count, count == 1 ? "" : "s");
+    if (s->alone)
+        snprintf(s->why, sizeof s->why, "%s", s->panels[0].needs.why);
+    else
+        snprintf(s->why, sizeof s->why, "%d x %d pixels, %zu panel%s", s->page.width, s->page.height, count, count == 1 ? "" : "s");
     return BEAD_OK;
 }
 
@@ -190,6 +179,7 @@ static bool panels_look_at_beads(const struct bead_output *output)
 }
 
 const struct bead_still_kind bead_panels = {
+    .size = sizeof(struct bead_still),
     .wanted = panels_wanted,
     .create = panels_create,
     .looks_at_beads = panels_look_at_beads,

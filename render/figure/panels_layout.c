@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of panels: every panel says how far its axes reach out of its plots; then the plots of a row get one width and height,
+/* The layout of panels: each measures how far its axes reach out of its plots; then the plots of a row get one width and height,
  * and those of a column one left border. */
 #include <math.h>
 #include <string.h>
@@ -7,9 +7,10 @@
 #include "render/figure/panels_private.h"
 
 /* In units of the label's font size. */
-static const double between_columns = 1.1, between_rows = 0.9, title_gap = 0.7, caption_gap = 0.5;
+static const double between_columns = 1.1, between_rows = 0.9;
+static const int smallest = 24; /* px */
 
-size_t panels_columns(const struct bead_still *s, size_t row)
+static size_t panels_columns(const struct bead_still *s, size_t row)
 {
     size_t columns = 0;
     for (size_t p = 0; p < s->count; p++)
@@ -32,10 +33,8 @@ struct bead_graph panel_graph(const struct still_panel *panel, struct bead_panel
     const struct bead_panel *own = bead_plot_data_panels(panel->plot, &graph.panel_count);
     graph.panel_count = graph.panel_count < PANEL_PLOTS ? graph.panel_count : PANEL_PLOTS;
     memcpy(panels, own, graph.panel_count * sizeof *panels);
-    if (*panel->title && graph.panel_count == 1)
-        panels[0].title = panel->title;
-    else if (*panel->title)
-        graph.title = NULL;
+    if (panel->set.title && *panel->set.title && graph.panel_count == 1)
+        panels[0].title = panel->set.title;
     return graph;
 }
 
@@ -76,7 +75,7 @@ static bool one_group(const struct still_panel *a, const struct still_panel *b)
     return a && b && a->figure && b->figure && a->group == b->group;
 }
 
-/* A bar stands to the right of the last panel of its group in a row. If the row above has the same bar in the same column, that bar
+/* A bar is to the right of the last panel of its group in a row. If the row above has the same bar in the same column, that bar
  * extends down instead. */
 static bool has_own_bar(const struct bead_still *s, const struct still_panel *panel)
 {
@@ -117,7 +116,7 @@ static void share(struct bead_still *s)
         panel->set.no_upwards = panel->figure && left && left->figure && same_axis(panel, left, true);
         panel->set.no_bar = panel->figure && !has_own_bar(s, panel);
         if (panel->figure)
-            bead_figure_change(panel->figure, &panel->set);
+            panel->figure->set = panel->set;
     }
 }
 
@@ -139,15 +138,9 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
     }
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, &why);
     if (err)
-        return bead_fail(msg, err, "%s:%zu:%zu: %.600s", s->context.scene->file, panel->output->place.line,
-                         panel->output->place.column, why.text);
-    double right = 0, bottom = 0;
-    for (size_t i = 0; i < graph.panel_count; i++) {
-        right = fmax(right, layout.cells[i].plot.x + layout.cells[i].plot.width);
-        bottom = fmax(bottom, layout.cells[i].plot.y + layout.cells[i].plot.height);
-    }
-    const struct bead_rect *first = &layout.cells[0].plot;
-    panel->insets = (struct bead_insets){first->x, first->y, panel->area.width - right, panel->area.height - bottom};
+        return err == BEAD_ERROR_SCENE ? bead_output_wrong(panel->output, msg, "%.600s", why.text)
+                                       : bead_fail(msg, err, "%s", why.text);
+    panel->insets = bead_layout_insets(&layout.grid, (struct bead_rect){0, 0, panel->area.width, panel->area.height});
     graph_layout_free(&layout);
     return BEAD_OK;
 }
@@ -167,40 +160,6 @@ static enum bead_error panels_put(struct bead_still *s, bool keep, struct bead_m
     return err;
 }
 
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-/* Gives panels of one row equal insets above and below; the first and last panels, and columns of rows of equal length, equal
- * insets left and right. */
-static void align(struct bead_still *s)
-{
-    for (size_t p = 0; p < s->count; p++) {
-        for (size_t q = 0; q < s->count; q++) {
-            struct still_panel *a = &s->panels[p], *b = &s->panels[q];
-            bool alike = panels_columns(s, a->row) == panels_columns(s, b->row);
-            if (a->row == b->row) {
-                a->insets.top = b->insets.top = larger(a->insets.top, b->insets.top);
-                a->insets.bottom = b->insets.bottom = larger(a->insets.bottom, b->insets.bottom);
-            }
-            if (a->column == b->column && (alike || a->column == 0))
-                a->insets.left = b->insets.left = larger(a->insets.left, b->insets.left);
-            if (a->column == b->column && alike)
-                a->insets.right = b->insets.right = larger(a->insets.right, b->insets.right);
-        }
-    }
-}
-
-static struct bead_rect panels_room_of(const struct bead_still *s)
-{
-    double em = s->look.label, margin = s->look.margin;
-    double above = s->title ? ceil(s->title_height + title_gap * em) : 0;
-    double below = s->caption ? ceil(s->caption_height + caption_gap * em) : 0;
-    return (struct bead_rect){(int)margin, (int)(margin + above), (int)(s->page.width - 2 * margin),
-                              (int)(s->page.height - 2 * margin - above - below)};
-}
-
 /* Heights of rows: plots take less than images, several views more. */
 static double panels_weight_of(const struct bead_still *s, size_t row)
 {
@@ -213,48 +172,69 @@ static double panels_weight_of(const struct bead_still *s, size_t row)
     return weight;
 }
 
-/* Divides the page into rows and columns and sets each panel's area. */
-static enum bead_error panels_divide(struct bead_still *s, struct bead_message *msg)
+/* Rows: the title, those of the panels, the caption. Each row of panels has a line of columns; rows of equal length share those of
+ * the first of them. */
+static enum bead_error make_grid(struct bead_still *s, struct bead_message *msg)
 {
-    static const int smallest = 24; /* px */
-    double em = s->look.label, weights = 0;
-    struct bead_rect room = panels_room_of(s);
-    double high = room.height - (double)(s->rows - 1) * round(between_rows * em), y = room.y;
-    for (size_t r = 0; r < s->rows; r++) {
-        const struct bead_insets *first = &panels_at(s, r, 0)->insets;
-        weights += panels_weight_of(s, r);
-        high -= first->top + first->bottom;
+    enum bead_error err = bead_layout_make(s->count, s->rows + 2, s->count, &s->layout, msg);
+    struct bead_lane *rows = s->layout.rows.lane;
+    double em = s->look.label, margin = s->look.margin;
+    if (err)
+        return err;
+    rows[0].least = s->words.above;
+    bead_lanes_want(rows + 1, s->rows, (struct bead_lane){.gap = round(between_rows * em), .least = smallest, .share = 1});
+    rows[1 + s->rows].least = s->words.below;
+    for (size_t p = 0; p < s->count; p++) {
+        size_t row = s->panels[p].row, column = s->panels[p].column, like = 0;
+        while (panels_columns(s, like) != panels_columns(s, row))
+            like++;
+        rows[1 + row].share = panels_weight_of(s, row);
+        s->layout.columns.lane[p] =
+            (struct bead_lane){.line = row, .gap = column > 0 ? round(between_columns * em) : 0, .least = smallest, .share = 1};
+        s->layout.boxes[p] =
+            (struct bead_layout_box){.column = (size_t)(panels_at(s, like, column) - s->panels),
+                                     .row = 1 + row,
+                                     .reach = {round(3 * em), round(1.5 * em), round(em), round(2 * em)}}; /* a guess */
     }
-    for (size_t r = 0; r < s->rows; r++) {
-        size_t columns = panels_columns(s, r);
-        double wide = room.width - (double)(columns - 1) * round(between_columns * em), x = room.x;
-        double height = floor(high * panels_weight_of(s, r) / weights);
-        for (size_t c = 0; c < columns; c++)
-            wide -= panels_at(s, r, c)->insets.left + panels_at(s, r, c)->insets.right;
-        double width = floor(wide / (double)columns);
-        char words[BEAD_SIZE_WORDS];
-        if (width < smallest || height < smallest)
-            return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s leave no room for %zu panels and their labels",
-                             s->context.scene->file, s->output->place.line, s->output->place.column,
-                             bead_page_size(&s->page, words), s->count);
-        for (size_t c = 0; c < columns; c++) {
-            struct still_panel *panel = panels_at(s, r, c);
-            const struct bead_insets *in = &panel->insets;
-            panel->area =
-                (struct bead_rect){(int)x, (int)y, (int)(in->left + width + in->right), (int)(in->top + height + in->bottom)};
-            x += in->left + width + in->right + round(between_columns * em);
-        }
-        const struct bead_insets *first = &panels_at(s, r, 0)->insets;
-        y += first->top + height + first->bottom + round(between_rows * em);
-    }
+    bead_lanes_within(&s->layout.columns, margin, s->page.width - 2 * margin);
+    bead_lanes_within(&s->layout.rows, margin, s->page.height - 2 * margin);
+    bead_layout_reach(&s->layout, false);
     return BEAD_OK;
 }
 
-static void guess(struct bead_still *s)
+static void take_areas(struct bead_still *s)
 {
-    double em = s->look.label;
+    for (size_t p = 0; p < s->count; p++) {
+        const struct bead_layout_box *box = &s->layout.boxes[p];
+        const struct bead_rect *plot = &box->at;
+        const double *x = s->layout.columns.lane[box->column].reach, *y = s->layout.rows.lane[box->row].reach;
+        s->panels[p].insets = (struct bead_insets){x[0], y[0], x[1], y[1]};
+        s->panels[p].area = (struct bead_rect){plot->x - (int)x[0], plot->y - (int)y[0], plot->width + (int)(x[0] + x[1]),
+                                               plot->height + (int)(y[0] + y[1])};
+    }
+}
+
+static enum bead_error measure(void *still, struct bead_message *msg)
+{
+    struct bead_still *s = still;
+    double left = 0; /* of the first panels, which begin below each other even where rows differ */
+    take_areas(s);
+    enum bead_error err = panels_put(s, false, msg);
     for (size_t p = 0; p < s->count; p++)
-        s->panels[p].insets = (struct bead_insets){round(3 * em), round(1.5 * em), round(em), round(2 * em)};
+        left = s->panels[p].column == 0 ? fmax(left, s->panels[p].insets.left) : left;
+    for (size_t p = 0; p < s->count; p++) {
+        s->layout.boxes[p].reach = s->panels[p].insets;
+        s->layout.boxes[p].reach.left = s->panels[p].column == 0 ? left : s->panels[p].insets.left;
+    }
+    return err;
+}
+
+static enum bead_error no_room(void *still, struct bead_message *msg)
+{
+    const struct bead_still *s = still;
+    char words[BEAD_SIZE_WORDS];
+    return bead_output_wrong(s->output, msg, "size: %s leave no room for %zu panels and their labels",
+                             bead_page_size(&s->page, words), s->count);
 }
 
 /* A bar for several rows extends down to the last one. */
@@ -270,41 +250,28 @@ static void stretch_bars(struct bead_still *s)
             if (!one_group(panel, below) || one_group(below, panels_at(s, row, panel->column + 1)) || !below->set.no_bar)
                 break;
         }
-        if (last != panel)
-            bead_figure_stretch_bar(panel->figure, last->area.y + last->area.height - (int)last->insets.bottom);
-    }
-}
-
-static void round_up(struct bead_still *s)
-{
-    for (size_t p = 0; p < s->count; p++) {
-        struct bead_insets *in = &s->panels[p].insets;
-        *in = (struct bead_insets){ceil(in->left), ceil(in->top), ceil(in->right), ceil(in->bottom)};
+        struct bead_rect *bar = &panel->figure->bar;
+        if (last != panel && bar->width > 0)
+            bar->height = last->area.y + last->area.height - (int)last->insets.bottom - bar->y;
     }
 }
 
 enum bead_error panels_arrange(struct bead_still *s, struct bead_message *msg)
 {
-    struct bead_text_style style = graph_text(&s->look);
-    double wrap = s->page.width - 2 * s->look.margin, width;
-    if (s->caption)
-        bead_text_size_lines(NULL, &style, wrap, s->caption, &width, &s->caption_height);
-    style.size = graph_title_size(&s->look);
-    style.bold = true;
-    if (s->title)
-        bead_text_size_lines(NULL, &style, wrap, s->title, &width, &s->title_height);
+    if (s->alone)
+        return bead_figure_put(s->panels[0].figure, (struct bead_rect){0, 0, s->page.width, s->page.height},
+                               &(struct bead_insets){0}, &s->panels[0].insets, msg);
+    graph_page_measure(&s->words, &s->look, s->page.width, s->page.height);
     share(s);
-    guess(s);
-    enum bead_error err = panels_divide(s, msg);
-    for (int pass = 0; !err && pass < 3; pass++) {
-        err = panels_put(s, false, msg);
-        align(s);
-        round_up(s);
-        if (!err)
-            err = panels_divide(s, msg);
-    }
+    enum bead_error err = make_grid(s, msg);
     if (!err)
+        err = bead_layout_settle(&s->layout, 3, false,
+                                 &(struct bead_layout_owner){.user = s, .measure = measure, .no_room = no_room}, msg);
+    if (!err) {
+        take_areas(s);
         err = panels_put(s, true, msg);
-    stretch_bars(s);
+        stretch_bars(s);
+    }
+    bead_layout_free(&s->layout);
     return err;
 }

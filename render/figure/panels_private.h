@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills with a caption or of several panels, images and plots side by side. One table of rows; plots of a row are equally high,
- * those of a column stand above each other, panels of one field have one range of colours and one bar.
+ * those of a column are above each other, panels of one field have one range of colours and one bar.
  * panels.c (made and fed), panels_layout.c (where they go), panels_write.c (the end). */
-#ifndef BEADREEL_RENDER_FIGURE_PANELS_PRIVATE_H
-#define BEADREEL_RENDER_FIGURE_PANELS_PRIVATE_H
+#pragma once
 
 #include "render/figure/figure.h"
 #include "render/figure/still.h"
@@ -17,7 +16,6 @@ struct still_panel {
     struct bead_figure *figure;  /* or */
     struct bead_plot_data *plot; /* with */
     struct bead_needs needs;
-    char title[600];       /* of a plot, in place of the chain's name */
     size_t group;          /* of one range of colours; figures only */
     struct bead_rect area; /* px */
     struct bead_insets insets;
@@ -30,15 +28,14 @@ struct bead_still {
     struct bead_look look;
     struct still_panel *panels;
     size_t count, rows;
+    bool alone;                     /* one figure without caption, which has the page for itself */
+    struct bead_layout_grid layout; /* of the panels' plots, while they are laid out */
     struct bead_grid grid;
-    char *title, *caption; /* markup; NULL: none */
-    double title_height, caption_height;
+    struct graph_page words;
     char why[96];
     char painter[64]; /* of a canvas; "": none was needed */
 };
 
-/* Number of panels in a row. */
-size_t panels_columns(const struct bead_still *still, size_t row);
 /* The panel at a place, or NULL. */
 struct still_panel *panels_at(const struct bead_still *still, size_t row, size_t column);
 /* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
@@ -49,5 +46,3 @@ BEAD_CHECK enum bead_error panels_arrange(struct bead_still *still, struct bead_
 /* The panels of a plot as a graph; `panels` has room for all of them. */
 struct bead_graph panel_graph(const struct still_panel *panel, struct bead_panel *panels);
 enum { PANEL_PLOTS = 64 };
-
-#endif

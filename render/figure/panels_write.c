@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "beadreel/canvas.h"
 #include "render/draw/raster.h"
 #include "render/figure/panels_private.h"
+#include "render/paint/canvas.h"
 
 /* Panels of one group have one range. */
 static void set_ranges(struct bead_still *s)
@@ -80,31 +80,12 @@ static enum bead_error draw_plot(const struct bead_still *s, const struct still_
     return BEAD_OK;
 }
 
-/* Of the first panel's plots. */
-static double plots_left(const struct bead_still *s)
-{
-    return s->panels[0].area.x + s->panels[0].insets.left;
-}
-
-static void panels_draw_words(const struct bead_still *s, cairo_t *cr)
-{
-    double margin = s->look.margin, wrap = s->page.width - 2 * margin;
-    struct bead_text_style style = graph_text(&s->look);
-    if (s->caption)
-        bead_text_draw_lines(cr, &style, wrap, margin, s->page.height - margin - s->caption_height, s->caption);
-    style.size = graph_title_size(&s->look);
-    style.bold = true;
-    if (s->title)
-        bead_text_draw_lines(cr, &style, wrap, graph_title_x(&style, s->title, plots_left(s), margin, s->page.width - margin),
-                             margin, s->title);
-}
-
 static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_still *s = context;
     enum bead_error err = BEAD_OK;
     bead_look_paint(&s->look, cr);
-    panels_draw_words(s, cr);
+    graph_page_draw(&s->words, &s->look, cr, s->panels[0].area.x + s->panels[0].insets.left);
     for (size_t p = 0; !err && p < s->count; p++) {
         const struct still_panel *panel = &s->panels[p];
         err = panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg);
@@ -129,14 +110,18 @@ static enum bead_error panels_draw_frame(void *context, struct bead_frame *frame
     struct bead_still *s = context;
     struct bead_frame background = {0};
     enum bead_error err = bead_raster_draw(frame, panels_decorate, s, msg);
-    if (!err)
+    bool moments = false;
+    for (size_t p = 0; p < s->count; p++)
+        moments = moments || (s->panels[p].figure && bead_figure_looks_at_beads(s->panels[p].output));
+    if (!err && moments) { /* only views of one moment draw over the background */
         err = bead_frame_create(frame->width, frame->height, &background, msg);
-    if (!err)
-        bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+        if (!err)
+            bead_frame_copy(&background, frame, (struct bead_rect){0, 0, frame->width, frame->height});
+    }
     background.alpha = frame->alpha;
     for (size_t p = 0; !err && p < s->count; p++) {
         if (s->panels[p].figure)
-            err = bead_figure_draw(s->panels[p].figure, frame, &background, msg);
+            err = bead_figure_draw(s->panels[p].figure, frame, background.pixels ? &background : frame, msg);
     }
     bead_frame_free(&background);
     return err;
@@ -170,7 +155,7 @@ enum bead_error panels_write(struct bead_still *s, const struct bead_outcome *ou
         err = bead_page_write(&s->page, s->output, s->context.scene, &drawing, path, bytes, msg);
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
-            bead_figure_release_canvas(s->panels[p].figure);
+            bead_figure_release(s->panels[p].figure);
     }
     bead_canvas_destroy(canvas);
     return err;

@@ -5,11 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "beadreel/file.h"
 #include "render/draw/page.h"
+#include "sim/base/file.h"
 
-static const struct bead_still_kind *const kinds[] = {&bead_panels, &bead_drawing_still, &bead_plot_still, &bead_bare_image,
-                                                      &bead_figure_still};
+static const struct bead_still_kind *const kinds[] = {&bead_panels, &bead_plot_still, &bead_bare_image, &bead_panels};
 
 struct bead_sink {
     const struct bead_still_kind *kind;
@@ -25,6 +24,7 @@ static void still_destroy(struct bead_sink *sink)
         return;
     if (sink->still)
         sink->kind->destroy(sink->still);
+    free(sink->still);
     free(sink->path);
     free(sink);
 }
@@ -51,9 +51,11 @@ static enum bead_error still_create(const struct bead_output *output, const stru
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture");
     s->kind = still_kind_of(output);
-    enum bead_error err = bead_file_join(context->directory, output->path, &s->path, msg);
+    s->still = calloc(1, s->kind->size);
+    enum bead_error err = s->still ? s->kind->create(output, context, s->still, msg)
+                                   : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture");
     if (!err)
-        err = s->kind->create(output, context, &s->still, msg);
+        err = bead_file_join(context->directory, output->path, &s->path, msg);
     if (err) {
         still_destroy(s);
         *sink = NULL;
@@ -66,9 +68,8 @@ static void still_needs(const struct bead_sink *sink, struct bead_needs *needs)
     sink->kind->needs(sink->still, needs);
 }
 
-static enum bead_error still_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
+static enum bead_error still_begin(struct bead_sink *, struct bead_range, struct bead_message *)
 {
-    (void)sink, (void)range, (void)msg;
     return BEAD_OK;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills: outputs of one picture, `image:` and `plot:`. still.c picks the kind that draws an output. */
-#ifndef BEADREEL_RENDER_FIGURE_STILL_H
-#define BEADREEL_RENDER_FIGURE_STILL_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -10,23 +9,22 @@
 struct bead_still; /* each kind's own */
 
 struct bead_still_kind {
+    size_t size; /* of its struct bead_still, zero before `create`, destroyed even after an error */
     bool (*wanted)(const struct bead_output *output);
     /* `output` is borrowed. Errors: SCENE (with the place of the output or panel), MEMORY, IO and FORMAT of colour maps. */
-    enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_still **still,
+    enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_still *still,
                               struct bead_message *msg);
     void (*needs)(const struct bead_still *still, struct bead_needs *needs);
     enum bead_error (*feed)(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg);
     /* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
     enum bead_error (*write)(struct bead_still *still, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
                              struct bead_message *msg);
-    /* What painted its beads, after `write`; "": nothing had to be painted. NULL: this kind paints nothing. */
+    /* The painter of its beads, after `write`; "": none was needed. NULL: this kind paints nothing. */
     const char *(*painter)(const struct bead_still *still);
     /* As in struct bead_sink_type. */
     bool (*looks_at_beads)(const struct bead_output *output);
-    void (*destroy)(struct bead_still *still);
+    void (*destroy)(struct bead_still *still); /* all but the struct itself */
 };
 
-extern const struct bead_still_kind bead_panels, bead_drawing_still, bead_plot_still, bead_bare_image, bead_figure_still;
+extern const struct bead_still_kind bead_panels, bead_plot_still, bead_bare_image;
 extern const struct bead_sink_type bead_image_sink, bead_plot_sink;
-
-#endif

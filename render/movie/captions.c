@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Captions of movies: their timing, and how they are broken into lines and drawn. The composer shows one at a time. */
-#include "render/movie/captions.h"
-
+/* Captions of movies: timing, line breaks, drawing. The composer shows one at a time. */
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/words.h"
+#include "render/movie/movie_words.h"
 
 enum { MOST_LINES = 2, LONGEST = 1024, MARKUP = 32 * LONGEST + 1 /* see bead_markup_size */ };
 static const double line_height = 1.4;                /* in units of the font size */
 static const double least_time = 2.5, reading = 15.0; /* s of the film; characters a second */
 static const double smaller[] = {0.86, 0.74};         /* sizes to try */
-static const char ellipsis[] = "\u2026";
 
 static double font_size(const struct bead_look *look)
 {
@@ -44,39 +44,19 @@ size_t bead_captions_find(const struct bead_movie_asked *movie, const struct bea
     return found != SIZE_MAX && time < bead_caption_end(movie, clock, found) ? found : SIZE_MAX;
 }
 
-enum bead_error bead_captions_check(const struct bead_output *output, const struct bead_scene *scene, double end, const char *unit,
-                                    struct bead_message *msg)
+static struct bead_text_style style_of(const struct bead_look *look)
 {
-    const char *space = *unit ? " " : "";
-    for (size_t i = 0; i < output->movie.caption_count; i++) {
-        const struct bead_caption *c = &output->movie.captions[i];
-        if (c->at >= end)
-            return bead_fail(msg, BEAD_ERROR_SCENE,
-                             "%s:%zu:%zu: captions.%zu.at: is %g%s%s; must be before the end of what is shown, at %g%s%s",
-                             scene->file, c->place.line, c->place.column, i, c->at, space, unit, end, space, unit);
-    }
-    if (output->movie.poster_at > end)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: poster-at: is %g%s%s; the movie ends at %g%s%s", scene->file,
-                         output->place.line, output->place.column, output->movie.poster_at, space, unit, end, space, unit);
-    return BEAD_OK;
-}
-
-static struct bead_text_style captions_style_of(const struct bead_look *look, double size)
-{
-    return (struct bead_text_style){
-        .family = look->family, .size = size, .colour = look->ink, .across = BEAD_ALIGN_MIDDLE, .down = BEAD_ALIGN_MIDDLE};
+    struct bead_text_style style = bead_words_style(look, font_size(look), look->ink, BEAD_ALIGN_MIDDLE);
+    style.across = BEAD_ALIGN_MIDDLE;
+    return style;
 }
 
 static double captions_width_of(cairo_t *cr, const struct bead_text_style *style, const char *text, size_t length)
 {
     char part[LONGEST], markup[MARKUP];
-    double width, height;
-    length = length < sizeof part - 1 ? length : sizeof part - 1;
-    memcpy(part, text, length);
-    part[length] = '\0';
+    snprintf(part, sizeof part, "%.*s", (int)length, text);
     bead_markup(part, markup, sizeof markup);
-    bead_text_size(cr, style, markup, &width, &height);
-    return width;
+    return bead_words_width(cr, style, markup);
 }
 
 /* The next place after `from` where a line may break: a space outside braces and italics, or the end. */
@@ -105,7 +85,7 @@ struct lines {
     bool whole; /* all of it fits */
 };
 
-/* One line if it fits, else two of about the same length. */
+/* One line if it fits, else two of similar length. */
 static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const char *text, double room, size_t most)
 {
     size_t all = strlen(text), best = 0, fullest = 0;
@@ -122,7 +102,7 @@ static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const
             best = at;
         }
     }
-    if (least > room) /* only the end will be cut */
+    if (least > room) /* only the end is cut */
         best = fullest;
     if (best == 0)
         return one;
@@ -131,7 +111,7 @@ static struct lines wrap(cairo_t *cr, const struct bead_text_style *style, const
 
 int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_look *look, int width)
 {
-    struct bead_text_style style = captions_style_of(look, font_size(look));
+    struct bead_text_style style = style_of(look);
     double room = width - 2 * ceil(1.3 * look->gap);
     size_t most = 0;
     for (size_t i = 0; i < movie->caption_count; i++) {
@@ -144,17 +124,9 @@ int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_
 static void draw_line(cairo_t *cr, const struct bead_text_style *style, const char *text, size_t length, double x, double y,
                       double room)
 {
-    char part[LONGEST + sizeof ellipsis], markup[MARKUP];
-    length = length < LONGEST - 1 ? length : LONGEST - 1;
-    memcpy(part, text, length);
-    part[length] = '\0';
-    while (length > 0 && captions_width_of(cr, style, part, strlen(part)) > room) {
-        do
-            length--;
-        while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80);
-        memcpy(part + length, ellipsis, sizeof ellipsis);
-    }
-    bead_markup(part, markup, sizeof markup);
+    char part[LONGEST], markup[MARKUP];
+    snprintf(part, sizeof part, "%.*s", (int)length, text);
+    bead_words_fit(cr, style, part, true, room, markup, sizeof markup);
     bead_text_draw(cr, style, x, y, markup);
 }
 
@@ -162,19 +134,15 @@ void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *te
 {
     size_t most = (size_t)fmax(1, floor(rect.height / bead_caption_height(look) + 1e-6));
     most = most < MOST_LINES ? most : MOST_LINES;
-    struct bead_text_style style = captions_style_of(look, font_size(look));
+    struct bead_text_style style = style_of(look);
     struct lines lines = wrap(cr, &style, text, rect.width, most);
     for (size_t i = 0; i < sizeof smaller / sizeof smaller[0] && !lines.whole; i++) {
         style.size = smaller[i] * font_size(look);
         lines = wrap(cr, &style, text, rect.width, most);
     }
     double step = line_height * style.size, y = rect.y + 0.5 * (rect.height - step * (double)(lines.count - 1));
-    cairo_save(cr);
-    cairo_rectangle(cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(cr);
     for (size_t i = 0; i < lines.count; i++)
         draw_line(cr, &style, lines.text[i], lines.length[i], rect.x + 0.5 * rect.width, y + step * (double)i, rect.width);
-    cairo_restore(cr);
 }
 
 void bead_caption_plain(const char *text, char *out, size_t size)

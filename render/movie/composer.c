@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Composes the frames of a movie: lays out, creates the views, draws the static layer once, then lets views and overlay update the
+/* Composes the frames of a movie: lays out, creates the views and draws the static layer once; then views and overlay update each
  * frame. */
 #include "render/movie/composer_private.h"
 
@@ -10,58 +10,29 @@
 #include "render/colour/colour_range.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
-#include "render/movie/captions.h"
+#include "render/draw/words.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 
-/* Of views that show all times, or of all views. */
-static unsigned composer_fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
+/* Views are numbered chain by chain. */
+static size_t view_count(const struct bead_composer *c)
 {
-    const struct bead_view_setup setup = {.chain = chain, .field = output->shown.field, .fill = true};
-    unsigned fields = 0;
-    for (size_t i = 0; i < output->views.count; i++) {
-        const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);
-        fields |= type && (!all_times || bead_view_has(type, BEAD_SHOWS_ALL_TIMES)) ? type->fields(&setup) : 0;
-    }
-    return fields;
+    return c->wants.chain_count * c->wants.view_count;
 }
 
-unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
+static const struct bead_view_type *type_of(const struct bead_composer *c, size_t index)
 {
-    unsigned fields = composer_fields_of(output, chain, false);
-    return fields | (output->movie.follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
+    return c->wants.views[index % c->wants.view_count];
 }
 
-unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain)
+static struct bead_rect plot_of(const struct bead_composer *c, size_t index)
 {
-    return output->shown.trust ? composer_fields_of(output, chain, true) : 0;
+    return c->layout.chains[index / c->wants.view_count].plot[index % c->wants.view_count];
 }
 
-bool bead_composer_averages(const struct bead_output *output)
+static struct bead_view_setup setup_of(const struct bead_composer *c, size_t index)
 {
-    return bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_ALL_TIMES);
-}
-
-static struct bead_view **view_at(const struct bead_composer *c, size_t chain, size_t view)
-{
-    return &c->views[chain * c->wants.view_count + view];
-}
-
-struct bead_span bead_composer_span(const struct bead_composer *c, size_t chain)
-{
-    const struct bead_output *output = c->setup.output;
-    const struct bead_chain *own = c->setup.chains[chain];
-    size_t count = bead_field_info(output->shown.field)->of_contacts ? bead_chain_contacts(own) : bead_chain_beads(own);
-    struct bead_span span = output->shown.beads;
-    if (span.last >= count)
-        span.last = count - 1;
-    if (span.first > span.last)
-        span.first = span.last;
-    return span;
-}
-
-static struct bead_view_setup setup_of(const struct bead_composer *c, size_t chain, size_t view)
-{
+    size_t chain = index / c->wants.view_count, view = index % c->wants.view_count;
     const struct bead_output *output = c->setup.output;
     const struct bead_movie_chain *place = &c->layout.chains[chain];
     enum bead_view_across across = bead_movie_across(&c->wants, view);
@@ -89,24 +60,23 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t cha
                                     .trust = output->shown.trust};
 }
 
-/* Is the view of this chain drawn by that of the first? */
-static bool overlaid(const struct bead_composer *c, size_t chain, size_t view)
+/* Does the view of the first chain draw this one? */
+static bool overlaid(const struct bead_composer *c, size_t index)
 {
-    return view == c->layout.overlay && chain > 0;
+    return index >= c->wants.view_count && index % c->wants.view_count == c->layout.overlay;
 }
 
 static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
 {
-    c->views = calloc(c->wants.chain_count * c->wants.view_count + 1, sizeof *c->views);
+    c->views = calloc(view_count(c) + 1, sizeof *c->views);
     if (!c->views)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for views");
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
-        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
-        struct bead_view_setup setup = setup_of(c, chain, view);
-        err = c->wants.views[view]->create(&setup, view_at(c, chain, view), msg);
-        if (!err && overlaid(c, chain, view))
-            err = c->wants.views[view]->overlay(*view_at(c, 0, view), *view_at(c, chain, view), msg);
+    for (size_t i = 0; !err && i < view_count(c); i++) {
+        struct bead_view_setup setup = setup_of(c, i);
+        err = type_of(c, i)->create(&setup, &c->views[i], msg);
+        if (!err && overlaid(c, i))
+            err = type_of(c, i)->overlay(c->views[i % c->wants.view_count], c->views[i], msg);
     }
     return err;
 }
@@ -128,12 +98,10 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     c->setup.film = c->setup.film ? c->setup.film : &c->even;
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
-    if (c->setup.interest) {
+    if (c->setup.interest)
         err = bead_interest_open(c, msg);
-        if (err)
-            return err;
-    }
-    err = bead_composer_measure(c, msg);
+    if (!err)
+        err = bead_composer_measure(c, msg);
     if (!err)
         err = bead_movie_arrange(&c->wants, &c->layout, msg);
     if (!err && c->wants.follow)
@@ -151,18 +119,17 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
 enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
                                      struct bead_message *msg)
 {
-    *composer = NULL;
-    struct bead_composer *c = calloc(1, sizeof *c);
+    struct bead_composer *c = *composer = calloc(1, sizeof *c);
     if (!c)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
     c->setup = *setup;
     enum bead_error err = setup->output->views.axes ? bead_text_check(msg) : BEAD_OK;
     if (!err)
         err = composer_fill(c, msg);
-    if (err)
+    if (err) {
         bead_composer_destroy(c);
-    else
-        *composer = c;
+        *composer = NULL;
+    }
     return err;
 }
 
@@ -170,15 +137,13 @@ enum bead_error bead_composer_create(const struct bead_composer_setup *setup, st
 static enum bead_error create_canvas(struct bead_composer *c, struct bead_message *msg)
 {
     int width = 0, height = 0;
-    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
-        size_t view = i % c->wants.view_count;
-        const struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
-        const struct bead_view_type *type = c->wants.views[view];
-        int across = plot->width + c->layout.beyond[0] + c->layout.beyond[1];
-        if (!bead_view_has(type, BEAD_DRAWS_ON_CANVAS))
+    for (size_t i = 0; i < view_count(c); i++) {
+        struct bead_rect plot = plot_of(c, i);
+        int across = plot.width + c->layout.beyond[0] + c->layout.beyond[1];
+        if (!bead_view_has(type_of(c, i), BEAD_DRAWS_ON_CANVAS))
             continue;
         width = across > width ? across : width;
-        height = plot->height > height ? plot->height : height;
+        height = plot.height > height ? plot.height : height;
     }
     if (!width)
         return BEAD_OK;
@@ -196,13 +161,11 @@ const char *bead_composer_painter(const struct bead_composer *c)
 static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
-        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
-        const struct bead_view_type *type = c->wants.views[view];
-        if (overlaid(c, chain, view))
+    for (size_t i = 0; !err && i < view_count(c); i++) {
+        const struct bead_view_type *type = type_of(c, i);
+        if (overlaid(c, i))
             continue;
-        err = type->place(c->views[i], c->layout.chains[chain].plot[view],
-                          bead_view_has(type, BEAD_DRAWS_ON_CANVAS) ? c->canvas : NULL, msg);
+        err = type->place(c->views[i], plot_of(c, i), bead_view_has(type, BEAD_DRAWS_ON_CANVAS) ? c->canvas : NULL, msg);
         cairo_save(cr);
         if (!err && type->decorate)
             err = type->decorate(c->views[i], cr, msg);
@@ -213,7 +176,7 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
 
 static struct bead_facts facts_of(const struct bead_composer *c)
 {
-    bool beads = bead_views_any(c->setup.output->views.kinds, c->setup.output->views.count, BEAD_SHOWS_BEADS);
+    bool beads = bead_views_any(&c->setup.output->views, BEAD_SHOWS_BEADS);
     return (struct bead_facts){.film = c->setup.film,
                                .clock = c->clock,
                                .magnify = beads ? c->magnify : 0,
@@ -226,11 +189,9 @@ static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
     const struct bead_movie_layout *layout = &c->layout;
     const struct bead_look *look = &c->look;
     if (layout->title.width > 0) {
-        struct bead_text_style style = {.family = look->family,
-                                        .size = look->label,
-                                        .colour = look->ink,
-                                        .bold = true,
-                                        .across = layout->words_left ? BEAD_ALIGN_START : BEAD_ALIGN_END};
+        struct bead_text_style style = bead_words_style(look, look->label, look->ink, BEAD_ALIGN_MIDDLE);
+        style.bold = true;
+        style.across = layout->words_left ? BEAD_ALIGN_START : BEAD_ALIGN_END;
         bead_line_draw(cr, style, c->setup.title, layout->title);
     }
     struct bead_facts facts = facts_of(c);
@@ -288,7 +249,7 @@ enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sa
     if (c->cameras)
         err = bead_camera_feed(c->cameras[sample->chain], sample, msg);
     for (size_t v = 0; !err && v < c->wants.view_count; v++)
-        err = c->wants.views[v]->feed(*view_at(c, sample->chain, v), sample, msg);
+        err = c->wants.views[v]->feed(c->views[sample->chain * c->wants.view_count + v], sample, msg);
     return err;
 }
 
@@ -306,7 +267,7 @@ enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes 
                   : bead_warnings_check(msg);
 }
 
-/* The cameras move on, frame by frame. */
+/* Called for every frame: cameras move step by step. */
 static void advance_cameras(struct bead_composer *c, double time)
 {
     for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
@@ -316,10 +277,9 @@ static void advance_cameras(struct bead_composer *c, double time)
 void bead_composer_pass(struct bead_composer *c, double time)
 {
     advance_cameras(c, time);
-    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
-        const struct bead_view_type *type = c->wants.views[i % c->wants.view_count];
-        if (type->pass)
-            type->pass(c->views[i], time);
+    for (size_t i = 0; i < view_count(c); i++) {
+        if (type_of(c, i)->pass)
+            type_of(c, i)->pass(c->views[i], time);
     }
 }
 
@@ -333,10 +293,9 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     }
     enum bead_error err = BEAD_OK;
     advance_cameras(c, time);
-    for (size_t i = 0; !err && i < c->wants.chain_count * c->wants.view_count; i++) {
-        size_t chain = i / c->wants.view_count, view = i % c->wants.view_count;
-        if (!overlaid(c, chain, view))
-            err = c->wants.views[view]->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
+    for (size_t i = 0; !err && i < view_count(c); i++) {
+        if (!overlaid(c, i))
+            err = type_of(c, i)->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
     }
     if (err)
         return err;
@@ -354,9 +313,9 @@ const struct bead_frame *bead_composer_frame(const struct bead_composer *c)
 
 void bead_composer_close(struct bead_composer *c)
 {
-    for (size_t i = 0; c->views && i < c->wants.chain_count * c->wants.view_count; i++) {
+    for (size_t i = 0; c->views && i < view_count(c); i++) {
         if (c->views[i])
-            c->wants.views[i % c->wants.view_count]->destroy(c->views[i]);
+            type_of(c, i)->destroy(c->views[i]);
         c->views[i] = NULL;
     }
     bead_canvas_destroy(c->canvas);

@@ -4,8 +4,7 @@
  *   bead_composer_create (any thread) -> bead_composer_open (the drawing thread: canvas, static layer)
  *   -> bead_composer_feed and bead_composer_draw, times rising -> bead_composer_close (the drawing thread) -> bead_composer_destroy
  */
-#ifndef BEADREEL_RENDER_MOVIE_COMPOSER_H
-#define BEADREEL_RENDER_MOVIE_COMPOSER_H
+#pragma once
 
 #include "beadreel/chain.h"
 #include "beadreel/frame.h"
@@ -28,13 +27,13 @@ struct bead_composer_setup {
     const struct bead_scene *scene;
     const char *canvas;                  /* canvas back end; NULL: the first that works */
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
-    const struct bead_text_watch *watch; /* told of all texts; NULL: nobody is */
+    const struct bead_text_watch *watch; /* told of all texts; NULL: none */
     bool interest;                       /* will bead_composer_interest be asked? */
 };
 
 /* BEAD_FIELD_BITs that the views of an output need of samples. */
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
-/* Those that they also need of the comparison run; 0 without trust. */
+/* The fields that they also need of the comparison run; 0 without trust. */
 unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain);
 /* Does an output need more samples than frames, because a view averages over time? */
 bool bead_composer_averages(const struct bead_output *output);
@@ -46,24 +45,22 @@ BEAD_CHECK enum bead_error bead_composer_create(const struct bead_composer_setup
 BEAD_CHECK enum bead_error bead_composer_open(struct bead_composer *composer, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_composer_feed(struct bead_composer *composer, const struct bead_sample *sample,
                                               struct bead_message *msg);
-/* The title card, before the first draw; adds what changed. Errors: GRAPHICS. */
+/* Draws the title card, before the first draw; adds the changes. Errors: GRAPHICS. */
 BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, struct bead_changes *changes,
                                               struct bead_message *msg);
-/* Brings the frame to `time`; adds what changed (the first time: everything). */
+/* Brings the frame to `time`; adds the changes (the first time: everything). */
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
-/* Instead of a draw, of a frame that nobody will see: those after it are as if it had been drawn. */
+/* Replaces the draw of a frame that nobody will see: later frames are as if it had been drawn. */
 void bead_composer_pass(struct bead_composer *composer, double time);
-/* How much the frame at `time` shows: of several chains, how far their values differ; of one, the mean distance of its values from
- * zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
+/* The interest of the frame at `time`: of several chains, the difference of their values; of one, the mean distance of its values
+ * from zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
-/* A sample for that alone. */
+/* Takes a sample for that alone. */
 void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
-/* What paints the beads, as of bead_composer_open; "": nothing needs to be painted. */
+/* The painter of the beads, known from bead_composer_open on; "": none is needed. */
 const char *bead_composer_painter(const struct bead_composer *composer);
 /* Frees what belongs to the drawing thread. */
 void bead_composer_close(struct bead_composer *composer);
 void bead_composer_destroy(struct bead_composer *composer);
-
-#endif

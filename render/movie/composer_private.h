@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of a composer share: composer.c, movie_camera.c, movie_overlay.c (what is drawn over the views). */
-#ifndef BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
-#define BEADREEL_RENDER_MOVIE_COMPOSER_PRIVATE_H
+/* Shared by the files of a composer: composer.c, movie_measure.c (and cameras), movie_shown.c (fields,
+ * beads, interest), movie_overlay.c (the parts over and around the views). */
+#pragma once
 
 #include <cairo.h>
 
-#include "beadreel/canvas.h"
 #include "render/movie/composer.h"
 #include "render/movie/movie_layout.h"
 #include "render/movie/movie_words.h"
+#include "render/paint/canvas.h"
 
 struct bead_composer {
     struct bead_composer_setup setup;
@@ -40,7 +40,7 @@ struct bead_composer {
 struct bead_span bead_composer_beads(const struct bead_composer *composer, size_t chain);
 /* Values that are shown. */
 struct bead_span bead_composer_span(const struct bead_composer *composer, size_t chain);
-/* Fills in what the layout needs to know. Errors: SCENE, UNSUPPORTED (views). */
+/* Fills in the wants of the layout. Errors: SCENE, UNSUPPORTED (views). */
 BEAD_CHECK enum bead_error bead_composer_measure(struct bead_composer *composer, struct bead_message *msg);
 /* Markup such as "force (N)". */
 void bead_composer_bar_title(const struct bead_composer *composer, char *out, size_t size);
@@ -51,9 +51,7 @@ BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer,
 BEAD_CHECK enum bead_error bead_interest_open(struct bead_composer *composer, struct bead_message *msg);
 /* The colour bar, into the static layer. */
 void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
-/* Update the parts of the frame that change now and then to `time`; each adds what changed. */
+/* Bring the parts of the frame around the views to `time`; each adds its changes. */
 void bead_overlay_time(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_trust(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_caption(struct bead_composer *composer, double time, struct bead_changes *changes);
-
-#endif

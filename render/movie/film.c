@@ -1,12 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks a movie and finds what its frames are made of. The sink of films and that of single frames begin with it. */
+/* Checks a movie and finds what its frames need. The sinks of films and of single frames begin with it. */
 #include "render/movie/film.h"
 
 #include <math.h>
 
 #include "render/colour/colour_range.h"
-#include "render/movie/captions.h"
-#include "render/movie/movie_size.h"
+
+static const double inch = 0.0254, most_pixels = 16384;
+
+/* Pixels, also where the scene gives lengths. */
+static enum bead_error find_size(const struct bead_output *output, int *width, int *height, struct bead_message *msg)
+{
+    const struct bead_paper *asked = &output->paper;
+    double scale = asked->size_is_length ? asked->dpi / inch : 1, size[2] = {1920, 1080};
+    for (int i = 0; i < 2; i++) {
+        size[i] = asked->size[i] > 0 ? round(asked->size[i] * scale) : size[i];
+        if (asked->size_is_length) /* codecs want even numbers */
+            size[i] = 2 * round(size[i] / 2);
+        if (!(size[i] >= 1 && size[i] <= most_pixels))
+            return bead_output_wrong(output, msg, "size: movies have 1 to %.0f pixels a side", most_pixels);
+    }
+    *width = (int)size[0];
+    *height = (int)size[1];
+    return BEAD_OK;
+}
 
 static enum bead_error find_beads(struct bead_film *f, struct bead_message *msg)
 {
@@ -17,8 +34,25 @@ static enum bead_error find_beads(struct bead_film *f, struct bead_message *msg)
     f->last_bead = f->output->shown.beads.last < f->last_bead ? f->output->shown.beads.last : f->last_bead;
     if (f->output->shown.beads.first <= f->last_bead)
         return BEAD_OK;
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: no chain has so many beads", f->context.scene->file,
-                     f->output->place.line, f->output->place.column);
+    return bead_output_wrong(f->output, msg, "beads: no chain has so many beads");
+}
+
+/* The film must show the times of captions and poster; scenes that give no end could not be checked before. */
+static enum bead_error check_times(const struct bead_film *f, struct bead_message *msg)
+{
+    const struct bead_movie_asked *movie = &f->output->movie;
+    const char *unit = bead_chain_time_unit(f->context.chains[0]), *space = *unit ? " " : "";
+    double end = f->times.time[1];
+    for (size_t i = 0; i < movie->caption_count; i++) {
+        if (movie->captions[i].at >= end)
+            return bead_output_wrong(f->output, msg,
+                                     "captions.%zu.at: is %g%s%s; must be before the end of what is shown, at %g%s%s", i,
+                                     movie->captions[i].at, space, unit, end, space, unit);
+    }
+    if (movie->poster_at > end)
+        return bead_output_wrong(f->output, msg, "poster-at: is %g%s%s; the movie ends at %g%s%s", movie->poster_at, space, unit,
+                                 end, space, unit);
+    return BEAD_OK;
 }
 
 enum bead_error bead_film_prepare(const struct bead_output *output, const struct bead_run_context *context, struct bead_film *film,
@@ -29,13 +63,13 @@ enum bead_error bead_film_prepare(const struct bead_output *output, const struct
                                .context = *context,
                                .fields = bead_composer_fields(output, first),
                                .comparison = bead_composer_comparison(output, first)};
-    enum bead_error err = bead_colour_range_check(output, context->scene->file, msg);
+    enum bead_error err = bead_colour_range_check(output, msg);
     if (!err)
-        err = bead_movie_size(output, context->scene, &film->width, &film->height, msg);
+        err = find_size(output, &film->width, &film->height, msg);
     if (!err)
-        err = bead_movie_times_choose(output, context, &film->times, msg);
+        err = bead_movie_times_choose(film, msg);
     if (!err)
-        err = bead_captions_check(output, context->scene, film->times.time[1], bead_chain_time_unit(first), msg);
+        err = check_times(film, msg);
     return err ? err : find_beads(film, msg);
 }
 

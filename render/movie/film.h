@@ -1,13 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What all sinks of a movie know before the run: its frames, what these need of samples, and the composer that draws them. */
-#ifndef BEADREEL_RENDER_MOVIE_FILM_H
-#define BEADREEL_RENDER_MOVIE_FILM_H
+/* Shared by the sinks of films and of single frames: the film as known before the run, the times of its frames, its notes, sound
+ * and poster. */
+#pragma once
 
+#include "beadreel/movie.h"
 #include "beadreel/sink.h"
 #include "render/movie/composer.h"
-#include "render/movie/movie_times.h"
+#include "render/movie/film_clock.h"
 
-/* Everything but its own numbers is borrowed. */
+/* When frames are: the title card's first, then those of the motion, at equal steps from its first time to its last. */
+struct bead_movie_times {
+    double time[2], step; /* s: first and last frame of the motion; from frame to frame, the least where the speed changes */
+    struct bead_film_clock film;
+    size_t card, frames;   /* frames of the card; all frames */
+    size_t group;          /* consecutive frames with one picture: drafts have fewer pictures than frames */
+    struct bead_grid grid; /* of the samples */
+};
+
+/* Borrows the output and all that the context points to. */
 struct bead_film {
     const struct bead_output *output;
     struct bead_run_context context;
@@ -17,15 +27,92 @@ struct bead_film {
     size_t last_bead;            /* the last bead needed of the longest chain */
 };
 
-/* Errors: SCENE, MEMORY. */
+/* Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_film_prepare(const struct bead_output *output, const struct bead_run_context *context,
                                              struct bead_film *film, struct bead_message *msg);
-/* Those of all frames. */
+/* For all frames. */
 void bead_film_needs(const struct bead_film *film, const char *why, struct bead_needs *needs);
-/* Is the range of its colours only known after a scouting pass? */
+/* Does its range of colours need a scouting run? */
 bool bead_film_scouts(const struct bead_film *film);
 /* `range`: as scouted; `interest`: is bead_composer_interest wanted? Errors: those of bead_composer_create. */
 BEAD_CHECK enum bead_error bead_film_compose(const struct bead_film *film, struct bead_range range, bool interest,
                                              struct bead_composer **composer, struct bead_message *msg);
 
-#endif
+/* ---- times: movie_times.c ---- */
+
+/* Fills in film->times. Errors: SCENE (nothing to show, or too much). */
+BEAD_CHECK enum bead_error bead_movie_times_choose(struct bead_film *film, struct bead_message *msg);
+/* s of the motion at frame `index`, or between frames; groups do not matter. */
+double bead_movie_time(const struct bead_movie_times *times, double index);
+/* s of the film, from its first frame on, when a time of the motion is first shown; `fps`: frames a second. */
+double bead_movie_film_time(const struct bead_movie_times *times, double motion, double fps);
+/* Whether the frame has a picture of its own: the card, the first frame of each group, and the last frame. */
+bool bead_movie_draws(const struct bead_movie_times *times, size_t index);
+/* The number of such frames. */
+size_t bead_movie_pictures(const struct bead_movie_times *times);
+/* "120 frames (60 of them in the file: gif has at most 50 a second)". */
+void bead_movie_count_words(const struct bead_film *film, char *text, size_t size);
+
+/* ---- notes: movie_notes.c ---- */
+
+/* The words in a movie's file. */
+struct bead_movie_notes {
+    char *comment;                       /* version and scene */
+    struct bead_movie_chapter *chapters; /* one for each caption, and one for what is before the first; NULL: no captions */
+    size_t chapter_count;
+    struct bead_movie_subtitle *subtitles; /* one for each caption that is shown */
+    size_t subtitle_count;
+    char *text; /* of both */
+};
+
+/* To be freed even after an error. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes,
+                                                 struct bead_message *msg);
+void bead_movie_notes_free(struct bead_movie_notes *notes);
+
+/* ---- sound: film_sound.c ---- */
+
+struct bead_film_sound;
+
+/* NULL where the output asks for none; borrows the film. Errors: SCENE (no chain has what is asked for; too long), MEMORY. */
+BEAD_CHECK enum bead_error bead_film_sound_create(const struct bead_film *film, struct bead_film_sound **sound,
+                                                  struct bead_message *msg);
+void bead_film_sound_destroy(struct bead_film_sound *sound);
+/* Channels of the movie's file: 1, or 2 for several chains, the first at the left, the last at the right. */
+int bead_film_sound_channels(const struct bead_film_sound *sound);
+/* Adds what it needs of each sample. */
+void bead_film_sound_needs(const struct bead_film_sound *sound, struct bead_needs *needs);
+/* Takes a sample on the grid of the times. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_film_sound_feed(struct bead_film_sound *sound, const struct bead_sample *sample,
+                                                struct bead_message *msg);
+/* Writes the sound of the whole film into its movie. Errors: MEMORY, CODEC. */
+BEAD_CHECK enum bead_error bead_film_sound_write(const struct bead_film_sound *sound, struct bead_movie *movie,
+                                                 struct bead_message *msg);
+
+/* ---- poster: movie_poster.c ---- */
+
+/* Chooses a frame as frames pass, and keeps a copy. */
+struct bead_poster {
+    double at, slack;        /* s; at NaN: the frame that shows most */
+    double interest;         /* of the best frame so far */
+    bool taken;              /* there is one */
+    struct bead_frame frame; /* the copy, freed by its owner */
+};
+/* `at`: a time of the motion, s, or NaN; `step`: s of the motion between frames. */
+struct bead_poster bead_poster_choose(double at, double step);
+/* Is a frame of this time as late as the poster's? */
+bool bead_poster_reached(const struct bead_poster *poster, double time);
+/* Asked of each frame in turn: is it the requested one, or does it show more than all before? */
+bool bead_poster_prefers(struct bead_poster *poster, const struct bead_composer *composer, double time);
+/* Called after each draw: copies the frame if it is preferred. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,
+                                             struct bead_message *msg);
+/* Writes a frame as a PNG file with the scene's title. Errors: IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const struct bead_scene *scene,
+                                            uint64_t *bytes, struct bead_message *msg);
+/* Writes the file, if there is a frame, and makes it the movie's cover. `bytes`: size of the file; 0: none. Errors: IO, MEMORY,
+ * CODEC. */
+BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, const char *path, const struct bead_scene *scene,
+                                             struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
+
+extern const struct bead_sink_type bead_movie_sink, bead_frame_sink;

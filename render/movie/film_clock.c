@@ -43,7 +43,7 @@ static double film_of(const struct bead_film_piece *p, double motion)
     return motion / p->factor[0] * (fabs(bend) < 1e-9 ? 1 : -expm1(-bend) / bend);
 }
 
-/* Its inverse: how much of a piece's motion, of length `motion`, has passed after so many s. */
+/* Its inverse: the motion that has passed after `film` s of a piece with the length `motion`. */
 static double motion_of(const struct bead_film_piece *p, double motion, double film)
 {
     double bend = log(p->factor[1] / p->factor[0]);

@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Time of the film against time of the motion: even, or with a speed that changes and pauses at captions. */
-#ifndef BEADREEL_RENDER_MOVIE_FILM_CLOCK_H
-#define BEADREEL_RENDER_MOVIE_FILM_CLOCK_H
+#pragma once
 
 #include "beadreel/scene.h"
 
 enum { BEAD_FILM_PIECES = 320 };
 
-/* From `motion` (s of the motion) at `film` (s of the film) on; first the picture stands for `pause` s. */
+/* From `motion` (s of the motion) at `film` (s of the film) on; first the picture is still for `pause` s. */
 struct bead_film_piece {
     double motion, film, pause;
-    double
-        factor[2]; /* s of the motion for one of the film, at the beginning and at the end; between, even on a logarithmic scale */
+    double factor[2]; /* s of the motion for one of the film, at both ends; between them, linear on a logarithmic scale */
 };
 
 struct bead_film_clock {
@@ -24,12 +22,10 @@ struct bead_film_clock {
 void bead_film_clock_make(const struct bead_movie_asked *movie, const double time[2], struct bead_film_clock *clock);
 /* s of the film from its first picture of the motion to the last. */
 double bead_film_length(const struct bead_film_clock *clock);
-/* What the film shows, s of the motion; and when it first shows a time of the motion, before a pause there. Only with pieces. */
+/* The time of the motion that the film shows; and when it first shows one, before a pause there. Only with pieces. */
 double bead_film_motion(const struct bead_film_clock *clock, double film);
 double bead_film_time(const struct bead_film_clock *clock, double motion);
-/* The end, s of the motion, of what begins at `motion` and lasts so many s of the film. */
+/* The time of the motion `lasting` s of the film after `motion`; INFINITY: beyond the end. */
 double bead_film_after(const struct bead_film_clock *clock, double motion, double lasting);
 /* s of the motion for one of the film: least and greatest. */
 void bead_film_factors(const struct bead_film_clock *clock, double factors[2]);
-
-#endif

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the sound of a film from the samples of a force. The sink feeds it and writes it at the end.
  *
- * The sound at a time of the film is the force at the time of the motion that the picture shows then, above the force at rest.
- * Between samples the force is interpolated with a windowed sinc; where the film passes more than one sample in one of the sound,
- * the sinc is as much wider, so that nothing above half the rate of the sound is left to fold. Where the motion stands, in title
- * cards, pauses and the last frame, the sound fades out and is silent. All of it is scaled such that the loudest sample is just
- * below full. */
-#include "render/movie/film_sound.h"
+ * The sound at a time of the film is the force, above that at rest, at the time of the motion that the picture shows then. Between
+ * samples the force is interpolated with a windowed sinc; where the film passes several samples in one of the sound, the sinc is
+ * wider by that factor, which removes all above half the rate of the sound. While the motion pauses, in title cards, pauses and the
+ * last frame, the sound fades out and is silent. The loudest sample is scaled to just below full. */
+#include "render/movie/film.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,21 +16,19 @@ static const double loudest = 0.89; /* -1 dB, since encoders overshoot */
 static const double longest = 3600; /* s */
 static const double pi = 3.14159265358979323846;
 
-/* What is heard of one chain. */
+/* The sound of one chain. */
 struct voice {
     bool heard;
     enum bead_field field;
     size_t index;   /* of the bead or contact */
     double rest;    /* N */
     double gain[2]; /* in the left and right channel */
-    float *force;   /* [count] N above that at rest, on the grid */
-    size_t count, room;
+    float *force;   /* N above that at rest, on the grid: [count], with room for all samples */
+    size_t count;
 };
 
 struct bead_film_sound {
-    const struct bead_movie_times *times;
-    const struct bead_chain *const *chains;
-    double fps;
+    const struct bead_film *film;
     int channels;
     struct voice *voices;
     size_t voice_count;
@@ -74,7 +71,7 @@ static double force_at_rest(const struct bead_chain *chain, const struct voice *
     return 0.5 * ((v->index > 0 ? force[v->index - 1] : 0) + (v->index < bead_chain_contacts(chain) ? force[v->index] : 0));
 }
 
-static enum bead_error nothing_heard(const struct bead_output *output, const struct bead_scene *scene, struct bead_message *msg)
+static enum bead_error nothing_heard(const struct bead_output *output, struct bead_message *msg)
 {
     const struct bead_sound_asked *asked = &output->movie.sound;
     char what[160];
@@ -84,11 +81,10 @@ static enum bead_error nothing_heard(const struct bead_output *output, const str
         snprintf(what, sizeof what, "a contact %zu", asked->contact);
     else
         snprintf(what, sizeof what, "a sensor `%.64s`", asked->sensor);
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: sound: no chain has %s", scene->file, output->place.line,
-                     output->place.column, what);
+    return bead_output_wrong(output, msg, "sound: no chain has %s", what);
 }
 
-/* Chains stand from left to right, each as loud as the others. */
+/* Spreads the chains from left to right, equally loud. */
 static void place_voices(struct bead_film_sound *s)
 {
     for (size_t c = 0; c < s->voice_count; c++) {
@@ -98,10 +94,10 @@ static void place_voices(struct bead_film_sound *s)
     }
 }
 
-static enum bead_error find_voices(struct bead_film_sound *s, const struct bead_output *output,
-                                   const struct bead_run_context *context, struct bead_message *msg)
+static enum bead_error find_voices(struct bead_film_sound *s, struct bead_message *msg)
 {
-    const struct bead_sound_asked *asked = &output->movie.sound;
+    const struct bead_run_context *context = &s->film->context;
+    const struct bead_sound_asked *asked = &s->film->output->movie.sound;
     bool any = false;
     s->voice_count = context->chain_count;
     s->channels = s->voice_count > 1 ? 2 : 1;
@@ -114,7 +110,7 @@ static enum bead_error find_voices(struct bead_film_sound *s, const struct bead_
         any = any || v->heard;
     }
     place_voices(s);
-    return any ? BEAD_OK : nothing_heard(output, context->scene, msg);
+    return any ? BEAD_OK : nothing_heard(s->film->output, msg);
 }
 
 /* ---- from samples of the motion to those of the film ---- */
@@ -141,7 +137,7 @@ static double kernel_at(const struct bead_film_sound *s, double x)
     return s->kernel[i] + (place - (double)i) * (s->kernel[i + 1] - s->kernel[i]);
 }
 
-/* At `place`, in samples; `wide`: how many of them pass in one of the sound. */
+/* At `place`, in samples; `wide`: the number of samples that pass in one of the sound. */
 static double force_at(const struct bead_film_sound *s, const struct voice *v, double place, double wide)
 {
     wide = fmax(1, wide);
@@ -157,7 +153,13 @@ static double force_at(const struct bead_film_sound *s, const struct voice *v, d
 /* Time of the motion at a sample of the sound, s. */
 static double moment_at(const struct bead_film_sound *s, size_t n)
 {
-    return bead_movie_moment(s->times, (double)n / BEAD_SOUND_RATE * s->fps);
+    return bead_movie_time(&s->film->times, (double)n / BEAD_SOUND_RATE * s->film->output->movie.fps);
+}
+
+static void scale(const struct bead_film_sound *s, float *samples, size_t n, double gain)
+{
+    for (int c = 0; c < s->channels; c++)
+        samples[n * (size_t)s->channels + (size_t)c] *= (float)gain;
 }
 
 static double fade(size_t n)
@@ -165,29 +167,19 @@ static double fade(size_t n)
     return n < FADE ? 0.5 * (1 + cos(pi * (double)n / FADE)) : 0;
 }
 
-/* Where the motion stands, the sound fades out and, before it goes on, in; samples first..end - 1. */
+/* Samples first..end - 1, in which the motion pauses: fades the sound out and, before the motion goes on, in again. */
 static void quieten(const struct bead_film_sound *s, float *samples, size_t first, size_t end, size_t count)
 {
     for (size_t n = first; n < end; n++) {
-        double gain = fmin(1, (first > 0 ? fade(n - first) : 0) + (end < count ? fade(end - 1 - n) : 0));
-        for (int c = 0; c < s->channels; c++)
-            samples[n * (size_t)s->channels + (size_t)c] *= (float)gain;
-    }
-}
-
-/* A film that begins in the middle of the motion does not click. */
-static void fade_in(const struct bead_film_sound *s, float *samples, size_t count)
-{
-    for (size_t n = 0; n < FADE && n < count; n++) {
-        for (int c = 0; c < s->channels; c++)
-            samples[n * (size_t)s->channels + (size_t)c] *= (float)(1 - fade(n));
+        double gain = (first > 0 ? fade(n - first) : 0) + (end < count ? fade(end - 1 - n) : 0);
+        scale(s, samples, n, fmin(1, gain));
     }
 }
 
 static void play(const struct bead_film_sound *s, float *samples, size_t count)
 {
-    const struct bead_grid *grid = &s->times->grid;
-    size_t stood = 0; /* samples so far for which the motion has stood */
+    const struct bead_grid *grid = &s->film->times.grid;
+    size_t paused = 0; /* samples since the motion paused */
     double now = moment_at(s, 0);
     for (size_t n = 0; n < count; n++) {
         double next = moment_at(s, n + 1);
@@ -197,15 +189,14 @@ static void play(const struct bead_film_sound *s, float *samples, size_t count)
             for (int c = 0; c < s->channels; c++)
                 samples[n * (size_t)s->channels + (size_t)c] += (float)(v->gain[c] * force);
         }
-        bool stands = next == now;
-        if (!stands && stood > 0)
-            quieten(s, samples, n - stood, n, count);
-        stood = stands ? stood + 1 : 0;
+        if (next > now && paused > 0)
+            quieten(s, samples, n - paused, n, count);
+        paused = next > now ? 0 : paused + 1;
         now = next;
     }
-    if (stood > 0)
-        quieten(s, samples, count - stood, count, count);
-    fade_in(s, samples, count);
+    quieten(s, samples, count - paused, count, count);
+    for (size_t n = 0; n < FADE && n < count; n++) /* a film that begins in the middle of the motion must not click */
+        scale(s, samples, n, 1 - fade(n));
 }
 
 static void level(float *samples, size_t count)
@@ -219,29 +210,19 @@ static void level(float *samples, size_t count)
 
 /* ---- life ---- */
 
-enum bead_error bead_film_sound_create(const struct bead_output *output, const struct bead_run_context *context,
-                                       const struct bead_movie_times *times, struct bead_film_sound **sound,
-                                       struct bead_message *msg)
+enum bead_error bead_film_sound_create(const struct bead_film *film, struct bead_film_sound **sound, struct bead_message *msg)
 {
     *sound = NULL;
-    if (output->movie.sound.of == BEAD_SOUND_OFF)
+    if (film->output->movie.sound.of == BEAD_SOUND_OFF)
         return BEAD_OK;
-    if ((double)times->frames / output->movie.fps > longest)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: sound: a movie with sound lasts at most %g s", context->scene->file,
-                         output->place.line, output->place.column, longest);
-    struct bead_film_sound *s = calloc(1, sizeof *s);
+    if ((double)film->times.frames / film->output->movie.fps > longest)
+        return bead_output_wrong(film->output, msg, "sound: a movie with sound lasts at most %g s", longest);
+    struct bead_film_sound *s = *sound = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
-    s->times = times;
-    s->chains = context->chains;
-    s->fps = output->movie.fps;
+    s->film = film;
     make_kernel(s);
-    enum bead_error err = find_voices(s, output, context, msg);
-    if (err)
-        bead_film_sound_destroy(s);
-    else
-        *sound = s;
-    return err;
+    return find_voices(s, msg);
 }
 
 void bead_film_sound_destroy(struct bead_film_sound *sound)
@@ -276,17 +257,15 @@ enum bead_error bead_film_sound_feed(struct bead_film_sound *sound, const struct
     struct voice *v = &sound->voices[sample->chain];
     if (!v->heard)
         return BEAD_OK;
-    if (v->count == 0) /* the arrays of the chain may not be there before */
-        v->rest = force_at_rest(sound->chains[sample->chain], v);
-    if (v->count == v->room) {
-        size_t room = 2 * v->room + 1024;
-        float *more = realloc(v->force, room * sizeof *more);
-        if (!more)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
-        v->force = more;
-        v->room = room;
+    size_t room = bead_grid_count(&sound->film->times.grid);
+    if (!v->force) { /* the arrays of the chain may not be there before */
+        v->rest = force_at_rest(sound->film->context.chains[sample->chain], v);
+        v->force = malloc(room * sizeof *v->force);
     }
-    v->force[v->count++] = (float)(sample->field[v->field][v->index] - v->rest);
+    if (!v->force)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    if (v->count < room)
+        v->force[v->count++] = (float)(sample->field[v->field][v->index] - v->rest);
     return BEAD_OK;
 }
 
@@ -294,7 +273,8 @@ enum bead_error bead_film_sound_write(const struct bead_film_sound *sound, struc
 {
     if (!sound)
         return BEAD_OK;
-    size_t count = (size_t)llround((double)sound->times->frames / sound->fps * BEAD_SOUND_RATE),
+    const struct bead_film *film = sound->film;
+    size_t count = (size_t)llround((double)film->times.frames / film->output->movie.fps * BEAD_SOUND_RATE),
            all = count * (size_t)sound->channels;
     float *samples = calloc(all + 1, sizeof *samples);
     if (!samples)

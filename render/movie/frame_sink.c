@@ -1,24 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One frame of a movie, as a PNG file. Views are fed and cameras move as for the film, but nothing else is drawn or encoded, and no
- * sample is taken beyond the frame. A frame that is chosen for what it shows takes a run to be found, and another. */
+ * sample is taken beyond the frame. A frame chosen for what it shows takes two runs: one finds it, the other draws it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "beadreel/canvas.h"
-#include "beadreel/file.h"
 #include "render/movie/film.h"
-#include "render/movie/movie_poster.h"
-#include "render/movie/movie_sink.h"
+#include "render/paint/canvas.h"
+#include "sim/base/file.h"
 
 struct bead_sink {
     struct bead_film film;
     char *path;
-    bool search, found;             /* the frame is that of a poster; it is known which */
-    struct bead_poster_choice peak; /* while it is searched for */
-    size_t frame, next;             /* which one; the next to pass */
-    double seen;                    /* s: time that all chains have reached */
-    bool seen_any, begun, drawn;    /* `begun`: the range of colours is known */
+    bool search, found;      /* the frame is that of a poster; its number is known */
+    struct bead_poster peak; /* while it is searched for */
+    size_t frame, next;      /* which one; the next to pass */
+    double seen;             /* s: time that all chains have reached; NaN: none */
+    bool begun, drawn;       /* `begun`: the range of colours is known */
     struct bead_composer *composer;
     uint64_t bytes;
     char why[96], makers[96];
@@ -33,9 +31,9 @@ static void frame_destroy(struct bead_sink *s)
     free(s);
 }
 
-/* ---- which one ---- */
+/* ---- choice of the frame ---- */
 
-/* What the film shows at frame `index`: of a group, its first. */
+/* The frame whose picture the film shows at frame `index`: the first of its group. */
 static size_t drawn_for(const struct bead_sink *s, size_t index)
 {
     while (!bead_movie_draws(&s->film.times, index))
@@ -46,23 +44,22 @@ static size_t drawn_for(const struct bead_sink *s, size_t index)
 static enum bead_error outside(const struct bead_sink *s, struct bead_message *msg)
 {
     const struct bead_run_context *context = &s->film.context;
-    const char *unit = bead_chain_time_unit(context->chains[0]);
-    const char *space = *unit ? " " : "";
+    const char *unit = bead_chain_time_unit(context->chains[0]), *space = *unit ? " " : "";
     return bead_fail(msg, BEAD_ERROR_USAGE, "--frame %s: is not in the film, which shows %g%s%s to %g%s%s, 0%% to 100%%",
                      context->frame->text, s->film.times.time[0], space, unit, s->film.times.time[1], space, unit);
 }
 
-/* A time of the motion: the frame that a poster of this time is. */
+/* The frame of a poster at this time of the motion. */
 static enum bead_error find_time(struct bead_sink *s, double at, struct bead_message *msg)
 {
     const struct bead_movie_times *t = &s->film.times;
-    const struct bead_poster_choice choice = bead_poster_choose(at, t->step);
+    const struct bead_poster choice = bead_poster_choose(at, t->step);
     const double rounding = 1e-9 * t->time[1];
     if (!(at >= t->time[0] - rounding && at <= t->time[1] + rounding))
         return outside(s, msg);
     s->frame = t->frames - 1;
     for (size_t k = t->frames; k-- > t->card;) {
-        if (bead_movie_draws(t, k) && bead_poster_reached(&choice, bead_movie_time(t, k)))
+        if (bead_movie_draws(t, k) && bead_poster_reached(&choice, bead_movie_time(t, (double)k)))
             s->frame = k;
     }
     return BEAD_OK;
@@ -70,6 +67,7 @@ static enum bead_error find_time(struct bead_sink *s, double at, struct bead_mes
 
 static enum bead_error find_frame(struct bead_sink *s, const struct bead_frame_asked *asked, struct bead_message *msg)
 {
+    s->seen = NAN;
     s->search = isnan(asked->time) && isnan(asked->part);
     s->found = !s->search;
     s->peak = bead_poster_choose(NAN, s->film.times.step);
@@ -105,13 +103,13 @@ static enum bead_error frame_create(const struct bead_output *output, const stru
     return BEAD_OK;
 }
 
-/* Samples up to the frame, or all, as long as the frame or the range of colours must be found. */
+/* Samples up to the frame, or all of them while the frame or the range of colours is unknown. */
 static void frame_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     bead_film_needs(&s->film, s->why, needs);
     if (!s->found || (bead_film_scouts(&s->film) && !s->begun))
         return;
-    const double count = ceil((bead_movie_time(&s->film.times, s->frame) - needs->grid.start) / needs->grid.every - 1e-6);
+    const double count = ceil((bead_movie_time(&s->film.times, (double)s->frame) - needs->grid.start) / needs->grid.every - 1e-6);
     needs->grid.end = fmin(needs->grid.end, needs->grid.start + fmax(0, count) * needs->grid.every);
     needs->until = fmin(needs->until, needs->grid.end);
 }
@@ -123,14 +121,14 @@ static enum bead_error frame_begin(struct bead_sink *s, struct bead_range range,
     return err ? err : bead_composer_open(s->composer, msg);
 }
 
-/* A frame of its own passes: it is drawn, or judged, or moves the cameras on. */
+/* Draws, judges or skips a frame that has a picture of its own. */
 static enum bead_error pass_frame(struct bead_sink *s, struct bead_message *msg)
 {
-    const double time = bead_movie_time(&s->film.times, s->next);
+    const double time = bead_movie_time(&s->film.times, (double)s->next);
     const bool card = s->next < s->film.times.card;
     struct bead_changes changes = {0};
     s->drawn = s->found && s->next == s->frame;
-    if (s->drawn || (s->found && !card && s->film.output->shown.trust)) { /* whose line says what was known when it came */
+    if (s->drawn || (s->found && !card && s->film.output->shown.trust)) { /* the line about the horizon depends on earlier frames */
         return card ? bead_composer_card(s->composer, &changes, msg) : bead_composer_draw(s->composer, time, &changes, msg);
     }
     if (!s->found && !card && bead_poster_prefers(&s->peak, s->composer, time))
@@ -143,46 +141,38 @@ static enum bead_error pass_frame(struct bead_sink *s, struct bead_message *msg)
 static enum bead_error pass_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    for (; !err && !s->drawn && s->next < s->film.times.frames && bead_movie_time(&s->film.times, s->next) <= until; s->next++)
+    for (; !err && !s->drawn && s->next < s->film.times.frames && bead_movie_time(&s->film.times, (double)s->next) <= until;
+         s->next++)
         err = bead_movie_draws(&s->film.times, s->next) ? pass_frame(s, msg) : BEAD_OK;
     return err;
 }
 
 static enum bead_error frame_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    if (s->found)
-        err = bead_composer_feed(s->composer, sample, msg);
-    else
+    if (!s->found)
         bead_interest_feed(s->composer, sample);
+    enum bead_error err = s->found ? bead_composer_feed(s->composer, sample, msg) : BEAD_OK;
     if (err || sample->chain + 1 < s->film.context.chain_count)
         return err;
     s->seen = sample->time;
-    s->seen_any = true;
     return pass_frames(s, sample->time + 1e-6 * s->film.times.grid.every, msg);
-}
-
-/* The last sample stands for the rest of its interval. */
-static enum bead_error pass_rest(struct bead_sink *s, struct bead_message *msg)
-{
-    return s->seen_any ? pass_frames(s, s->seen + s->film.times.grid.every, msg) : BEAD_OK;
 }
 
 static enum bead_error frame_again(struct bead_sink *s, bool *again, struct bead_message *msg)
 {
-    enum bead_error err = pass_rest(s, msg);
+    /* the last sample is shown to the end of its interval */
+    enum bead_error err = isnan(s->seen) ? BEAD_OK : pass_frames(s, s->seen + s->film.times.grid.every, msg);
     *again = !err && !s->found;
     if (*again) {
         s->found = true;
         s->next = 0;
-        s->seen_any = false;
+        s->seen = NAN;
     }
     return err;
 }
 
-static enum bead_error frame_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error frame_end(struct bead_sink *s, const struct bead_outcome *, struct bead_message *msg)
 {
-    (void)outcomes;
     const char *painter = bead_composer_painter(s->composer);
     if (!s->drawn)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: there are no samples of this frame", s->path);

@@ -1,37 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Arranges the cells of a movie's frame: columns of plots, each a stack of views. Space-time images get their share first. */
+/* The cells of a movie's frame as a grid: columns of plots, a stack of views in each row. Images get their share first. */
 #include "render/movie/movie_cells.h"
 
 #include <math.h>
 
 /* In units of the label's font size. */
-static const double title_line = 1.35, between_titled = 0.3, between_labelled = 1.1, between_ticks = 0.5;
-static const double between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
-/* Heights that plots need to be read, in the same units: with all labels, with few. */
-static const double least_beads[] = {1.5, 0.9}, least_image[] = {3, 1.6}, least_other[] = {3.2, 1.8};
-/* An overlaid profile's part of the height of all, and the least. */
-static const double overlay_part = 0.3, overlay_least = 3.4;
-/* Of a cell's width, for images at the right of other views. */
+static const double title_line = 1.35, between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
+/* An overlaid profile's part of the height of all, and the least, with titles and without. */
+static const double overlay_part = 0.3, overlay_least[] = {1.6, 3.4};
+/* Part of a cell's width for images at the right of other views. */
 static const double images_part = 0.64;
 /* Most chains whose images have the share that is promised; a little more, for rounding. */
 enum { PROMISED = 4 };
 static const double share = BEAD_IMAGE_SHARE + 0.004;
 
-/* The views of one column of plots. */
-struct column {
-    size_t view[BEAD_STACK_VIEWS], count;
-    bool right; /* half of the cells */
+/* facts, titles, values, headings, axes, words; gaps between views, rows; headings; least of beads, images, others; least px */
+const struct bead_level bead_levels[BEAD_LEVELS] = {
+    {true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
+    {false, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
+    {false, false, true, true, true, true, 1.1, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
+    {false, false, false, true, true, true, 0.5, 0.54, 1.25, {0}, 8},
+    {false, false, false, false, true, true, 0.5, 0.54, 1.25, {0}, 8},
+    {false, false, false, false, false, true, 0.5, 0.54, 1.25, {0}, 8},
+    {false, false, false, false, false, false, 0, 0, 1.25, {0}, 1},
 };
 
-static int whole(double x)
-{
-    return (int)ceil(x);
-}
-
-static bool few(const struct bead_cells *c)
-{
-    return c->level >= BEAD_LEVEL_FEW_LABELS;
-}
+/* The views of one column of plots. */
+struct column {
+    size_t view[BEAD_MOST_VIEWS], count;
+    bool right; /* half of the cells */
+};
 
 static bool has(const struct bead_cells *c, size_t view, unsigned trait)
 {
@@ -80,7 +78,7 @@ static struct column column_of(const struct bead_cells *c, size_t half)
 /* Columns of plots whose vertical axes are labelled: all chains have the same values, so the first of a kind is enough. */
 static bool labelled_column(const struct bead_cells *c, size_t plot)
 {
-    return c->axes && c->level < BEAD_LEVEL_TIGHT && plot < halves(c);
+    return c->axes && c->level->values && plot < halves(c);
 }
 
 static double clamp(double x, double low, double high)
@@ -88,7 +86,7 @@ static double clamp(double x, double low, double high)
     return x < low ? low : x > high ? high : x;
 }
 
-/* Room within the panels for what is beside the beads: a striker that flies back, the wall, a last bead that moves on. */
+/* Room within the panels beside the beads: for a striker that flies back, the wall, a last bead that moves on. */
 static void choose_beyond(struct bead_cells *c, double width)
 {
     const struct bead_movie_wants *w = c->wants;
@@ -100,11 +98,11 @@ static void choose_beyond(struct bead_cells *c, double width)
     if (!c->axes || !beads || w->follow)
         return;
     double right = clamp(0.7 * pitch, w->wall ? 0.6 * em : 0.3 * em, 1.6 * em);
-    c->beyond[0] = whole(w->striker ? clamp(1.6 * pitch, 0.9 * em, 2.6 * em) : clamp(0.7 * pitch, 0.3 * em, 1.6 * em));
-    c->beyond[1] = whole(w->wall ? fmax(right, fmax(4, w->look->gap)) : right);
+    c->beyond[0] = bead_cells_whole(w->striker ? clamp(1.6 * pitch, 0.9 * em, 2.6 * em) : clamp(0.7 * pitch, 0.3 * em, 1.6 * em));
+    c->beyond[1] = bead_cells_whole(w->wall ? fmax(right, fmax(4, w->look->gap)) : right);
 }
 
-/* How far the numbers of an axis of time reach beyond the sides of a plot. */
+/* px by which the numbers of an axis of time reach beyond the sides of a plot. */
 static double time_ends(const struct bead_cells *c, size_t plot)
 {
     struct column column = column_of(c, plot % halves(c));
@@ -119,7 +117,7 @@ static double time_ends(const struct bead_cells *c, size_t plot)
 static int room_left(const struct bead_cells *c, size_t plot)
 {
     double ends = time_ends(c, plot) - (plot == 0 ? c->wants->look->gap : 0);
-    return whole(fmax(labelled_column(c, plot) ? c->wants->left : 0, ends));
+    return bead_cells_whole(fmax(labelled_column(c, plot) ? c->wants->left : 0, ends));
 }
 
 /* Right of a plot, before the room of the next; the last has the margin, which may be too small for its numbers. */
@@ -127,40 +125,33 @@ static int room_right(const struct bead_cells *c, size_t plot)
 {
     double ends = time_ends(c, plot), em = c->wants->look->tick;
     if (plot + 1 == c->columns * halves(c))
-        return whole(fmax(0, ends - c->wants->look->gap));
-    return c->level == BEAD_LEVEL_VIEWS_ONLY ? 0 : whole(fmax(between_columns * em, ends > 0 ? ends + between_numbers * em : 0));
+        return bead_cells_whole(fmax(0, ends - c->wants->look->gap));
+    return c->level->words ? bead_cells_whole(fmax(between_columns * em, ends > 0 ? ends + between_numbers * em : 0)) : 0;
 }
 
-/* px that are not plots: labels, gaps, what is beyond. */
-static int across_fixed(const struct bead_cells *c)
+/* Widths of plots; false: too narrow. */
+static bool divide_across(struct bead_cells *c)
 {
-    int plots = (int)(c->columns * halves(c)), fixed = plots * (c->beyond[0] + c->beyond[1]);
-    for (int p = 0; p < plots; p++)
-        fixed += room_left(c, (size_t)p) + room_right(c, (size_t)p);
-    return fixed;
-}
-
-static bool choose_width(struct bead_cells *c)
-{
-    int plots = (int)(c->columns * halves(c));
-    choose_beyond(c, (double)c->area.width / plots);
-    int cell = (c->area.width - across_fixed(c)) / (int)c->columns;
-    c->width[1] = halves(c) == 2 ? (int)(images_part * cell) : 0;
-    c->width[0] = cell - c->width[1];
-    double least = c->level == BEAD_LEVEL_VIEWS_ONLY ? 1 : plots > 1 ? fmax(60, 5 * c->wants->look->label) : 60;
-    return c->width[0] >= least;
-}
-
-/* The left edge of a plot, px. */
-static int left_of(const struct bead_cells *c, size_t plot)
-{
-    int x = c->area.x;
-    for (size_t p = 0;; p++) {
-        x += room_left(c, p) + c->beyond[0];
-        if (p == plot)
-            return x;
-        x += c->width[p % halves(c)] + c->beyond[1] + room_right(c, p);
+    struct bead_lanes *columns = &c->grid->columns;
+    size_t plots = columns->count = c->columns * halves(c);
+    double least = !c->level->words ? 1 : plots > 1 ? fmax(60, 5 * c->wants->look->label) : 60;
+    bead_lanes_within(columns, c->area.x, c->area.width);
+    choose_beyond(c, c->area.width / (double)plots);
+    for (size_t p = 0; p < plots; p++) {
+        double left = room_left(c, p) + c->beyond[0], right = c->beyond[1] + room_right(c, p);
+        columns->lane[p] = (struct bead_lane){.keep = {left, right}, .reach = {left, right}, .share = 1, .least = least};
     }
+    double cell = floor((c->area.width - bead_lanes_fixed(columns)) / (double)c->columns);
+    for (size_t p = 1; halves(c) == 2 && p < plots; p += 2) {
+        columns->lane[p].share = 0;
+        columns->lane[p].least = fmax(0, floor(images_part * cell));
+    }
+    return bead_lanes_divide(columns);
+}
+
+static double width_of(const struct bead_cells *c, size_t half)
+{
+    return c->grid->columns.lane[half].size;
 }
 
 /* ---- which axes are labelled ---- */
@@ -212,30 +203,30 @@ static bool labelled(const struct bead_cells *c, const struct column *column, si
     if (!along_chain(c, view))
         return lowest && labels_time(c, column, view);
     if (moves(c, view))
-        return labels_window(c, column, view) && !few(c);
-    bool wanted = c->wants->same_beads ? lowest : !few(c);
+        return labels_window(c, column, view) && c->level->titles;
+    bool wanted = c->wants->same_beads ? lowest : c->level->titles;
     return labels_beads(c, column, view) && (wanted || has(c, view, BEAD_SHOWS_BEADS));
 }
 
 static int below(const struct bead_cells *c, const struct column *column, size_t chain, size_t view)
 {
     const struct bead_movie_wants *w = c->wants;
-    if (chain >= w->chain_count || !labelled(c, column, chain, view) || has(c, view, BEAD_SHOWS_BEADS))
+    if (!labelled(c, column, chain, view) || has(c, view, BEAD_SHOWS_BEADS))
         return 0;
     if (moves(c, view))
-        return whole(w->below_numbers);
+        return bead_cells_whole(w->below_numbers);
     if (bead_movie_across(w, view) == BEAD_ACROSS_TIME)
-        return whole(bead_level_titles(c->level) ? w->below_time : w->below_numbers);
-    return whole(w->below_beads);
+        return bead_cells_whole(c->level->titles ? w->below_time : w->below_numbers);
+    return bead_cells_whole(w->below_beads);
 }
 
 /* ---- down ---- */
 
-/* Titles of vertical axes stand above their panels. */
+/* Titles of vertical axes are above their panels. */
 static int above(const struct bead_cells *c, size_t view)
 {
-    bool titled = c->axes && bead_level_titles(c->level) && !has(c, view, BEAD_SHOWS_BEADS);
-    return titled ? whole(title_line * c->wants->look->label) : 0;
+    bool titled = c->axes && c->level->titles && !has(c, view, BEAD_SHOWS_BEADS);
+    return titled ? bead_cells_whole(title_line * c->wants->look->label) : 0;
 }
 
 static int heading_height(const struct bead_cells *c)
@@ -243,8 +234,7 @@ static int heading_height(const struct bead_cells *c)
     const struct bead_look *look = c->wants->look;
     if (!c->headings)
         return 0;
-    double line = (few(c) ? 1.25 : 1.5) * look->title;
-    return whole(line + (c->label_lines ? title_line * look->label : 0));
+    return bead_cells_whole(c->level->heading * look->title + (c->label_lines ? title_line * look->label : 0));
 }
 
 /* The height that an image must have so that all have the share of the frame. */
@@ -256,18 +246,15 @@ static double image_height(const struct bead_cells *c)
         images += has(c, v, BEAD_SHOWS_IMAGE);
     if (!c->share || images == 0 || w->chain_count > PROMISED)
         return 0;
-    return ceil(share * w->width * w->height / ((double)(images * w->chain_count) * c->width[halves(c) - 1]));
+    return ceil(share * w->width * w->height / ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
 }
 
 static double least_height(const struct bead_cells *c, size_t view)
 {
-    double em = c->wants->look->tick;
-    int size = few(c);
-    if (c->level >= BEAD_LEVEL_TIGHT)
-        return has(c, view, BEAD_SHOWS_IMAGE) ? fmax(1, image_height(c)) : c->level == BEAD_LEVEL_VIEWS_ONLY ? 1 : 8;
+    const double em = c->wants->look->tick, *least = c->level->least;
     if (has(c, view, BEAD_SHOWS_IMAGE))
-        return fmax(least_image[size] * em, image_height(c));
-    return fmax(12, (has(c, view, BEAD_SHOWS_BEADS) ? least_beads : least_other)[size] * em);
+        return fmax(1, fmax(least[1] * em, image_height(c)));
+    return fmax(c->level->least_px, least[has(c, view, BEAD_SHOWS_BEADS) ? 0 : 2] * em);
 }
 
 static double most_height(const struct bead_cells *c, const struct column *column, size_t view)
@@ -275,134 +262,124 @@ static double most_height(const struct bead_cells *c, const struct column *colum
     const struct bead_movie_wants *w = c->wants;
     const struct bead_view_info *info = w->views[view]->info;
     double em = w->look->tick;
-    if (c->level == BEAD_LEVEL_VIEWS_ONLY || has(c, view, BEAD_SHOWS_IMAGE))
+    if (!c->level->words || has(c, view, BEAD_SHOWS_IMAGE))
         return INFINITY;
     if (!has(c, view, BEAD_SHOWS_BEADS))
-        return fmax(info->movie_most * c->width[0], least_height(c, view));
-    double bead = w->bead_height * c->width[0] / w->width, names = w->sensors || labels_window(c, column, view) ? 1.35 * em : 0;
-    double most = moves(c, view) ? names + fmax(1.3 * bead, bead + w->look->gap) : info->movie_most * c->width[0] + 1.6 * em;
-    return fmax(whole(most), least_height(c, view));
+        return fmax(info->movie_most * width_of(c, 0), least_height(c, view));
+    double bead = w->bead_height * width_of(c, 0) / w->width, names = w->sensors || labels_window(c, column, view) ? 1.35 * em : 0;
+    double most = moves(c, view) ? names + fmax(1.3 * bead, bead + w->look->gap) : info->movie_most * width_of(c, 0) + 1.6 * em;
+    return fmax(bead_cells_whole(most), least_height(c, view));
 }
 
-static double view_share(const struct bead_cells *c, size_t view)
+/* One view of all chains in a row of cells. */
+static void add_view(const struct bead_cells *c, const struct column *column, size_t row, size_t k,
+                     struct bead_movie_layout *layout)
 {
-    return c->wants->views[view]->info->movie_share;
-}
-
-static struct bead_stack make_stack(const struct bead_cells *c, const struct column *column, struct bead_stack_reach *reach)
-{
+    size_t view = column->view[k], half = column->right, lane = c->grid->rows.count++;
     double em = c->wants->look->tick;
-    bool gaps = c->level < BEAD_LEVEL_VIEWS_ONLY;
-    double views = bead_level_titles(c->level)              ? between_titled
-                   : c->axes && c->level < BEAD_LEVEL_TIGHT ? between_labelled
-                                                            : between_ticks;
-    struct bead_stack stack = {.rows = c->rows,
-                               .views = column->count,
-                               .between_rows = gaps ? whole((few(c) ? 0.6 : 1) * between_rows * em) : 0,
-                               .between_views = gaps ? whole(views * em) : 0,
-                               .reach = reach};
-    for (size_t i = 0; i < c->rows * column->count; i++) {
-        size_t view = column->view[i % column->count], first = i / column->count * c->columns;
-        bool headed = i % column->count == 0 && !column->right;       /* headings stand above the left half */
-        int numbers = column->right && c->axes ? whole(0.6 * em) : 0; /* and nothing else above these */
-        reach[i] = (struct bead_stack_reach){fmax(numbers, above(c, view) + (headed ? heading_height(c) : 0)), 0};
-        for (size_t k = 0; k < c->columns; k++)
-            reach[i].below = fmax(reach[i].below, below(c, column, first + k, view));
+    int numbers = column->right && c->axes ? bead_cells_whole(0.6 * em) : 0;           /* nothing else is above these */
+    int heading = above(c, view) + (k == 0 && !column->right ? heading_height(c) : 0); /* headings are above the left half */
+    double gap = k > 0 ? c->level->views : row > 0 ? c->level->rows : 0;
+    c->grid->rows.lane[lane] = (struct bead_lane){.line = half,
+                                                  .gap = bead_cells_whole(gap * em),
+                                                  .least = least_height(c, view),
+                                                  .most = most_height(c, column, view),
+                                                  .share = c->wants->views[view]->info->movie_share};
+    if (k == 0) /* room that no view can use goes around the cells */
+        c->grid->rows.lane[lane].spring = row > 0 ? 1 : 0.5;
+    for (size_t chain = row * c->columns; chain < (row + 1) * c->columns && chain < layout->chain_count; chain++) {
+        size_t plot = chain % c->columns * halves(c) + half;
+        struct bead_insets reach = {.top = fmax(numbers, heading), .bottom = below(c, column, chain, view)};
+        c->grid->boxes[chain * c->wants->view_count + view] = (struct bead_layout_box){.column = plot, .row = lane, .reach = reach};
+        layout->chains[chain].labels[view] = labelled(c, column, chain, view);
+        layout->chains[chain].values[view] = labelled_column(c, plot);
     }
-    for (size_t k = 0; k < column->count; k++) {
-        stack.share[k] = view_share(c, column->view[k]);
-        stack.least[k] = least_height(c, column->view[k]);
-        stack.most[k] = most_height(c, column, column->view[k]);
-    }
-    return stack;
-}
-
-/* The plots of one half of all cells, within rows from `top` on that have `height` px together. */
-static bool place_stacks(const struct bead_cells *c, size_t half, int top, int height, struct bead_stack_reach *reach,
-                         struct bead_movie_layout *layout)
-{
-    struct column column = column_of(c, half);
-    if (column.count == 0)
-        return true;
-    struct bead_stack stack = make_stack(c, &column, reach);
-    int rows = (int)c->rows, room = (int)floor((height - bead_stack_fixed(&stack)) / rows);
-    int used = room > 0 ? bead_stack_divide(&stack, room) : room + 1;
-    if (used > room)
-        return false;
-    double y = top + (room - used) / 2.0;
-    stack.between_rows += room - used;
-    for (size_t r = 0; r < c->rows; r++) {
-        struct bead_stack_places places;
-        y = bead_stack_row(&stack, r, y, &places) + stack.between_rows;
-        for (size_t chain = r * c->columns; chain < (r + 1) * c->columns && chain < layout->chain_count; chain++) {
-            struct bead_movie_chain *to = &layout->chains[chain];
-            size_t plot = chain % c->columns * halves(c) + half;
-            int x = left_of(c, plot);
-            if (half == 0 && c->headings)
-                to->heading = (struct bead_rect){x - c->beyond[0], places.heading, c->width[0] + c->beyond[0], heading_height(c)};
-            for (size_t k = 0; k < column.count; k++) {
-                size_t v = column.view[k];
-                bool chained = along_chain(c, v);
-                to->plot[v] = (struct bead_rect){x - (chained ? 0 : c->beyond[0]), places.plot[k],
-                                                 c->width[half] + (chained ? 0 : c->beyond[0] + c->beyond[1]), stack.height[k]};
-                to->labels[v] = labelled(c, &column, chain, v);
-                to->values[v] = labelled_column(c, plot);
-            }
-        }
-    }
-    return true;
 }
 
 /* ---- an overlay above the cells ---- */
 
-/* px that the cells' stacks need at least; 0: there are none. */
-static int cells_least(const struct bead_cells *c, struct bead_stack_reach *reach)
+/* One profile for all chains, in the first row; headings in a line above it where there are no cells for them. */
+static void add_overlay(const struct bead_cells *c, bool alone, struct bead_movie_layout *layout)
 {
-    struct column column = column_of(c, 0);
-    if (column.count == 0)
-        return 0;
-    struct bead_stack stack = make_stack(c, &column, reach);
-    double least = bead_stack_fixed(&stack);
-    for (size_t k = 0; k < column.count; k++)
-        least += (double)c->rows * stack.least[k];
-    return whole(least);
-}
-
-/* One profile for all chains; headings in a row above it where there are no cells to stand in. Returns the px taken; < 0: there is
- * no room. */
-static int place_overlay(const struct bead_cells *c, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
-{
-    size_t view = bead_cells_overlay(c), chains = layout->chain_count;
-    const double em = c->wants->look->tick;
-    int cells = cells_least(c, reach), top = c->area.y, last = left_of(c, c->columns - 1) + c->width[0];
-    int first = left_of(c, 0), names = cells == 0 ? heading_height(c) : 0, head = names + above(c, view);
-    bool labels = c->axes && (cells == 0 || c->columns > 1);
-    int tail = (labels ? whole(c->wants->below_beads) : 0) + (cells > 0 ? whole(between_rows * em) : 0);
-    int most = c->area.height - cells - head - tail, least = whole(fmax(12, few(c) ? 1.6 * em : overlay_least * em));
-    int height = cells == 0 ? most : (int)fmin(most, fmax(least, overlay_part * (c->area.height - head - tail)));
-    if (height < least)
-        return -1;
-    for (size_t i = 0; i < chains; i++) {
-        struct bead_movie_chain *chain = &layout->chains[i];
-        int each = (last - first) / (int)chains, x = first + (int)i * each;
-        if (names > 0)
-            chain->heading = (struct bead_rect){x, top, each - whole(em), names};
-        chain->plot[view] = (struct bead_rect){first, top + head, last - first, height};
-        chain->labels[view] = labels && i == 0;
-        chain->values[view] = labelled_column(c, 0) && i == 0;
+    size_t view = bead_cells_overlay(c);
+    bool labels = c->axes && (alone || c->columns > 1);
+    struct bead_insets reach = {.top = above(c, view) + (alone ? heading_height(c) : 0),
+                                .bottom = (labels ? bead_cells_whole(c->wants->below_beads) : 0) +
+                                          (alone ? 0 : bead_cells_whole(between_rows * c->wants->look->tick))};
+    c->grid->rows.lane[c->grid->rows.count++] = (struct bead_lane){.least = 0};
+    for (size_t i = 0; i < layout->chain_count; i++) {
+        c->grid->boxes[i * c->wants->view_count + view] = (struct bead_layout_box){.columns = c->columns, .reach = reach};
+        layout->chains[i].labels[view] = labels && i == 0;
+        layout->chains[i].values[view] = labelled_column(c, 0) && i == 0;
     }
-    return head + height + tail;
 }
 
-bool bead_cells_place(struct bead_cells *c, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
+/* The overlay gives way to the cells, down to its own least. False: there is no room. */
+static bool size_overlay(const struct bead_cells *c, bool alone)
 {
-    int taken = 0;
-    if (!choose_width(c))
+    struct bead_lane *overlay = c->grid->rows.lane;
+    double least = ceil(fmax(12, overlay_least[c->level->titles] * c->wants->look->tick));
+    double part = overlay_part * (c->area.height - overlay->reach[0] - overlay->reach[1]);
+    double room = c->area.height - ceil(bead_lanes_least(&c->grid->rows));
+    overlay->least = floor(alone ? room : fmin(room, fmax(least, part)));
+    return overlay->least >= least;
+}
+
+/* ---- places ---- */
+
+static void place_headings(const struct bead_cells *c, bool above_all, struct bead_movie_layout *layout)
+{
+    const struct bead_layout_box *boxes = c->grid->boxes;
+    struct column first = column_of(c, 0);
+    size_t view = above_all ? bead_cells_overlay(c) : first.view[0];
+    if (!c->headings || (!above_all && first.count == 0))
+        return;
+    for (size_t i = 0; i < layout->chain_count; i++) {
+        const struct bead_layout_box *box = &boxes[i * c->wants->view_count + view];
+        const struct bead_lane *row = &c->grid->rows.lane[box->row];
+        int each = box->at.width / (int)layout->chain_count, top = (int)(row->at - row->reach[0]);
+        layout->chains[i].heading =
+            (struct bead_rect){box->at.x - c->beyond[0], top, box->at.width + c->beyond[0], heading_height(c)};
+        if (above_all) {
+            layout->chains[i].heading.x = box->at.x + (int)i * each;
+            layout->chains[i].heading.width = each - bead_cells_whole(c->wants->look->tick);
+        }
+    }
+}
+
+static void place_plots(const struct bead_cells *c, struct bead_movie_layout *layout)
+{
+    for (size_t i = 0; i < c->grid->count; i++) {
+        size_t view = i % c->wants->view_count;
+        struct bead_rect *plot = &layout->chains[i / c->wants->view_count].plot[view];
+        *plot = c->grid->boxes[i].at;
+        if (along_chain(c, view))
+            continue;
+        plot->x -= c->beyond[0];
+        plot->width += c->beyond[0] + c->beyond[1];
+    }
+}
+
+bool bead_cells_place(struct bead_cells *c, struct bead_movie_layout *layout)
+{
+    struct bead_lanes *rows = &c->grid->rows;
+    bool overlaid = bead_cells_overlay(c) < c->wants->view_count, alone = overlaid && c->wants->view_count == 1;
+    if (!divide_across(c))
         return false;
-    if (bead_cells_overlay(c) < c->wants->view_count)
-        taken = place_overlay(c, reach, layout);
-    bool placed = taken >= 0;
-    for (size_t h = 0; placed && h < halves(c); h++)
-        placed = place_stacks(c, h, c->area.y + taken, c->area.height - taken, reach, layout);
-    return placed;
+    rows->count = 0;
+    rows->spring = 0.5;
+    bead_lanes_within(rows, c->area.y, c->area.height);
+    if (overlaid)
+        add_overlay(c, alone, layout);
+    for (size_t h = 0; h < halves(c); h++) {
+        struct column column = column_of(c, h);
+        for (size_t i = 0; i < c->rows * column.count; i++)
+            add_view(c, &column, i / column.count, i % column.count, layout);
+    }
+    bead_layout_reach(c->grid, false);
+    if ((overlaid && !size_overlay(c, alone)) || !bead_layout_divide(c->grid, NULL))
+        return false;
+    place_headings(c, alone, layout);
+    place_plots(c, layout);
+    return true;
 }

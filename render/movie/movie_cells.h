@@ -1,43 +1,42 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cells of a movie's frame: how many stand side by side, and what their views get. movie_layout.c asks for it. */
-#ifndef BEADREEL_RENDER_MOVIE_MOVIE_CELLS_H
-#define BEADREEL_RENDER_MOVIE_MOVIE_CELLS_H
+/* The cells of a movie's frame: their number side by side, and the places of their views. Used by movie_layout.c. */
+#pragma once
 
+#include <math.h>
+
+#include "render/draw/layout.h"
 #include "render/movie/movie_layout.h"
 
-/* What is left out, in this order, until the rest fits. */
-enum bead_level {
-    BEAD_LEVEL_EVERYTHING,
-    BEAD_LEVEL_NO_FACTS,
-    BEAD_LEVEL_FEW_LABELS, /* no title, no titles of vertical axes, small gaps */
-    BEAD_LEVEL_TIGHT,      /* ticks without labels at vertical axes */
-    BEAD_LEVEL_NO_HEADINGS,
-    BEAD_LEVEL_NO_AXES,
-    BEAD_LEVEL_VIEWS_ONLY,
-    BEAD_LEVELS
+/* Frames leave out more from one level to the next, until the rest fits. */
+enum { BEAD_LEVELS = 7 };
+struct bead_level {
+    bool facts, titles, values, headings, axes, words; /* shown: titles, also of the film; values of vertical axes; the clock */
+    double views, rows;                                /* gaps between them, in units of the ticks' font size */
+    double heading;                                    /* line of a heading, in units of its font size */
+    double least[3];                                   /* heights that beads, images and other views need, in those of the ticks */
+    double least_px;                                   /* and that of all but images */
 };
+extern const struct bead_level bead_levels[BEAD_LEVELS];
 
 struct bead_cells {
     const struct bead_movie_wants *wants;
-    enum bead_level level;
+    const struct bead_level *level;
     enum bead_layout layout; /* never AUTO */
     size_t columns, rows;
     bool axes, headings, share; /* share: images must have theirs */
     bool label_lines;
-    struct bead_rect area; /* px: of all cells with their axes */
+    struct bead_rect area;         /* px: of all cells with their axes */
+    struct bead_layout_grid *grid; /* with room for all: a box for each view of each chain */
 
-    /* By bead_cells_place. */
-    int width[2], beyond[2]; /* px: of plots, by halves of a cell; of panels beyond them */
+    int beyond[2]; /* px: of panels beyond their plots, by bead_cells_place */
 };
 
-/* Chooses rectangles for headings and plots; `reach` has room for all plots of the frame. False: there is no room. */
-BEAD_CHECK bool bead_cells_place(struct bead_cells *cells, struct bead_stack_reach *reach, struct bead_movie_layout *layout);
+/* Whole pixels. */
+static inline int bead_cells_whole(double x)
+{
+    return (int)ceil(x);
+}
+/* Chooses rectangles for headings and plots. False: there is no room. */
+BEAD_CHECK bool bead_cells_place(struct bead_cells *cells, struct bead_movie_layout *layout);
 /* The view that an overlay shows for all chains; view_count: none. */
 size_t bead_cells_overlay(const struct bead_cells *cells);
-
-static inline bool bead_level_titles(enum bead_level level)
-{
-    return level < BEAD_LEVEL_FEW_LABELS;
-}
-
-#endif

@@ -1,143 +1,127 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of a movie's frame. For every number of columns that the scene allows, levels leave out words, headings and axes one
- * after the other until the cells fit; the arrangement that leaves out least is taken. composer.c asks for it once. */
+ * after the other until the cells fit; the arrangement that leaves out least wins. */
 #include "render/movie/movie_layout.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "render/movie/movie_cells.h"
-#include "render/view/orientation.h"
 
 /* Frames less wide than this, in heights, have the bar beside the clock. */
 static const double wide_frame = 1.5;
-/* A cell looks best with this width, in heights; what a level, an empty cell and a wrong shape cost. */
+/* The best width of a cell, in heights; the costs of a level and of an empty cell. */
 static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1;
 enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
 
-/* What surrounds the cells at one level, px. */
+/* From top to bottom. */
+enum { CLOCK, TITLE, FACTS, TRUST, CELLS, CAPTION, ROWS };
+
+/* The surroundings of the cells at one level, px. */
 struct frame {
-    int margin, header, bottom, right; /* header: below the margin */
-    int time_height, line_height, lines, caption;
+    struct bead_lane row[ROWS];
+    int margin, right; /* right: of the cells, without the margin */
     int bar_gap, bar_width;
     bool title_beside; /* the clock; else in a line of its own, or nowhere */
     bool lying;        /* the bar */
 };
 
-static int whole(double x)
+static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *level)
 {
-    return (int)ceil(x);
+    return w->axes && level->axes && !w->colourless;
 }
 
-static bool has_bar(const struct bead_movie_wants *w, enum bead_level level)
-{
-    return w->axes && level < BEAD_LEVEL_NO_AXES && !w->colourless;
-}
-
-static bool lies(const struct bead_movie_wants *w)
-{
-    return w->width < wide_frame * w->height;
-}
-
-/* Room for the title right of the clock, which stands above the first panel. */
+/* Room for the title right of the clock, which is above the first panel. */
 static double beside_clock(const struct bead_movie_wants *w, const struct frame *f)
 {
     return w->width - 2 * f->margin - f->right - w->left - w->time_width - 2 * w->look->gap;
 }
 
-static struct frame measure_frame(const struct bead_movie_wants *w, enum bead_level level)
+/* Clock and lines of words above the cells, the bar beside them. */
+static void measure_words(const struct bead_movie_wants *w, const struct bead_level *level, struct frame *f)
 {
     const struct bead_look *look = w->look;
-    struct frame f = {.lying = has_bar(w, level) && lies(w)};
-    if (!w->axes || level == BEAD_LEVEL_VIEWS_ONLY) {
-        f.caption = w->axes ? whole(w->caption_lines * w->caption_line) : 0;
-        f.bottom = f.caption;
-        return f;
-    }
-    f.margin = whole(look->gap);
-    f.time_height = whole(1.45 * look->title);
-    f.line_height = whole(1.35 * look->label);
-    f.bar_width = whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
-    f.bar_gap = whole(0.8 * look->tick);
-    if (has_bar(w, level) && !f.lying)
-        f.right = f.bar_gap + whole(fmax(f.bar_width + w->bar, w->bar_title));
-    bool title = w->title_width > 0 && level < BEAD_LEVEL_FEW_LABELS;
-    f.title_beside = title && !f.lying && w->title_width <= beside_clock(w, &f);
-    f.lines = (level == BEAD_LEVEL_EVERYTHING ? 1 + (title && !f.title_beside) : 0) + w->trust;
-    int first = f.lying ? whole(fmax(f.time_height, f.bar_width + w->bar_below + 0.2 * look->tick)) : f.time_height;
-    f.header = first + f.lines * f.line_height + (level < BEAD_LEVEL_FEW_LABELS && !w->headings ? whole(0.5 * look->gap) : 0);
-    /* The scene asks for captions: they are never left out. */
-    f.caption = whole(w->caption_lines * w->caption_line);
-    f.bottom = f.margin + f.caption + (f.caption > 0 ? whole(0.5 * look->gap) : 0);
+    int line = bead_cells_whole(1.35 * look->label), clock = bead_cells_whole(1.45 * look->title);
+    f->margin = bead_cells_whole(look->gap);
+    f->bar_width = bead_cells_whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
+    f->bar_gap = bead_cells_whole(0.8 * look->tick);
+    if (has_bar(w, level) && !f->lying)
+        f->right = f->bar_gap + bead_cells_whole(fmax(f->bar_width + w->bar, w->bar_title));
+    bool title = w->title_width > 0 && level->titles;
+    f->title_beside = title && !f->lying && w->title_width <= beside_clock(w, f);
+    f->row[CLOCK].least = f->lying ? bead_cells_whole(fmax(clock, f->bar_width + w->bar_below + 0.2 * look->tick)) : clock;
+    f->row[TITLE].least = title && level->facts && !f->title_beside ? line : 0;
+    f->row[FACTS].least = level->facts ? line : 0;
+    f->row[TRUST].least = w->trust ? line : 0;
+    f->row[CELLS].gap = level->titles && !w->headings ? bead_cells_whole(0.5 * look->gap) : 0;
+}
+
+static struct frame measure_frame(const struct bead_movie_wants *w, const struct bead_level *level)
+{
+    struct frame f = {.lying = has_bar(w, level) && w->width < wide_frame * w->height};
+    bool words = w->axes && level->words;
+    if (words)
+        measure_words(w, level, &f);
+    /* Captions are never left out: the scene asks for them. */
+    f.row[CAPTION].least = w->axes ? bead_cells_whole(w->caption_lines * w->caption_line) : 0;
+    f.row[CAPTION].gap = words && f.row[CAPTION].least > 0 ? bead_cells_whole(0.5 * w->look->gap) : 0;
+    f.row[CELLS].share = f.row[CELLS].least = 1;
     return f;
 }
 
-static struct bead_cells make_cells(const struct bead_movie_wants *w, const struct frame *f, enum bead_level level,
-                                    enum bead_layout layout, size_t columns)
+/* False: there is no room for cells. */
+static bool divide_frame(const struct bead_movie_wants *w, struct frame *f)
 {
-    double room = (w->width - 2 * f->margin - f->right - (layout == BEAD_LAYOUT_BESIDE ? 2 : 1) * w->left) / (double)columns;
-    room = (layout == BEAD_LAYOUT_BESIDE ? 0.36 : 1) * room - 1.3 * w->look->tick;
-    struct bead_cells cells = {.wants = w,
-                               .level = level,
-                               .layout = layout,
-                               .columns = columns,
-                               .rows = (w->chain_count + columns - 1) / columns,
-                               .axes = w->axes && level < BEAD_LEVEL_NO_AXES,
-                               .headings = w->axes && w->headings &&
-                                           level<BEAD_LEVEL_NO_HEADINGS, .label_lines = w->heading_width> room &&
-                                           level == BEAD_LEVEL_EVERYTHING};
-    int top = f->margin + f->header;
-    cells.area = (struct bead_rect){f->margin, top, w->width - 2 * f->margin - f->right, w->height - top - f->bottom};
-    return cells;
+    struct bead_lanes rows = {.lane = f->row, .count = ROWS, .from = f->margin, .length = w->height - 2 * f->margin};
+    return bead_lanes_divide(&rows);
 }
 
-enum bead_view_across bead_movie_across(const struct bead_movie_wants *w, size_t view)
+static struct bead_rect row_of(const struct frame *f, size_t row, int left, int right)
 {
-    return bead_orientation_across(w->orientation, w->views[view]->info);
+    return (struct bead_rect){left, (int)f->row[row].at, right - left, (int)f->row[row].size};
 }
 
-static void place_words(const struct bead_movie_wants *w, const struct frame *f, enum bead_level level,
-                        struct bead_movie_layout *layout)
+/* Derives the rest from the level, the columns and the frame. */
+static void complete(struct bead_cells *c, const struct frame *f)
 {
-    const struct bead_rect *first = &layout->chains[0].plot[0];
-    int left = first->x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? layout->beyond[0] : 0),
-        right = w->width - f->margin - f->right;
-    int gap = whole(w->look->gap);
-    int time = whole(w->time_width) < right - left ? whole(w->time_width) : right - left;
-    int y = f->margin + f->header - f->lines * f->line_height;
-    if (f->time_height == 0 || right <= left)
+    const struct bead_movie_wants *w = c->wants;
+    bool beside = c->layout == BEAD_LAYOUT_BESIDE;
+    double room = (w->width - 2 * f->margin - f->right - (beside ? 2 : 1) * w->left) / (double)c->columns;
+    c->rows = (w->chain_count + c->columns - 1) / c->columns;
+    c->axes = w->axes && c->level->axes;
+    c->headings = w->axes && w->headings && c->level->headings;
+    c->label_lines = w->heading_width > (beside ? 0.36 : 1) * room - 1.3 * w->look->tick && c->level->facts;
+    c->area = row_of(f, CELLS, f->margin, w->width - f->margin - f->right);
+}
+
+static void place_words(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
+{
+    int left = layout->chains[0].plot[0].x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? layout->beyond[0] : 0);
+    int right = w->width - f->margin - f->right, gap = bead_cells_whole(w->look->gap),
+        height = bead_cells_whole(1.45 * w->look->title);
+    int time = bead_cells_whole(w->time_width) < right - left ? bead_cells_whole(w->time_width) : right - left;
+    if (f->row[CLOCK].size == 0 || right <= left)
         return;
-    if (level < BEAD_LEVEL_FEW_LABELS && !w->headings)
-        y -= whole(0.5 * w->look->gap);
-    layout->time = (struct bead_rect){left, f->margin, time, f->time_height};
+    layout->time = (struct bead_rect){left, f->margin, time, height};
     layout->words_left = f->lying || w->width < w->time_width + 22 * w->look->label;
-    struct bead_rect line = {left, y, right - left, f->line_height};
     if (f->title_beside)
-        layout->title = (struct bead_rect){left + time + 2 * gap, f->margin, right - left - time - 2 * gap, f->time_height};
-    else if (level == BEAD_LEVEL_EVERYTHING && w->title_width > 0) {
-        layout->title = line;
-        line.y += line.height;
+        layout->title = (struct bead_rect){left + time + 2 * gap, f->margin, right - left - time - 2 * gap, height};
+    struct bead_rect *lines[ROWS] = {[TITLE] = &layout->title, [FACTS] = &layout->facts, [TRUST] = &layout->trust};
+    for (size_t row = TITLE; row <= TRUST; row++) {
+        if (f->row[row].size > 0)
+            *lines[row] = row_of(f, row, left, right);
     }
-    if (level == BEAD_LEVEL_EVERYTHING) {
-        layout->facts = line;
-        line.y += line.height;
-    }
-    if (w->trust)
-        layout->trust = line;
 }
 
 static void place_standing_bar(const struct bead_movie_wants *w, const struct frame *f, const struct bead_cells *cells,
                                struct bead_movie_layout *layout)
 {
-    int top = w->height, bottom = 0, pad = whole(0.6 * w->look->tick), x = w->width - f->margin - f->right + f->bar_gap;
-    for (size_t i = 0; i < layout->chain_count * w->view_count; i++) {
-        const struct bead_rect *plot = &layout->chains[i / w->view_count].plot[i % w->view_count];
-        top = plot->y < top ? plot->y : top;
-        bottom = plot->y + plot->height > bottom ? plot->y + plot->height : bottom;
-    }
-    layout->bar_title = (struct bead_rect){x, cells->area.y, w->width - f->margin - x, f->line_height};
+    int pad = bead_cells_whole(0.6 * w->look->tick), x = w->width - f->margin - f->right + f->bar_gap;
+    struct bead_insets in = bead_layout_insets(cells->grid, (struct bead_rect){0, 0, w->width, w->height});
+    int top = (int)in.top, bottom = w->height - (int)in.bottom;
+    layout->bar_title = (struct bead_rect){x, cells->area.y, w->width - f->margin - x, bead_cells_whole(1.35 * w->look->label)};
     if (w->headings && cells->headings) /* on one line with these */
-        layout->bar_title.height = whole(1.45 * w->look->title);
+        layout->bar_title.height = bead_cells_whole(1.45 * w->look->title);
     int least = layout->bar_title.y + layout->bar_title.height;
     top = (top > least ? top : least) + pad;
     bottom -= pad;
@@ -150,53 +134,54 @@ static void place_standing_bar(const struct bead_movie_wants *w, const struct fr
 /* Right of the clock, as far as there is room. */
 static void place_lying_bar(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
 {
-    int pad = whole(1.2 * w->look->tick), title = whole(w->bar_title + 0.5 * w->look->gap), most = (int)(0.4 * w->width);
-    int right = w->width - f->margin - pad, left = layout->time.x + layout->time.width + whole(w->look->gap) + title + pad;
+    int pad = bead_cells_whole(1.2 * w->look->tick), title = bead_cells_whole(w->bar_title + 0.5 * w->look->gap),
+        most = (int)(0.4 * w->width);
+    int right = w->width - f->margin - pad,
+        left = layout->time.x + layout->time.width + bead_cells_whole(w->look->gap) + title + pad;
     int length = right - left;
     length = length < most ? length : most;
     if (length < 4 * w->look->tick)
         return;
-    layout->bar = (struct bead_rect){right - length, f->margin + whole(0.2 * w->look->tick), f->bar_width, 0};
+    layout->bar = (struct bead_rect){right - length, f->margin + bead_cells_whole(0.2 * w->look->tick), f->bar_width, 0};
     layout->bar.height = layout->bar.width;
     layout->bar.width = length;
-    layout->bar_title = (struct bead_rect){layout->bar.x - pad - title, f->margin, title, f->time_height};
+    layout->bar_title = (struct bead_rect){layout->bar.x - pad - title, f->margin, title, layout->time.height};
 }
 
 /* ---- the choice ---- */
 
-static bool fits(const struct bead_movie_wants *w, enum bead_level level, enum bead_layout layout, size_t columns, bool share,
-                 struct bead_stack_reach *reach, struct bead_movie_layout *to)
+/* The distance of an arrangement of cells from the ideal. */
+static double cost_of(const struct bead_cells *c)
 {
-    struct frame f = measure_frame(w, level);
-    struct bead_cells cells = make_cells(w, &f, level, layout, columns);
-    cells.share = share;
-    if (cells.area.height < 1 || !bead_cells_place(&cells, reach, to))
-        return false;
-    to->layout = layout;
-    to->axes = cells.axes;
-    to->titles = bead_level_titles(level);
-    to->label_lines = cells.label_lines;
-    to->overlay = bead_cells_overlay(&cells);
-    to->beyond[0] = cells.beyond[0];
-    to->beyond[1] = cells.beyond[1];
-    place_words(w, &f, level, to);
-    if (f.lying)
-        place_lying_bar(w, &f, to);
-    else if (has_bar(w, level))
-        place_standing_bar(w, &f, &cells, to);
-    if (f.caption > 0)
-        to->caption = (struct bead_rect){f.margin, w->height - f.margin - f.caption, w->width - 2 * f.margin, f.caption};
-    return true;
+    double width = (double)c->area.width / (double)c->columns, height = (double)c->area.height / (double)c->rows;
+    double holes = (double)(c->rows * c->columns - c->wants->chain_count) / (double)c->wants->chain_count;
+    return level_costs * (double)(c->level - bead_levels) + bead_layout_misfit(width, height, best_shape) + hole_costs * holes;
 }
 
-/* How far an arrangement is from what one would like; lower is better. */
-static double cost_of(const struct bead_movie_wants *w, enum bead_level level, enum bead_layout layout, size_t columns)
+static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
 {
-    struct frame f = measure_frame(w, level);
-    struct bead_cells cells = make_cells(w, &f, level, layout, columns);
-    double width = (double)cells.area.width / (double)columns, height = fmax(1, (double)cells.area.height / (double)cells.rows);
-    double holes = (double)(cells.rows * columns - w->chain_count) / (double)w->chain_count;
-    return level_costs * level + fabs(log(width / (height * best_shape))) + hole_costs * holes;
+    const struct bead_movie_wants *w = c->wants;
+    struct frame f = measure_frame(w, c->level);
+    if (!divide_frame(w, &f))
+        return false;
+    complete(c, &f);
+    if (!bead_cells_place(c, to))
+        return false;
+    to->layout = c->layout;
+    to->axes = c->axes;
+    to->titles = c->level->titles;
+    to->label_lines = c->label_lines;
+    to->overlay = bead_cells_overlay(c);
+    to->beyond[0] = c->beyond[0];
+    to->beyond[1] = c->beyond[1];
+    place_words(w, &f, to);
+    if (f.lying)
+        place_lying_bar(w, &f, to);
+    else if (has_bar(w, c->level))
+        place_standing_bar(w, &f, c, to);
+    if (f.row[CAPTION].size > 0)
+        to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
+    return true;
 }
 
 /* Least and most columns of cells. */
@@ -222,7 +207,7 @@ static enum bead_layout resolved(const struct bead_movie_wants *w)
     return w->layout == BEAD_LAYOUT_AUTO && overlays ? BEAD_LAYOUT_OVERLAY : w->layout;
 }
 
-/* What a layout is called that has so many columns. */
+/* The name of a layout with this number of columns. */
 static enum bead_layout named(const struct bead_movie_wants *w, enum bead_layout layout, size_t columns)
 {
     if (layout != BEAD_LAYOUT_AUTO)
@@ -240,45 +225,47 @@ static void forget(struct bead_movie_layout *layout)
 }
 
 /* The best of all levels and numbers of columns. False: the frame is too small. */
-static bool choose(const struct bead_movie_wants *w, bool share, struct bead_stack_reach *reach, struct bead_movie_layout *layout)
+static bool choose(const struct bead_movie_wants *w, bool share, struct bead_layout_grid *grid, struct bead_movie_layout *layout)
 {
     enum bead_layout asked = resolved(w);
-    size_t range[2], best = 0;
-    enum bead_level at = BEAD_LEVELS;
+    struct bead_cells best = {.level = NULL};
+    const struct bead_level *end = bead_levels + BEAD_LEVELS;
+    size_t range[2];
     double least = INFINITY;
     column_range(w, asked, range);
     for (size_t columns = range[0]; columns <= range[1]; columns++) {
-        enum bead_layout name = named(w, asked, columns);
-        for (enum bead_level level = w->axes ? BEAD_LEVEL_EVERYTHING : BEAD_LEVEL_VIEWS_ONLY; level < BEAD_LEVELS; level++) {
+        struct bead_cells cells = {
+            .wants = w, .layout = named(w, asked, columns), .columns = columns, .share = share, .grid = grid};
+        for (cells.level = w->axes ? bead_levels : end - 1; cells.level < end; cells.level++) {
             forget(layout);
-            if (!fits(w, level, name, columns, share, reach, layout))
-                continue;
-            double cost = cost_of(w, level, name, columns);
-            best = cost < least ? columns : best;
-            at = cost < least ? level : at;
-            least = fmin(least, cost);
-            break;
+            if (fits(&cells, layout))
+                break;
+        }
+        if (cells.level < end && cost_of(&cells) < least) {
+            best = cells;
+            least = cost_of(&cells);
         }
     }
     forget(layout);
-    return best > 0 && fits(w, at, named(w, asked, best), best, share, reach, layout);
+    return best.level && fits(&best, layout);
 }
 
 enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    /* Grids may have empty cells. */
-    struct bead_stack_reach *reach = calloc((2 * wants->chain_count + MOST_COLUMNS) * (wants->view_count + 1), sizeof *reach);
-    *layout = (struct bead_movie_layout){.chain_count = wants->chain_count};
-    layout->chains = calloc(wants->chain_count + 1, sizeof *layout->chains);
-    if (!layout->chains || !reach)
+    size_t chains = wants->chain_count, views = wants->view_count;
+    struct bead_layout_grid grid;
+    *layout = (struct bead_movie_layout){.chain_count = chains, .chains = calloc(chains + 1, sizeof *layout->chains)};
+    /* Grids may have empty cells, and cells two plots side by side. */
+    enum bead_error err =
+        bead_layout_make(2 * (chains + MOST_COLUMNS), (2 * chains + MOST_COLUMNS) * (views + 1), chains * views, &grid, msg);
+    if (!err && !layout->chains)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
-    else if (wants->chain_count > MOST_CHAINS || (!choose(wants, true, reach, layout) && !choose(wants, false, reach, layout)))
+    if (!err && (chains > MOST_CHAINS || (!choose(wants, true, &grid, layout) && !choose(wants, false, &grid, layout))))
         err = bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
-                        wants->height, wants->view_count, wants->chain_count);
+                        wants->height, views, chains);
     if (err)
         bead_movie_layout_free(layout);
-    free(reach);
+    bead_layout_free(&grid);
     return err;
 }
 

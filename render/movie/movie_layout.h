@@ -1,53 +1,51 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Layout of a movie's frame: rectangles only. The clock and words above, captions at the bottom, a colour bar at the right or, in
  * frames that are not wide, beside the clock. Between them cells, one for each chain: a heading and the chain's views, below each
- * other. The cells stand below each other, side by side, or both; an overlay has one profile for all chains above the cells, and
- * with `beside` the images of a cell stand at the right of its other views.
+ * other. The cells are below each other, side by side, or both; an overlay has one profile for all chains above the cells, and
+ * with `beside` the images of a cell are at the right of its other views.
  *
  * The space-time images of up to four chains have BEAD_IMAGE_SHARE of the frame's area together, counted in pixels of the images,
  * without axes and margins. What does not fit gives way, in this order: facts, title, titles of axes and gaps, labels of vertical
  * axes, headings, axes, clock. Rectangles never overlap and never leave the frame. */
-#ifndef BEADREEL_RENDER_MOVIE_MOVIE_LAYOUT_H
-#define BEADREEL_RENDER_MOVIE_MOVIE_LAYOUT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/error.h"
 #include "beadreel/frame.h"
-#include "beadreel/look.h"
 #include "beadreel/scene.h"
 #include "beadreel/view.h"
-#include "render/view/stack.h"
+#include "render/draw/axis.h"
+#include "render/view/orientation.h"
 
 #define BEAD_IMAGE_SHARE 0.35
 
-/* What is to be arranged; lengths in px. */
+/* The parts to be arranged; lengths in px. */
 struct bead_movie_wants {
     int width, height;
     const struct bead_look *look;
     enum bead_layout layout;
     enum bead_orientation orientation; /* of images */
     size_t chain_count;
-    const struct bead_view_type *views[BEAD_STACK_VIEWS];
+    const struct bead_view_type *views[BEAD_MOST_VIEWS];
     size_t view_count;
-    bool axes;     /* false: nothing but the views */
-    bool headings; /* some chain has one */
-    double
-        heading_width;   /* of the widest with its label beside the name; where cells are narrower, it stands below. 0: no labels */
-    bool trust;          /* a line about the horizon, left out after the other words */
-    int caption_lines;   /* reserved at the bottom */
-    double caption_line; /* height of one */
-    bool follow;         /* beads and profiles follow the front, with bead axes of their own */
-    bool sensors;        /* some bead has a sensor, whose name is shown */
-    double bead_height;  /* of the largest bead in a row that moves, in a plot as wide as the frame */
-    bool striker, wall;  /* some chain has one, which needs room beside its beads */
-    size_t beads;        /* of the longest chain, in units of the mean distance of its beads */
-    bool colourless;     /* no view shows values as colours: no bar */
-    bool same_beads;     /* all chains have the same bead axis: only the lowest is labelled */
-    double time_width;   /* of the widest time that is shown */
-    double title_width;  /* of the title; 0: none */
-    double left;         /* how far ticks and labels of vertical axes reach out of plots */
+    bool axes;            /* false: nothing but the views */
+    bool headings;        /* some chain has one */
+    double heading_width; /* of the widest with its label beside the name; where cells are narrower, it goes below. 0: no labels */
+    bool trust;           /* a line about the horizon, left out after the other words */
+    int caption_lines;    /* reserved at the bottom */
+    double caption_line;  /* height of one */
+    bool follow;          /* beads and profiles follow the front, with bead axes of their own */
+    bool sensors;         /* some bead has a sensor, whose name is shown */
+    double bead_height;   /* of the largest bead in a row that moves, in a plot as wide as the frame */
+    bool striker, wall;   /* some chain has one, which needs room beside its beads */
+    size_t beads;         /* of the longest chain, in units of the mean distance of its beads */
+    bool colourless;      /* no view shows values as colours: no bar */
+    bool same_beads;      /* all chains have the same bead axis: only the lowest is labelled */
+    double time_width;    /* of the widest time that is shown */
+    double title_width;   /* of the title; 0: none */
+    double left;          /* how far ticks and labels of vertical axes reach out of plots */
     double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
     double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
     double bar, bar_below, bar_title;              /* ticks and labels beside the bar, below it; the width of its title */
@@ -55,9 +53,9 @@ struct bead_movie_wants {
 
 struct bead_movie_chain {
     struct bead_rect heading; /* width 0: none, also below */
-    struct bead_rect plot[BEAD_STACK_VIEWS];
-    bool labels[BEAD_STACK_VIEWS]; /* this view labels its horizontal axis */
-    bool values[BEAD_STACK_VIEWS]; /* and its vertical one */
+    struct bead_rect plot[BEAD_MOST_VIEWS];
+    bool labels[BEAD_MOST_VIEWS]; /* this view labels its horizontal axis */
+    bool values[BEAD_MOST_VIEWS]; /* and its vertical one */
 };
 
 struct bead_movie_layout {
@@ -69,16 +67,17 @@ struct bead_movie_layout {
     size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
     struct bead_rect time, title, facts, trust, caption;
     struct bead_rect bar, bar_title; /* a bar that is wider than high lies, with its low end at the left */
-    bool words_left;                 /* title and facts stand below the clock, from the left; else at the right */
+    bool words_left;                 /* title and facts are below the clock, from the left; else at the right */
     struct bead_movie_chain *chains; /* of the layout */
     size_t chain_count;
 };
 
-/* What the horizontal axis of a view counts. */
-enum bead_view_across bead_movie_across(const struct bead_movie_wants *wants, size_t view);
+/* The quantity along the horizontal axis of a view. */
+static inline enum bead_view_across bead_movie_across(const struct bead_movie_wants *wants, size_t view)
+{
+    return bead_orientation_across(wants->orientation, wants->views[view]->info);
+}
 /* Errors: SCENE (frame too small for so many views), MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct bead_movie_layout *layout,
                                               struct bead_message *msg);
 void bead_movie_layout_free(struct bead_movie_layout *layout);
-
-#endif

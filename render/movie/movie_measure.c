@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures what a movie's frame is to hold, before its layout: axes, words, captions. Part of creating a composer. */
+/* Parts of creating a composer: measures axes, words and captions before the layout, and after it makes the cameras of a movie that
+ * follows the front: windows of one length, and the widths of the plots that show them. */
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "render/draw/chain_axis.h"
-#include "render/movie/captions.h"
+#include "render/draw/words.h"
 #include "render/movie/composer_private.h"
 #include "render/view/camera.h"
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
+#include "sim/chain/system.h"
 
-/* The margin of vertical axes becomes so much wider at most for a title below them, in units of the font size. */
+/* The most by which a title below vertical axes widens their margin, in units of the font size. */
 static const double most_wider = 1.2;
 
-/* How far an axis reaches out of a plot. */
+/* px that an axis reaches out of a plot. */
 static double reach(const struct bead_look *look, const double range[2], const char *unit, enum bead_scale scale, double length,
                     enum bead_side side, const char *title)
 {
@@ -23,7 +25,7 @@ static double reach(const struct bead_look *look, const double range[2], const c
     return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
 }
 
-/* Titles of horizontal axes stand at the left if the margin need not become much wider for them; always where numbers move. */
+/* Titles of horizontal axes go to the left if they make the margin only a little wider; always where numbers move. */
 static void reserve_name(struct bead_composer *c, const char *title)
 {
     double room = bead_panel_name_room(&c->look, title);
@@ -72,7 +74,7 @@ static double reach_left_of(const struct bead_composer *c, const struct bead_vie
     return reach(&c->look, c->setup.range, field->unit, scale, length, BEAD_SIDE_LEFT, NULL);
 }
 
-/* Vertical axes of plots of several heights; the title stands above them. */
+/* Vertical axes of plots of several heights; the title is above them. */
 static double reach_left(const struct bead_composer *c)
 {
     static const double parts[] = {0.08, 0.16, 0.3, 0.6};
@@ -90,32 +92,28 @@ static void measure_bar(struct bead_composer *c)
     const struct bead_field_info *field = bead_chain_field(c->setup.chains[0], c->setup.output->shown.field);
     struct bead_rect standing = {0, 0, 20, (int)(0.6 * w->height)}, lying = {0, 0, (int)(0.4 * w->width), 20};
     char markup[256];
-    double height;
-    struct bead_text_style style = {.family = c->look.family, .size = c->look.label};
+    struct bead_text_style style = bead_words_style(&c->look, c->look.label, c->look.ink, BEAD_ALIGN_MIDDLE);
     w->bar = bead_colour_bar_draw(NULL, &c->look, &c->colours, field->unit, NULL, standing, false, false);
     w->bar_below = bead_colour_bar_draw_lying(NULL, &c->look, &c->colours, field->unit, lying, false, false);
     bead_composer_bar_title(c, markup, sizeof markup);
-    bead_text_size(NULL, &style, markup, &w->bar_title, &height);
-    w->bar_title = ceil(w->bar_title + 1);
+    w->bar_title = ceil(bead_words_width(NULL, &style, markup) + 1);
 }
 
 static void measure_words(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
     char text[2048];
-    double height;
     struct bead_text_style style = bead_clock_style(&c->look);
     bead_clock_text(&c->clock, c->setup.time[1], &c->look, text, sizeof text);
-    bead_text_size(NULL, &style, text, &w->time_width, &height);
-    w->time_width = ceil(w->time_width + 0.5 * c->look.gap);
+    w->time_width = ceil(bead_words_width(NULL, &style, text) + 0.5 * c->look.gap);
     for (size_t i = 0; i < w->chain_count; i++)
         w->heading_width = fmax(w->heading_width, bead_heading_width(&c->look, c->setup.chains[i]));
     if (!c->setup.title || !c->setup.title[0])
         return;
-    style = (struct bead_text_style){.family = c->look.family, .size = c->look.label, .bold = true};
+    style.size = c->look.label;
+    style.bold = true;
     bead_text_escape(c->setup.title, text, sizeof text);
-    bead_text_size(NULL, &style, text, &w->title_width, &height);
-    w->title_width = ceil(w->title_width + 1);
+    w->title_width = ceil(bead_words_width(NULL, &style, text) + 1);
 }
 
 /* The distance of beads in the widest chain, and beads in a window that moves. */
@@ -132,7 +130,7 @@ static void measure_beads(struct bead_composer *c)
         double shown = fmin((double)c->setup.output->movie.window, (double)count);
         w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
         w->beads = count > w->beads ? count : w->beads;
-        w->striker = w->striker || (beads.first == 0 && !spec->equation.name);
+        w->striker = w->striker || (beads.first == 0 && spec->system->has_striker);
         w->wall = w->wall || (beads.last + 1 == bead_chain_beads(chain) && spec->wall != BEAD_WALL_NONE);
         w->bead_height = fmax(w->bead_height, 0.9 * w->width * 2 * radius / (spacing * shown));
     }
@@ -143,15 +141,13 @@ static double measure_time_end(const struct bead_composer *c)
 {
     static const double parts[] = {0.9, 0.4, 0.2};
     struct bead_axis axis;
-    struct bead_text_style style = {.family = c->look.family, .size = c->look.tick};
-    double most = 0, width, height;
+    struct bead_text_style style = bead_words_style(&c->look, c->look.tick, c->look.ink, BEAD_ALIGN_MIDDLE);
+    double most = 0;
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
         bead_axis_make(&axis, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(c->setup.chains[0]), BEAD_SCALE_LINEAR,
                        parts[i] * c->wants.width, c->look.tick, true);
-        for (size_t k = 0; k < axis.count; k++) {
-            bead_text_size(NULL, &style, axis.ticks[k].label, &width, &height);
-            most = fmax(most, width);
-        }
+        for (size_t k = 0; k < axis.count; k++)
+            most = fmax(most, bead_words_width(NULL, &style, axis.ticks[k].label));
     }
     return 0.5 * most;
 }
@@ -163,7 +159,7 @@ static void measure_axes(struct bead_composer *c)
     double length = 0.9 * w->width, numbers[2] = {0, 1};
     w->left = reach_left(c);
     c->name_left = true;
-    if (bead_views_any(c->setup.output->views.kinds, c->setup.output->views.count, BEAD_SHOWS_MODES))
+    if (bead_views_any(&c->setup.output->views, BEAD_SHOWS_MODES))
         reserve_name(c, "mode");
     for (size_t i = 0; i < w->chain_count; i++) {
         w->below_beads = fmax(w->below_beads, reach_along(c, i, length));
@@ -178,15 +174,14 @@ static enum bead_error find_views(struct bead_composer *c, struct bead_message *
 {
     const struct bead_output *output = c->setup.output;
     struct bead_movie_wants *w = &c->wants;
-    for (size_t i = 0; i < output->views.count && i < BEAD_STACK_VIEWS; i++) {
-        const struct bead_view_type *type = bead_view_find(output->views.kinds[i]);
-        if (!type)
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: there is no such view in this program", output->path);
-        w->views[w->view_count++] = type;
+    for (size_t i = 0; i < output->views.count && i < BEAD_MOST_VIEWS; i++) {
+        enum bead_error err = bead_view_take(&output->views, i, &w->views[w->view_count++], msg);
+        if (err)
+            return err;
     }
     if (w->view_count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: views: at least one is needed", output->path);
-    w->colourless = !bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_COLOURS);
+    w->colourless = !bead_views_any(&output->views, BEAD_SHOWS_COLOURS);
     return BEAD_OK;
 }
 
@@ -221,4 +216,55 @@ enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_messa
     measure_bar(c);
     measure_words(c);
     return BEAD_OK;
+}
+
+/* ---- cameras ---- */
+
+/* The width, px, that windows of `width` m can have: beads with radii up to `largest` m must not be higher than their rows. */
+static double window_room(const struct bead_composer *c, double width, double largest)
+{
+    double room = c->layout.chains[0].plot[0].width;
+    for (size_t v = 0; v < c->wants.view_count; v++) {
+        const struct bead_rect *plot = &c->layout.chains[0].plot[v];
+        bool named = c->wants.sensors || c->layout.chains[0].labels[v];
+        double names = named && plot->height > 2.6 * c->look.tick ? 1.35 * c->look.tick : 0;
+        if (bead_view_has(c->wants.views[v], BEAD_SHOWS_BEADS))
+            room = fmin(room, floor(0.9 * (plot->height - names) * width / (2 * largest)));
+    }
+    return room;
+}
+
+/* Makes views that follow the front no wider than `room`. */
+static void narrow_moving(struct bead_composer *c, double room)
+{
+    for (size_t i = 0; i < c->wants.chain_count * c->wants.view_count; i++) {
+        size_t view = i % c->wants.view_count;
+        struct bead_rect *plot = &c->layout.chains[i / c->wants.view_count].plot[view];
+        if (bead_view_has(c->wants.views[view], BEAD_FOLLOWS_FRONT))
+            plot->width = (int)fmin(plot->width, fmax(room, 1));
+    }
+}
+
+/* All windows have one length, so that all beads are drawn to one scale. If the beads would be higher than their rows, the windows
+ * take less of the frame's width. */
+enum bead_error bead_composer_cameras(struct bead_composer *c, struct bead_message *msg)
+{
+    size_t count = c->wants.chain_count;
+    double width = 0, longest = 0, radius, largest = 0;
+    c->cameras = calloc(count, sizeof(struct bead_camera *));
+    if (!c->cameras)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for cameras");
+    for (size_t i = 0; i < count; i++) {
+        struct bead_span beads = bead_composer_beads(c, i);
+        double spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);
+        width = fmax(width, spacing * (double)c->setup.output->movie.window);
+        longest = fmax(longest, spacing * (double)(beads.last - beads.first + 1) + 3.2 * radius); /* with room at the ends */
+        largest = fmax(largest, radius);
+    }
+    width = fmin(width, longest);
+    narrow_moving(c, window_room(c, width, largest));
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < count; i++)
+        err = bead_camera_create(c->setup.chains[i], bead_composer_beads(c, i), width, c->setup.time, &c->cameras[i], msg);
+    return err;
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The comment, the chapters and the subtitles of a movie's file. The sink makes them once the times are known. */
-#include "render/movie/movie_notes.h"
+/* The comment, chapters and subtitles of a movie's file. */
+#include "render/movie/film.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/movie/captions.h"
+#include "render/movie/movie_words.h"
 
 static char *make_comment(const struct bead_scene *scene)
 {
@@ -18,22 +18,25 @@ static char *make_comment(const struct bead_scene *scene)
     return comment;
 }
 
-/* When a caption is seen, s of the film; the end is not after the beginning where it is not. */
-static void find_span(const struct bead_movie_asked *movie, size_t caption, const struct bead_movie_times *times, double span[2])
+/* s of the film from which a caption is seen, and until when; no length: it is not seen. */
+static void find_span(const struct bead_film *film, size_t caption, double span[2])
 {
+    const struct bead_movie_asked *movie = &film->output->movie;
+    const struct bead_movie_times *times = &film->times;
     double until = bead_caption_end(movie, &times->film, caption), length = (double)times->frames / movie->fps;
     span[0] = bead_movie_film_time(times, movie->captions[caption].at, movie->fps);
     span[1] = until < times->time[1] ? bead_movie_film_time(times, until, movie->fps) : length;
 }
 
 /* Chapters begin with the captions. */
-static void fill(const struct bead_movie_asked *movie, const char *title, const struct bead_movie_times *times,
-                 struct bead_movie_notes *notes)
+static void fill(const struct bead_film *film, struct bead_movie_notes *notes)
 {
+    const struct bead_movie_asked *movie = &film->output->movie;
+    const char *title = film->context.scene->title;
     char *text = notes->text;
     for (size_t i = 0; i < movie->caption_count; i++) {
         double span[2];
-        find_span(movie, i, times, span);
+        find_span(film, i, span);
         if (!(span[1] > span[0]))
             continue;
         if (notes->chapter_count == 0 && span[0] > 0)
@@ -59,14 +62,12 @@ static bool reserve(const struct bead_movie_asked *movie, struct bead_movie_note
     return notes->chapters && notes->subtitles && notes->text;
 }
 
-enum bead_error bead_movie_notes_make(const struct bead_output *output, const struct bead_scene *scene,
-                                      const struct bead_movie_times *times, struct bead_movie_notes *notes,
-                                      struct bead_message *msg)
+enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes, struct bead_message *msg)
 {
-    *notes = (struct bead_movie_notes){.comment = make_comment(scene)};
-    if (!notes->comment || !reserve(&output->movie, notes))
+    *notes = (struct bead_movie_notes){.comment = make_comment(film->context.scene)};
+    if (!notes->comment || !reserve(&film->output->movie, notes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the notes of a movie");
-    fill(&output->movie, scene->title, times, notes);
+    fill(film, notes);
     return BEAD_OK;
 }
 
@@ -76,5 +77,4 @@ void bead_movie_notes_free(struct bead_movie_notes *notes)
     free(notes->chapters);
     free(notes->subtitles);
     free(notes->text);
-    *notes = (struct bead_movie_notes){.comment = NULL};
 }

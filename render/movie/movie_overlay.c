@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What changes around the views: time, line about the horizon, caption; and the colour bar. The composer updates it after the
- * views. */
+/* Everything around the views: the colour bar and, updated after the views, time, line about the horizon and caption. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "render/draw/names.h"
-#include "render/movie/captions.h"
+#include "render/draw/words.h"
 #include "render/movie/composer_private.h"
 #include "render/view/panel.h"
 #include "render/view/trust_words.h"
@@ -25,11 +24,8 @@ void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
     const struct bead_rect *bar = &c->layout.bar, *title = &c->layout.bar_title;
     bool lies = bar->width > bar->height;
     char markup[256];
-    struct bead_text_style style = {.family = c->look.family,
-                                    .size = c->look.label,
-                                    .colour = c->look.ink,
-                                    .across = lies ? BEAD_ALIGN_END : BEAD_ALIGN_START,
-                                    .down = BEAD_ALIGN_MIDDLE};
+    struct bead_text_style style = bead_words_style(&c->look, c->look.label, c->look.ink, BEAD_ALIGN_MIDDLE);
+    style.across = lies ? BEAD_ALIGN_END : BEAD_ALIGN_START;
     if (bar->width == 0)
         return;
     bead_composer_bar_title(c, markup, sizeof markup);
@@ -41,6 +37,24 @@ void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
         bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, NULL, *bar, c->setup.over, c->setup.under);
 }
 
+/* Restores the background of a rectangle, to which drawing is then limited. */
+static void overlay_begin(struct bead_composer *c, struct bead_rect rect)
+{
+    cairo_surface_flush(c->surface);
+    bead_frame_copy(&c->frame, &c->background, rect);
+    cairo_surface_mark_dirty(c->surface);
+    cairo_save(c->cr);
+    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
+    cairo_clip(c->cr);
+}
+
+static void overlay_end(struct bead_composer *c, struct bead_rect rect, struct bead_changes *changes)
+{
+    cairo_restore(c->cr);
+    cairo_surface_flush(c->surface);
+    bead_changes_add(changes, rect);
+}
+
 /* Redraws the time if its text has changed. */
 void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes *changes)
 {
@@ -50,17 +64,10 @@ void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes
     if (rect.width == 0 || strcmp(text, c->time_text) == 0)
         return;
     snprintf(c->time_text, sizeof c->time_text, "%s", text);
-    cairo_surface_flush(c->surface);
-    bead_frame_copy(&c->frame, &c->background, rect);
-    cairo_surface_mark_dirty(c->surface);
     struct bead_text_style style = bead_clock_style(&c->look);
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(c->cr);
+    overlay_begin(c, rect);
     bead_text_draw(c->cr, &style, rect.x, rect.y + 0.5 * rect.height, text);
-    cairo_restore(c->cr);
-    cairo_surface_flush(c->surface);
-    bead_changes_add(changes, rect);
+    overlay_end(c, rect, changes);
 }
 
 /* Finds the earliest horizon drawn so far, and its chain. */
@@ -89,13 +96,9 @@ void bead_overlay_trust(struct bead_composer *c, double time, struct bead_change
     struct bead_trust trust = find_trust(c);
     if (!isfinite(trust.until) && time < c->setup.time[1])
         return;
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, rect.x, rect.y, rect.width, rect.height);
-    cairo_clip(c->cr);
+    overlay_begin(c, rect);
     bead_trust_draw(c->cr, &c->look, &trust, rect, !c->layout.words_left);
-    cairo_restore(c->cr);
-    cairo_surface_flush(c->surface);
-    bead_changes_add(changes, rect);
+    overlay_end(c, rect, changes);
     c->trust_said = true;
 }
 
@@ -106,11 +109,8 @@ void bead_overlay_caption(struct bead_composer *c, double time, struct bead_chan
     if (rect.width == 0 || now == c->caption)
         return;
     c->caption = now;
-    cairo_surface_flush(c->surface);
-    bead_frame_copy(&c->frame, &c->background, rect);
-    cairo_surface_mark_dirty(c->surface);
+    overlay_begin(c, rect);
     if (now < c->setup.output->movie.caption_count)
         bead_caption_draw(c->cr, &c->look, c->setup.output->movie.captions[now].text, rect);
-    cairo_surface_flush(c->surface);
-    bead_changes_add(changes, rect);
+    overlay_end(c, rect, changes);
 }

@@ -1,69 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Keeps the frame that becomes the poster while frames pass, and writes it. The sink offers it every frame drawn. */
-#include "render/movie/movie_poster.h"
+/* Chooses the frame that becomes the poster, copies it as it passes, and writes it. */
+#include "render/movie/film.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
-#include "beadreel/picture.h"
+#include "render/draw/picture.h"
+#include "sim/base/file.h"
 
 /* A frame replaces the one kept only if it is better by this factor, to save copying. */
 static const double better = 1.002;
 
-struct bead_poster {
-    const char *path;
-    const struct bead_scene *scene;
-    struct bead_poster_choice choice;
-    struct bead_frame frame;
-};
-
-struct bead_poster_choice bead_poster_choose(double at, double step)
+struct bead_poster bead_poster_choose(double at, double step)
 {
-    return (struct bead_poster_choice){.at = at, .slack = 0.5 * step};
+    return (struct bead_poster){.at = at, .slack = 0.5 * step};
 }
 
-bool bead_poster_reached(const struct bead_poster_choice *choice, double time)
+bool bead_poster_reached(const struct bead_poster *p, double time)
 {
-    return time >= choice->at - choice->slack;
+    return time >= p->at - p->slack;
 }
 
-bool bead_poster_prefers(struct bead_poster_choice *choice, const struct bead_composer *composer, double time)
+bool bead_poster_prefers(struct bead_poster *p, const struct bead_composer *composer, double time)
 {
-    const double interest = isnan(choice->at) ? bead_composer_interest(composer, time) : 0;
-    if (isnan(choice->at) ? choice->taken && !(interest > better * choice->interest)
-                          : choice->taken || !bead_poster_reached(choice, time))
+    const double interest = isnan(p->at) ? bead_composer_interest(composer, time) : 0;
+    if (p->taken ? !isnan(p->at) || !(interest > better * p->interest) : !isnan(p->at) && !bead_poster_reached(p, time))
         return false;
-    choice->interest = interest;
-    choice->taken = true;
+    p->interest = interest;
+    p->taken = true;
     return true;
-}
-
-enum bead_error bead_poster_create(const struct bead_output *output, const struct bead_scene *scene, const char *path, double step,
-                                   struct bead_poster **poster, struct bead_message *msg)
-{
-    struct bead_poster *p = *poster = calloc(1, sizeof *p);
-    if (!p)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
-    p->choice = bead_poster_choose(output->movie.poster_at, step);
-    p->path = path;
-    p->scene = scene;
-    return BEAD_OK;
-}
-
-void bead_poster_destroy(struct bead_poster *p)
-{
-    if (!p)
-        return;
-    bead_frame_free(&p->frame);
-    free(p);
 }
 
 enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_composer *composer, double time,
                                   struct bead_message *msg)
 {
     const struct bead_frame *frame = bead_composer_frame(composer);
-    if (!bead_poster_prefers(&p->choice, composer, time))
+    if (!bead_poster_prefers(p, composer, time))
         return BEAD_OK;
     enum bead_error err = p->frame.pixels ? BEAD_OK : bead_frame_create(frame->width, frame->height, &p->frame, msg);
     if (err)
@@ -73,19 +45,13 @@ enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_compo
     return BEAD_OK;
 }
 
-static enum bead_error set_cover(const struct bead_poster *p, uint64_t bytes, struct bead_movie *movie, struct bead_message *msg)
+static enum bead_error set_cover(const char *path, uint64_t bytes, struct bead_movie *movie, struct bead_message *msg)
 {
-    uint8_t *png = malloc((size_t)bytes + 1);
-    FILE *file = fopen(p->path, "rb");
-    enum bead_error err = BEAD_OK;
-    if (!png)
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", p->path);
-    else if (!file || fread(png, 1, (size_t)bytes, file) != bytes)
-        err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read back", p->path);
-    if (file)
-        fclose(file);
+    char *png;
+    size_t length;
+    enum bead_error err = bead_file_read(path, bytes, &png, &length, msg);
     if (!err)
-        err = bead_movie_cover(movie, png, (size_t)bytes, msg);
+        err = bead_movie_cover(movie, (const uint8_t *)png, length, msg);
     free(png);
     return err;
 }
@@ -97,11 +63,12 @@ enum bead_error bead_poster_file(const char *path, const struct bead_frame *fram
     return bead_png_write(path, frame, &notes, bytes, msg);
 }
 
-enum bead_error bead_poster_write(const struct bead_poster *p, struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_poster_write(const struct bead_poster *p, const char *path, const struct bead_scene *scene,
+                                  struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg)
 {
     *bytes = 0;
-    if (!p->choice.taken)
+    if (!p->taken)
         return BEAD_OK;
-    enum bead_error err = bead_poster_file(p->path, &p->frame, p->scene, bytes, msg);
-    return err ? err : set_cover(p, *bytes, movie, msg);
+    enum bead_error err = bead_poster_file(path, &p->frame, scene, bytes, msg);
+    return err ? err : set_cover(path, *bytes, movie, msg);
 }

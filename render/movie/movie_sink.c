@@ -6,17 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/canvas.h"
-#include "beadreel/file.h"
-#include "beadreel/look.h"
 #include "beadreel/movie.h"
-#include "beadreel/ring_buffer.h"
+#include "render/draw/axis.h"
 #include "render/encode/movie_private.h"
 #include "render/movie/film.h"
-#include "render/movie/film_sound.h"
-#include "render/movie/movie_notes.h"
-#include "render/movie/movie_poster.h"
-#include "render/movie/movie_sink.h"
+#include "render/movie/ring_buffer.h"
+#include "render/paint/canvas.h"
+#include "sim/base/file.h"
 #include "sim/base/stop.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
@@ -25,10 +21,9 @@ static const size_t sample_bytes = 32u << 20;
 
 /* A sample on its way to the drawing thread; its numbers follow in memory, field by field. */
 struct snapshot {
-    size_t chain, index, active, comparison_active;
-    double time;
-    size_t filled; /* values from here on are at rest; 0: never used */
-    size_t owner;  /* chain of the numbers in here, + 1 */
+    struct bead_sample sample;
+    size_t filled; /* values from here on are at rest */
+    size_t owner;  /* chain of the numbers in here, + 1; 0: never used */
 };
 
 /* A frame on its way to the encoder. */
@@ -39,7 +34,7 @@ struct parcel {
 
 struct bead_sink {
     struct bead_film film;
-    char *path, *poster_path, *comment; /* NULL: none */
+    char *path, *poster_path; /* NULL: none */
     struct bead_movie_notes notes;
     struct bead_film_sound *sound; /* NULL: none */
     uint64_t poster_bytes;
@@ -47,9 +42,9 @@ struct bead_sink {
 
     struct bead_composer *composer;
     struct bead_movie *movie;
-    struct bead_poster *poster; /* NULL: none */
+    struct bead_poster poster; /* where there is a path */
     struct bead_ring_buffer *drawing, *encoding;
-    bool ahead; /* frames are converted into the encoder's own slots; else copied into buffers */
+    bool ahead; /* frames are converted into the encoder's own slots, else copied into buffers */
     struct bead_frame buffer[FRAME_SLOTS];
     struct bead_changes missing[FRAME_SLOTS]; /* what each of them lacks */
     uint64_t bytes;
@@ -57,8 +52,7 @@ struct bead_sink {
     /* The drawing thread's. */
     size_t drawn;  /* frames */
     size_t filled; /* number of frames sent that differ from the one before; buffers take turns */
-    double seen;   /* s: time that all chains have reached */
-    bool seen_any;
+    double seen;   /* s: time that all chains have reached; NaN: none */
 };
 
 static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
@@ -84,7 +78,7 @@ static void movie_describe(struct bead_sink *s)
 {
     char every[48], frames[96];
     bead_quantity(s->film.times.step, bead_chain_time_unit(s->film.context.chains[0]), 3, every, sizeof every);
-    bead_movie_count_words(&s->film.times, s->film.output, frames, sizeof frames);
+    bead_movie_count_words(&s->film, frames, sizeof frames);
     snprintf(s->why, sizeof s->why, "%s of %d x %d pixels, every %s", frames, s->film.width, s->film.height, every);
 }
 
@@ -95,7 +89,7 @@ static void movie_destroy(struct bead_sink *s)
     bead_ring_buffer_destroy(s->drawing);
     bead_ring_buffer_destroy(s->encoding);
     bead_movie_abort(s->movie);
-    bead_poster_destroy(s->poster);
+    bead_frame_free(&s->poster.frame);
     bead_composer_destroy(s->composer);
     for (int i = 0; i < FRAME_SLOTS; i++)
         bead_frame_free(&s->buffer[i]);
@@ -115,9 +109,9 @@ static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_outp
     if (!err)
         err = bead_file_join(context->directory, output->path, &s->path, msg);
     if (!err)
-        err = bead_movie_notes_make(output, context->scene, &s->film.times, &s->notes, msg);
+        err = bead_movie_notes_make(&s->film, &s->notes, msg);
     if (!err)
-        err = bead_film_sound_create(output, context, &s->film.times, &s->sound, msg);
+        err = bead_film_sound_create(&s->film, &s->sound, msg);
     if (err)
         return err;
     const struct bead_movie_settings settings = movie_settings_of(s);
@@ -130,15 +124,15 @@ static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_outp
 static enum bead_error movie_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **sink, struct bead_message *msg)
 {
-    *sink = NULL;
-    struct bead_sink *s = calloc(1, sizeof *s);
+    struct bead_sink *s = *sink = calloc(1, sizeof *s);
     if (!s)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    s->seen = NAN;
     enum bead_error err = movie_prepare(s, output, context, msg);
-    if (err)
+    if (err) {
         movie_destroy(s);
-    else
-        *sink = s;
+        *sink = NULL;
+    }
     return err;
 }
 
@@ -154,25 +148,11 @@ static size_t field_room(const struct bead_sink *s)
     return s->film.last_bead + 1;
 }
 
-static size_t field_count(unsigned fields)
-{
-    size_t count = 0;
-    for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++)
-        count += (fields & BEAD_FIELD_BIT(f)) != 0;
-    return count;
-}
-
-static double *movie_numbers(struct snapshot *snapshot)
-{
-    return (double *)(snapshot + 1);
-}
-
 /* Encoding thread. */
-static enum bead_error movie_encode(void *context, void *slot, int last, struct bead_message *msg)
+static enum bead_error movie_encode(void *context, void *slot, int, struct bead_message *msg)
 {
     struct bead_sink *s = context;
     struct parcel *parcel = slot;
-    (void)last;
     if (!parcel)
         return BEAD_OK;
     return s->ahead ? bead_movie_add_slot(s->movie, parcel->buffer, &parcel->changes, msg)
@@ -185,10 +165,10 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     struct parcel *parcel = bead_ring_buffer_slot(s->encoding);
     const struct bead_frame *frame = bead_composer_frame(s->composer);
     enum bead_error err = BEAD_OK;
-    if (!parcel) /* the encoder says why when it finishes */
+    if (!parcel) /* finish_pipes reports why */
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->film.output->path);
     parcel->changes = *changes;
-    if (changes->count == 0 && s->filled > 0) { /* what the encoder has already */
+    if (changes->count == 0 && s->filled > 0) { /* the encoder has it already */
         parcel->buffer = (s->filled - 1) % FRAME_SLOTS;
         bead_ring_buffer_submit(s->encoding);
         return BEAD_OK;
@@ -211,17 +191,17 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
 
 static enum bead_error movie_draw_frame(struct bead_sink *s, struct bead_changes *changes, struct bead_message *msg)
 {
-    double time = bead_movie_time(&s->film.times, s->drawn);
+    double time = bead_movie_time(&s->film.times, (double)s->drawn);
     if (s->drawn < s->film.times.card)
         return bead_composer_card(s->composer, changes, msg);
     enum bead_error err = bead_composer_draw(s->composer, time, changes, msg);
-    return !err && s->poster ? bead_poster_offer(s->poster, s->composer, time, msg) : err;
+    return !err && s->poster_path ? bead_poster_offer(&s->poster, s->composer, time, msg) : err;
 }
 
 /* Frames up to `until`. */
 static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
-    while (s->drawn < s->film.times.frames && bead_movie_time(&s->film.times, s->drawn) <= until) {
+    while (s->drawn < s->film.times.frames && bead_movie_time(&s->film.times, (double)s->drawn) <= until) {
         struct bead_changes changes = {0};
         if (bead_stop_is_asked(s->film.context.stop)) /* pauses and cards are many frames of one sample */
             return bead_fail(msg, BEAD_ERROR_STOPPED, "%s: stopped after %zu frames", s->film.output->path, s->drawn);
@@ -235,28 +215,13 @@ static enum bead_error draw_frames(struct bead_sink *s, double until, struct bea
     return BEAD_OK;
 }
 
-static enum bead_error take_snapshot(struct bead_sink *s, struct snapshot *snapshot, struct bead_message *msg)
+static enum bead_error take_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
 {
-    struct bead_sample sample = {.chain = snapshot->chain,
-                                 .index = snapshot->index,
-                                 .time = snapshot->time,
-                                 .active = snapshot->active,
-                                 .comparison_active = snapshot->comparison_active};
-    const double *data = movie_numbers(snapshot);
-    for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
-        unsigned f = i % BEAD_FIELD_COUNT;
-        bool first = i < BEAD_FIELD_COUNT;
-        if (!((first ? s->film.fields : s->film.comparison) & BEAD_FIELD_BIT(f)))
-            continue;
-        *(first ? &sample.field[f] : &sample.comparison[f]) = data;
-        data += field_room(s);
-    }
-    enum bead_error err = bead_composer_feed(s->composer, &sample, msg);
-    if (err || snapshot->chain + 1 < s->film.context.chain_count)
+    enum bead_error err = bead_composer_feed(s->composer, sample, msg);
+    if (err || sample->chain + 1 < s->film.context.chain_count)
         return err;
-    s->seen = snapshot->time;
-    s->seen_any = true;
-    return draw_frames(s, snapshot->time + 1e-6 * s->film.times.grid.every, msg);
+    s->seen = sample->time;
+    return draw_frames(s, sample->time + 1e-6 * s->film.times.grid.every, msg);
 }
 
 /* Drawing thread. */
@@ -264,12 +229,12 @@ static enum bead_error movie_draw(void *context, void *slot, int last, struct be
 {
     struct bead_sink *s = context;
     if (slot)
-        return take_snapshot(s, slot, msg);
-    if (last == BEAD_PIPE_MORE)
+        return take_sample(s, &((struct snapshot *)slot)->sample, msg);
+    if (last == BEAD_RING_MORE)
         return bead_composer_open(s->composer, msg);
-    /* The last sample stands for the rest of its interval; a stopped run ends the movie early. */
+    /* The last sample is shown to the end of its interval; a stopped run ends the movie early. */
     enum bead_error err = BEAD_OK;
-    if (last == BEAD_PIPE_DONE && s->seen_any)
+    if (last == BEAD_RING_DONE && !isnan(s->seen))
         err = draw_frames(s, s->seen + s->film.times.grid.every, msg);
     bead_composer_close(s->composer);
     return err;
@@ -277,7 +242,8 @@ static enum bead_error movie_draw(void *context, void *slot, int last, struct be
 
 static enum bead_error create_pipes(struct bead_sink *s, struct bead_message *msg)
 {
-    size_t numbers_bytes = (field_count(s->film.fields) + field_count(s->film.comparison)) * field_room(s) * sizeof(double);
+    size_t numbers_bytes =
+        (size_t)(__builtin_popcount(s->film.fields) + __builtin_popcount(s->film.comparison)) * field_room(s) * sizeof(double);
     size_t bytes = sizeof(struct snapshot) + numbers_bytes, chains = s->film.context.chain_count;
     size_t slots = sample_bytes / bytes;
     slots = slots < LEAST_SAMPLES ? LEAST_SAMPLES : slots > MOST_SAMPLES ? MOST_SAMPLES : slots;
@@ -291,8 +257,7 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
 {
     enum bead_error err = bead_film_compose(&s->film, range, s->poster_path != NULL, &s->composer, msg);
     struct bead_movie_settings settings = movie_settings_of(s);
-    if (!err && s->poster_path)
-        err = bead_poster_create(s->film.output, s->film.context.scene, s->poster_path, s->film.times.step, &s->poster, msg);
+    s->poster = bead_poster_choose(s->film.output->movie.poster_at, s->film.times.step);
     if (!err)
         err = bead_movie_open(s->path, &settings, &s->movie, msg);
     if (!err)
@@ -309,14 +274,19 @@ static enum bead_error movie_begin(struct bead_sink *s, struct bead_range range,
 static void movie_fill(const struct bead_sink *s, const struct bead_sample *sample, struct snapshot *snapshot)
 {
     size_t first = s->film.output->shown.beads.first, room = field_room(s);
-    bool fresh = snapshot->owner != sample->chain + 1;
     size_t last = s->film.comparison && sample->comparison_active > sample->active ? sample->comparison_active : sample->active;
-    size_t moving = last + 1, filled = fresh ? SIZE_MAX : snapshot->filled;
-    double *data = movie_numbers(snapshot);
+    size_t moving = last + 1, filled = snapshot->owner == sample->chain + 1 ? snapshot->filled : SIZE_MAX;
+    double *data = (double *)(snapshot + 1);
+    struct bead_sample copy = {.chain = sample->chain,
+                               .index = sample->index,
+                               .time = sample->time,
+                               .active = sample->active,
+                               .comparison_active = sample->comparison_active};
     for (unsigned i = 0; i < 2 * BEAD_FIELD_COUNT; i++) {
         unsigned f = i % BEAD_FIELD_COUNT;
-        const double *values = i < BEAD_FIELD_COUNT ? sample->field[f] : sample->comparison[f];
-        if (!((i < BEAD_FIELD_COUNT ? s->film.fields : s->film.comparison) & BEAD_FIELD_BIT(f)))
+        bool own = i < BEAD_FIELD_COUNT;
+        const double *values = own ? sample->field[f] : sample->comparison[f];
+        if (!((own ? s->film.fields : s->film.comparison) & BEAD_FIELD_BIT(f)))
             continue;
         const struct bead_chain *chain = s->film.context.chains[sample->chain];
         size_t count = bead_field_info((enum bead_field)f)->of_contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
@@ -325,15 +295,10 @@ static void movie_fill(const struct bead_sink *s, const struct bead_sample *samp
         end = end < room ? end : room;
         if (end > first)
             memcpy(data + first, values + first, (end - first) * sizeof *data);
+        *(own ? &copy.field[f] : &copy.comparison[f]) = data;
         data += room;
     }
-    *snapshot = (struct snapshot){.chain = sample->chain,
-                                  .index = sample->index,
-                                  .active = sample->active,
-                                  .comparison_active = sample->comparison_active,
-                                  .time = sample->time,
-                                  .filled = moving,
-                                  .owner = sample->chain + 1};
+    *snapshot = (struct snapshot){.sample = copy, .filled = moving, .owner = sample->chain + 1};
 }
 
 /* Ends both threads and returns their error, if any. */
@@ -364,14 +329,16 @@ static void credit(struct bead_sink *s)
              *encoder ? "encoded by " : "", encoder);
 }
 
-/* A film that is stopped ends without its poster, which may lie ahead, and without sound. */
+/* A stopped film has no sound and no poster, which may be a later frame. */
 static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead_message *msg)
 {
     enum bead_error err = finish_pipes(s, msg);
     if (err && (whole || err != BEAD_ERROR_STOPPED))
         return err;
     credit(s);
-    err = whole && s->poster ? bead_poster_write(s->poster, s->movie, &s->poster_bytes, msg) : BEAD_OK;
+    err = BEAD_OK;
+    if (whole && s->poster_path)
+        err = bead_poster_write(&s->poster, s->poster_path, s->film.context.scene, s->movie, &s->poster_bytes, msg);
     if (!err && whole)
         err = bead_film_sound_write(s->sound, s->movie, msg);
     if (err)
@@ -381,15 +348,13 @@ static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead
     return (whole ? bead_movie_close : bead_movie_stop)(movie, &s->bytes, msg);
 }
 
-static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *, struct bead_message *msg)
 {
-    (void)outcomes;
     return movie_finish(s, true, msg);
 }
 
-static enum bead_error movie_stop(struct bead_sink *s, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error movie_stop(struct bead_sink *s, const struct bead_outcome *, struct bead_message *msg)
 {
-    (void)outcomes;
     return movie_finish(s, false, msg);
 }
 

@@ -8,6 +8,7 @@
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
 #include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/movie/movie_words.h"
 
 #define THIN_SPACE   "\u2009"
@@ -16,8 +17,8 @@
 
 /* The second line of a heading, in units of the label's font size. */
 static const double heading_line = 1.35;
-/* Its first: in units of the title's font size, and of the look's gap between its parts. */
-static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6;
+/* Its first line, in units of the title's font size; the gap between its parts, in those of the look's gap. */
+static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smaller_label = 0.85;
 
 struct bead_clock bead_clock_make(double end, double step, const char *unit)
 {
@@ -53,11 +54,7 @@ void bead_clock_text(const struct bead_clock *clock, double time, const struct b
 
 struct bead_text_style bead_clock_style(const struct bead_look *look)
 {
-    return (struct bead_text_style){.family = look->family,
-                                    .size = 1.15 * look->title,
-                                    .colour = look->ink,
-                                    .across = BEAD_ALIGN_START,
-                                    .down = BEAD_ALIGN_MIDDLE};
+    return bead_words_style(look, 1.15 * look->title, look->ink, BEAD_ALIGN_MIDDLE);
 }
 
 static void add_text(char *out, size_t size, const char *text)
@@ -87,22 +84,25 @@ static void name_beads(const struct bead_chain *chain, char *out, size_t size)
         add_text(out, size, " : " ELLIPSIS);
 }
 
-/* Chains of equations that have a name, but no label, have their equation beside it. */
-static bool heading_shows_equation(const struct bead_chain *chain)
+/* Chains with a formula and a name, but no label, show the formula beside the name. */
+static bool heading_shows_formula(const struct bead_chain *chain)
 {
-    const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    return spec->equation.name && bead_chain_title(chain)[0] && !(spec->label && spec->label[0]);
+    const char *label = bead_chain_spec(chain)->label;
+    char formula[256];
+    bead_chain_describe(chain, formula, sizeof formula);
+    return formula[0] && bead_chain_title(chain)[0] && !(label && label[0]);
 }
 
-void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
+/* Facts common to all chains: "large-steel:aluminium, striker 0.443 m/s"; "" if none. Text for bead_markup. */
+static void facts_chain(const struct bead_facts *facts, char *out, size_t size)
 {
     char name[160], other[160], speed[40];
     bool same_beads = true, same_speed = true;
     out[0] = '\0';
-    if (bead_chain_spec(facts->chains[0])->equation.name) {
-        if (heading_shows_equation(facts->chains[0]))
+    bead_chain_describe(facts->chains[0], name, sizeof name);
+    if (name[0]) {
+        if (heading_shows_formula(facts->chains[0]))
             return;
-        bead_chain_describe(facts->chains[0], name, sizeof name);
         for (size_t c = 1; c < facts->chain_count; c++) { /* of one equation only */
             bead_chain_describe(facts->chains[c], other, sizeof other);
             name[0] = strcmp(name, other) == 0 ? name[0] : '\0';
@@ -153,7 +153,7 @@ static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS]
         bead_round_number(facts->magnify, number, sizeof number);
         snprintf(text[count++], 256, "displacements \u00d7\u00a0%s", number);
     }
-    bead_facts_chain(facts, text[count], 256);
+    facts_chain(facts, text[count], 256);
     return count + (text[count][0] != '\0');
 }
 
@@ -170,61 +170,22 @@ static void join(char text[MOST_FACTS][256], size_t count, char *out, size_t siz
 
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left)
 {
-    struct bead_text_style style = {look->family,      look->label, look->faint, false, left ? BEAD_ALIGN_START : BEAD_ALIGN_END,
-                                    BEAD_ALIGN_MIDDLE, false};
+    struct bead_text_style style = bead_words_style(look, look->label, look->faint, BEAD_ALIGN_MIDDLE);
     char text[MOST_FACTS][256], line[2048];
-    double width, height;
+    style.across = left ? BEAD_ALIGN_START : BEAD_ALIGN_END;
     for (size_t count = words_gather(facts, text); count > 0; count--) {
         join(text, count, line, sizeof line);
-        bead_text_size(cr, &style, line, &width, &height);
-        if (width > rect.width)
+        if (bead_words_width(cr, &style, line) > rect.width)
             continue;
         bead_text_draw(cr, &style, left ? rect.x : rect.x + rect.width, rect.y + 0.5 * rect.height, line);
         return;
     }
 }
 
-/* Cuts after `length` bytes, never within a character. */
-static void cut(const char *plain, size_t length, char *out, size_t size)
-{
-    while (length > 0 && ((unsigned char)plain[length] & 0xc0) == 0x80)
-        length--;
-    while (length > 0 && plain[length - 1] == ' ')
-        length--;
-    snprintf(out, size, "%.*s" ELLIPSIS, (int)length, plain);
-}
-
-/* The longest beginning of `plain` that fits, as markup; its width. */
-static double fit(cairo_t *cr, const struct bead_text_style *style, const char *plain, double room, char *markup, size_t size)
-{
-    double width, height;
-    char part[400];
-    size_t length = strnlen(plain, 360), low = 0, high = length;
-    bead_text_escape(plain, markup, size);
-    bead_text_size(cr, style, markup, &width, &height);
-    if (width <= room && strlen(plain) == length)
-        return width;
-    while (low < high) {
-        size_t middle = (low + high + 1) / 2;
-        cut(plain, middle, part, sizeof part);
-        bead_text_escape(part, markup, size);
-        bead_text_size(cr, style, markup, &width, &height);
-        if (width <= room)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    cut(plain, low, part, sizeof part);
-    bead_text_escape(low > 0 ? part : "", markup, size);
-    bead_text_size(cr, style, markup, &width, &height);
-    return low > 0 ? width : 0;
-}
-
 void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect)
 {
     char markup[2048];
-    style.down = BEAD_ALIGN_MIDDLE;
-    fit(cr, &style, plain, rect.width, markup, sizeof markup);
+    bead_words_fit(cr, &style, plain, false, rect.width, markup, sizeof markup);
     bead_text_draw(cr, &style, style.across == BEAD_ALIGN_END ? rect.x + rect.width : rect.x, rect.y + 0.5 * rect.height, markup);
 }
 
@@ -236,12 +197,12 @@ bool bead_heading_has(const struct bead_chain *chain)
     return bead_chain_title(chain)[0] || bead_chain_spins(chain)[0] || (spec->label && spec->label[0]);
 }
 
-/* Markup of the line beside the name: the label, or the equation; "": there is none. */
+/* Markup of the line beside the name: the label, or the formula; "": neither. */
 static void label_markup(const struct bead_chain *chain, char *markup, size_t size)
 {
     const char *label = bead_chain_spec(chain)->label;
     char plain[256], marked[1024];
-    if (!heading_shows_equation(chain)) {
+    if (!heading_shows_formula(chain)) {
         bead_text_escape(label ? label : "", markup, size);
         return;
     }
@@ -250,64 +211,55 @@ static void label_markup(const struct bead_chain *chain, char *markup, size_t si
     bead_markup(marked, markup, size);
 }
 
-/* It stands beside the name or below it, a little smaller if need be. */
+/* Beside the name or below it; a little smaller where it does not fit, else left out. */
 static void draw_label(cairo_t *cr, const struct bead_look *look, const char *markup, double size, double x, double y, double room)
 {
-    static const double sizes[] = {1, 0.85};
-    double width, height;
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        struct bead_text_style style = {look->family,     sizes[i] * size,     look->faint, false,
-                                        BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
-        bead_text_size(cr, &style, markup, &width, &height);
-        if (width > room)
-            continue;
+    struct bead_text_style style = bead_words_style(look, size, look->faint, BEAD_ALIGN_BASELINE);
+    if (bead_words_width(cr, &style, markup) > room)
+        style.size *= smaller_label;
+    if (bead_words_width(cr, &style, markup) <= room)
         bead_text_draw(cr, &style, x, y, markup);
-        return;
-    }
 }
 
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
 {
-    struct bead_text_style style = {.family = look->family, .size = heading_size * look->title, .bold = true};
+    struct bead_text_style style = bead_words_style(look, heading_size * look->title, look->ink, BEAD_ALIGN_BASELINE);
     char markup[HEADING_MARKUP], label[HEADING_MARKUP];
-    double gap = heading_gap * look->gap, width, height, all = 0;
+    double gap = heading_gap * look->gap, all = 1;
     label_markup(chain, label, sizeof label);
     if (!label[0])
         return 0;
+    style.bold = true;
     bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
-    bead_text_size(NULL, &style, markup, &width, &height);
-    all += *markup ? width + gap : 0;
-    bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
+    all += *markup ? bead_words_width(NULL, &style, markup) + gap : 0;
     style.bold = false;
-    bead_text_size(NULL, &style, markup, &width, &height);
-    all += bead_chain_spins(chain)[0] ? width + gap : 0;
+    bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
+    all += bead_chain_spins(chain)[0] ? bead_words_width(NULL, &style, markup) + gap : 0;
     style.size = look->label;
-    bead_text_size(NULL, &style, label, &width, &height);
-    return all + width + 1;
+    return all + bead_words_width(NULL, &style, label);
 }
 
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
 {
     const struct bead_chain *chain = heading->chain;
     const double under = heading->lines ? heading_line * look->label : 0, line = rect.height - under;
-    const double size = fmin(heading_size * look->title, 0.75 * line),
-                 part = size / (heading_size * look->title); /* in low rows smaller */
-    struct bead_text_style style = {look->family, size, heading->colour, true, BEAD_ALIGN_START, BEAD_ALIGN_BASELINE, false};
-    double x = rect.x, y = rect.y + 0.5 * line + 0.36 * style.size, gap = heading_gap * look->gap, width, height;
+    const double size = fmin(heading_size * look->title, 0.75 * line), part = size / (heading_size * look->title);
+    struct bead_text_style style = bead_words_style(look, size, heading->colour, BEAD_ALIGN_BASELINE);
+    double x = rect.x, y = rect.y + 0.5 * line + 0.36 * size, gap = heading_gap * look->gap;
     char markup[HEADING_MARKUP];
+    style.bold = true;
     if (bead_chain_title(chain)[0]) { /* long names are set smaller before they are cut */
         bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
-        bead_text_size(cr, &style, markup, &width, &height);
-        style.size *= fmin(1, fmax(smallest_name, 0.98 * rect.width / fmax(1, width)));
-        width = fit(cr, &style, bead_chain_title(chain), rect.width, markup, sizeof markup);
-        bead_text_draw(cr, &style, x, y, markup);
-        x += width + gap;
+        double fits = 0.98 * rect.width / fmax(1, bead_words_width(cr, &style, markup));
+        style.size *= fmin(1, fmax(smallest_name, fits));
+        x += bead_words_fit(cr, &style, bead_chain_title(chain), false, rect.width, markup, sizeof markup) + gap;
+        bead_text_draw(cr, &style, rect.x, y, markup);
     }
     if (bead_chain_spins(chain)[0]) {
         style.bold = false;
         style.colour = look->accent;
         bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
-        bead_text_size(cr, &style, markup, &width, &height);
+        double width = bead_words_width(cr, &style, markup);
         if (x + width <= rect.x + rect.width) {
             bead_text_draw(cr, &style, x, y, markup);
             x += width + gap;
@@ -319,9 +271,9 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
         draw_label(cr, look, markup, part * look->label, x, y + under, rect.x + rect.width - x);
 }
 
-enum { MOST_WORDS = 3, LONGEST = 32 * 1024 + 1 };
+/* ---- the title card ---- */
 
-/* Where things stand, px; heights of single lines. */
+/* Its lines, from the top; px. */
 struct card {
     cairo_t *cr;
     const struct bead_look *look;
@@ -330,16 +282,20 @@ struct card {
 
 static void card_line(struct card *c, const char *markup, double size, bool bold, struct bead_rgb colour)
 {
-    double width, height;
-    struct bead_text_style style = {c->look->family, size, colour, bold, BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, false};
-    bead_text_size(c->cr, &style, markup, &width, &height);
-    style.size *= fmax(0.5, fmin(1, c->width / fmax(1, width)));
-    cairo_save(c->cr);
-    cairo_rectangle(c->cr, c->left, c->y, c->width, 2 * size);
-    cairo_clip(c->cr);
-    bead_text_draw(c->cr, &style, c->left, c->y + 0.8 * size, markup);
-    cairo_restore(c->cr);
+    struct bead_text_style style = bead_words_style(c->look, size, colour, BEAD_ALIGN_MIDDLE);
+    struct bead_rect box = {(int)c->left, (int)c->y, (int)c->width, (int)(2 * size)};
+    style.bold = bold;
+    style.size *= fmax(0.5, fmin(1, c->width / fmax(1, bead_words_width(c->cr, &style, markup))));
+    bead_words_draw_within(c->cr, &style, box, c->left, c->y + 0.8 * size, markup);
     c->y += 1.6 * size;
+}
+
+/* `text` is for bead_markup. */
+static void card_marked(struct card *c, const char *text, double size)
+{
+    char markup[HEADING_MARKUP];
+    bead_markup(text, markup, sizeof markup);
+    card_line(c, markup, size, false, c->look->faint);
 }
 
 static void card_plain(struct card *c, const char *plain, double size, bool bold, struct bead_rgb colour)
@@ -364,11 +320,11 @@ static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
         snprintf(out, size, "%s", speed);
 }
 
-static size_t card_words(const struct bead_facts *facts, char words[MOST_WORDS][256])
+static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][256])
 {
     char number[64];
     size_t count = 0;
-    bead_facts_chain(facts, words[0], sizeof words[0]);
+    facts_chain(facts, words[0], sizeof words[0]);
     count += words[0][0] != '\0';
     say_slowness(facts, words[count++], sizeof words[0]);
     if (facts->magnify > 0 && facts->magnify != 1) {
@@ -408,7 +364,7 @@ static void card_chains(struct card *c, const struct bead_facts *facts, double r
 void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, const char *title, const char *text,
                     int width, int height)
 {
-    char words[MOST_WORDS][256];
+    char words[MOST_FACTS][256];
     size_t count = card_words(facts, words), chains = 0;
     bool has_title = title && title[0], has_text = text && text[0];
     double large = 2.1 * look->title, small = 1.15 * look->label, line = fmax(2, 2 * look->line);
@@ -423,11 +379,8 @@ void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead
     card.y = round(fmax(0, 0.46 * (height - fixed - room)));
     if (has_title)
         card_plain(&card, title, large, true, look->ink);
-    if (has_text) {
-        char markup[LONGEST];
-        bead_markup(text, markup, sizeof markup);
-        card_line(&card, markup, 1.1 * look->title, false, look->faint);
-    }
+    if (has_text)
+        card_marked(&card, text, 1.1 * look->title);
     card.y += look->title;
     cairo_set_source_rgb(cr, look->accent.r, look->accent.g, look->accent.b);
     cairo_rectangle(cr, card.left, round(card.y), 3 * large, line);
@@ -436,10 +389,7 @@ void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead
     double below = card.y + room + look->title;
     card_chains(&card, facts, room);
     card.y = below;
-    for (size_t i = 0; i < count; i++) {
-        char markup[LONGEST];
-        bead_markup(words[i], markup, sizeof markup);
-        card_line(&card, markup, small, false, look->faint);
-    }
+    for (size_t i = 0; i < count; i++)
+        card_marked(&card, words[i], small);
     cairo_restore(cr);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words of a movie's frame: time, facts, headings. */
-#ifndef BEADREEL_RENDER_MOVIE_MOVIE_WORDS_H
-#define BEADREEL_RENDER_MOVIE_MOVIE_WORDS_H
+/* The words of a movie's frame: time, facts, headings, captions, title card. */
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -9,9 +8,11 @@
 #include "beadreel/chain.h"
 #include "beadreel/frame.h"
 #include "beadreel/look.h"
+#include "beadreel/scene.h"
+#include "render/draw/axis.h"
 #include "render/movie/film_clock.h"
 
-/* How times are written: in the unit of the picture's axes of time, always with the same width. */
+/* The format of times: in the unit of the picture's axes of time, always with one width. */
 struct bead_clock {
     double unit;   /* s */
     char sign[16]; /* "ms"; "": times have no unit */
@@ -32,28 +33,40 @@ struct bead_facts {
     const struct bead_chain *const *chains;
     size_t chain_count;
 };
-/* What all chains have in common: "large-steel:aluminium, striker 0.443 m/s"; "" if nothing. Text for bead_markup. */
-void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size);
 /* Right-aligned in `rect`; facts that do not fit are left out, the last ones first. */
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left);
-/* A line of text, cut with an ellipsis. */
+/* A line of text, cut with an ellipsis; the style's `down` is BEAD_ALIGN_MIDDLE. */
 void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
 /* Name, M and label of a chain. */
 struct bead_heading {
     const struct bead_chain *chain;
     struct bead_rgb colour; /* of the name */
-    bool lines;             /* two: the label stands below the name */
+    bool lines;             /* two: the label is below the name */
 };
 bool bead_heading_has(const struct bead_chain *chain);
-/* px, of one line; 0: there is no label. */
+/* px, of one line; 0: no label. */
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
 /* A label that does not fit is left out. */
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 
-/* ---- the title card: what is to be seen, and how slowly ---- */
+/* ---- captions: captions.c ---- */
+
+/* The caption at a time of the motion; SIZE_MAX: none. A caption stays until the next one or until its own end; the last one, if it
+ * has no end, for the time it takes to read, at least 2.5 s of the film. */
+size_t bead_captions_find(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, double time);
+/* The end of a caption, s of the motion; INFINITY: the end of the film. */
+double bead_caption_end(const struct bead_movie_asked *movie, const struct bead_film_clock *clock, size_t caption);
+/* Lines that the longest caption needs in a frame of that width: at most 2, or 0 without captions. */
+int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_look *look, int width);
+/* Height of a line, px. */
+double bead_caption_height(const struct bead_look *look);
+/* Centred in `rect`, in as many lines as fit; a long caption gets smaller type and is cut as a last resort. */
+void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
+/* The text without its marks, for chapters and subtitles. */
+void bead_caption_plain(const char *text, char *out, size_t size);
+
+/* ---- the title card ---- */
 
 /* Over the whole of a frame of width x height px. `text`: a line below the title; NULL or "": none. */
 void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, const char *title, const char *text,
                     int width, int height);
-
-#endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Canvas: the table of back ends, and which of them is opened. Views paint through paint.c on what is made here. */
-#include "beadreel/canvas.h"
+/* Canvases: the table of back ends, and the choice of one. Views paint on a canvas through paint.c. */
+#include "render/paint/canvas.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,8 +9,9 @@
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl_context.h"
+#include "sim/base/suggest.h"
 
-/* Where none is named: the first that works. */
+/* Without a name, the first that works is used. */
 static const struct bead_canvas_driver drivers[] = {
     {{"osmesa", "Mesa's off-screen software renderer (llvmpipe)"}, "OSMesa", &bead_painting_gl, &bead_context_osmesa},
     {{"egl", "the same renderer through EGL, for Mesa 25.1 and later"}, "EGL", &bead_painting_gl, &bead_context_egl},
@@ -37,18 +38,18 @@ void bead_canvas_prepare(const char *backend)
     const struct bead_canvas_driver *driver = backend ? find(backend) : &drivers[0];
     if (!driver || !driver->context)
         return;
-    /* Mesa reads this when the first context is made. On few cores the calling thread rasterises, which leaves the others to
-     * simulation and encoder; the pixels are the same for any number. */
+    /* Mesa reads this when the first context is made. With few cores the calling thread rasterises, which leaves the others to
+     * simulation and encoder. The pixels do not depend on the number. */
     setenv("LP_NUM_THREADS", sysconf(_SC_NPROCESSORS_ONLN) < MANY_CORES ? "0" : "2", 0);
-    /* Graphics cards round as they like; the same pixels everywhere come from the software renderer only. */
+    /* Graphics cards round differently: only the software renderer gives the same pixels everywhere. */
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
 }
 
 static enum bead_error fail_unknown(const char *backend, struct bead_message *msg)
 {
     char names[128] = "";
-    for (size_t i = 0, at = 0; i < DRIVERS && at < sizeof names; i++)
-        at += (size_t)snprintf(names + at, sizeof names - at, "%s%s", i ? ", " : "", drivers[i].info.name);
+    for (size_t i = 0; i < DRIVERS; i++)
+        bead_list_add(names, sizeof names, ", ", drivers[i].info.name);
     return bead_fail(msg, BEAD_ERROR_USAGE, "there is no canvas `%s`; allowed are %s", backend, names);
 }
 
@@ -74,7 +75,7 @@ enum bead_error bead_canvas_create(const char *backend, int width, int height, s
 {
     *canvas = NULL;
     if (width < 1 || height < 1)
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels: both must be at least 1", width, height);
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a canvas of %d x %d pixels; both must be at least 1", width, height);
     const struct bead_canvas_driver *named = backend ? find(backend) : NULL;
     if (backend && !named)
         return fail_unknown(backend, msg);

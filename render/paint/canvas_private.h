@@ -1,27 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Inside of a canvas: its back end, a const table, and what is painted on right now. No GL headers here. */
-#ifndef BEADREEL_RENDER_PAINT_CANVAS_PRIVATE_H
-#define BEADREEL_RENDER_PAINT_CANVAS_PRIVATE_H
+/* The insides of a canvas: its back end, a const table, and the present painting. No GL headers here. */
+#pragma once
 
-#include "beadreel/canvas.h"
+#include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 
-struct bead_painter;      /* each way of painting has its own */
+struct bead_painter;      /* of OpenGL */
 struct bead_context_type; /* gl_context.h */
 
-/* A rectangle of a frame, as it was. */
+/* A copy of a rectangle of a frame. */
 struct bead_backdrop {
     struct bead_rect place;        /* in the frame; its corner is the painter's (0, 0) */
     struct bead_frame copy;        /* plain */
     unsigned texture, framebuffer; /* OpenGL */
 };
 
-/* The functions of paint.h, whose arguments are checked there. Errors: GRAPHICS, IO, MEMORY. */
+/* The functions behind those of paint.h, which check the arguments. Errors: GRAPHICS, IO, MEMORY. */
 struct bead_painting {
-    /* Make canvas->painter and describe it. On failure there is none. */
+    /* Prepare and describe the canvas. A failure leaves nothing to close. */
     enum bead_error (*open)(struct bead_canvas *canvas, struct bead_message *msg);
     void (*close)(struct bead_canvas *canvas);
-    /* Keep backdrop->place of `frame`. What was begun is undone by `forget`, also on failure. */
+    /* Keep backdrop->place of `frame`. `forget` undoes this, also after a failure. */
     enum bead_error (*keep)(struct bead_canvas *canvas, struct bead_backdrop *backdrop, const struct bead_frame *frame,
                             struct bead_message *msg);
     void (*forget)(struct bead_canvas *canvas, struct bead_backdrop *backdrop);
@@ -35,7 +34,7 @@ struct bead_canvas_driver {
     struct bead_canvas_backend info;
     const char *title;
     const struct bead_painting *painting;
-    const struct bead_context_type *context; /* OpenGL's; NULL: needs none */
+    const struct bead_context_type *context; /* of OpenGL; NULL: none */
 };
 
 extern const struct bead_painting bead_painting_plain, bead_painting_gl;
@@ -43,13 +42,11 @@ extern const struct bead_painting bead_painting_plain, bead_painting_gl;
 struct bead_canvas {
     const struct bead_canvas_driver *driver;
     int width, height;
-    struct bead_painter *painter;
+    struct bead_painter *painter; /* NULL: none */
     char description[160], credit[64];
 
-    /* From begin to end; frame NULL: nothing is painted. */
+    /* Between begin and end; frame NULL: not painting. */
     const struct bead_backdrop *backdrop;
     struct bead_frame *frame;
     struct bead_rect rect; /* of the backdrop */
 };
-
-#endif

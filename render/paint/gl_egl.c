@@ -1,47 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes an OpenGL context with EGL, without a surface: OSMesa's software renderer, for Mesa 25.1 and later, which lack OSMesa. */
+/* Makes an OpenGL context with EGL, without a surface: the same software renderer for Mesa 25.1 and later, which lack OSMesa. */
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "render/draw/libraries.h"
 #include "render/paint/gl_context.h"
 
-#define EGL_FUNCTIONS(X)                                                              \
-    X(EGLDisplay, GetPlatformDisplay, (EGLenum, void *, const EGLAttrib *))           \
-    X(EGLBoolean, Initialize, (EGLDisplay, EGLint *, EGLint *))                       \
-    X(EGLBoolean, Terminate, (EGLDisplay))                                            \
-    X(EGLBoolean, BindAPI, (EGLenum))                                                 \
-    X(EGLContext, CreateContext, (EGLDisplay, EGLConfig, EGLContext, const EGLint *)) \
-    X(EGLBoolean, DestroyContext, (EGLDisplay, EGLContext))                           \
-    X(EGLBoolean, MakeCurrent, (EGLDisplay, EGLSurface, EGLSurface, EGLContext))      \
-    X(EGLContext, GetCurrentContext, (void))                                          \
-    X(const char *, QueryString, (EGLDisplay, EGLint))                                \
-    X(__eglMustCastToProperFunctionPointerType, GetProcAddress, (const char *))
-
-static const char *const names[] = {
-#define EGL_NAME(result, name, arguments) "egl" #name,
-    EGL_FUNCTIONS(EGL_NAME)
-#undef EGL_NAME
+static const struct bead_library_info libraries[] = {
+    {{"libEGL.so.1", "libEGL.so"}, "paints beads with Mesa's software renderer; without it the program paints them itself"},
+    {{NULL}, NULL},
 };
-enum { FUNCTIONS = sizeof names / sizeof names[0] };
+
+/* Not constant: set once for the process. Calls of EGL go through this table (late.awk). */
+void *bead_egl;
 
 struct bead_context {
-    union {
-        struct {
-#define EGL_MEMBER(result, name, arguments) result(*name) arguments;
-            EGL_FUNCTIONS(EGL_MEMBER)
-#undef EGL_MEMBER
-        };
-        void (*loaded[FUNCTIONS])(void);
-    } call;
     EGLDisplay display;
     EGLContext egl;
-    bool counted; /* the display counts its users: the last one's Terminate ends it */
+    bool counted; /* the display counts its users: the last call of eglTerminate ends it */
 };
 
-/* Is the word in a list separated by blanks? */
+/* Is the word in a blank-separated list? */
 static bool lists(const char *words, const char *word)
 {
     size_t length = strlen(word);
@@ -54,46 +33,43 @@ static bool lists(const char *words, const char *word)
 
 static bool egl_use(struct bead_context *c)
 {
-    return (c->call.GetCurrentContext() == c->egl) ||
-           (c->call.BindAPI(EGL_OPENGL_API) && c->call.MakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, c->egl));
+    return (eglGetCurrentContext() == c->egl) ||
+           (eglBindAPI(EGL_OPENGL_API) && eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, c->egl));
 }
 
 static void egl_close(struct bead_context *c)
 {
-    if (!c)
-        return;
     if (c->egl != EGL_NO_CONTEXT) {
-        if (c->call.GetCurrentContext() == c->egl)
-            c->call.MakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        c->call.DestroyContext(c->display, c->egl);
+        if (eglGetCurrentContext() == c->egl)
+            eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(c->display, c->egl);
     }
     if (c->display != EGL_NO_DISPLAY && c->counted)
-        c->call.Terminate(c->display);
-    free(c);
+        eglTerminate(c->display);
 }
 
-/* One display for the whole process, without counting users where EGL cannot: then it is never ended. */
+/* One display for the whole process. If EGL cannot count its users, it is never ended. */
 static const char *open_display(struct bead_context *c)
 {
     static const EGLAttrib counting[] = {EGL_TRACK_REFERENCES_KHR, EGL_TRUE, EGL_NONE};
-    const char *can = c->call.QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const char *can = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!lists(can, "EGL_MESA_platform_surfaceless"))
-        return "it knows no platform without surfaces";
+        return "EGL has no platform without surfaces";
     c->counted = lists(can, "EGL_KHR_display_reference");
-    c->display = c->call.GetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, c->counted ? counting : NULL);
+    c->display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, c->counted ? counting : NULL);
     if (c->display == EGL_NO_DISPLAY)
-        return "no display";
-    if (!c->call.Initialize(c->display, NULL, NULL)) {
+        return "EGL has no display";
+    if (!eglInitialize(c->display, NULL, NULL)) {
         c->display = EGL_NO_DISPLAY;
-        return "its display does not start";
+        return "EGL cannot start its display";
     }
-    const char *has = c->call.QueryString(c->display, EGL_EXTENSIONS);
+    const char *has = eglQueryString(c->display, EGL_EXTENSIONS);
     return lists(has, "EGL_KHR_no_config_context") && lists(has, "EGL_KHR_surfaceless_context")
                ? NULL
-               : "its display knows no contexts without surfaces";
+               : "EGL has no contexts without surfaces";
 }
 
-static const char *open_context(struct bead_context *c)
+static const char *egl_open(struct bead_context *c)
 {
     static const EGLint attributes[] = {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
@@ -101,37 +77,22 @@ static const char *open_context(struct bead_context *c)
     const char *wrong = open_display(c);
     if (wrong)
         return wrong;
-    if (!c->call.BindAPI(EGL_OPENGL_API))
-        return "it knows no OpenGL";
-    c->egl = c->call.CreateContext(c->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
+    if (!eglBindAPI(EGL_OPENGL_API))
+        return "EGL has no OpenGL";
+    c->egl = eglCreateContext(c->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     return c->egl != EGL_NO_CONTEXT && egl_use(c) ? NULL : "no OpenGL 3.3 core context";
 }
 
-static enum bead_error egl_open(struct bead_context **context, struct bead_message *msg)
+static void *egl_function(const char *name)
 {
-    *context = NULL;
-    struct bead_context *c = calloc(1, sizeof *c);
-    if (!c)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a graphics context");
-    c->display = EGL_NO_DISPLAY;
-    c->egl = EGL_NO_CONTEXT;
-    enum bead_error err = bead_library_load(bead_library_info(BEAD_LIBRARY_EGL)->files, names, FUNCTIONS, c->call.loaded, msg);
-    const char *wrong = err ? NULL : open_context(c);
-    if (wrong)
-        err = bead_fail(msg, BEAD_ERROR_GRAPHICS, "EGL: %s: are Mesa's EGL and software renderer installed?", wrong);
-    if (err)
-        egl_close(c);
-    else
-        *context = c;
-    return err;
-}
-
-static void *egl_function(struct bead_context *c, const char *name)
-{
-    return (void *)c->call.GetProcAddress(name);
+    return (void *)eglGetProcAddress(name);
 }
 
 const struct bead_context_type bead_context_egl = {
+    .libraries = libraries,
+    .names = BEAD_LATE,
+    .table = &bead_egl,
+    .bytes = sizeof(struct bead_context),
     .open = egl_open,
     .use = egl_use,
     .function = egl_function,

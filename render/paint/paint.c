@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Painting: arguments are checked here; the back end of the canvas paints (paint_gl.c, paint_plain.c). */
+/* Checks the arguments of painting functions; the back end of the canvas paints (paint_gl.c, paint_plain.c). */
 #include "render/paint/paint.h"
 
 #include <stdbool.h>
@@ -18,7 +18,7 @@ enum bead_error bead_backdrop_create(struct bead_canvas *canvas, const struct be
     const struct bead_painting *painting = canvas->driver->painting;
     *backdrop = NULL;
     if (place.width < 1 || place.height < 1 || !inside(place, frame->width, frame->height))
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a backdrop of %d x %d pixels at %d, %d: outside of its frame", place.width,
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a backdrop of %d x %d pixels at %d, %d is outside its frame", place.width,
                          place.height, place.x, place.y);
     struct bead_backdrop *b = calloc(1, sizeof *b);
     if (!b)
@@ -48,7 +48,7 @@ enum bead_error bead_paint_begin(struct bead_canvas *canvas, const struct bead_b
         return BEAD_OK;
     if (!inside(rect, backdrop->place.width, backdrop->place.height) || !inside(rect, canvas->width, canvas->height) ||
         !inside(backdrop->place, frame->width, frame->height))
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "painting %d x %d pixels at %d, %d: outside of backdrop, canvas or frame",
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "painting %d x %d pixels at %d, %d: outside backdrop, canvas or frame",
                          rect.width, rect.height, rect.x, rect.y);
     canvas->backdrop = backdrop;
     canvas->frame = frame;

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Painter: balls and marks into a rectangle of a frame. Lengths in pixels, y downwards; positions need not be whole pixels.
+/* Paints balls and marks into a rectangle of a frame. Lengths in pixels, y downwards; positions need not be whole pixels.
  * Each time:  bead_paint_begin (backdrop) -> bead_paint_balls, bead_paint_marks, ... -> bead_paint_end.
- * assets/shaders has the formulas of what a pixel looks like; every way of painting follows them. */
-#ifndef BEADREEL_RENDER_PAINT_PAINT_H
-#define BEADREEL_RENDER_PAINT_PAINT_H
+ * The formulas for pixels are in assets/shaders; all back ends follow them. */
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "beadreel/canvas.h"
+#include "render/paint/canvas.h"
 
-/* A sphere seen from the front, shown between x = left and x = right (flattened where it touches its neighbours). */
+/* A sphere seen from the front, cut off at x = left and x = right (flattened by its neighbours). */
 struct bead_ball {
     float x, y, r, left, right;
     uint8_t rgba[4];
@@ -25,30 +24,28 @@ enum bead_mark_kind {
 };
 
 struct bead_mark {
-    float box[4]; /* x0, y0, x1, y1; what reaches out of it by more than a pixel is not shown */
+    float box[4]; /* x0, y0, x1, y1; parts more than a pixel outside are not shown */
     float shape[4];
     float kind; /* enum bead_mark_kind */
     uint8_t rgba[4];
 };
 
-/* What lies behind: a rectangle of a frame as it was. */
+/* The background: a copy of a rectangle of a frame. */
 struct bead_backdrop;
 
-/* Keep rectangle `place` of `frame`; painting goes to that place of a frame, and its corner is (0, 0). Errors: GRAPHICS (it lies
- * outside), IO, MEMORY. On failure *backdrop is NULL. */
+/* Keep rectangle `place` of `frame`. Painting uses this place of a frame; its corner is (0, 0). Errors: GRAPHICS (it is outside),
+ * IO, MEMORY. On failure *backdrop is NULL. */
 BEAD_CHECK enum bead_error bead_backdrop_create(struct bead_canvas *canvas, const struct bead_frame *frame, struct bead_rect place,
                                                 struct bead_backdrop **backdrop, struct bead_message *msg);
-/* Before its canvas; NULL is allowed. */
+/* Destroy it before its canvas; NULL is allowed. */
 void bead_backdrop_destroy(struct bead_canvas *canvas, struct bead_backdrop *backdrop);
 
-/* Until the end only pixels inside `rect` of the backdrop are touched, and `frame` must stay; they show the backdrop now. Errors:
- * GRAPHICS (also where `rect` lies outside of backdrop, canvas or frame), MEMORY; after these there is nothing to end. */
+/* Begin with the backdrop in `rect`, counted from its corner; until the end only pixels in it change, and `frame` must stay valid.
+ * Errors: GRAPHICS (also if `rect` is outside backdrop, canvas or frame), MEMORY; then do not call bead_paint_end. */
 BEAD_CHECK enum bead_error bead_paint_begin(struct bead_canvas *canvas, const struct bead_backdrop *backdrop,
                                             struct bead_frame *frame, struct bead_rect rect, struct bead_message *msg);
-/* In order, later ones over earlier ones. */
+/* Paint these in order, later ones over earlier ones. */
 void bead_paint_balls(struct bead_canvas *canvas, const struct bead_ball *balls, size_t count);
 void bead_paint_marks(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count);
-/* The frame has it all. Errors: GRAPHICS, MEMORY. */
+/* Finish: the frame now shows all. Errors: GRAPHICS, MEMORY. */
 BEAD_CHECK enum bead_error bead_paint_end(struct bead_canvas *canvas, struct bead_message *msg);
-
-#endif

@@ -1,32 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Painting without OpenGL, right into the frame. */
+/* Painting without OpenGL, straight into the frame. It has no state of its own. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/pixel_kernels.h"
 
-struct bead_painter {
-    const struct bead_pixel_kernels *kernels;
-};
-
-static enum bead_error plain_open(struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error plain_open(struct bead_canvas *canvas, struct bead_message *)
 {
-    canvas->painter = calloc(1, sizeof *canvas->painter);
-    if (!canvas->painter)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for drawing");
-    canvas->painter->kernels = bead_pixel_kernels_find(NULL);
-    snprintf(canvas->description, sizeof canvas->description, "%s, %s", canvas->driver->info.name, canvas->painter->kernels->name);
-    snprintf(canvas->credit, sizeof canvas->credit, "%s (%s)", canvas->driver->title, canvas->painter->kernels->name);
+    const char *set = bead_pixel_kernels_find(NULL)->name;
+    snprintf(canvas->description, sizeof canvas->description, "%s, %s", canvas->driver->info.name, set);
+    snprintf(canvas->credit, sizeof canvas->credit, "%s (%s)", canvas->driver->title, set);
     return BEAD_OK;
 }
 
-static void plain_close(struct bead_canvas *canvas)
-{
-    free(canvas->painter);
-    canvas->painter = NULL;
-}
+static void plain_close(struct bead_canvas *) {}
 
 static void copy(struct bead_frame *to, int to_x, int to_y, const struct bead_frame *from, struct bead_rect rect)
 {
@@ -35,26 +23,23 @@ static void copy(struct bead_frame *to, int to_x, int to_y, const struct bead_fr
                from->pixels + (size_t)(rect.y + y) * from->stride + 4 * (size_t)rect.x, 4 * (size_t)rect.width);
 }
 
-static enum bead_error plain_keep(struct bead_canvas *canvas, struct bead_backdrop *backdrop, const struct bead_frame *frame,
+static enum bead_error plain_keep(struct bead_canvas *, struct bead_backdrop *backdrop, const struct bead_frame *frame,
                                   struct bead_message *msg)
 {
-    (void)canvas;
     enum bead_error err = bead_frame_create(backdrop->place.width, backdrop->place.height, &backdrop->copy, msg);
     if (!err)
         copy(&backdrop->copy, 0, 0, frame, backdrop->place);
     return err;
 }
 
-static void plain_forget(struct bead_canvas *canvas, struct bead_backdrop *backdrop)
+static void plain_forget(struct bead_canvas *, struct bead_backdrop *backdrop)
 {
-    (void)canvas;
     bead_frame_free(&backdrop->copy);
 }
 
-static enum bead_error plain_begin(struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error plain_begin(struct bead_canvas *canvas, struct bead_message *)
 {
     const struct bead_rect rect = canvas->rect, *place = &canvas->backdrop->place;
-    (void)msg;
     copy(canvas->frame, place->x + rect.x, place->y + rect.y, &canvas->backdrop->copy, rect);
     return BEAD_OK;
 }
@@ -69,19 +54,17 @@ static struct bead_ground ground_of(const struct bead_canvas *canvas)
 static void plain_balls(struct bead_canvas *canvas, const struct bead_ball *balls, size_t count)
 {
     const struct bead_ground ground = ground_of(canvas);
-    canvas->painter->kernels->balls(&ground, balls, count);
+    bead_pixel_kernels_find(NULL)->balls(&ground, balls, count);
 }
 
 static void plain_marks(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count)
 {
     const struct bead_ground ground = ground_of(canvas);
-    canvas->painter->kernels->marks(&ground, marks, count);
+    bead_pixel_kernels_find(NULL)->marks(&ground, marks, count);
 }
 
-static enum bead_error plain_end(struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error plain_end(struct bead_canvas *, struct bead_message *)
 {
-    (void)canvas;
-    (void)msg;
     return BEAD_OK;
 }
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by pixel_kernels_body.h: assets/shaders/ball.frag, row by row along the chords of the disc. */
+/* Included by pixel_kernels_body.h: balls like those of assets/shaders/ball.frag, row by row along the chords of the disc. */
 
-/* What every pixel of a ball needs to know. */
+/* Values common to all pixels of a ball. */
 struct sphere {
     float x, y, r, curvature, left, right;
     float bgr[3];
 };
 
-/* Directions of light and of its reflection to the eye, y downwards. */
+/* Directions of the light, and half-way between it and the eye; y downwards. */
 static const float light[3] = {-0.36f, -0.56f, 0.746f}, halfway[3] = {-0.193f, -0.300f, 0.934f};
 
 static inline reals along(const float direction[3], reals nx, float ny, reals nz)
@@ -15,13 +15,13 @@ static inline reals along(const float direction[3], reals nx, float ny, reals nz
     return LARGER((nz * direction[2] + ny * direction[1]) + nx * direction[0], all(0));
 }
 
-/* Squares of the distances from the middle to premultiplied levels; cover NULL: all of it. */
+/* From squares of distances from the centre to premultiplied levels; cover NULL: 1. */
 static inline __attribute__((always_inline)) void shade(const struct sphere *s, reals dx, float dy, reals square,
                                                         const reals *cover, words bgr[3])
 {
     reals nx = dx * s->curvature, nz = ROOT_OF(LARGER(1.0f - square * s->curvature * s->curvature, all(0)));
     float ny = dy * s->curvature;
-    reals shine = LARGER(along(halfway, nx, ny, nz), all(0.1f)); /* less would not be seen but be slow: its power underflows */
+    reals shine = LARGER(along(halfway, nx, ny, nz), all(0.1f)); /* less would be invisible, but slow: its power underflows */
     for (int i = 0; i < 5; i++)
         shine *= shine;
     reals lit = 0.34f + 0.74f * along(light, nx, ny, nz), gloss = 0.30f * shine;
@@ -33,7 +33,7 @@ static inline __attribute__((always_inline)) void shade(const struct sphere *s, 
 
 static inline __attribute__((always_inline)) void paint_inside(const struct sphere *s, int x, float dy, words_anywhere *pixels)
 {
-    const uint32_t opaque = 0xff000000 - LEVEL_ZERO - (LEVEL_ZERO << 8); /* all that is not levels, subtracted at once */
+    const uint32_t opaque = 0xff000000 - LEVEL_ZERO - (LEVEL_ZERO << 8); /* subtracts the offsets of the levels at once */
     words bgr[3];
     reals dx = middles(x) - s->x;
     shade(s, dx, dy, dx * dx + dy * dy, NULL, bgr);
@@ -51,8 +51,8 @@ static inline __attribute__((always_inline)) void paint_edge(const struct sphere
     blend(pixels, bgr, level_of(cover), false);
 }
 
-/* For some rows: the pixels that are covered, and those that are certainly covered wholly; these are painted in another way, which
- * must not show. */
+/* For some rows: the pixels that are covered, and those that are certainly covered fully, which are painted in a faster way with
+ * the same result. */
 enum { ROWS = 64 };
 struct chords {
     struct run_lanes {
@@ -60,7 +60,7 @@ struct chords {
     } some[ROWS / LANES], all[ROWS / LANES];
 };
 
-/* Half the chords of a circle at distances from its middle. */
+/* Half the chords of a circle at distances from its centre. */
 static inline reals half_chords(float r, reals distance)
 {
     return ROOT_OF(LARGER((r - distance) * (r + distance), all(0)));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by pixel_kernels_<set>.c, which defines KERNELS_NAME and KERNELS_TABLE. What is painted follows assets/shaders, in the
- * same order of operations, with 8-bit blending as Mesa's llvmpipe has it. */
+/* Included by pixel_kernels_<set>.c, which defines KERNELS_NAME and KERNELS_TABLE. Paints like assets/shaders, with the same order
+ * of operations, and with 8-bit blending like that of Mesa's llvmpipe. */
 #include <math.h>
 #include <string.h>
 
@@ -12,13 +12,13 @@ static inline words_anywhere *pixels_at(const struct bead_ground *g, int x, int 
     return (words_anywhere *)(g->pixels + (size_t)(g->origin[1] + y) * g->stride + 4 * (ptrdiff_t)(g->origin[0] + x));
 }
 
-/* The last pixel of a row that a vector may begin with: rows are no shorter than one. */
+/* The last pixel of a row at which a vector may begin. No row is shorter than a vector. */
 static inline int last_start(const struct bead_ground *g)
 {
     return (int)(g->stride / 4) - g->origin[0] - LANES;
 }
 
-/* x of the middles of the pixels. */
+/* x of the centres of the pixels. */
 static inline reals middles(int x)
 {
     return (float)x + ((reals){COUNT} + 0.5f);
@@ -29,7 +29,7 @@ struct run {
     int first, end;
 };
 
-/* As expressions: the library's functions cost a call. Where `a` is not a number, it is `b`. */
+/* Inline, as the library's functions cost a call. If `a` is NaN, the result is `b`. */
 static inline float least(float a, float b)
 {
     return a < b ? a : b;
@@ -40,26 +40,26 @@ static inline float most(float a, float b)
     return a > b ? a : b;
 }
 
-/* The first pixel whose middle is at `x` or behind it, within low..high, which are not negative. */
+/* The first pixel whose centre is at `x` or after it, within low..high, which are not negative. */
 static inline int pixel_from(float x, int low, int high)
 {
     const float at = least(most(x - 0.5f, (float)low), (float)high);
     return (int)at + ((float)(int)at < at);
 }
 
-/* Those whose middles are from `from` on and before `to`, within first..first + length - 1. */
+/* The pixels with centres from `from` on and before `to`, within first..first + length - 1. */
 static inline struct run run_of(float from, float to, int first, int length)
 {
     return (struct run){pixel_from(from, first, first + length), pixel_from(to, first, first + length)};
 }
 
-/* `cover` of pixels within the run, 0 elsewhere. */
+/* `cover` for pixels in the run, 0 for others. */
 static inline reals keep_run(reals cover, reals x, struct run run)
 {
     return (reals)((ints)cover & (x > (float)run.first) & (x < (float)run.end));
 }
 
-/* premultiplied + (1 - cover) * what is there, two colours of each pixel at once: a product p of two levels is divided by 255 as
+/* premultiplied + (1 - cover) * ground, for two colours of each pixel at once: a product p of two levels is divided by 255 as
  * (p + p / 256 + 128) / 256. */
 static inline pairs blend_pairs(pairs paint, pairs ground, pairs rest, bool saturate)
 {

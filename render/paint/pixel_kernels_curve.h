@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_body.h: curves, row by row. */
 
-/* How much of the pixels of row y the slices cover, on average over these, times their number. */
+/* The covered part of the pixels in row y, summed over the slices. */
 static inline __attribute__((always_inline)) reals covered(const struct bead_extents *e, int column, float y)
 {
     reals sum = all(0);
@@ -12,7 +12,7 @@ static inline __attribute__((always_inline)) reals covered(const struct bead_ext
     return sum;
 }
 
-/* Towards a colour, rounded. */
+/* Interpolate to a colour, rounding. */
 static inline words mix(words behind, float colour, reals alpha)
 {
     const reals from = __builtin_convertvector((ints)behind, reals);

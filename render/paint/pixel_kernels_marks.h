@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by pixel_kernels_body.h: assets/shaders/mark.frag and glow.frag; the way to a lens. */
+/* Included by pixel_kernels_body.h: marks like those of assets/shaders/mark.frag and glow.frag, and the way to a lens. */
 
-/* Cover of the pixels in `px` of row `py`, before the mark's own opacity. */
+/* Cover of the pixels `px` in row `py`, without the mark's own opacity. */
 typedef reals mark_cover(const struct bead_mark *m, reals px, float py);
-/* Where else than in reach[0]..reach[1] a row is not covered; from the whole box. */
+/* Narrow reach[0]..reach[1], at first the whole box, to the part of the row that may be covered. */
 typedef void mark_reach(const struct bead_mark *m, float py, float reach[2]);
 
-static inline void whole_box(const struct bead_mark *m, float py, float reach[2])
-{
-    (void)m;
-    (void)py;
-    (void)reach;
-}
+static inline void whole_box(const struct bead_mark *, float, float[2]) {}
 
 static inline float extent_of(const struct bead_mark *m, int axis)
 {
@@ -23,7 +18,7 @@ static inline float middle_of(const struct bead_mark *m, int axis)
     return 0.5f * (m->box[axis] + m->box[axis + 2]);
 }
 
-/* How much of each pixel lies between a and b along one axis. */
+/* The part of each pixel between a and b along one axis. */
 static inline reals within(reals x, reals a, reals b)
 {
     return clamp(SMALLER(x + 0.5f, b) - LARGER(x - 0.5f, a));
@@ -65,7 +60,7 @@ static inline reals glow_cover(const struct bead_mark *m, reals px, float py)
     return fall * fall;
 }
 
-/* The two lines of a way to a lens at a row: their places, and what their slope makes of distances along it. */
+/* The two lines of a way to a lens in a row: their places, and the factor of distances along the row for their slope. */
 struct rails {
     float at[2], steep[2];
 };
@@ -108,14 +103,14 @@ static inline reals zoom_cover(const struct bead_mark *m, reals px, float py)
     return within(all(py), all(m->box[1]), all(m->box[3])) * LARGER(0.13f * within(px, all(rails.at[0]), all(rails.at[1])), edges);
 }
 
-/* How much of its light a mark also hides. */
+/* `hiding`: opacity of the mark, as a part of its cover. */
 static inline __attribute__((always_inline)) void paint_mark(const struct bead_ground *g, const struct bead_mark *m,
                                                              mark_cover *cover_of, mark_reach *reach_of, float hiding)
 {
     float bgra[4];
     for (int c = 0; c < 4; c++)
         bgra[c] = (float)m->rgba[c < 3 ? 2 - c : 3] * (1 / 255.0f);
-    /* Pixels whose middles are no more than a pixel outside of the box. */
+    /* Pixels with centres at most one pixel outside the box. */
     const struct run rows = run_of(m->box[1] - 1, m->box[3] + 1, g->clip.y, g->clip.height);
     const int last = last_start(g);
     for (int y = rows.first; y < rows.end; y++) {

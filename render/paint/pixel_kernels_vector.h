@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by pixel_kernels_body.h: vectors of 32-bit numbers, one a pixel, as wide as the instruction set has them, in GCC's and
- * Clang's vector types. With KERNELS_PORTABLE nothing else is used. */
+/* Included by pixel_kernels_body.h: vectors of 32-bit numbers, one for each pixel, as wide as in the instruction set, in GCC's and
+ * Clang's vector types. With KERNELS_PORTABLE only these types are used. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -79,7 +79,7 @@ static inline reals magnitude(reals x)
     return (reals)((ints)x & INT32_MAX);
 }
 
-/* Both of numbers below 2^22 that are not negative. */
+/* These two: for numbers below 2^22 that are not negative. */
 static inline reals whole_part(reals x)
 {
     return __builtin_convertvector(__builtin_convertvector(x, ints), reals);
@@ -91,7 +91,7 @@ static inline ints ceiling(reals x)
     return whole - (x > __builtin_convertvector(whole, reals));
 }
 
-/* 0..1 to 0..255, to the nearest and then to the even one: what is added leaves the integer among the last bits of the sum, above
+/* 0..1 to 0..255, rounding to nearest, ties to even: the number added moves the integer into the last bits of the sum, on top of
  * LEVEL_ZERO. */
 #define LEVEL_ZERO 0x4b400000u
 static inline words level_of(reals x)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by pixel_kernels_body.h: frames as encoders want them.
+/* Included by pixel_kernels_body.h: the conversion of frames for encoders.
  * BT.709, limited range, from full-range R'G'B' 0..255 (ITU-R BT.709-6, items 3.2-3.5 for 8 bits):
  *   Y  =  16 + 219/255 (0.2126 R + 0.7152 G + 0.0722 B)
  *   Cb = 128 + 224/255 (B - Y') / 1.8556,   Cr = 128 + 224/255 (R - Y') / 1.5748
- * times 2^14, rounded so that greys have no colour and white is exactly 235; 0.53 levels from the formula at most. */
+ * times 2^14, rounded so that greys have no colour and white is exactly 235; at most 0.53 levels from the formula. */
 enum {
     YR = 2991,
     YG = 10064,
@@ -16,19 +16,19 @@ enum {
     VB = -660,
     FRACTION = 14,
     LUMA_BASE = (16 << FRACTION) + (1 << (FRACTION - 1)),
-    /* Chroma is of the sum of four pixels. */
+    /* Chroma is computed from the sum of four pixels. */
     CHROMA_FRACTION = FRACTION + 2,
     CHROMA_BASE = (128 << CHROMA_FRACTION) + (1 << (CHROMA_FRACTION - 1)),
 };
 _Static_assert(UR + UG + UB == 0 && VR + VG + VB == 0, "greys have no colour");
 _Static_assert((LUMA_BASE + 255 * (YR + YG + YB)) >> FRACTION == 235, "white is 235");
 
-/* A block is 16 pixels wide, however wide a vector is. */
+/* A block is 16 pixels wide, for vectors of any width. */
 enum { BLOCK = 16, VECTORS = BLOCK / LANES };
 
 #if LANES == 16
 #define ADD_PRODUCTS(x, y) ((ints)_mm512_madd_epi16((__m512i)(x), (__m512i)(y)))
-/* Sums of neighbours stand in every second lane. */
+/* Sums of neighbours are in every second lane. */
 enum { SUMS = 1 };
 static inline void add_neighbours(const pairs *x, pairs *sum)
 {
@@ -47,7 +47,7 @@ static inline void store_chroma(const ints *u, const ints *v, uint8_t *to_u, uin
 }
 #elif LANES == 8
 #define ADD_PRODUCTS(x, y) ((ints)_mm256_madd_epi16((__m256i)(x), (__m256i)(y)))
-/* Sums of neighbours stand in the order 0, 1, 4, 5, 2, 3, 6, 7. */
+/* Sums of neighbours are in the order 0, 1, 4, 5, 2, 3, 6, 7. */
 enum { SUMS = 1 };
 static inline void add_neighbours(const pairs *x, pairs *sum)
 {
@@ -141,7 +141,7 @@ static inline void luma_of(const pairs *blue_red, const pairs *green, uint8_t *t
     store_luma(y, to);
 }
 
-/* Of the mean of each 2 x 2 pixels: the filter that neither shifts nor rings. */
+/* Chroma of the mean of each 2 x 2 pixels: this filter neither shifts nor rings. */
 static inline void chroma_of(const pairs *blue_red, const pairs *green, uint8_t *to_u, uint8_t *to_v)
 {
     pairs both[SUMS], one[SUMS];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Entry to graphs: draws one into a picture, or writes it as a file of its own. Layout and drawing are in the other graph files. */
+/* Entry to graphs: draws one into a picture, or writes it to a file. */
 #include "render/draw/markup.h"
 #include "render/draw/page.h"
 #include "render/plot/graph_private.h"
@@ -22,7 +22,6 @@ enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bea
 struct job {
     const struct bead_graph *graph;
     const struct bead_output *output;
-    const struct bead_scene *scene;
     struct bead_page page;
     struct bead_look look;
 };
@@ -33,8 +32,7 @@ static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_messag
     struct bead_message why = {""};
     enum bead_error err = bead_graph_draw(job->graph, &job->look, cr, job->page.width, job->page.height, &why);
     if (err == BEAD_ERROR_SCENE)
-        return bead_fail(msg, err, "%s:%zu:%zu: %.600s", job->scene->file, job->output->place.line, job->output->place.column,
-                         why.text);
+        return bead_output_wrong(job->output, msg, "%.600s", why.text);
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
@@ -45,8 +43,8 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, const struct be
     struct bead_graph whole = *graph;
     whole.title = title;
     whole.caption = output->still.caption;
-    struct job job = {.graph = &whole, .output = output, .scene = scene};
-    enum bead_error err = bead_page_find(output, scene->file, &job.page, msg);
+    struct job job = {.graph = &whole, .output = output};
+    enum bead_error err = bead_page_find(output, &job.page, msg);
     if (err)
         return err;
     if (bead_page_titled(&job.page))

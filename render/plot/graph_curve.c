@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws the curves, points, bands and error bars of a panel; graph_draw.c calls it between axes and words. */
+/* Draws the curves, points, bands and error bars of a panel. */
 #include <assert.h>
 #include <math.h>
 
@@ -7,15 +7,15 @@
 
 /* In units of the label's font size. */
 static const double point_radius = 0.24, cap = 0.16, curve_width = 0.09;
-/* Marks on a curve whose points are closer than the first, in radii of a mark, stand the second apart. */
+/* In radii of a mark: marks on a curve with points closer than the first are placed the second apart. */
 static const double least_spacing = 2.6, thinned_spacing = 16;
 /* The marks of a single curve shrink to this before that. */
 static const double least_mark = 0.6;
 /* With more points than this, points of a cloud get smaller. */
 static const double many_points = 150;
 static const double paleness = 0.55, faint_paleness = 0.35, band_paleness = 0.22;
-/* Points of equal x that stand side by side take this part of the way to the next. */
-static const double jitter_share = 0.55, most_jitter = 1.6; /* at most so much, in units of the label's font size */
+/* Points of equal x are spread over this part of the way to the next x. */
+static const double jitter_share = 0.55, most_jitter = 1.6; /* most_jitter in units of the label's font size */
 static const double full_turn = 6.283185307179586;
 
 void graph_set_colour(cairo_t *cr, struct bead_rgb colour)
@@ -40,7 +40,7 @@ static const struct shape {
     int corners;
     double turn, size;
     bool hollow, cross;
-    double dent; /* > 0: every other corner is so far in */
+    double dent; /* > 0: radius of every other corner */
 } shapes[] = {{0, 0, 1, false, false, 0},   {4, 0.125, 1.2, false, false, 0}, {3, 0.75, 1.3, false, false, 0},
               {4, 0, 1.3, false, false, 0}, {3, 0.25, 1.3, false, false, 0},  {10, 0.75, 1.5, false, false, 0.4},
               {0, 0, 1, true, false, 0},    {4, 0.125, 1.2, false, true, 0}};
@@ -123,12 +123,12 @@ static int beyond(const struct bead_axis *axis, double value)
 
 /* ---- lines ---- */
 
-/* Cairo uses fixed-point numbers: what lies far outside is cut off first. */
+/* Lines are cut off far outside the plot: cairo's fixed-point numbers would overflow. */
 struct pen {
     cairo_t *cr;
-    double low[2], high[2]; /* px: what is kept */
+    double low[2], high[2]; /* px: the box kept */
     double last[2];
-    bool down, drawn; /* there is a last point, where the path ends */
+    bool down, drawn; /* there is a last point; the path ends there */
 };
 
 /* The part of the segment a..b within the pen's box, as fractions of its length. */
@@ -166,12 +166,7 @@ static void line_to(struct pen *pen, double x, double y)
     pen->last[1] = y;
 }
 
-static void lift(struct pen *pen)
-{
-    pen->down = pen->drawn = false;
-}
-
-/* Of many points in one column of pixels, the first, lowest, highest and last give the same picture. */
+/* The first, lowest, highest and last of many points in one column of pixels give the same picture as all of them. */
 struct column {
     struct px {
         double x, y;
@@ -226,9 +221,9 @@ static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_
     cairo_new_path(cr);
     for (size_t i = 0; i < series->count; i++) {
         double y = px_y(cell, series->y[i]);
-        if (!is_there(cell, series, i) || isnan(y) || !isfinite(y)) {
+        if (!is_there(cell, series, i) || !isfinite(y)) {
             flush(&pen, &column);
-            lift(&pen);
+            pen.down = pen.drawn = false;
         } else if (dense) {
             curve_gather(&pen, &column, (struct px){px_x(cell, series->x[i]), y});
         } else {
@@ -249,7 +244,7 @@ static double spacing_of(const struct graph_cell *cell, const struct bead_series
     return series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
 }
 
-/* Which of the panel's curves with marks this is, and of how many. */
+/* The series' position among the panel's curves with marks; *count: their number. */
 static size_t turn_of(const struct bead_panel *panel, const struct bead_series *series, size_t *count)
 {
     size_t turn = 0;
@@ -269,6 +264,11 @@ struct graph_thinning graph_thin(const struct graph_cell *cell, const struct bea
         return (struct graph_thinning){1, 0};
     size_t every = (size_t)ceil(thinned_spacing * radius / spacing);
     return (struct graph_thinning){every, (2 * turn + 1) * every / (2 * (curves > 0 ? curves : 1))};
+}
+
+bool graph_is_guide(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series)
+{
+    return series->mark == BEAD_MARK_LINE_POINTS && graph_thin(cell, look, series).every == 1;
 }
 
 static bool is_rising(const struct bead_series *series)
@@ -376,8 +376,7 @@ static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct g
     cairo_stroke(cr);
 }
 
-/* How far right of its x a point stands: points of equal x side by side, in the order of a sequence that spreads any number of them
- * evenly. */
+/* Distance of a point from its x: multiples of the golden ratio spread any number of points of equal x evenly. */
 static double aside(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series, size_t i)
 {
     static const double golden = 0.6180339887498949;
@@ -433,9 +432,8 @@ static void draw_band(cairo_t *cr, const struct bead_look *look, const struct gr
 
 static void draw_line(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
 {
-    bool guide = series->mark == BEAD_MARK_LINE_POINTS && graph_thin(cell, look, series).every == 1;
     trace(cr, cell, series, 8 * look->line);
-    graph_stroke_style(cr, look, series, guide);
+    graph_stroke_style(cr, look, series, graph_is_guide(cell, look, series));
     if (cell->undashed)
         cairo_set_dash(cr, NULL, 0, 0);
     cairo_stroke(cr);
@@ -454,6 +452,6 @@ void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct g
     if (series->error)
         draw_bars(cr, look, cell, series);
     cairo_restore(cr);
-    if (series->mark == BEAD_MARK_POINTS || series->mark == BEAD_MARK_LINE_POINTS) /* those on the frame are whole */
+    if (series->mark == BEAD_MARK_POINTS || series->mark == BEAD_MARK_LINE_POINTS) /* not clipped at the frame */
         draw_points(cr, look, cell, series);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of a graph. Axes and words are measured, plots get the remaining room. Words and legends that find no free room inside
- * the panels go outside, which makes plots smaller; this repeats until everything has a place. */
+/* The layout of a graph: axes and words are measured, plots get the remaining room. Words and legends without free room inside the
+ * panels move outside, which makes plots smaller; this repeats until everything has a place. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "render/plot/graph_private.h"
 
 /* In units of the label's font size. */
-static const double title_gap = 0.7, caption_gap = 0.5, head_gap = 0.35, between_columns = 1.0, between_rows = 0.8;
+static const double head_gap = 0.35, between_columns = 1.0, between_rows = 0.8;
 /* Preferred ratio of a panel's width to its height. */
 static const double wanted_shape = 1.45;
 static const int smallest_plot = 24; /* px */
@@ -21,8 +21,7 @@ static bool has(const char *text)
 
 /* ---- words ---- */
 
-/* "(a)", ... "(z)", "(aa)", ... */
-static void letter_of(size_t index, char *text, size_t size)
+void graph_letter(size_t index, char *text, size_t size)
 {
     if (index < 26)
         snprintf(text, size, "(%c)", (char)('a' + index));
@@ -65,7 +64,7 @@ static bool word_cell(struct graph_cell *cell, const struct bead_graph *graph, c
     cell->legend.entries = calloc(panel->series_count + panel->ruler_count + 1, sizeof *cell->legend.entries);
     if (!cell->words || !cell->labels || !cell->legend.entries)
         return false;
-    letter_of(index, letter, sizeof letter);
+    graph_letter(index, letter, sizeof letter);
     for (size_t r = 0; r < panel->ruler_count; r++)
         good = good && make_word(&cell->words[r], panel->rulers[r].label, letter);
     for (size_t s = 0; s < panel->series_count; s++)
@@ -91,12 +90,8 @@ static enum bead_error graph_prepare(struct graph_layout *l, struct bead_message
     const struct bead_graph *graph = l->graph;
     size_t entries = 1;
     l->cells = calloc(graph->panel_count, sizeof *l->cells);
-    l->left = calloc(l->columns, sizeof *l->left);
-    l->right = calloc(l->columns, sizeof *l->right);
-    l->top = calloc(l->rows, sizeof *l->top);
     l->head = calloc(l->rows, sizeof *l->head);
-    l->bottom = calloc(l->rows, sizeof *l->bottom);
-    bool good = l->cells && l->left && l->right && l->top && l->bottom && l->head;
+    bool good = l->cells && l->head;
     for (size_t p = 0; good && p < graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         cell->panel = &graph->panels[p];
@@ -110,8 +105,8 @@ static enum bead_error graph_prepare(struct graph_layout *l, struct bead_message
         good = word_cell(cell, graph, &l->frame, p);
     }
     l->legend.entries = calloc(entries, sizeof *l->legend.entries);
-    good = good && l->legend.entries && (!has(graph->title) || (l->title = bead_markup_new(graph->title)) != NULL);
-    good = good && (!has(graph->caption) || (l->caption = bead_markup_new(graph->caption)) != NULL);
+    good = good && l->legend.entries && (!has(graph->title) || (l->page.title = bead_markup_new(graph->title)) != NULL);
+    good = good && (!has(graph->caption) || (l->page.caption = bead_markup_new(graph->caption)) != NULL);
     return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a graph");
 }
 
@@ -131,61 +126,45 @@ void graph_layout_free(struct graph_layout *l)
         free(cell->head);
     }
     free(l->cells);
-    free(l->left);
-    free(l->right);
-    free(l->top);
     free(l->head);
-    free(l->bottom);
+    bead_layout_free(&l->grid);
     free(l->legend.entries);
-    free(l->title);
-    free(l->caption);
+    free(l->page.title);
+    free(l->page.caption);
     *l = (struct graph_layout){0};
-}
-
-static double wrapped_height(const struct bead_look *look, const char *markup, double size, bool bold, double wrap)
-{
-    double width, height;
-    struct bead_text_style style = graph_text(look);
-    style.size = size;
-    style.bold = bold;
-    bead_text_size_lines(NULL, &style, wrap, markup, &width, &height);
-    return height;
 }
 
 /* ---- room ---- */
 
-static void measure_lines(struct graph_layout *l)
+/* Rows: the title, those of the panels, the outer legend, the caption. Columns: those of the panels, an outer legend. */
+static enum bead_error make_grid(struct graph_layout *l, struct bead_message *msg)
 {
-    double width = l->width - 2 * l->frame.margin;
-    l->title_height = l->title ? wrapped_height(l->look, l->title, graph_title_size(l->look), true, width) : 0;
-    l->caption_height = l->caption ? wrapped_height(l->look, l->caption, l->look->label, false, width) : 0;
-}
-
-double graph_above_panels(const struct graph_layout *l)
-{
-    return l->title ? ceil(l->title_height + title_gap * l->look->label) : 0;
-}
-
-double graph_below_panels(const struct graph_layout *l)
-{
-    return l->caption ? ceil(l->caption_height + caption_gap * l->look->label) : 0;
-}
-
-void graph_room_of_plots(const struct graph_layout *l, double *width, double *height)
-{
-    double em = l->look->label;
-    *width = l->width - 2 * l->frame.margin - (double)(l->columns - 1) * between_columns * em;
-    *height =
-        l->height - 2 * l->frame.margin - graph_above_panels(l) - graph_below_panels(l) - (double)(l->rows - 1) * between_rows * em;
-    for (size_t c = 0; c < l->columns; c++)
-        *width -= ceil(l->left[c]) + ceil(l->right[c]);
-    for (size_t r = 0; r < l->rows; r++)
-        *height -= ceil(l->top[r]) + ceil(l->bottom[r]);
+    const struct bead_insets *least = &l->frame.least;
+    double em = l->look->label, margin = l->frame.margin;
+    enum bead_error err = bead_layout_make(l->columns + 1, l->rows + 3, l->graph->panel_count, &l->grid, msg);
+    if (err)
+        return err;
+    struct bead_lane *columns = l->grid.columns.lane, *rows = l->grid.rows.lane;
+    for (size_t p = 0; p < l->grid.count; p++) {
+        l->grid.boxes[p].column = l->cells[p].column;
+        l->grid.boxes[p].row = 1 + l->cells[p].row;
+    }
+    rows[0].least = l->page.above;
+    rows[l->rows + 2].least = l->page.below;
+    bead_lanes_want(columns, l->columns, (struct bead_lane){.gap = between_columns * em, .least = smallest_plot, .share = 1});
+    bead_lanes_want(rows + 1, l->rows, (struct bead_lane){.gap = between_rows * em, .least = smallest_plot, .share = 1});
+    columns[0].keep[0] = least->left;
+    columns[l->columns - 1].keep[1] = least->right;
+    rows[1].keep[0] = least->top;
+    rows[l->rows].keep[1] = least->bottom;
+    bead_lanes_within(&l->grid.columns, margin, l->width - 2 * margin);
+    bead_lanes_within(&l->grid.rows, margin, l->height - 2 * margin);
+    return BEAD_OK;
 }
 
 /* ---- plots ---- */
 
-/* How far the labels of a level axis reach beyond its ends. */
+/* Reach of a horizontal axis' labels beyond its ends. */
 static void overhang(const struct bead_axis *axis, const struct bead_look *look, double length, double *left, double *right)
 {
     struct bead_text_style style = graph_text(look);
@@ -199,102 +178,77 @@ static void overhang(const struct bead_axis *axis, const struct bead_look *look,
     }
 }
 
-static const char *graph_unit_of(const struct bead_graph_axis *axis)
-{
-    return axis->unit ? axis->unit : "";
-}
-
 static void graph_make_axes(struct graph_cell *cell, const struct bead_look *look)
 {
     const struct bead_graph_axis *x = &cell->panel->x, *y = &cell->panel->y;
-    bead_axis_make(&cell->axis[0], cell->low[0], cell->high[0], graph_unit_of(x), x->scale, cell->plot.width, look->tick, true);
-    bead_axis_make(&cell->axis[1], cell->low[1], cell->high[1], graph_unit_of(y), y->scale, cell->plot.height, look->tick, false);
+    bead_axis_make(&cell->axis[0], cell->low[0], cell->high[0], x->unit, x->scale, cell->plot.width, look->tick, true);
+    bead_axis_make(&cell->axis[1], cell->low[1], cell->high[1], y->unit, y->scale, cell->plot.height, look->tick, false);
 }
 
 static double head_height(const struct graph_layout *l, const struct graph_cell *cell)
 {
-    double em = l->look->label;
-    return cell->head ? ceil(wrapped_height(l->look, cell->head, em, false, cell->plot.width) + head_gap * em) : 0;
+    struct bead_text_style style = graph_text(l->look);
+    double width, height;
+    if (!cell->head)
+        return 0;
+    bead_text_size_lines(NULL, &style, cell->plot.width, cell->head, &width, &height);
+    return ceil(height + head_gap * l->look->label);
 }
 
-static void forget(struct graph_layout *l)
-{
-    memset(l->left, 0, l->columns * sizeof *l->left);
-    memset(l->right, 0, l->columns * sizeof *l->right);
-    memset(l->top, 0, l->rows * sizeof *l->top);
-    memset(l->bottom, 0, l->rows * sizeof *l->bottom);
-    memset(l->head, 0, l->rows * sizeof *l->head);
-}
-
-/* At least as far as before. */
-static void graph_measure(struct graph_layout *l)
+static struct bead_insets reach_of(const struct graph_layout *l, const struct graph_cell *cell)
 {
     const struct bead_look *look = l->look;
-    for (size_t p = 0; p < l->graph->panel_count; p++) {
-        struct graph_cell *cell = &l->cells[p];
-        double *left = &l->left[cell->column], *right = &l->right[cell->column], over_left, over_right;
-        double *top = &l->top[cell->row], *bottom = &l->bottom[cell->row];
-        graph_make_axes(cell, look);
-        overhang(&cell->axis[0], look, cell->plot.width, &over_left, &over_right);
-        if (cell->labelled[0]) {
-            *left = fmax(*left, over_left);
-            *right = fmax(*right, over_right);
-        }
-        double half = cell->labelled[1] ? 0.45 * look->tick : 0;
-        *left = fmax(*left, bead_axis_draw(NULL, look, &cell->axis[1], cell->plot, BEAD_SIDE_LEFT, false, cell->labelled[1],
-                                           cell->panel->y.title));
-        *bottom = fmax(*bottom, bead_axis_draw(NULL, look, &cell->axis[0], cell->plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0],
-                                               cell->panel->x.title));
-        *bottom = fmax(*bottom, half);
-        *right = fmax(*right, 0.3 * look->tick); /* points on the frame */
-        l->head[cell->row] = fmax(l->head[cell->row], head_height(l, cell));
-        *top = fmax(*top, fmax(l->head[cell->row], fmax(half, 0.3 * look->tick)));
-    }
-    const struct bead_insets *least = &l->frame.least;
-    l->left[0] = fmax(l->left[0], least->left);
-    l->right[l->columns - 1] = fmax(l->right[l->columns - 1], least->right);
-    l->top[0] = fmax(l->top[0], least->top);
-    l->bottom[l->rows - 1] = fmax(l->bottom[l->rows - 1], least->bottom);
+    double over_left, over_right, half = cell->labelled[1] ? 0.45 * look->tick : 0;
+    double points = 0.3 * look->tick; /* on the frame */
+    overhang(&cell->axis[0], look, cell->plot.width, &over_left, &over_right);
+    double left =
+        bead_axis_draw(NULL, look, &cell->axis[1], cell->plot, BEAD_SIDE_LEFT, false, cell->labelled[1], cell->panel->y.title);
+    double bottom =
+        bead_axis_draw(NULL, look, &cell->axis[0], cell->plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0], cell->panel->x.title);
+    return (struct bead_insets){.left = cell->labelled[0] ? fmax(left, over_left) : left,
+                                .top = fmax(half, points),
+                                .right = cell->labelled[0] ? fmax(points, over_right) : points,
+                                .bottom = fmax(bottom, half)};
 }
 
-static enum bead_error no_room(const struct graph_layout *l, struct bead_message *msg)
+static void take_plots(struct graph_layout *l)
 {
+    for (size_t p = 0; p < l->grid.count; p++) {
+        l->cells[p].plot = l->grid.boxes[p].at;
+        graph_make_axes(&l->cells[p], l->look);
+    }
+}
+
+static enum bead_error graph_measure(void *user, struct bead_message *)
+{
+    struct graph_layout *l = user;
+    take_plots(l);
+    memset(l->head, 0, l->rows * sizeof *l->head);
+    for (size_t p = 0; p < l->grid.count; p++) {
+        struct graph_cell *cell = &l->cells[p];
+        struct bead_insets *reach = &l->grid.boxes[p].reach;
+        *reach = reach_of(l, cell);
+        l->head[cell->row] = fmax(l->head[cell->row], head_height(l, cell));
+        reach->top = fmax(reach->top, l->head[cell->row]);
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error no_room(void *user, struct bead_message *msg)
+{
+    const struct graph_layout *l = user;
     return bead_fail(msg, BEAD_ERROR_SCENE, "size: %s leave%s no room for %zu plot%s and their labels",
                      l->graph->size ? l->graph->size : "this", l->graph->size ? "" : "s", l->graph->panel_count,
                      l->graph->panel_count == 1 ? "" : "s");
 }
 
-/* An outer legend that has more room than all plots is no picture of them. */
-static enum bead_error check_legend(const struct graph_layout *l, struct bead_message *msg)
+/* An outer legend must not be larger than all plots together. */
+static enum bead_error check_legend(struct graph_layout *l, struct bead_message *msg)
 {
     double plots = 0;
     for (size_t p = 0; p < l->graph->panel_count; p++)
         plots += (double)l->cells[p].plot.width * (double)l->cells[p].plot.height;
     return l->legend.count > 0 && l->legend.box.width * l->legend.box.height > plots ? no_room(l, msg) : BEAD_OK;
-}
-
-static enum bead_error graph_divide(struct graph_layout *l, struct bead_message *msg)
-{
-    double em = l->look->label, width, height;
-    graph_room_of_plots(l, &width, &height);
-    if (l->legend.count > 0 && l->legend_right)
-        width -= ceil(l->legend.box.width + graph_legend_gap * em);
-    else if (l->legend.count > 0)
-        height -= ceil(l->legend.box.height + graph_legend_gap * em);
-    width = floor(width / (double)l->columns);
-    height = floor(height / (double)l->rows);
-    if (!(width >= smallest_plot) || !(height >= smallest_plot))
-        return no_room(l, msg);
-    for (size_t p = 0; p < l->graph->panel_count; p++) {
-        struct graph_cell *cell = &l->cells[p];
-        double x = l->frame.margin + ceil(l->left[0]), y = l->frame.margin + graph_above_panels(l) + ceil(l->top[0]);
-        for (size_t c = 1; c <= cell->column; c++)
-            x += width + ceil(l->right[c - 1]) + between_columns * em + ceil(l->left[c]);
-        for (size_t r = 1; r <= cell->row; r++)
-            y += height + ceil(l->bottom[r - 1]) + between_rows * em + ceil(l->top[r]);
-        cell->plot = (struct bead_rect){(int)round(x), (int)round(y), (int)width, (int)height};
-    }
-    return BEAD_OK;
 }
 
 static void put_outer_legend(struct graph_layout *l)
@@ -306,48 +260,36 @@ static void put_outer_legend(struct graph_layout *l)
         l->legend.box.y = first->plot.y;
         return;
     }
-    double bottom = l->height - margin - graph_below_panels(l);
+    double bottom = l->height - margin - l->page.below;
     double free = l->width - margin - first->plot.x - l->legend.box.width; /* from the plots' left border if it fits */
     l->legend.box.x = first->plot.x + fmin(0, free);
     l->legend.box.y = bottom - l->legend.box.height;
 }
 
-static double reaches(const struct graph_layout *l)
-{
-    double sum = 0;
-    for (size_t c = 0; c < l->columns; c++)
-        sum += ceil(l->left[c]) + ceil(l->right[c]);
-    for (size_t r = 0; r < l->rows; r++)
-        sum += ceil(l->top[r]) + ceil(l->bottom[r]);
-    return sum;
-}
-
-/* Several passes: the room for axes depends on the size of plots, and the reverse. First the room may shrink; later it only grows,
- * until everything fits. */
+/* The room for axes depends on the size of plots, and the reverse. At first the room may shrink; later it only grows, until
+ * everything fits. */
 static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message *msg)
 {
     enum { FREELY = 3 };
-    double em = l->look->label, before = -1;
+    double em = l->look->label, gap = graph_legend_gap * em;
+    struct bead_lane *columns = l->grid.columns.lane, *rows = l->grid.rows.lane;
+    bool outside = l->legend.count > 0;
+    columns[l->columns].least = outside && l->legend_right ? ceil(l->legend.box.width + gap) : 0;
+    rows[l->rows + 1].least = outside && !l->legend_right ? ceil(l->legend.box.height + gap) : 0;
     for (size_t c = 0; c < l->columns; c++)
-        l->left[c] = 4 * em;
+        columns[c].reach[0] = 4 * em; /* first guesses */
     for (size_t r = 0; r < l->rows; r++)
-        l->bottom[r] = 2.5 * em;
-    enum bead_error err = graph_divide(l, msg);
-    for (int pass = 0; !err && (pass <= FREELY || reaches(l) > before); pass++) {
-        before = reaches(l);
-        if (pass < FREELY)
-            forget(l);
-        graph_measure(l);
-        err = graph_divide(l, msg);
-    }
-    for (size_t p = 0; !err && p < l->graph->panel_count; p++)
-        graph_make_axes(&l->cells[p], l->look);
-    if (!err)
-        put_outer_legend(l);
-    return err;
+        rows[1 + r].reach[1] = 2.5 * em;
+    enum bead_error err = bead_layout_settle(
+        &l->grid, FREELY, true, &(struct bead_layout_owner){.user = l, .measure = graph_measure, .no_room = no_room}, msg);
+    if (err)
+        return err;
+    take_plots(l);
+    put_outer_legend(l);
+    return BEAD_OK;
 }
 
-/* Raises the axis to make room for the legend above the curves of all panels that share it. False: impossible. */
+/* Raises the end of the y axis, in all panels that share it, to make room for the legend above the curves. False: impossible. */
 static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
 {
     double air = 4 * graph_air(l->look), free = cell->plot.height;
@@ -371,7 +313,7 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
     return true;
 }
 
-/* The words of all rulers stand in one kind of place: beside their lines, or in legends. */
+/* All rulers have their words in one kind of place: beside their lines, or in legends. */
 static void move_words(struct graph_layout *l)
 {
     for (size_t p = 0; p < l->graph->panel_count; p++) {
@@ -382,7 +324,7 @@ static void move_words(struct graph_layout *l)
     }
 }
 
-/* Places words and legend in a panel. *moved: something has to go outside. */
+/* Places words and legend in a panel. *moved: something must move outside. */
 static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, bool *moved, struct bead_message *msg)
 {
     struct graph_mask mask;
@@ -407,17 +349,8 @@ static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, 
 static void choose_columns(struct graph_layout *l)
 {
     size_t count = l->graph->panel_count;
-    double best = INFINITY;
-    l->columns = l->graph->columns < count ? l->graph->columns : count;
-    for (size_t columns = 1; l->graph->columns == 0 && columns <= count; columns++) {
-        size_t rows = (count + columns - 1) / columns;
-        double shape = l->width / (double)columns / (l->height / (double)rows);
-        double badness = fabs(log(shape / wanted_shape)) + 1.5 * (double)(columns * rows - count) / (double)(columns * rows);
-        if (badness < best) {
-            best = badness;
-            l->columns = columns;
-        }
-    }
+    const struct bead_layout_area area = {.width = l->width, .height = l->height, .shape = wanted_shape, .empty = 1.5};
+    l->columns = bead_layout_columns(count, &area);
     l->rows = (count + l->columns - 1) / l->columns;
 }
 
@@ -434,9 +367,11 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
     enum bead_error err = graph_prepare(layout, msg);
     if (!err)
         err = graph_find_ranges(layout, msg);
-    if (!err)
-        measure_lines(layout);
-    for (bool moved = true; !err && moved;) { /* ends, because every word and legend moves at most once */
+    if (!err) {
+        graph_page_measure(&layout->page, look, width, height);
+        err = make_grid(layout, msg);
+    }
+    for (bool moved = true; !err && moved;) { /* ends: every word and legend moves at most once */
         moved = false;
         graph_gather_legends(layout);
         graph_measure_outside(layout);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Legends: a grid of entries that says which curve is which. Measured and placed by the layout, drawn by graph_draw.c. */
+/* Legends: grids of entries that identify curves. The layout measures and places them, graph_draw.c draws them. */
 #include <math.h>
 
 #include "render/plot/graph_private.h"
@@ -176,25 +176,23 @@ static void draw_band_sample(const struct graph_entry *entry, const struct bead_
 
 static void draw_sample(const struct graph_entry *entry, const struct bead_look *look, double em, cairo_t *cr, double x, double y)
 {
-    double length = sample_length * em;
-    bool line = entry->ruler || entry->series->mark != BEAD_MARK_POINTS;
-    if (entry->series && entry->series->mark == BEAD_MARK_BAND) {
+    const double length = sample_length * em;
+    const enum bead_mark mark = entry->ruler ? BEAD_MARK_LINE : entry->series->mark;
+    if (mark == BEAD_MARK_BAND) {
         draw_band_sample(entry, look, em, cr, x, y);
         return;
     }
     if (entry->ruler)
         graph_ruler_style(cr, look, entry->ruler);
     else
-        graph_stroke_style(cr, look, entry->series,
-                           entry->series->mark == BEAD_MARK_LINE_POINTS && graph_thin(entry->cell, look, entry->series).every == 1);
+        graph_stroke_style(cr, look, entry->series, graph_is_guide(entry->cell, look, entry->series));
     cairo_new_path(cr);
     cairo_move_to(cr, x, y);
     cairo_line_to(cr, x + length, y);
-    if (line)
+    if (mark != BEAD_MARK_POINTS)
         cairo_stroke(cr);
-    cairo_new_path(cr);
     cairo_set_dash(cr, NULL, 0, 0);
-    if (entry->series && entry->series->mark != BEAD_MARK_LINE)
+    if (mark != BEAD_MARK_LINE)
         graph_draw_point(cr, look, entry->series, x + length / 2, y, graph_full_point(look));
 }
 

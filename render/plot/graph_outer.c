@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which legend has which entries, and the room of the one outside of all panels. */
+/* Assigns entries to legends, and sizes the legend outside the panels. */
 #include <math.h>
 #include <string.h>
 
 #include "render/plot/graph_private.h"
 
-/* Pages wider than this ratio have legends beside the panels, at most this part of the width; others only if it is worth it. */
+/* Pages wider than this ratio have legends beside the panels, up to this part of the width; others only if plots gain by it. */
 static const double most_below = 0.4; /* of the height: less than is left for the plots */
 static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 
@@ -16,31 +16,31 @@ static bool same_entry(const struct graph_entry *a, const struct graph_entry *b)
     return !a->series || graph_look_alike(a->series, b->series);
 }
 
-static void add_entry(struct graph_legend *legend, struct graph_entry entry)
+static bool has_entry(const struct graph_legend *legend, const struct graph_entry *entry)
 {
     for (size_t i = 0; i < legend->count; i++) {
-        if (same_entry(&legend->entries[i], &entry))
-            return;
-    }
-    legend->entries[legend->count++] = entry;
-}
-
-static bool in_earlier(const struct graph_layout *l, size_t cell, const struct graph_entry *entry)
-{
-    for (size_t p = 0; p < cell; p++) {
-        for (size_t i = 0; i < l->cells[p].legend.count; i++) {
-            if (same_entry(&l->cells[p].legend.entries[i], entry))
-                return true;
-        }
-    }
-    for (size_t i = 0; i < l->legend.count; i++) {
-        if (same_entry(&l->legend.entries[i], entry))
+        if (same_entry(&legend->entries[i], entry))
             return true;
     }
     return false;
 }
 
-/* What rulers say stays in its panel where there are several, or else has the letter of it: who would know which is meant? */
+static void add_entry(struct graph_legend *legend, struct graph_entry entry)
+{
+    if (!has_entry(legend, &entry))
+        legend->entries[legend->count++] = entry;
+}
+
+static bool in_earlier(const struct graph_layout *l, size_t cell, const struct graph_entry *entry)
+{
+    for (size_t p = 0; p < cell; p++) {
+        if (has_entry(&l->cells[p].legend, entry))
+            return true;
+    }
+    return has_entry(&l->legend, entry);
+}
+
+/* With several panels, the words of rulers stay in their own; outside they begin with its letter, to say whose they are. */
 static void move_outside(struct graph_layout *l, struct graph_cell *cell)
 {
     size_t kept = 0;
@@ -101,13 +101,16 @@ static void full_size(struct graph_legend *legend)
 void graph_measure_outside(struct graph_layout *l)
 {
     struct graph_legend *legend = &l->legend;
-    double width, height, page = l->width - 2 * l->frame.margin;
+    const struct bead_lanes *columns = &l->grid.columns, *rows = &l->grid.rows;
+    double page = l->width - 2 * l->frame.margin;
     l->legend_right = false;
     legend->box = (struct graph_box){0};
     if (legend->count == 0)
         return;
-    graph_room_of_plots(l, &width, &height);
-    height = fmax(0, height - ceil(graph_legend_gap * l->look->label));
+    /* Width and height of all plots together; before the first arrangement, those of the page. */
+    columns->lane[l->columns].least = rows->lane[l->rows + 1].least = 0;
+    double width = columns->length - bead_lanes_fixed(columns);
+    double height = fmax(0, rows->length - bead_lanes_fixed(rows) - ceil(graph_legend_gap * l->look->label));
     const double most = height * fmin(most_below, width / (width + page)); /* at most half of the area that they share */
     graph_legend_fit(legend, l->look, page, most);
     double below = legend->box.height;

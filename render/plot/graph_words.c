@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places the words of rulers beside their lines, where they hide nothing. A mask of what curves, points and rulers cover finds free
- * room for words and legends. */
+/* Places the words of rulers beside their lines, where they hide nothing. A mask of curves, points and rulers shows the free room
+ * for words and legends. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -26,7 +26,7 @@ static void sum(struct graph_mask *mask, const unsigned char *covered, size_t st
     }
 }
 
-/* Draws the cell's contents small; every pixel touched is covered. */
+/* Draws the cell's contents at a small scale; every pixel touched is covered. */
 enum bead_error graph_mask_make(const struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask,
                                 struct bead_message *msg)
 {
@@ -102,17 +102,13 @@ void graph_mask_cover(struct graph_mask *mask, struct graph_box box)
 /* Places tried along a ruler. */
 enum { ALONG = 24 };
 
-static double place_of(const struct graph_cell *cell, const struct bead_ruler *ruler)
-{
-    return bead_axis_place(&cell->axis[ruler->vertical ? 0 : 1], ruler->value);
-}
-
 /* A box beside the ruler, on `side` 0 or 1, at the fraction `way` along it (from the top, or from the right). */
 static struct graph_box beside(const struct graph_cell *cell, const struct bead_look *look, const struct bead_ruler *ruler,
                                double width, double height, int side, double way)
 {
     const struct bead_rect *plot = &cell->plot;
-    double gap = graph_air(look) + 0.6 * look->line, inset = 0.6 * graph_air(look), place = place_of(cell, ruler);
+    double gap = graph_air(look) + 0.6 * look->line, inset = 0.6 * graph_air(look),
+           place = graph_ruler_place(cell, ruler, ruler->value);
     if (ruler->vertical) {
         double x = plot->x + place * plot->width;
         return (struct graph_box){side ? x - gap - width : x + gap, plot->y + inset + way * (plot->height - height - 2 * inset),
@@ -128,26 +124,19 @@ static struct graph_box with_air(struct graph_box box, double air)
     return (struct graph_box){box.x - 0.8 * air, box.y - 0.3 * air, box.width + 1.6 * air, box.height + 0.6 * air};
 }
 
-static bool try_word(struct graph_word *word, const struct graph_cell *cell, const struct bead_look *look,
-                     const struct bead_ruler *ruler, double width, double height, const struct graph_mask *mask)
-{
-    for (int i = 0; i < 2 * ALONG; i++) {
-        struct graph_box box = beside(cell, look, ruler, width, height, i % 2, (i / 2) / (ALONG - 1.0));
-        if (graph_mask_covered(mask, with_air(box, graph_air(look))) > 0)
-            continue;
-        word->box = box;
-        return true;
-    }
-    return false;
-}
-
+/* False: there is no free room. */
 static bool place_word(struct graph_word *word, const struct graph_cell *cell, const struct bead_look *look,
                        const struct bead_ruler *ruler, const struct graph_mask *mask)
 {
     double width, height;
     struct bead_text_style style = graph_text(look);
     bead_text_size(NULL, &style, word->markup, &width, &height);
-    return try_word(word, cell, look, ruler, width, height, mask);
+    for (int i = 0; i < 2 * ALONG; i++) {
+        word->box = beside(cell, look, ruler, width, height, i % 2, (i / 2) / (ALONG - 1.0));
+        if (graph_mask_covered(mask, with_air(word->box, graph_air(look))) == 0)
+            return true;
+    }
+    return false;
 }
 
 bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask)
@@ -155,14 +144,15 @@ bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, st
     bool moved = false;
     for (size_t r = 0; r < cell->panel->ruler_count; r++) {
         struct graph_word *word = &cell->words[r];
-        double place = place_of(cell, &cell->panel->rulers[r]);
+        const struct bead_ruler *ruler = &cell->panel->rulers[r];
+        double place = graph_ruler_place(cell, ruler, ruler->value);
         if (!word->markup || !(place >= 0 && place <= 1)) {
             word->state = GRAPH_WORD_NONE;
             continue;
         }
         if (word->state == GRAPH_WORD_IN_LEGEND)
             continue;
-        bool placed = place_word(word, cell, look, &cell->panel->rulers[r], mask);
+        bool placed = place_word(word, cell, look, ruler, mask);
         word->state = placed ? GRAPH_WORD_PLACED : GRAPH_WORD_IN_LEGEND;
         moved = moved || !placed;
         if (placed)

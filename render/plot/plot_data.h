@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What plots show, gathered from a run and made into panels of graphs: force of sensors against time, energies of modes or
- * profiles, a panel a chain; or peaks of contacts, all chains in one panel. */
-#ifndef BEADREEL_RENDER_PLOT_PLOT_DATA_H
-#define BEADREEL_RENDER_PLOT_PLOT_DATA_H
+/* Data of plots, gathered from a run and made into panels of graphs: force of sensors against time, energies of modes, or
+ * profiles, in a panel for each chain; or peaks of contacts, all chains in one panel. */
+#pragma once
 
 #include "beadreel/sink.h"
 #include "render/plot/graph.h"
@@ -20,9 +19,7 @@ BEAD_CHECK enum bead_error bead_plot_data_finish(struct bead_plot_data *data, co
                                                  struct bead_message *msg);
 /* The panels; owned by the data. Before finish they have axes and titles, but no series. */
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count);
-/* Finish, and write the panels as a plot of their own. Errors: those of finish and of bead_graph_write. */
+/* Finishes, and writes the panels as a plot. Errors: those of finish and of bead_graph_write. */
 BEAD_CHECK enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
                                                 uint64_t *bytes, struct bead_message *msg);
 void bead_plot_data_destroy(struct bead_plot_data *data);
-
-#endif

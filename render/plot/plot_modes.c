@@ -6,10 +6,10 @@
 
 #include "render/plot/plot_private.h"
 
-/* Times of a curve unless the scene gives an interval; more cannot be seen. */
+/* Times of a curve unless the scene gives an interval; more would not be visible. */
 static const double most_times = 4000;
 
-/* At the requested interval, or as often as can be seen; replayed samples keep their times. */
+/* The requested interval, or as many times as are visible; replayed samples keep their times. */
 static struct bead_grid plot_modes_choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     const struct bead_grid *native = &context->native;
@@ -43,20 +43,16 @@ static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bea
     data->grid = plot_modes_choose_grid(output, &data->context);
     size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %zu times; a plot shows from 2 to 4194304",
-                         data->context.scene->file, output->place.line, output->place.column, data->grid.every, times);
-    enum bead_error err = plot_reserve_chains(data, output->curves.modes, msg);
+        return bead_output_wrong(output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every, times);
+    enum bead_error err = plot_reserve_chains(data, output->curves.modes, times * output->curves.modes, msg);
     if (err)
         return err;
     data->sample = calloc(times, sizeof *data->sample);
-    bool good = data->sample != NULL;
-    for (size_t p = 0; good && p < data->count; p++)
-        good = (data->parts[p].values = calloc(times * output->curves.modes, sizeof *data->parts[p].values)) != NULL;
     for (size_t k = 0; k < output->curves.modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
     plot_modes_make_axes(data, output->plot.range[0]);
     snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->curves.modes, times);
-    return good ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
+    return data->sample ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
 }
 
 static void plot_modes_needs(const struct bead_plot_data *data, struct bead_needs *needs)
@@ -67,7 +63,7 @@ static void plot_modes_needs(const struct bead_plot_data *data, struct bead_need
 }
 
 /* Samples may come more often than requested, for other panels of the figure. */
-static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *)
 {
     double energy[BEAD_MODES];
     const size_t modes = data->output->curves.modes, times = bead_grid_count(&data->grid);
@@ -83,7 +79,6 @@ static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct
             part->values[k * times + part->taken] = energy[k];
         data->sample[part->taken++] = sample->time;
     }
-    (void)msg;
     return BEAD_OK;
 }
 
@@ -98,9 +93,8 @@ static double lowest(const struct bead_plot_data *data)
     return data->output->plot.scale == BEAD_SCALE_LOG && most > 0 ? 1e-6 * most : NAN;
 }
 
-static enum bead_error plot_modes_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
+static enum bead_error plot_modes_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *)
 {
-    (void)outcomes, (void)msg;
     const struct bead_output *output = data->output;
     double low = isnan(output->plot.range[0]) ? lowest(data) : output->plot.range[0];
     for (size_t p = 0; p < data->count; p++) {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peak forces of contacts along the chain: one curve a chain, hollow where the force was still rising at the end. */
+/* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"
 
-/* A logarithmic axis extends at least down to this part of the largest force; the room at its ends. */
+/* A logarithmic axis extends down to at least this fraction of the largest force; room at its ends. */
 static const double log_span = 1e-4, log_room = 1.35;
 
 static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
@@ -14,7 +14,7 @@ static size_t contacts_of(const struct bead_plot_data *data, size_t chain)
     return plot_shows(data, chain) ? bead_chain_contacts(data->context.chains[chain]) : 0;
 }
 
-/* A single chain is named above the panel, several in the legend (SIZE_MAX). */
+/* A single chain is named above the panel; several (SIZE_MAX) in the legend. */
 static size_t only_chain(const struct bead_plot_data *data)
 {
     return data->context.chain_count == 1 ? 0 : data->chain;
@@ -31,9 +31,9 @@ static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bea
     for (size_t c = 0; c < data->context.chain_count; c++)
         most = contacts_of(data, c) > most ? contacts_of(data, c) : most;
     data->count = 1;
-    data->panels[0] = (struct bead_panel){
-        .x = {"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false},
-        .y = {"peak force", unit, data->output->plot.range[0], data->output->plot.range[1], data->output->plot.scale, true}};
+    const struct bead_plot_asked *asked = &data->output->plot;
+    data->panels[0].x = (struct bead_graph_axis){"contact", "1", -0.5, (double)most - 0.5, BEAD_SCALE_LINEAR, false};
+    data->panels[0].y = (struct bead_graph_axis){"peak force", unit, asked->range[0], asked->range[1], asked->scale, true};
     size_t only = only_chain(data);
     if (only != SIZE_MAX)
         plot_heading(data, only, data->parts[0].title, sizeof data->parts[0].title);
@@ -44,12 +44,6 @@ static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bea
 static void plot_peaks_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.contact_peaks = true, .until = INFINITY, .why = data->why};
-}
-
-static enum bead_error plot_peaks_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
-{
-    (void)data, (void)sample, (void)msg;
-    return BEAD_OK;
 }
 
 /* Contacts that were never loaded have no peak. */
@@ -113,11 +107,9 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are known only at the end of a run", data->output->path);
         all += 3 * contacts_of(data, c);
     }
-    part->series = calloc(2 * chains + 1, sizeof *part->series);
-    part->labels = calloc(chains, sizeof *part->labels);
-    part->values = calloc(all + 1, sizeof *part->values);
-    if (!part->series || !part->labels || !part->values)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of peaks");
+    enum bead_error err = plot_reserve_series(data, 0, 2 * chains + 1, all, msg);
+    if (err)
+        return err;
     for (size_t c = 0; c < chains; c++) {
         if (!plot_shows(data, c))
             continue;
@@ -128,16 +120,11 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
             part->series[series].label = part->labels[c];
         series += 2;
     }
-    if (hollow > 0) {
-        part->series[series] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = hollow_words};
-        series++;
-    }
+    if (hollow > 0)
+        part->series[series++] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = hollow_words};
     plot_peaks_find_range(data, outcomes, &data->panels[0].y);
-    data->panels[0].title = *part->title ? part->title : NULL;
-    data->panels[0].series = part->series;
     data->panels[0].series_count = series;
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS,  true, plot_peaks_create, plot_peaks_needs, plot_peaks_feed,
-                                          plot_peaks_finish};
+const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, true, plot_peaks_create, plot_peaks_needs, NULL, plot_peaks_finish};

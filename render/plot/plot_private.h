@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the kinds of plots share: the data gathered, and the table of functions that each kind fills in. */
-#ifndef BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
-#define BEADREEL_RENDER_PLOT_PLOT_PRIVATE_H
+/* Data common to all kinds of plots, and the table of functions that each kind fills in. */
+#pragma once
 
 #include "render/plot/plot_data.h"
 #include "render/view/sensor_curves.h"
 
-/* One panel and what it points to. */
+/* A panel's data. */
 struct plot_panel {
     size_t chain;
-    struct bead_curves curves, differences; /* of sensors; from the comparison run's where asked for */
+    struct bead_curves curves, differences; /* of sensors; differences from the comparison run if requested */
     struct bead_series *series;
     double *values;
     char (*labels)[256];
@@ -37,21 +36,20 @@ struct plot_kind {
     bool share_x; /* one range along x for all panels */
     enum bead_error (*create)(struct bead_plot_data *data, struct bead_message *msg);
     void (*needs)(const struct bead_plot_data *data, struct bead_needs *needs);
-    enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg);
+    enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg); /* or NULL */
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
 extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles;
 
-/* Allocates panels. Errors: MEMORY. */
+/* Allocates panels, with their titles. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);
-/* Allocates a panel, titled with the chain's name, for every chain shown, with `series` and their labels in each. Errors: MEMORY.
- */
-BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, struct bead_message *msg);
+/* Allocates series, their labels and values in panel `p`. Errors: MEMORY. */
+BEAD_CHECK enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_t series, size_t values,
+                                               struct bead_message *msg);
+/* Allocates a panel, titled with the chain's name, for each chain shown. Errors: MEMORY. */
+BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg);
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
 /* Name and magnetism of chain `number`, in the markup of graphs. */
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);
-/* Sets colour, dashes and shape that distinguish curve `index` from the others, in grey, too; of a line with many others, its mark.
- */
+/* Sets colour, dashes and marks that distinguish curve `index` from the others, in greyscale too. */
 void plot_tell_apart(struct bead_series *series, size_t index);
-
-#endif

@@ -3,12 +3,12 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "beadreel/look.h"
-#include "beadreel/profile_times.h"
+#include "render/draw/axis.h"
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
+#include "sim/output/profile_times.h"
 
-/* One unit and one number of decimals for all times: as many as they need, unless the last has five digits with fewer. */
+/* One unit and number of decimals for all times: as many as they need, up to five digits for the last. */
 struct time_words {
     int exponent, decimals;
     const char *unit;
@@ -56,7 +56,7 @@ static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct 
     char time[48];
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
-        err = plot_reserve_chains(data, data->output->curves.profile_time_count, msg);
+        err = plot_reserve_chains(data, data->output->curves.profile_time_count, 0, msg);
     const struct time_words words = words_for(data->output->curves.profile_times, data->output->curves.profile_time_count,
                                               bead_chain_time_unit(data->context.chains[0]));
     for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
@@ -78,10 +78,8 @@ static enum bead_error plot_profiles_feed(struct bead_plot_data *data, const str
     return bead_profile_times_feed(data->moments, sample, msg);
 }
 
-static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes,
-                                            struct bead_message *msg)
+static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *)
 {
-    (void)outcomes, (void)msg;
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];

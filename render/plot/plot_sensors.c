@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Force of sensors against time: a panel for each chain that has some, all with one axis of forces. */
+/* Force of sensors against time: a panel for each chain with sensors, all with one axis of forces. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 /* Number of times that a plot can distinguish. */
 static const double moments = 2000;
 
-/* Of the first chain shown: its scene's chains are of one kind. */
+/* The first chain's field: all chains of a scene are of one kind. */
 static const struct bead_field_info *plot_sensors_force_of(const struct bead_plot_data *data)
 {
     const struct bead_field_info *own = bead_chain_field(data->context.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
@@ -33,7 +33,7 @@ static const char *first_name(const struct bead_plot_data *data)
     return first->name;
 }
 
-/* What the forces are divided by: every figure names a fraction the same way. */
+/* All figures name normalised forces alike. */
 static void name_axis(struct bead_plot_data *data)
 {
     const char *title = plot_sensors_force_of(data)->title, *first = first_name(data);
@@ -50,15 +50,14 @@ static void name_axis(struct bead_plot_data *data)
 
 static void plot_sensors_make_axes(struct bead_plot_data *data)
 {
-    const struct bead_output *output = data->output;
-    bool plain = output->plot.normalise == BEAD_NORMALISE_NONE;
+    const double *range = data->output->plot.range;
+    const char *unit = data->output->plot.normalise == BEAD_NORMALISE_NONE ? plot_sensors_force_of(data)->unit : "";
     for (size_t p = 0; p < data->count; p++) {
-        data->panels[p] = (struct bead_panel){.x = {"time", bead_chain_time_unit(data->context.chains[data->parts[p].chain]),
-                                                    data->time[0], data->time[1], BEAD_SCALE_LINEAR, false},
-                                              .y = {data->axis_title, plain ? plot_sensors_force_of(data)->unit : "",
-                                                    output->plot.range[0], output->plot.range[1], BEAD_SCALE_LINEAR, true}};
-        plot_heading(data, data->parts[p].chain, data->parts[p].title, sizeof data->parts[p].title);
-        data->panels[p].title = *data->parts[p].title ? data->parts[p].title : NULL;
+        struct plot_panel *part = &data->parts[p];
+        const char *seconds = bead_chain_time_unit(data->context.chains[part->chain]);
+        data->panels[p].x = (struct bead_graph_axis){"time", seconds, data->time[0], data->time[1], BEAD_SCALE_LINEAR, false};
+        data->panels[p].y = (struct bead_graph_axis){data->axis_title, unit, range[0], range[1], BEAD_SCALE_LINEAR, true};
+        plot_heading(data, part->chain, part->title, sizeof part->title);
     }
 }
 
@@ -81,9 +80,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         most = sensors > most ? sensors : most;
     }
     if (!err && data->count == 0)
-        return bead_fail(msg, BEAD_ERROR_SCENE,
-                         "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}",
-                         data->context.scene->file, output->place.line, output->place.column);
+        return bead_output_wrong(output, msg, "there is no sensor to show; give a bead one: {bead: steel, sensor: first}");
     data->sample = err ? NULL : calloc(most, sizeof *data->sample);
     if (!err && !data->sample)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
@@ -156,7 +153,7 @@ static double peak_of(const struct bead_curves *curves, size_t k)
     return peak;
 }
 
-/* The factor for sensor `k`; NaN if the force that it would be divided by is 0. */
+/* The factor that normalises sensor `k`; NaN: its reference force is 0. */
 static double plot_sensors_factor_of(const struct bead_plot_data *data, const struct plot_panel *part, size_t k)
 {
     if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
@@ -165,16 +162,15 @@ static double plot_sensors_factor_of(const struct bead_plot_data *data, const st
     return peak > 0 ? 1 / peak : NAN;
 }
 
-static enum bead_error plot_sensors_fill(struct bead_plot_data *data, struct plot_panel *part, struct bead_message *msg)
+static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, struct bead_message *msg)
 {
+    struct plot_panel *part = &data->parts[p];
     const struct bead_curves *curves = &part->curves;
     size_t sensors = curves->curves, room = 4 * curves->count, count;
     const struct bead_sensor *names = bead_chain_sensors(data->context.chains[part->chain], &count);
-    part->series = calloc(sensors, sizeof *part->series);
-    part->labels = calloc(sensors, sizeof *part->labels);
-    part->values = calloc(2 * room * sensors + 1, sizeof *part->values);
-    if (!part->series || !part->labels || !part->values)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
+    enum bead_error err = plot_reserve_series(data, p, sensors, 2 * room * sensors, msg);
+    if (err)
+        return err;
     for (size_t k = 0; k < sensors; k++) {
         double *x = part->values + 2 * k * room, *y = x + room, factor = plot_sensors_factor_of(data, part, k);
         size_t used = 0;
@@ -193,7 +189,6 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, struct plo
     return BEAD_OK;
 }
 
-/* Lowest and highest value of all panels. */
 static double axis_length(const struct bead_plot_data *data)
 {
     double range[2] = {0, 0};
@@ -234,26 +229,20 @@ static void tell_trust(struct bead_plot_data *data)
         trust.from = data->time[0];
         trust.until = horizon_of(data, part, threshold);
         part->ruler = (struct bead_ruler){.vertical = true, .value = trust.until, .low = NAN, .high = NAN};
+        if (*part->title)
+            strncat(part->title, "; ", sizeof part->title - strlen(part->title) - 1);
         size_t used = strlen(part->title);
-        snprintf(part->title + used, sizeof part->title - used, "%s", used ? "; " : "");
-        used = strlen(part->title);
         bead_trust_say(&trust, 0, part->title + used, sizeof part->title - used);
-        data->panels[p].title = part->title;
         data->panels[p].rulers = &part->ruler;
         data->panels[p].ruler_count = isfinite(trust.until) ? 1 : 0;
     }
 }
 
-static enum bead_error plot_sensors_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes,
-                                           struct bead_message *msg)
+static enum bead_error plot_sensors_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
 {
-    (void)outcomes;
     enum bead_error err = BEAD_OK;
-    for (size_t p = 0; !err && p < data->count; p++) {
-        err = plot_sensors_fill(data, &data->parts[p], msg);
-        data->panels[p].series = data->parts[p].series;
-        data->panels[p].series_count = err ? 0 : data->parts[p].curves.curves;
-    }
+    for (size_t p = 0; !err && p < data->count; p++)
+        err = plot_sensors_fill(data, p, msg);
     if (!err && data->output->shown.trust)
         tell_trust(data);
     return err;

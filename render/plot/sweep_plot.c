@@ -13,23 +13,23 @@
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 
-/* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean; for decay, the
- * means of a magnetism and their exponential. */
+/* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
+ * means of a magnetism and their two fits. */
 enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
 
-/* A panel and everything it points to. */
+/* A panel's data. */
 struct panel {
     struct bead_series *series;
     struct bead_ruler rulers[RULERS];
     struct bead_sweep_statistics *statistics; /* [places] */
     struct bead_sweep_decay *decays;
     size_t decay_count, places, series_count, ruler_count, lines;
+    bool full;        /* out of memory */
     double **numbers; /* [series]: x and y of series with data of their own */
     char (*words)[96];
     char ruler_words[RULERS][96];
 };
 
-/* What is being drawn. */
 struct plot {
     const struct bead_output *output;
     const struct bead_sweep *sweep;
@@ -51,59 +51,60 @@ static enum bead_error sweep_plot_reserve(struct panel *p, size_t series, struct
     return p->series && p->numbers && p->words ? BEAD_OK : out_of_memory(msg);
 }
 
-/* Allocates `columns` arrays of `rows` numbers; NULL: out of memory. */
-static double *take(struct panel *p, size_t rows, size_t columns)
+/* Adds a series of `count` points and returns `columns` arrays for its numbers: x, y unless given, and others; NULL: out of memory.
+ */
+static double *add_series(struct panel *p, struct bead_series series, size_t count, size_t columns)
 {
-    double *numbers = calloc(rows * columns + 1, sizeof *numbers);
-    p->numbers[p->series_count] = numbers;
-    return numbers;
+    double *x = calloc(count * columns + 1, sizeof *x);
+    p->full = p->full || !x;
+    p->numbers[p->series_count] = x;
+    series.x = x;
+    series.y = series.y || !x ? series.y : x + count;
+    series.count = count;
+    p->series[p->series_count++] = series;
+    return x;
+}
+
+/* The label of the next series. */
+static const char *name_series(struct panel *p, const char *place, const char *statistic)
+{
+    char *word = p->words[p->series_count];
+    snprintf(word, sizeof *p->words, "%s%s%s", place, *place ? ", " : "", statistic);
+    return word;
 }
 
 /* ---- force against magnetism ---- */
 
-static bool add_points(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+static void add_points(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
 {
     size_t count = 0;
     for (size_t i = 0; i < s->row_count; i++)
         count += s->rows[i].count;
-    double *x = take(p, count, 1);
+    const struct bead_series points = {
+        .y = s->values, .mark = BEAD_MARK_POINTS, .colour = colour, .shape = colour, .faint = true, .jitter = true};
+    double *x = add_series(p, points, count, 1);
     for (size_t i = 0; x && i < s->row_count; i++) {
         for (size_t k = 0; k < s->rows[i].count; k++)
             x[s->rows[i].first + k] = s->rows[i].magnetism;
     }
-    p->series[p->series_count++] = (struct bead_series){.x = x,
-                                                        .y = s->values,
-                                                        .count = count,
-                                                        .mark = BEAD_MARK_POINTS,
-                                                        .colour = colour,
-                                                        .shape = colour,
-                                                        .faint = true,
-                                                        .jitter = true};
-    return x != NULL;
 }
 
 /* The middle half of the configurations, where points of all would cover each other. */
-static bool add_band(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place)
+static void add_band(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place)
 {
     const size_t n = s->row_count;
-    double *x = take(p, n, 3);
+    const struct bead_series band = {.mark = BEAD_MARK_BAND,
+                                     .colour = colour,
+                                     .dash = colour % BEAD_DASHES,
+                                     .faint = true,
+                                     .label = name_series(p, place, "quartiles")};
+    double *x = add_series(p, band, n, 3);
     for (size_t i = 0; x && i < n; i++) {
         x[i] = s->rows[i].magnetism;
         x[n + i] = s->rows[i].summary.quartile[0];
         x[2 * n + i] = s->rows[i].summary.quartile[1];
     }
-    char *word = p->words[p->series_count];
-    snprintf(word, sizeof *p->words, "%s%squartiles", place, *place ? ", " : "");
-    p->series[p->series_count++] = (struct bead_series){.x = x,
-                                                        .y = x ? x + n : NULL,
-                                                        .upper = x ? x + 2 * n : NULL,
-                                                        .count = n,
-                                                        .mark = BEAD_MARK_BAND,
-                                                        .colour = colour,
-                                                        .dash = colour % BEAD_DASHES,
-                                                        .faint = true,
-                                                        .label = word};
-    return x != NULL;
+    p->series[p->series_count - 1].upper = x ? x + 2 * n : NULL;
 }
 
 static size_t sweep_plot_most_configurations(const struct bead_sweep_statistics *s)
@@ -114,12 +115,15 @@ static size_t sweep_plot_most_configurations(const struct bead_sweep_statistics 
     return most;
 }
 
-/* One of a few configurations of every magnetism. All of a place have its mark, which the first explains. */
-static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place, size_t number)
+/* One configuration of each magnetism, of a few. All series of a place have its mark; the first has the label. */
+static void add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place, size_t number)
 {
-    char *word = p->words[p->series_count];
-    snprintf(word, sizeof *p->words, "%s%seach configuration", place, *place ? ", " : "");
-    double *x = take(p, s->row_count, 2);
+    const struct bead_series marks = {.mark = BEAD_MARK_POINTS,
+                                      .colour = colour,
+                                      .shape = colour,
+                                      .hollow = true,
+                                      .label = number == 0 ? name_series(p, place, "each configuration") : NULL};
+    double *x = add_series(p, marks, s->row_count, 2);
     size_t count = 0;
     for (size_t i = 0; x && i < s->row_count; i++) {
         if (number >= s->rows[i].count)
@@ -127,53 +131,39 @@ static bool add_marks(struct panel *p, const struct bead_sweep_statistics *s, si
         x[count] = s->rows[i].magnetism;
         x[s->row_count + count++] = s->values[s->rows[i].first + number];
     }
-    p->series[p->series_count++] = (struct bead_series){.x = x,
-                                                        .y = x ? x + s->row_count : NULL,
-                                                        .count = count,
-                                                        .mark = BEAD_MARK_POINTS,
-                                                        .colour = colour,
-                                                        .shape = colour,
-                                                        .hollow = true,
-                                                        .label = number == 0 ? word : NULL};
-    return x != NULL;
+    p->series[p->series_count - 1].count = count;
 }
 
-static bool add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place,
+static void add_configurations(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place,
                                bool crowded)
 {
     size_t most = sweep_plot_most_configurations(s);
-    bool good = true;
-    if (most > MARKS)
-        return crowded ? add_band(p, s, colour, place) : add_points(p, s, colour);
-    for (size_t k = 0; k < most && good; k++)
-        good = add_marks(p, s, colour, place, k);
-    return good;
+    if (most > MARKS && crowded)
+        add_band(p, s, colour, place);
+    else if (most > MARKS)
+        add_points(p, s, colour);
+    for (size_t k = 0; most <= MARKS && k < most; k++)
+        add_marks(p, s, colour, place, k);
 }
 
-/* Means with bars of their standard errors, or medians: in a panel, each with its dashes. */
-static bool add_curve(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, bool median, bool crowded,
+/* Means with bars of their standard errors, or medians; each curve of a panel has its own dashes. */
+static void add_curve(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, bool median, bool crowded,
                       const char *place)
 {
     const size_t n = s->row_count;
-    double *x = take(p, n, 3);
+    const struct bead_series curve = {.mark = median || crowded ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
+                                      .colour = colour,
+                                      .shape = colour,
+                                      .dash = p->lines++ % BEAD_DASHES,
+                                      .label = name_series(p, place, median ? "median" : "mean")};
+    double *x = add_series(p, curve, n, 3);
     for (size_t i = 0; x && i < n; i++) {
         const struct bead_summary *m = &s->rows[i].summary;
         x[i] = s->rows[i].magnetism;
         x[n + i] = median ? m->median : m->mean;
         x[2 * n + i] = isfinite(m->standard_error) ? m->standard_error : 0;
     }
-    char *word = p->words[p->series_count];
-    snprintf(word, sizeof *p->words, "%s%s%s", place, *place ? ", " : "", median ? "median" : "mean");
-    p->series[p->series_count++] = (struct bead_series){.x = x,
-                                                        .y = x ? x + n : NULL,
-                                                        .error = x && !median ? x + 2 * n : NULL,
-                                                        .count = n,
-                                                        .mark = median || crowded ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
-                                                        .colour = colour,
-                                                        .shape = colour,
-                                                        .dash = p->lines++ % BEAD_DASHES,
-                                                        .label = word};
-    return x != NULL;
+    p->series[p->series_count - 1].error = x && !median ? x + 2 * n : NULL;
 }
 
 static void add_rulers(struct panel *p, const struct bead_sweep_statistics *s)
@@ -194,7 +184,6 @@ static void add_rulers(struct panel *p, const struct bead_sweep_statistics *s)
                                                       error ? t->critical + t->critical_error : NAN, p->ruler_words[1]};
 }
 
-/* Of all places of a panel. */
 static enum bead_error find_statistics(struct plot *plot, size_t index, struct bead_message *msg)
 {
     struct panel *p = &plot->panels[index];
@@ -209,7 +198,7 @@ static enum bead_error find_statistics(struct plot *plot, size_t index, struct b
     return err;
 }
 
-/* Panels have one look, which one legend explains: marks only where these stand apart in each. */
+/* All panels look alike, as one legend explains them: marks only where there is room for them in each. */
 static bool is_crowded(const struct plot *plot)
 {
     enum { APART = 40 };
@@ -222,18 +211,17 @@ static bool is_crowded(const struct plot *plot)
     return false;
 }
 
-static bool add_place(struct panel *p, size_t place, const char *name, enum bead_sweep_show show, bool crowded)
+static void add_place(struct panel *p, size_t place, const char *name, enum bead_sweep_show show, bool crowded)
 {
     const struct bead_sweep_statistics *s = &p->statistics[place];
     const bool single = p->places == 1;
-    bool good = add_configurations(p, s, place, name, crowded);
-    if (good && show != BEAD_SWEEP_MEDIAN)
-        good = add_curve(p, s, place, false, crowded, name);
-    if (good && show != BEAD_SWEEP_MEAN)
-        good = add_curve(p, s, single ? place + 1 : place, true, crowded, name);
+    add_configurations(p, s, place, name, crowded);
+    if (show != BEAD_SWEEP_MEDIAN)
+        add_curve(p, s, place, false, crowded, name);
+    if (show != BEAD_SWEEP_MEAN)
+        add_curve(p, s, single ? place + 1 : place, true, crowded, name);
     if (single)
         add_rulers(p, s);
-    return good;
 }
 
 static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct bead_message *msg)
@@ -244,7 +232,8 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
     enum bead_error err = sweep_plot_reserve(p, SERIES_OF_PLACE * p->places, msg);
     for (size_t place = 0; !err && place < p->places; place++) {
         const char *name = p->places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
-        err = add_place(p, place, name, show, is_crowded(plot)) ? BEAD_OK : out_of_memory(msg);
+        add_place(p, place, name, show, is_crowded(plot));
+        err = p->full ? out_of_memory(msg) : BEAD_OK;
     }
     struct bead_panel *shown = &plot->shown[index];
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
@@ -259,36 +248,50 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
 /* ---- decay ---- */
 
 /* The line of a fit from place `first` to `last`: exponential or power law. All have one look: each lies on its curve. */
-static bool add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power)
+static void add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power)
 {
-    enum { STEPS = 64 };
-    double *x = take(p, STEPS + 1, 2);
-    for (size_t i = 0; x && i <= STEPS; i++) {
-        double place = (double)first * pow((double)last / (double)first, (double)i / STEPS);
+    enum { POINTS = 65 };
+    const struct bead_series line = {.mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED};
+    double *x = add_series(p, line, POINTS, 2);
+    for (size_t i = 0; x && i < POINTS; i++) {
+        double place = (double)first * pow((double)last / (double)first, (double)i / (POINTS - 1));
         x[i] = place + half;
-        x[STEPS + 1 + i] =
-            exp(power ? fit->exponent_offset + fit->exponent * log(place) : fit->length_offset - place / fit->length);
+        x[POINTS + i] = exp(power ? fit->exponent_offset + fit->exponent * log(place) : fit->length_offset - place / fit->length);
     }
-    p->series[p->series_count++] = (struct bead_series){
-        .x = x, .y = x ? x + STEPS + 1 : NULL, .count = STEPS + 1, .mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED};
-    return x != NULL;
 }
 
-/* The run of a configuration ends as the front arrives, before the largest force of the last beads has come, which follows the
- * front by up to about sixty beads of a thousand: this part of the random beads is left out. */
+/* A run of a configuration ends as the front arrives, before the last beads reach their largest force, which follows the front by
+ * up to about sixty beads of a thousand: this fraction of the random beads is left out. */
 enum { LATE = 16 };
 
+/* "M = 0.5, γ = 120 ± 3, F ∝ x^-0.33", as far as the fit was possible. */
+static void name_profile(const struct bead_decay *fit, double magnetism, int decimals, bool energy, char *word, size_t size)
+{
+    char number[32];
+    bead_number(magnetism, decimals, number, sizeof number);
+    size_t used = (size_t)snprintf(word, size, "*M* = %s", number);
+    if (isfinite(fit->length))
+        used += (size_t)snprintf(word + used, size - used, ", *γ* = %.0f", fit->length);
+    if (isfinite(fit->length) && isfinite(fit->length_error))
+        used += (size_t)snprintf(word + used, size - used, " ± %.0f", fit->length_error);
+    if (isfinite(fit->exponent))
+        snprintf(word + used, size - used, ", *%s* ∝ *x*^{%s%.2f}", energy ? "E" : "F", fit->exponent < 0 ? "\u2212" : "",
+                 fabs(fit->exponent));
+}
+
 /* Means in units of the clean chain, with the exponential and the power law. */
-static bool add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
+static void add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
                         size_t number, int decimals)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(plot->sweep, index);
     const struct bead_decay *fit = energy ? &d->of_energy : &d->of_force;
     size_t count = 0, beads = panel->beads;
-    double *x = take(p, beads, 2);
+    char *word = p->words[p->series_count];
+    double *x = add_series(p, (struct bead_series){.mark = BEAD_MARK_LINE_POINTS, .label = word}, beads, 2);
+    struct bead_series *series = &p->series[p->series_count - 1];
     struct bead_sweep_configuration clean;
     if (!x || !bead_sweep_configuration(plot->sweep, index, BEAD_SWEEP_CLEAN, &clean))
-        return false;
+        return;
     for (size_t i = 0; i < beads; i++)
         x[i] = energy ? d->energy[i] / clean.bead_energy[i] : d->force[i] / clean.bead_force[i];
     bead_sweep_smooth(plot->sweep, index, x, x + beads, &count);
@@ -296,27 +299,17 @@ static bool add_profile(struct panel *p, const struct plot *plot, size_t index, 
     count -= count / LATE;
     for (size_t i = 0; i < count; i++)
         x[i] = (double)i + half;
-    bool falls = isfinite(fit->length), power = isfinite(fit->exponent);
-    char *word = p->words[p->series_count];
-    char number_words[32];
-    bead_number(d->magnetism, decimals, number_words, sizeof number_words);
-    int used = snprintf(word, sizeof *p->words, "*M* = %s", number_words);
-    if (falls)
-        used += snprintf(word + used, sizeof *p->words - (size_t)used, ", *γ* = %.0f", fit->length);
-    if (falls && isfinite(fit->length_error))
-        used += snprintf(word + used, sizeof *p->words - (size_t)used, " ± %.0f", fit->length_error);
-    if (power)
-        snprintf(word + used, sizeof *p->words - (size_t)used, ", *%s* ∝ *x*^{%s%.2f}", energy ? "E" : "F",
-                 fit->exponent < 0 ? "\u2212" : "", fabs(fit->exponent));
-    p->series[p->series_count++] =
-        (struct bead_series){.x = x, .y = x + beads, .count = count, .mark = BEAD_MARK_LINE_POINTS, .label = word};
-    plot_tell_apart(&p->series[p->series_count - 1], number);
+    series->count = count;
+    name_profile(fit, d->magnetism, decimals, energy, word, sizeof *p->words);
+    plot_tell_apart(series, number);
     const size_t end = fit->last < count ? fit->last : count - 1;
-    bool good = !falls || end <= fit->first || add_fit(p, fit, fit->first, end, half, false);
-    return good && (!power || end != fit->last || add_fit(p, fit, fit->last, count - 1, half, true));
+    if (isfinite(fit->length) && end > fit->first)
+        add_fit(p, fit, fit->first, end, half, false);
+    if (isfinite(fit->exponent) && end == fit->last)
+        add_fit(p, fit, fit->last, count - 1, half, true);
 }
 
-/* Up to the last random bead; behind it the chain is ordered, or ends. */
+/* Up to the last random bead; beyond it the chain is ordered, or ends. */
 static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_message *msg)
 {
     const size_t index = place / DECAY_PANELS;
@@ -330,8 +323,10 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
         const int digits = bead_magnetism_digits(p->decays[i].magnetism);
         decimals = digits > decimals ? digits : decimals;
     }
-    for (size_t i = 0; i < p->decay_count && !err; i++)
-        err = add_profile(p, plot, index, &p->decays[i], energy, i, decimals) ? BEAD_OK : out_of_memory(msg);
+    for (size_t i = 0; i < p->decay_count && !err; i++) {
+        add_profile(p, plot, index, &p->decays[i], energy, i, decimals);
+        err = p->full ? out_of_memory(msg) : BEAD_OK;
+    }
     struct bead_panel *shown = &plot->shown[place];
     const double last = (double)bead_sweep_panel(plot->sweep, index)->spec->last;
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = 0, .high = last};
@@ -364,9 +359,10 @@ static void free_plot(struct plot *plot)
     free(plot->shown);
 }
 
-static enum bead_error write_plot(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
+static enum bead_error write_plot(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                   uint64_t *bytes, struct bead_message *msg)
 {
+    const struct bead_sweep *sweep = context->sweep;
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
     struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
     plot.panels = calloc(plot.count, sizeof *plot.panels);
@@ -397,4 +393,5 @@ static const char *sweep_plot_why(const struct bead_output *output)
                                                          : "peak force against magnetism, with plateau and threshold";
 }
 
-const struct bead_sweep_sink bead_sweep_plot_sink = {"plot", BEAD_OUTPUT_PLOT, sweep_plot_why, write_plot, NULL, false};
+const struct bead_sink_type bead_sweep_plot_sink = {
+    .name = "plot", .help = "statistics of a sweep", .kind = BEAD_OUTPUT_PLOT, .why = sweep_plot_why, .write = write_plot};

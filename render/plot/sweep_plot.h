@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of sweeps: force against magnetism, and decay along the chain. */
-#ifndef BEADREEL_RENDER_PLOT_SWEEP_PLOT_H
-#define BEADREEL_RENDER_PLOT_SWEEP_PLOT_H
+#pragma once
 
 #include "beadreel/sweep.h"
 
-extern const struct bead_sweep_sink bead_sweep_plot_sink;
-
-#endif
+extern const struct bead_sink_type bead_sweep_plot_sink;

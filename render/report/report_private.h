@@ -1,47 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of a report share. */
-#ifndef BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H
-#define BEADREEL_RENDER_REPORT_REPORT_PRIVATE_H
+/* State of the report of a run. */
+#pragma once
 
 #include "beadreel/colormap.h"
-#include "beadreel/measure.h"
 #include "render/colour/colour_range.h"
 #include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
+#include "sim/output/measure.h"
 
 /* The samples of a chain. */
 struct report_chain {
     const struct bead_chain *chain;
-    bool beads;                     /* it has some, which move */
+    bool beads;                     /* its values are of beads, which move */
     struct bead_span bead;          /* shown; empty spans have last < first */
     struct bead_span value;         /* of the field: beads or contacts */
     size_t beads_shown, values;     /* how many */
     float *field;                   /* [samples][values] */
     float *displacement;            /* [samples][beads_shown]; NULL without beads */
     size_t fed, kept;               /* samples */
-    struct bead_measures *measures; /* NULL: samples are too few for them */
-    struct bead_area *area;         /* to find the strike that would hide the wave */
+    struct bead_measures *measures; /* NULL: too few samples for them */
+    struct bead_area *area;         /* finds the strike that would hide the wave */
 };
 
 struct bead_sink {
     const struct bead_output *output;
     struct bead_run_context context;
     char *path;
-    struct bead_grid grid; /* of the samples that are kept */
-    size_t stride;         /* one of so many that come */
+    struct bead_grid grid; /* of the samples kept */
+    size_t stride;         /* of all samples, each stride-th is kept */
     bool measured;
     size_t samples, chain_count;
     struct report_chain *chains;
-    bool peaks;                          /* they are asked for */
+    bool peaks;                          /* the report needs them */
     struct bead_colormap maps[2];        /* light, dark */
     struct bead_colour_range range;      /* found at the end */
-    const struct bead_outcome *outcomes; /* the same */
+    const struct bead_outcome *outcomes; /* known at the end */
     double magnify;
     uint64_t bytes;
     char why[96];
 };
 
 extern const struct report_page report_run_page;
-
-#endif

@@ -1,26 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The life of a report: it keeps samples, as many as a page of a few megabytes has room for, and writes them at the end. */
+/* The life of a report: keeps as many samples as fit into a page of a few megabytes, and writes them at the end. */
 #include <math.h>
 #include <stdlib.h>
 
-#include "beadreel/file.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/picture_times.h"
 #include "render/report/report_private.h"
 #include "render/view/magnify.h"
+#include "sim/base/file.h"
+#include "sim/chain/system.h"
 
 /* Bytes of samples: wanted, and at most. Base64 makes four of three. */
 static const double wanted_bytes = 1.2e6, most_bytes = 12e6;
-/* Samples: a frame of a film of 20 s each; fewer do not look like motion. */
+/* Samples: one for each frame of a film of 20 s; fewer than the least do not look like motion. */
 static const double most_samples = 1201, fewest_samples = 201;
 /* Pixels along time of the image that finds the range of colours. */
 enum { IMAGE_TIMES = 400 };
-
-static enum bead_error report_wrong(const struct bead_sink *s, const char *what, struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", s->context.scene->file, s->output->place.line,
-                     s->output->place.column, what);
-}
 
 static enum bead_error report_memory(struct bead_message *msg)
 {
@@ -42,7 +37,7 @@ static void report_destroy(struct bead_sink *s)
     free(s);
 }
 
-/* How many of `count` are in the span. */
+/* Number of beads or contacts of the span that exist, out of `count`. */
 static size_t rows_of(const struct bead_span *span, size_t count)
 {
     if (span->first >= count || span->last < span->first)
@@ -50,13 +45,13 @@ static size_t rows_of(const struct bead_span *span, size_t count)
     return (span->last < count ? span->last : count - 1) - span->first + 1;
 }
 
-/* Which beads and values of a chain are shown. */
+/* Finds the beads and values of a chain that are shown. */
 static void find_spans(const struct bead_sink *s, struct report_chain *c)
 {
     const struct bead_span asked = s->output->shown.beads;
     size_t beads = bead_chain_beads(c->chain),
            values = bead_field_info(s->output->shown.field)->of_contacts ? bead_chain_contacts(c->chain) : beads;
-    c->beads = bead_chain_spec(c->chain)->equation.name == NULL;
+    c->beads = bead_chain_spec(c->chain)->system->has_contacts;
     c->beads_shown = rows_of(&asked, beads);
     c->values = rows_of(&asked, values);
     c->bead = (struct bead_span){asked.first, asked.first + c->beads_shown - 1};
@@ -76,7 +71,7 @@ static enum bead_error list_chains(struct bead_sink *s, struct bead_message *msg
         find_spans(s, c);
         s->peaks = s->peaks && c->beads;
         if (c->values == 0 || c->beads_shown == 0)
-            return report_wrong(s, "beads: not all chains have so many beads", msg);
+            return bead_output_wrong(s->output, msg, "beads: some chains have fewer beads");
     }
     return BEAD_OK;
 }
@@ -89,7 +84,7 @@ static double bytes_a_sample(const struct bead_sink *s)
     return 2 * numbers;
 }
 
-/* At steps of a trajectory's samples where there are only those. */
+/* A grid of times, at multiples of a trajectory's own step if it replays one. */
 static struct bead_grid grid_of(const struct bead_grid *native, const double time[2], double every)
 {
     if (!(native->every > 0))
@@ -99,7 +94,7 @@ static struct bead_grid grid_of(const struct bead_grid *native, const double tim
                               fmin(time[1], native->end)};
 }
 
-/* As many samples as there is room for, a few if that is little; or those that the scene asks for. */
+/* Chooses the samples that the scene asks for, else as many as fit, but at least a few. */
 static enum bead_error choose_times(struct bead_sink *s, struct bead_message *msg)
 {
     const double bytes = bytes_a_sample(s), count = fmin(most_samples, fmax(fewest_samples, floor(wanted_bytes / bytes)));
@@ -109,15 +104,15 @@ static enum bead_error choose_times(struct bead_sink *s, struct bead_message *ms
         return err;
     s->grid = grid_of(&s->context.native, time, every > 0 ? every : (time[1] - time[0]) / (count - 1));
     if (((s->grid.end - s->grid.start) / s->grid.every + 1) * bytes > most_bytes)
-        return report_wrong(s,
-                            "beads: a page with so many beads and samples would be too large for browsers; show fewer, such as "
-                            "`beads: [0, 200]`, or less often (`every`)",
-                            msg);
+        return bead_output_wrong(
+            s->output, msg,
+            "beads: a page with so many beads and samples would be too large for browsers; show fewer beads, such as "
+            "`beads: [0, 200]`, or fewer samples (`every`)");
     s->samples = bead_grid_count(&s->grid);
-    return s->samples > 1 ? BEAD_OK : report_wrong(s, "every: a report needs two samples or more", msg);
+    return s->samples > 1 ? BEAD_OK : bead_output_wrong(s->output, msg, "every: a report needs two samples or more");
 }
 
-/* Measures are those of the whole run, and want samples that show its pulses. */
+/* Measures are of the whole run and need samples dense enough for its pulses. */
 static void choose_stride(struct bead_sink *s)
 {
     const struct bead_shown *shown = &s->output->shown;
@@ -129,7 +124,7 @@ static void choose_stride(struct bead_sink *s)
 
 static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
 {
-    enum bead_error err = bead_colour_range_check(s->output, s->context.scene->file, msg);
+    enum bead_error err = bead_colour_range_check(s->output, msg);
     for (int dark = 0; dark < 2 && !err; dark++)
         err = bead_colour_range_map(s->output, s->context.chains[0], dark, &s->maps[dark], msg);
     return err;
@@ -201,10 +196,9 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
     return err || !s->measured ? err : bead_measures_create(c->chain, &c->measures, msg);
 }
 
-static enum bead_error report_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
+static enum bead_error report_begin(struct bead_sink *s, struct bead_range, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    (void)range;
     s->magnify = s->output->views.magnify > 0 ? s->output->views.magnify : bead_magnify_auto(s->context.chains, s->chain_count);
     for (size_t i = 0; i < s->chain_count && !err; i++)
         err = take_room(s, &s->chains[i], msg);
@@ -226,7 +220,7 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
     if (err || c->fed++ % s->stride > 0)
         return err;
     if (sample->index != c->fed - 1 || c->kept == s->samples)
-        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", s->path, sample->index,
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu arrived out of order", s->path, sample->index,
                          sample->chain);
     keep(values, c->value, c->kept, c->field);
     if (c->beads)
@@ -236,7 +230,7 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
     return BEAD_OK;
 }
 
-/* All chains have one range of colours, which leaves out the strike as those of stills do. */
+/* Finds one range of colours for all chains, without the strike, as in stills. */
 static void find_range(struct bead_sink *s)
 {
     struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
@@ -255,7 +249,7 @@ static enum bead_error report_end(struct bead_sink *s, const struct bead_outcome
 {
     s->outcomes = outcomes;
     find_range(s);
-    return report_write_page(&report_run_page, s, s->path, &s->bytes, msg);
+    return report_write_page(&report_run_page, s->context.scene, s, s->path, &s->bytes, msg);
 }
 
 static void report_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
@@ -264,7 +258,7 @@ static void report_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *
     *items = s->samples;
 }
 
-/* Last, so that pictures which the scene asks for are there to be shown. */
+/* Runs after the other outputs, so that it can show their pictures. */
 const struct bead_sink_type bead_report_sink = {
     .name = "report",
     .help = "a page for browsers that plays the run, with its peaks, pictures and scene",

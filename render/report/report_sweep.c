@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/api.h"
 #include "beadreel/sweep.h"
 #include "render/colour/colour_range.h"
 #include "render/colour/colour_table.h"
@@ -12,8 +11,8 @@
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 
-/* Pixels of all images together, about half of which the wave has not reached and cost nothing; of one image along the chain, and
- * along time as a part of that. Beyond `most_images` each second configuration is shown, or each third and so on. */
+/* Pixels of all images together (the wave does not reach about half of them, which cost nothing); of one image along the chain, and
+ * along time as a part of that. With more than MOST_IMAGES configurations, each second or third and so on is shown. */
 static const double wanted_pixels = 3.6e6, least_places = 24, most_places = 200, tall = 0.75;
 enum { MOST_IMAGES = 4000, SAMPLES_A_ROW = 4 };
 
@@ -28,6 +27,7 @@ struct sweep_image {
 struct sweep_report {
     const struct bead_output *output;
     const struct bead_sweep *sweep;
+    struct bead_sweep_chain *clean; /* of the first panel: gives units and signs */
     struct sweep_image *images;
     struct bead_sweep_watch *watches;
     size_t count;
@@ -47,18 +47,19 @@ static void sweep_clear(struct sweep_report *r)
 {
     for (size_t i = 0; r->images && i < r->count; i++)
         bead_area_destroy(r->images[i].area);
+    bead_sweep_chain_destroy(r->clean);
     free(r->images);
     free(r->watches);
 }
 
-/* ---- which images, and their pixels ---- */
+/* ---- choice of images and their pixels ---- */
 
 static void add_image(struct sweep_report *r, size_t panel, size_t index)
 {
     r->images[r->count++] = (struct sweep_image){.panel = panel, .index = index, .field = r->output->shown.field};
 }
 
-/* The clean chain and the known configurations of each panel. */
+/* Lists the clean chain and the known configurations of each panel. */
 static enum bead_error list_images(struct sweep_report *r, struct bead_message *msg)
 {
     struct bead_sweep_configuration found;
@@ -85,14 +86,11 @@ static enum bead_error list_images(struct sweep_report *r, struct bead_message *
 
 static enum bead_error prepare_colours(struct sweep_report *r, struct bead_message *msg)
 {
-    const char *file = bead_sweep_scene(r->sweep)->file;
-    struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_colour_range_check(r->output, file, msg);
+    enum bead_error err = bead_colour_range_check(r->output, msg);
     if (!err)
-        err = bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
+        err = bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &r->clean, msg);
     for (int dark = 0; dark < 2 && !err; dark++)
-        err = bead_colour_range_map(r->output, bead_sweep_chain_of(made), dark, &r->maps[dark], msg);
-    bead_sweep_chain_destroy(made);
+        err = bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, &r->maps[dark], msg);
     return err;
 }
 
@@ -118,15 +116,14 @@ static enum bead_error make_area(struct sweep_report *r, struct sweep_image *ima
 
 /* ---- running them ---- */
 
-static enum bead_error take_sample(void *context, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error take_sample(void *context, const struct bead_sample *sample, struct bead_message *)
 {
     const struct sweep_image *image = context;
-    (void)msg;
     bead_area_feed(image->area, sample->time, sample->field[image->field], sample->active);
     return BEAD_OK;
 }
 
-/* All images end as the last front arrives, or where the scene says. */
+/* All images end as the last front arrives, or at the scene's `until`. */
 static enum bead_error find_end(struct sweep_report *r, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(r->sweep)->simulate.until;
@@ -157,13 +154,9 @@ static enum bead_error run_images(struct sweep_report *r, const struct bead_swee
     return err ? err : bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
 }
 
-static enum bead_error find_range(struct sweep_report *r, struct bead_message *msg)
+static void find_range(struct sweep_report *r)
 {
     struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
-    struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
-    if (err)
-        return err;
     for (size_t i = 0; i < r->count; i++) {
         double low, high;
         bead_area_extremes(r->images[i].area, &low, &high);
@@ -171,34 +164,15 @@ static enum bead_error find_range(struct sweep_report *r, struct bead_message *m
         shown.largest = fmax(shown.largest, high);
         shown.typical = fmax(shown.typical, bead_area_typical(r->images[i].area));
     }
-    const struct bead_chain *chain = bead_sweep_chain_of(made);
+    const struct bead_chain *chain = bead_sweep_chain_of(r->clean);
     r->field = *bead_chain_field(chain, r->output->shown.field);
     r->range = bead_colour_range_find(&r->output->colours, bead_chain_signed(chain, r->output->shown.field), &shown);
-    bead_sweep_chain_destroy(made);
-    return BEAD_OK;
 }
 
 /* ---- writing ---- */
 
-static enum bead_error sweep_title(const void *context, FILE *file, struct bead_message *msg)
-{
-    const struct sweep_report *r = context;
-    const char *title = bead_sweep_scene(r->sweep)->title;
-    (void)msg;
-    report_html(file, title && *title ? title : "beadreel");
-    return BEAD_OK;
-}
-
-static enum bead_error sweep_scene(const void *context, FILE *file, struct bead_message *msg)
-{
-    const struct sweep_report *r = context;
-    (void)msg;
-    report_html(file, bead_sweep_scene(r->sweep)->text);
-    return BEAD_OK;
-}
-
-/* Indices of colours, a row for each time: first how many places differ from the colour of 0 up to the last that does (two bytes),
- * then theirs. */
+/* Writes indices of colours, a row for each time: the number of places up to the last that differs from the colour of 0 (two
+ * bytes), then their indices. */
 static enum bead_error write_image(const struct sweep_report *r, const struct sweep_image *image, FILE *file,
                                    struct bead_message *msg)
 {
@@ -248,12 +222,8 @@ static enum bead_error write_configurations(const struct sweep_report *r, size_t
         (void)bead_sweep_configuration(r->sweep, panel, image->index, &found);
         fprintf(file, "%s{\"index\":", comma);
         comma = ",\n";
-        if (image->index == BEAD_SWEEP_CLEAN)
-            fputs("null", file);
-        else
-            fprintf(file, "%zu", image->index);
-        report_key(file, true, "magnetism");
-        report_number(file, found.magnetism);
+        report_number(file, image->index == BEAD_SWEEP_CLEAN ? NAN : (double)image->index);
+        report_named_number(file, "magnetism", found.magnetism);
         fputs(",\"spins\":\"", file);
         write_spins(found.spins, cells, file);
         fprintf(file, "\",\"places\":%zu,\"values\":%zu,\"data\":\"", bead_area_places(image->area), image->values);
@@ -292,11 +262,10 @@ static enum bead_error write_place(const struct sweep_report *r, size_t panel, s
         return err;
     fputs(place ? ",\n{\"name\":" : "{\"name\":", file);
     report_string(file, bead_sweep_place(r->sweep, panel, place));
-    report_key(file, true, "clean");
-    report_number(file, s.clean);
+    report_named_number(file, "clean", s.clean);
     if (s.has_threshold) {
         const double numbers[] = {s.threshold.plateau, s.threshold.plateau_error, s.threshold.critical, s.threshold.critical_error};
-        report_key(file, true, "threshold");
+        report_key(file, "threshold");
         report_numbers(file, numbers, sizeof numbers / sizeof *numbers);
     }
     fputc(',', file);
@@ -326,49 +295,48 @@ static enum bead_error write_panel(const struct sweep_report *r, size_t index, F
 static enum bead_error sweep_data(const void *context, FILE *file, struct bead_message *msg)
 {
     const struct sweep_report *r = context;
-    const struct bead_scene *scene = bead_sweep_scene(r->sweep);
     enum bead_error err = BEAD_OK;
-    fputs("{\"kind\":\"sweep\",\"program\":\"beadreel " BEADREEL_VERSION "\",\"title\":", file);
-    report_string(file, scene->title ? scene->title : "");
-    fputs(",\"end\":", file);
-    report_number(file, r->end);
-    fprintf(file, ",\"times\":%d,", r->times);
+    report_open(file, "sweep", bead_sweep_scene(r->sweep));
+    report_named_number(file, "end", r->end);
+    fprintf(file, ",\"times\":%d", r->times);
     report_field(file, &r->field, r->output->shown.field);
     report_range(file, &r->range, r->output->colours.scale);
     report_maps(file, r->maps);
-    fputs("\"panels\":[", file);
+    fputs(",\"panels\":[", file);
     for (size_t p = 0; p < bead_sweep_panels(r->sweep) && !err; p++)
         err = write_panel(r, p, file, msg);
     fputs("]}", file);
     return err;
 }
 
-static enum bead_error sweep_run(const struct bead_output *output, const struct bead_sweep *sweep,
-                                 const struct bead_sweep_settings *settings, const char *path, uint64_t *bytes,
-                                 struct bead_message *msg)
+static enum bead_error write_report(const struct bead_output *output, const struct bead_run_context *context, const char *path,
+                                    uint64_t *bytes, struct bead_message *msg)
 {
     static const char *const scripts[] = {"data.js", "axes.js", "chart.js", "page.js", "sweep.js", NULL};
-    static const struct report_part parts[] = {{"title", sweep_title}, {"scene", sweep_scene}, {"data", sweep_data}, {NULL, NULL}};
+    static const struct report_part parts[] = {{"data", sweep_data}, {NULL, NULL}};
     static const struct report_page page = {NULL, "sweep.html", scripts, parts};
-    struct sweep_report r = {.output = output, .sweep = sweep};
+    struct sweep_report r = {.output = output, .sweep = context->sweep};
     enum bead_error err = prepare_colours(&r, msg);
     if (!err)
         err = list_images(&r, msg);
     if (!err)
-        err = run_images(&r, settings, msg);
-    if (!err)
-        err = find_range(&r, msg);
-    if (!err)
-        err = report_write_page(&page, &r, path, bytes, msg);
+        err = run_images(&r, context->sweep_settings, msg);
+    if (!err) {
+        find_range(&r);
+        err = report_write_page(&page, bead_sweep_scene(r.sweep), &r, path, bytes, msg);
+    }
     sweep_clear(&r);
     return err;
 }
 
-static const char *sweep_why(const struct bead_output *output)
+static const char *sweep_why(const struct bead_output *)
 {
-    (void)output;
-    return "a page with force against magnetism, and an image behind each point: these are run again";
+    return "a page with force against magnetism and an image behind each point: runs those chains again";
 }
 
-const struct bead_sweep_sink bead_report_sweep_sink = {
-    .name = "report", .kind = BEAD_OUTPUT_REPORT, .why = sweep_why, .run = sweep_run, .needs_results = true};
+const struct bead_sink_type bead_report_sweep_sink = {.name = "report",
+                                                      .help = "a sweep as one HTML file",
+                                                      .kind = BEAD_OUTPUT_REPORT,
+                                                      .why = sweep_why,
+                                                      .write = write_report,
+                                                      .runs_chains = true};

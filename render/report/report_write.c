@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes the page of a report from its template, and escapes what comes from scenes. */
+/* Writes the page of a report from its template, and escapes texts of scenes. */
 #include "render/report/report_write.h"
 
 #include <locale.h>
@@ -7,8 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/assets.h"
-#include "beadreel/file.h"
+#include "beadreel/api.h"
+#include "sim/base/assets.h"
+#include "sim/base/file.h"
 
 /* ---- HTML and JSON ---- */
 
@@ -40,11 +41,6 @@ void report_string(FILE *file, const char *text)
             fputc(c, file);
     }
     fputc('"', file);
-}
-
-void report_key(FILE *file, bool comma, const char *name)
-{
-    fprintf(file, "%s\"%s\":", comma ? "," : "", name);
 }
 
 void report_number(FILE *file, double value)
@@ -79,35 +75,55 @@ void report_base64(FILE *file, const unsigned char *bytes, size_t count)
     }
 }
 
+void report_key(FILE *file, const char *name)
+{
+    fprintf(file, ",\"%s\":", name);
+}
+
+void report_named_number(FILE *file, const char *name, double value)
+{
+    report_key(file, name);
+    report_number(file, value);
+}
+
+void report_named_string(FILE *file, const char *name, const char *text)
+{
+    report_key(file, name);
+    report_string(file, text);
+}
+
+void report_open(FILE *file, const char *kind, const struct bead_scene *scene)
+{
+    fprintf(file, "{\"kind\":\"%s\",\"program\":\"beadreel " BEADREEL_VERSION "\"", kind);
+    report_named_string(file, "title", scene->title ? scene->title : "");
+}
+
 void report_field(FILE *file, const struct bead_field_info *info, enum bead_field field)
 {
-    fputs("\"field\":{\"title\":", file);
+    fputs(",\"field\":{\"title\":", file);
     report_string(file, info->title);
-    report_key(file, true, "name");
-    report_string(file, bead_field_info(field)->name);
-    report_key(file, true, "unit");
-    report_string(file, info->unit);
-    fprintf(file, ",\"contacts\":%s},", info->of_contacts ? "true" : "false");
+    report_named_string(file, "name", bead_field_info(field)->name);
+    report_named_string(file, "unit", info->unit);
+    fprintf(file, ",\"contacts\":%s}", info->of_contacts ? "true" : "false");
 }
 
 void report_range(FILE *file, const struct bead_colour_range *range, enum bead_scale scale)
 {
     static const char *const scales[] = {[BEAD_SCALE_LINEAR] = "linear", [BEAD_SCALE_SQRT] = "sqrt", [BEAD_SCALE_LOG] = "log"};
-    fputs("\"range\":{\"low\":", file);
+    fputs(",\"range\":{\"low\":", file);
     report_number(file, range->low);
-    report_key(file, true, "high");
-    report_number(file, range->high);
-    fprintf(file, ",\"scale\":\"%s\",\"over\":%s,\"under\":%s},", scales[scale], range->over ? "true" : "false",
+    report_named_number(file, "high", range->high);
+    fprintf(file, ",\"scale\":\"%s\",\"over\":%s,\"under\":%s}", scales[scale], range->over ? "true" : "false",
             range->under ? "true" : "false");
 }
 
 void report_maps(FILE *file, const struct bead_colormap maps[2])
 {
-    fputs("\"maps\":{\"light\":\"", file);
+    fputs(",\"maps\":{\"light\":\"", file);
     report_base64(file, maps[0].rgb[0], sizeof maps[0].rgb);
     fputs("\",\"dark\":\"", file);
     report_base64(file, maps[1].rgb[0], sizeof maps[1].rgb);
-    fputs("\"},", file);
+    fputs("\"}", file);
 }
 
 enum bead_error report_samples(FILE *file, const float *values, size_t count, struct bead_message *msg)
@@ -129,8 +145,7 @@ enum bead_error report_samples(FILE *file, const float *values, size_t count, st
     }
     fputs("{\"step\":", file);
     report_number(file, step);
-    fprintf(file, ",\"signed\":%s,\"data\":", has_sign ? "true" : "false");
-    fputc('"', file);
+    fprintf(file, ",\"signed\":%s,\"data\":\"", has_sign ? "true" : "false");
     report_base64(file, bytes, 2 * count);
     fputs("\"}", file);
     free(bytes);
@@ -160,8 +175,23 @@ static enum bead_error include_file(const char *name, FILE *file, struct bead_me
 
 struct filling {
     const struct report_page *page;
+    const struct bead_scene *scene;
     const void *context;
+    const char *text; /* of page.html */
 };
+
+static enum bead_error write_title(const struct filling *filling, FILE *file, struct bead_message *)
+{
+    const char *title = filling->scene->title;
+    report_html(file, title && *title ? title : "beadreel");
+    return BEAD_OK;
+}
+
+static enum bead_error write_scene(const struct filling *filling, FILE *file, struct bead_message *)
+{
+    report_html(file, filling->scene->text);
+    return BEAD_OK;
+}
 
 static enum bead_error write_scripts(const struct filling *filling, FILE *file, struct bead_message *msg)
 {
@@ -174,9 +204,8 @@ static enum bead_error write_scripts(const struct filling *filling, FILE *file, 
     return err;
 }
 
-static enum bead_error write_skip(const struct filling *filling, FILE *file, struct bead_message *msg)
+static enum bead_error write_skip(const struct filling *filling, FILE *file, struct bead_message *)
 {
-    (void)msg;
     if (filling->page->controls)
         fprintf(file, "<a class=\"skip\" href=\"#%s\">Skip to the controls</a>\n", filling->page->controls);
     return BEAD_OK;
@@ -189,7 +218,8 @@ static enum bead_error write_part(const struct filling *filling, const char *nam
     static const struct {
         const char *name;
         enum bead_error (*write)(const struct filling *filling, FILE *file, struct bead_message *msg);
-    } own[] = {{"skip", write_skip}, {"body", write_body}, {"scripts", write_scripts}};
+    } own[] = {
+        {"title", write_title}, {"scene", write_scene}, {"skip", write_skip}, {"body", write_body}, {"scripts", write_scripts}};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
         if (strcmp(own[i].name, name) == 0)
             return own[i].write(filling, file, msg);
@@ -201,7 +231,7 @@ static enum bead_error write_part(const struct filling *filling, const char *nam
     return include_file(name, file, msg);
 }
 
-/* `name` is that of the text, in messages. */
+/* Writes a text with its parts filled in; `name` is that of its file, for messages. */
 static enum bead_error fill(const struct filling *filling, const char *name, const char *text, FILE *file, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
@@ -222,7 +252,7 @@ static enum bead_error fill(const struct filling *filling, const char *name, con
     return err;
 }
 
-/* Without its first line, the licence, which the page has already. */
+/* Leaves out the first line, the licence, which the page already has. */
 static enum bead_error write_body(const struct filling *filling, FILE *file, struct bead_message *msg)
 {
     char *text = NULL;
@@ -231,27 +261,22 @@ static enum bead_error write_body(const struct filling *filling, FILE *file, str
     enum bead_error err = read_file(name, &text, &length, msg);
     const char *licence_end = err ? NULL : strchr(text, '\n');
     if (!err && (!licence_end || strstr(text, "{{body}}")))
-        err = bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: no line of its licence, or a {{body}} in the body", name);
+        err = bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: its first line is not the licence, or it contains {{body}}", name);
     if (!err)
         err = fill(filling, name, licence_end + 1, file, msg);
     free(text);
     return err;
 }
 
-struct page_text {
-    struct filling filling;
-    const char *text;
-};
-
 static enum bead_error fill_page(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
-    const struct page_text *page = context;
-    (void)part; /* what cannot be written is told as the file is closed */
-    return fill(&page->filling, "page.html", page->text, file, msg);
+    const struct filling *filling = context;
+    (void)part; /* errors of writing are reported as the file is closed */
+    return fill(filling, "page.html", filling->text, file, msg);
 }
 
-enum bead_error report_write_page(const struct report_page *page, const void *context, const char *path, uint64_t *bytes,
-                                  struct bead_message *msg)
+enum bead_error report_write_page(const struct report_page *page, const struct bead_scene *scene, const void *context,
+                                  const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     char *text = NULL;
     size_t length = 0;
@@ -260,9 +285,9 @@ enum bead_error report_write_page(const struct report_page *page, const void *co
     if (!err)
         err = read_file("page.html", &text, &length, msg);
     if (!err) {
-        struct page_text page_text = {{page, context}, text};
+        struct filling filling = {page, scene, context, text};
         locale_t before = uselocale(plain);
-        err = bead_file_write(path, fill_page, &page_text, bytes, msg);
+        err = bead_file_write(path, fill_page, &filling, bytes, msg);
         uselocale(before);
     }
     if (plain != (locale_t)0)

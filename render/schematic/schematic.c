@@ -1,17 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Entry to schematic drawings: finds the drawing that an output shows, tries it for room, and writes it as a file. */
+/* Entry to schematic drawings: finds the drawing of an output, checks that there is room for it, and writes it as a file. */
 #include "render/schematic/schematic.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/picture.h"
 #include "render/draw/markup.h"
-
-/* In units of the label's font size. */
-static const double line_height = 1.45, piece_gap = 1.6, ball_radius = 0.42;
+#include "render/draw/picture.h"
 
 static const struct drawing {
     enum bead_show show;
@@ -32,116 +26,6 @@ bool bead_schematic_is(enum bead_show show)
 {
     return find_drawing(show) != NULL;
 }
-
-void bead_schematic_symbol(const char *letter, int index, char *out, size_t size)
-{
-    char text[64];
-    if (index > 0)
-        snprintf(text, sizeof text, "*%s*_%d", letter, index);
-    else
-        snprintf(text, sizeof text, "*%s*", letter);
-    bead_markup(text, out, size);
-}
-
-bool bead_drafting_pieces(const struct bead_drafting *d, struct bead_box *area, const struct bead_piece *pieces, size_t count,
-                          bool centred)
-{
-    double em = d->sketch->look->label, used = 0;
-    struct bead_text_style style = bead_sketch_style(d->sketch, em);
-    enum { MOST = 64 };
-    double width[MOST], line_width[MOST] = {0};
-    size_t line[MOST], lines = 0;
-    if (count > MOST)
-        return false;
-    for (size_t i = 0; i < count; i++) {
-        width[i] = bead_sketch_width(&style, pieces[i].markup) + (pieces[i].colour ? (2 * ball_radius + 0.4) * em : 0);
-        if (width[i] > area->width)
-            return false;
-        if (lines == 0 || used + piece_gap * em + width[i] > area->width) {
-            lines++;
-            used = -piece_gap * em;
-        }
-        used += piece_gap * em + width[i];
-        line[i] = lines - 1;
-        line_width[lines - 1] = used;
-    }
-    double height = line_height * em * (double)lines, x = 0;
-    if (height > area->height)
-        return false;
-    area->height -= height + (lines > 0 ? 0.4 * em : 0);
-    double top = area->y + area->height + (lines > 0 ? 0.4 * em : 0);
-    for (size_t i = 0; i < count; i++) {
-        double y = top + line_height * em * ((double)line[i] + 0.5);
-        if (i == 0 || line[i] != line[i - 1])
-            x = area->x + (centred ? 0.5 * (area->width - line_width[line[i]]) : 0);
-        double text = x;
-        if (pieces[i].colour) {
-            bead_sketch_ball(d->sketch, x + ball_radius * em, y, ball_radius * em, pieces[i].colour);
-            text += (2 * ball_radius + 0.4) * em;
-        }
-        bead_sketch_text(d->sketch, &style, text, y, pieces[i].markup);
-        x += width[i] + piece_gap * em;
-    }
-    return true;
-}
-
-/* ---- strips ---- */
-
-bool bead_strip_add(struct bead_strip *strip, size_t material, bool left_out, size_t mark)
-{
-    if (strip->count == strip->room) {
-        size_t room = strip->room ? 2 * strip->room : 64;
-        struct bead_strip_bead *grown = realloc(strip->beads, room * sizeof *grown);
-        if (!grown) {
-            strip->failed = true;
-            return false;
-        }
-        strip->beads = grown;
-        strip->room = room;
-    }
-    strip->beads[strip->count++] = (struct bead_strip_bead){.material = material, .left_out = left_out, .mark = mark};
-    return true;
-}
-
-void bead_strip_free(struct bead_strip *strip)
-{
-    free(strip->beads);
-    *strip = (struct bead_strip){0};
-}
-
-double bead_strip_width(const struct bead_strip *strip, const struct bead_scene *scene, double scale, double gap)
-{
-    double width = 0;
-    for (size_t i = 0; i < strip->count; i++)
-        width += strip->beads[i].left_out ? gap : 2 * scale * scene->materials[strip->beads[i].material].radius;
-    return width;
-}
-
-void bead_strip_place(struct bead_strip *strip, const struct bead_scene *scene, double scale, double gap, double x)
-{
-    for (size_t i = 0; i < strip->count; i++) {
-        struct bead_strip_bead *b = &strip->beads[i];
-        b->r = b->left_out ? gap / 2 : scale * scene->materials[b->material].radius;
-        b->x = x + b->r;
-        x += 2 * b->r;
-    }
-}
-
-bool bead_strip_extent(const struct bead_strip *strip, size_t mark, double *low, double *high)
-{
-    *low = INFINITY;
-    *high = -INFINITY;
-    for (size_t i = 0; i < strip->count; i++) {
-        const struct bead_strip_bead *b = &strip->beads[i];
-        if (b->mark == mark) {
-            *low = fmin(*low, b->x - b->r);
-            *high = fmax(*high, b->x + b->r);
-        }
-    }
-    return *low < *high;
-}
-
-/* ---- pages ---- */
 
 static void draw_title(const struct bead_drafting *d, struct bead_box *area)
 {
@@ -182,14 +66,14 @@ static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
     return room;
 }
 
-static enum bead_error no_room(const struct bead_output *output, const struct bead_run_context *context, struct bead_message *msg)
+static enum bead_error no_room(const struct bead_output *output, struct bead_message *msg)
 {
     struct bead_page page;
     char size[BEAD_SIZE_WORDS];
-    enum bead_error err = bead_page_find(output, context->scene->file, &page, msg);
+    enum bead_error err = bead_page_find(output, &page, msg);
     return err ? err
-               : bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: size: %s leave no room for the drawing and its labels",
-                           context->scene->file, output->place.line, output->place.column, bead_page_size(&page, size));
+               : bead_output_wrong(output, msg, "size: %s leave no room for the drawing and its labels",
+                                   bead_page_size(&page, size));
 }
 
 enum bead_error bead_schematic_draw(const struct bead_output *output, const struct bead_run_context *context,
@@ -209,7 +93,7 @@ enum bead_error bead_schematic_draw(const struct bead_output *output, const stru
     }
     if (sketch->failed)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a drawing");
-    return room && !bead_sketch_crowded(sketch, width, height) ? BEAD_OK : no_room(output, context, msg);
+    return room && !bead_sketch_crowded(sketch, width, height) ? BEAD_OK : no_room(output, msg);
 }
 
 struct paper {
@@ -223,7 +107,7 @@ static enum bead_error open_paper(const struct bead_output *output, const struct
                                   struct bead_message *msg)
 {
     *paper = (struct paper){.output = output, .context = context};
-    enum bead_error err = bead_page_find(output, context->scene->file, &paper->page, msg);
+    enum bead_error err = bead_page_find(output, &paper->page, msg);
     if (!err)
         bead_page_look(&paper->page, &output->paper, &paper->look);
     return err;

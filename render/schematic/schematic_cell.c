@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cells of a scene's chains (thesis, Fig. 3): N_1 beads of one material, N_2 of the next, ...; both ways round where the chain
- * has them so. */
+/* The cells of a scene's chains (thesis, Fig. 3): N_1 beads of one material, N_2 of the next, ...; in both orientations if the
+ * chain has both. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -8,11 +8,12 @@
 #include <string.h>
 
 #include "render/schematic/schematic.h"
+#include "render/schematic/schematic_strip.h"
 #include "render/schematic/schematic_words.h"
 
-enum { MOST_CELLS = 16, MOST_GROUPS = 24, WHOLE_GROUP = 7, FIRST_SHOWN = 4, LAST_SHOWN = 2 };
-/* A cell with more groups than this may get a single brace, and this many of its beads are shown. */
-enum { FEW_GROUPS = 6, PLAIN_WHOLE = 16, PLAIN_FIRST = 10, PLAIN_LAST = 5 };
+enum { MOST_CELLS = 16, MOST_GROUPS = 24, FIRST_SHOWN = 4, LAST_SHOWN = 2 };
+/* A cell with more groups than this may get a single brace, with this many of its beads at each end. */
+enum { FEW_GROUPS = 6, PLAIN_FIRST = 10, PLAIN_LAST = 5 };
 /* In units of the label's font size. */
 static const double title_row = 2.0, brace_depth = 0.75, brace_gap = 0.3, line = 1.35, row_gap = 1.2, gap = 2.2, side_column = 3.6,
                     aside = 0.7; /* labels farther than this from their brace get a line */
@@ -21,7 +22,7 @@ static const double largest_ball = 5.5, smallest_ball = 0.35;
 
 struct cell {
     const struct bead_segment *segment;
-    bool both; /* ways round */
+    bool both; /* orientations */
 };
 
 struct drawing {
@@ -32,6 +33,37 @@ struct drawing {
     bool names, both; /* a second line under the braces; some row is marked up or down */
     double scale, largest;
 };
+
+/* Beads of one material that follow each other in a cell. */
+struct group {
+    size_t material, beads;
+};
+
+/* Groups of a cell, left to right; 0: too many. */
+static size_t split_groups(const struct bead_segment *segment, struct group *groups, size_t room)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < segment->cell_beads; i++) {
+        if (count > 0 && groups[count - 1].material == segment->cell[i]) {
+            groups[count - 1].beads++;
+            continue;
+        }
+        if (count == room)
+            return 0;
+        groups[count++] = (struct group){segment->cell[i], 1};
+    }
+    return count;
+}
+
+/* Whether the cell is its own mirror image. */
+static bool mirrored(const struct bead_segment *segment)
+{
+    for (size_t i = 0, j = segment->cell_beads - 1; i < j; i++, j--) {
+        if (segment->cell[i] != segment->cell[j])
+            return false;
+    }
+    return true;
+}
 
 static bool same_cell(const struct bead_segment *a, const struct bead_segment *b)
 {
@@ -53,7 +85,7 @@ static bool find_cells(struct drawing *g)
                 return false;
             if (i == g->count)
                 g->cells[g->count++] = (struct cell){segment, false};
-            g->cells[i].both = g->cells[i].both || (segment->spins_given && !bead_cell_mirrored(segment));
+            g->cells[i].both = g->cells[i].both || (segment->spins_given && !mirrored(segment));
         }
     }
     for (size_t i = 0; i < g->count; i++) {
@@ -63,62 +95,48 @@ static bool find_cells(struct drawing *g)
     return g->count > 0;
 }
 
-static bool make_strip(const struct bead_cell_group *groups, size_t count, bool down, struct bead_strip *strip)
+static bool make_strip(const struct group *groups, size_t count, bool down, struct bead_strip *strip)
 {
     for (size_t k = 0; k < count; k++) {
         size_t i = down ? count - 1 - k : k;
-        for (size_t b = 0; b < groups[i].beads; b++) {
-            bool whole = groups[i].beads <= WHOLE_GROUP;
-            if (!whole && b == FIRST_SHOWN)
-                b = groups[i].beads - LAST_SHOWN - 1; /* one gap stands for those between */
-            bool left_out = !whole && b == groups[i].beads - LAST_SHOWN - 1;
-            if (!bead_strip_add(strip, groups[i].material, left_out, i))
-                return false;
-        }
-    }
-    return true;
-}
-
-/* All beads of a long cell as one group. */
-static bool make_plain(const struct bead_segment *segment, bool down, struct bead_strip *strip)
-{
-    size_t beads = segment->cell_beads;
-    for (size_t b = 0; b < beads; b++) {
-        bool left_out = beads > PLAIN_WHOLE && b == PLAIN_FIRST;
-        if (left_out)
-            b = beads - PLAIN_LAST - 1;
-        if (!bead_strip_add(strip, segment->cell[down ? beads - 1 - b : b], left_out, 0))
+        if (!bead_strip_add(strip, &groups[i].material, 0, groups[i].beads, FIRST_SHOWN, LAST_SHOWN, i))
             return false;
     }
     return true;
 }
 
-/* Groups that each get a brace; false: there are too many. */
-static bool cell_find_groups(const struct drawing *g, const struct bead_segment *segment, struct bead_cell_group *groups,
-                             size_t *count)
+/* Adds all beads of a long cell as one group. */
+static bool make_plain(const struct bead_segment *segment, bool down, struct bead_strip *strip)
 {
-    *count = bead_cell_groups(segment, groups, MOST_GROUPS);
+    const size_t *first = segment->cell + (down ? segment->cell_beads - 1 : 0);
+    return bead_strip_add(strip, first, down ? -1 : 1, segment->cell_beads, PLAIN_FIRST, PLAIN_LAST, 0);
+}
+
+/* Finds the groups that each get a brace; false: too many. */
+static bool cell_find_groups(const struct drawing *g, const struct bead_segment *segment, struct group *groups, size_t *count)
+{
+    *count = split_groups(segment, groups, MOST_GROUPS);
     if (g->plain && (*count == 0 || *count > FEW_GROUPS)) {
-        groups[0] = (struct bead_cell_group){SIZE_MAX, segment->cell_beads};
+        groups[0] = (struct group){SIZE_MAX, segment->cell_beads};
         *count = 1;
     }
     return *count > 0;
 }
 
-static void group_words(const struct drawing *g, const struct bead_cell_group *groups, size_t count, size_t i, char number[200],
+static void group_words(const struct drawing *g, const struct group *groups, size_t count, size_t i, char number[200],
                         char name[200])
 {
     char symbol[160];
-    bead_schematic_symbol("N", count > 1 ? (int)i + 1 : 0, symbol, sizeof symbol);
+    bead_symbol_words("N", count > 1 ? (int)i + 1 : 0, symbol, sizeof symbol);
     snprintf(number, 200, "%s = %zu", symbol, groups[i].beads);
     name[0] = '\0';
     if (groups[i].material != SIZE_MAX)
         bead_text_escape(g->d->context->scene->materials[groups[i].material].label, name, 200);
 }
 
-/* Labels of the braces; false: they do not fit. Draws them if y is given. */
-static bool label_groups(const struct drawing *g, const struct bead_strip *strip, const struct bead_cell_group *groups,
-                         size_t count, bool down, double low, double high, const double *y)
+/* Lays out the labels of the braces; false: they do not fit. Draws them if y is given. */
+static bool label_groups(const struct drawing *g, const struct bead_strip *strip, const struct group *groups, size_t count,
+                         bool down, double low, double high, const double *y)
 {
     struct bead_sketch *sketch = g->d->sketch;
     double em = sketch->look->label;
@@ -130,8 +148,8 @@ static bool label_groups(const struct drawing *g, const struct bead_strip *strip
         size_t i = down ? count - 1 - k : k;
         group_words(g, groups, count, i, number, name);
         bead_strip_extent(strip, i, &x0, &x1);
-        double width = bead_sketch_width(&style, number), second = g->names ? bead_sketch_width(&style, name) : 0;
-        labels[k] = (struct bead_label){0.5 * (x0 + x1), width > second ? width : second, 0};
+        double width = fmax(bead_sketch_width(&style, number), g->names ? bead_sketch_width(&style, name) : 0);
+        labels[k] = (struct bead_label){0.5 * (x0 + x1), width, 0};
     }
     if (!bead_labels_spread(labels, count, 0.9 * em, low, high))
         return false;
@@ -154,12 +172,12 @@ static bool label_groups(const struct drawing *g, const struct bead_strip *strip
 }
 
 /* "2 : 1 large steel : aluminium dimer cell": named after its groups, not its beads. */
-static void title_words(const struct drawing *g, const struct bead_cell_group *groups, size_t count, char *out, size_t size)
+static void title_words(const struct drawing *g, const struct group *groups, size_t count, char *out, size_t size)
 {
     size_t used = 0;
     char name[96];
     for (size_t i = 0; i < 2 * count && used < size; i++) {
-        const struct bead_cell_group *group = &groups[i % count];
+        const struct group *group = &groups[i % count];
         const char *mark = i % count > 0 ? " : " : i > 0 ? "  " : "";
         bead_text_escape(g->d->context->scene->materials[group->material].label, name, sizeof name);
         if (i < count)
@@ -184,7 +202,7 @@ static bool cell_draw_row(const struct drawing *g, const struct cell *cell, bool
     const struct bead_scene *scene = g->d->context->scene;
     double em = sketch->look->label, column = g->both ? side_column * em : 0, left = g->d->area.x + column;
     double width = g->d->area.width - column, middle = y + g->largest * g->scale, bottom = middle + g->largest * g->scale;
-    struct bead_cell_group groups[MOST_GROUPS];
+    struct group groups[MOST_GROUPS];
     struct bead_strip strip = {0};
     size_t count;
     bool room = cell_find_groups(g, cell->segment, groups, &count);
@@ -218,7 +236,7 @@ static bool draw_cells(const struct drawing *g, double y, bool draw)
 {
     double em = g->d->sketch->look->label;
     struct bead_text_style style = bead_sketch_style(g->d->sketch, em);
-    struct bead_cell_group groups[MOST_GROUPS];
+    struct group groups[MOST_GROUPS];
     char title[512];
     style.bold = true;
     style.across = BEAD_ALIGN_MIDDLE;
@@ -251,12 +269,10 @@ bool bead_schematic_cell(const struct bead_drafting *d)
         return false;
     for (size_t i = 0; i < g.count; i++) {
         const struct bead_segment *segment = g.cells[i].segment;
-        for (size_t b = 0; b < segment->cell_beads; b++) {
-            double radius = d->context->scene->materials[segment->cell[b]].radius;
-            g.largest = radius > g.largest ? radius : g.largest;
-        }
+        for (size_t b = 0; b < segment->cell_beads; b++)
+            g.largest = fmax(g.largest, d->context->scene->materials[segment->cell[b]].radius);
     }
-    for (int way = 0; way < 4; way++) { /* tries names, then no names, then plain */
+    for (int way = 0; way < 4; way++) { /* with names, without, then both in the plain form */
         g.names = way % 2 == 0;
         g.plain = way >= 2;
         for (double ball = largest_ball; ball >= smallest_ball; ball *= 0.9) {

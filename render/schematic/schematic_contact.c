@@ -10,8 +10,9 @@
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
 #include "render/schematic/schematic.h"
+#include "render/schematic/schematic_words.h"
 
-/* In units of the label's font size: rows above and below the beads, and how far apart things are. */
+/* In units of the label's font size: rows above and below the beads, and distances. */
 static const double names_row = 1.9, dimensions_row = 3.0, near = 0.95, right_angle = 0.4;
 /* A bead this many times larger than the other is not shown whole, but up to this many radii of the other. */
 static const double whole = 2.2, shown = 1.5;
@@ -21,7 +22,7 @@ static const double thickness = 0.3;
 struct side {
     const struct bead_material *material; /* NULL: rigid wall */
     bool wall, cut;                       /* cut: not shown whole */
-    int index;                            /* of its symbols; 0: the beads are alike, or there is only one */
+    int index;                            /* of its symbols; 0: the beads are alike, or only one */
     double sign;                          /* -1: left of the chord */
     double radius, flattened, extent;     /* m; extent: from the chord outwards */
     double x, r;                          /* px: centre, radius */
@@ -94,7 +95,7 @@ static bool contact_find_places(struct contact *c, struct bead_box *area)
     return true;
 }
 
-/* The arc beyond the chord, or the rest of the circle. */
+/* Adds the arc beyond the chord, or the rest of the circle, to the path. */
 static void arc(const struct contact *c, const struct side *s, bool beyond)
 {
     cairo_t *cr = c->d->sketch->cr;
@@ -104,12 +105,6 @@ static void arc(const struct contact *c, const struct side *s, bool beyond)
         cairo_arc(cr, s->x, c->y, s->r, towards - half, towards + half);
     else
         cairo_arc(cr, s->x, c->y, s->r, towards + half, towards - half + 2 * M_PI);
-}
-
-static struct bead_rgb mixed(const struct bead_look *look, const double colour[3], double part)
-{
-    struct bead_rgb b = look->background;
-    return (struct bead_rgb){b.r + part * (colour[0] - b.r), b.g + part * (colour[1] - b.g), b.b + part * (colour[2] - b.b)};
 }
 
 static void draw_bodies(const struct contact *c, const struct bead_box *area)
@@ -131,7 +126,8 @@ static void draw_bodies(const struct contact *c, const struct bead_box *area)
         cairo_new_path(cr);
         arc(c, s, false);
         cairo_close_path(cr);
-        bead_sketch_colour(sketch, mixed(look, s->material->colour, 0.45));
+        const double *own = s->material->colour;
+        bead_sketch_colour(sketch, bead_sketch_mixed(look, (struct bead_rgb){own[0], own[1], own[2]}, 0.45));
         cairo_fill(cr);
     }
     for (size_t i = 0; i < 2; i++) { /* deformed */
@@ -165,12 +161,12 @@ static void put_symbol(const struct contact *c, const char *letter, int index, d
 {
     struct bead_text_style style = bead_sketch_style(c->d->sketch, c->d->sketch->look->label);
     char markup[160];
-    bead_schematic_symbol(letter, index, markup, sizeof markup);
+    bead_symbol_words(letter, index, markup, sizeof markup);
     style.across = across;
     bead_sketch_text(c->d->sketch, &style, x, y, markup);
 }
 
-/* The triangle of centre, foot and end of the chord. */
+/* Draws the triangle of centre, foot and end of the chord. */
 static void draw_triangle(const struct contact *c, const struct side *s)
 {
     const struct side *other = &c->side[s == &c->side[0]];
@@ -189,8 +185,8 @@ static void draw_triangle(const struct contact *c, const struct side *s)
     cairo_arc(sketch->cr, s->x, c->y, 0.12 * em, 0, 2 * M_PI);
     cairo_fill(sketch->cr);
     put_symbol(c, "R", s->index, 0.5 * (s->x + foot) + near * em * up_x, 0.5 * (c->y + top) + near * em * up_y, BEAD_ALIGN_MIDDLE);
-    bead_schematic_symbol("R", s->index, radius, sizeof radius);
-    bead_schematic_symbol("δ", s->index, flat, sizeof flat);
+    bead_symbol_words("R", s->index, radius, sizeof radius);
+    bead_symbol_words("δ", s->index, flat, sizeof flat);
     snprintf(leg, sizeof leg, "%s − %s", radius, flat);
     style.across = BEAD_ALIGN_MIDDLE;
     /* Clear of the other bead's outline. */
@@ -213,7 +209,7 @@ static void draw_chord(const struct contact *c)
     put_symbol(c, "r̃", 0, x, c->y - up * c->q, BEAD_ALIGN_END);
 }
 
-/* The flattening of each bead, dimensioned below: from the chord to its original outline. */
+/* Draws the dimension of each bead's flattening below it, from the chord to its original outline. */
 static bool draw_dimensions(const struct contact *c, const struct bead_box *area)
 {
     struct bead_sketch *sketch = c->d->sketch;
@@ -227,7 +223,7 @@ static bool draw_dimensions(const struct contact *c, const struct bead_box *area
         if (s->wall)
             continue;
         ends[s->sign < 0 ? 2 : 0] = s->x - s->sign * s->r;
-        bead_schematic_symbol("δ", s->index, markup[count], sizeof markup[count]);
+        bead_symbol_words("δ", s->index, markup[count], sizeof markup[count]);
         labels[count] =
             (struct bead_label){0.5 * (c->chord_x + s->x - s->sign * s->r), bead_sketch_width(&style, markup[count]), 0};
         count++;
@@ -294,7 +290,7 @@ static void contact_power_of_ten(double value, char *out, size_t size)
         snprintf(out, size, "%.3f × 10^{%d}", value / pow(10, exponent), exponent);
 }
 
-/* A formula in the syntax of bead_markup. */
+/* Makes a piece of a formula in the syntax of bead_markup. */
 BEAD_PRINTF(2, 3) static void put_piece(struct bead_piece *piece, const char *format, ...)
 {
     char text[256];
@@ -342,7 +338,7 @@ bool bead_schematic_contact(const struct bead_drafting *d)
     struct bead_box area = d->area, page = d->area;
     find_sides(&c);
     size_t count = write_pieces(&c, pieces);
-    if (!bead_drafting_pieces(d, &area, pieces, count, true) || !contact_find_places(&c, &area))
+    if (!bead_sketch_pieces(d->sketch, &area, pieces, count, true) || !contact_find_places(&c, &area))
         return false;
     draw_bodies(&c, &area);
     for (size_t i = 0; i < 2; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses which beads of a long chain the drawing of the experiment shows, and its words. The plan is made from these. */
+/* Chooses the beads of a long chain that the drawing of the experiment shows, and its words, from which the plan is made. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
 #include "render/draw/quantity.h"
-#include "render/schematic/schematic_parts.h"
+#include "render/schematic/schematic_plan.h"
 #include "render/schematic/schematic_words.h"
 
 /* Spins of up to this many cells are written out. */
@@ -19,7 +19,7 @@ static void spin_words(const struct bead_segment *segment, char *out, size_t siz
     out[0] = '\0';
     if (!segment->spins_given || segment->cell_beads < 2)
         return;
-    if (segment->spins == BEAD_SPINS_RANDOM) /* the header says which M came of it */
+    if (segment->spins == BEAD_SPINS_RANDOM) /* the header gives their M */
         snprintf(out, size, "random");
     else if (segment->spins == BEAD_SPINS_DIGITS && segment->count > MOST_DIGITS)
         snprintf(out, size, "given spins");
@@ -32,14 +32,14 @@ static void spin_words(const struct bead_segment *segment, char *out, size_t siz
 
 static void segment_words(const struct bead_segment *segment, struct bead_part *part)
 {
-    if (segment->sensor) /* its name stands above */
+    if (segment->sensor) /* its name is above */
         return;
     snprintf(part->words[0], sizeof part->words[0], "%zu %s", segment->count,
              bead_cell_word(segment->cell_beads, segment->count != 1));
     spin_words(segment, part->words[1], sizeof part->words[1]);
 }
 
-/* Entries from `from` on that are beads of one kind each, such as those of a tapered chain. */
+/* Number of entries from `from` on that are single beads, such as those of a tapered chain. */
 static size_t plain_entries(const struct bead_chain_spec *spec, size_t from)
 {
     size_t s = from;
@@ -49,7 +49,7 @@ static size_t plain_entries(const struct bead_chain_spec *spec, size_t from)
     return s - from;
 }
 
-/* Such a row of this many or more is one part. */
+/* The least number of such entries in a row that form one part. */
 enum { ROW = 5 };
 
 /* "20 beads", "R = 4.76 mm to 1.80 mm". */
@@ -65,7 +65,7 @@ static void row_words(const struct bead_chain *chain, struct bead_part *part)
         snprintf(part->words[1], sizeof part->words[1], BEAD_SYMBOL("R") " = %s to %s", from, to);
 }
 
-/* The part that begins with entry *s at bead `first`; *s is then the entry behind it. */
+/* The part that begins with entry *s at bead `first`; moves *s on to the next part. */
 static struct bead_part part_from(const struct bead_chain *chain, size_t *s, size_t first)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
@@ -113,27 +113,20 @@ size_t bead_parts_make(const struct bead_chain *chain, size_t most, struct bead_
     return used;
 }
 
-/* About `most` beads of a part at most; whole cells if they are short enough. */
+/* Adds at most about `most` beads of a part; whole cells if they are short enough. */
 static bool strip_part(const struct bead_chain *chain, const struct bead_part *part, size_t index, size_t most,
                        struct bead_strip *strip)
 {
     const size_t *material = bead_chain_material(chain);
     if (!part->segment)
-        return bead_strip_add(strip, 0, true, index);
+        return bead_strip_add_gap(strip, index);
     size_t cell = part->segment->cell_beads, lead = (most + 1) / 2, tail = most / 2;
     if (cell <= most) {
         lead = (lead + cell - 1) / cell * cell;
         tail = tail < cell ? cell : tail / cell * cell;
     }
-    bool whole = part->beads <= most || part->beads <= lead + tail + 1;
-    for (size_t i = 0; i < part->beads; i++) {
-        bool left_out = !whole && i == lead;
-        if (left_out)
-            i = part->beads - tail - 1;
-        if (!bead_strip_add(strip, material[part->first + i], left_out, index))
-            return false;
-    }
-    return true;
+    lead = part->beads <= most ? part->beads : lead;
+    return bead_strip_add(strip, material + part->first, 1, part->beads, lead, tail, index);
 }
 
 bool bead_parts_strip(const struct bead_chain *chain, const struct bead_part *parts, size_t count, size_t most,
@@ -168,16 +161,9 @@ static void striker_words(const struct bead_chain *chain, char *out, size_t size
         snprintf(out, size, "striker at rest");
 }
 
-static void wall_words(const struct bead_chain *chain, char *out, size_t size)
-{
-    char name[96];
-    bead_wall_name(chain, name, sizeof name);
-    bead_text_escape(name, out, size);
-}
-
 void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *style, bool details)
 {
-    char words[160];
+    char words[160], wall[96];
     row->above.count = row->below.count = 0;
     striker_words(row->chain, words, sizeof words);
     add_label(&row->above, style, SIZE_MAX, words, "");
@@ -192,12 +178,13 @@ void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *
         }
     }
     if (bead_chain_spec(row->chain)->wall != BEAD_WALL_NONE) {
-        wall_words(row->chain, words, sizeof words);
+        bead_wall_name(row->chain, wall, sizeof wall);
+        bead_text_escape(wall, words, sizeof words);
         add_label(&row->below, style, SIZE_MAX, words, "");
     }
 }
 
-/* Name, number of beads, M, tilt, precompression: as much as fits. */
+/* Composes name, number of beads, M, tilt and precompression, as much as fits. */
 void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, int decimals, double width)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plans the drawing of an experiment: tries how much of each chain to show, and how large, until everything fits. schematic_setup.c
+/* Plans the drawing of an experiment: tries fewer beads of each chain, and smaller ones, until everything fits. schematic_setup.c
  * draws it. */
 #include "render/schematic/schematic_plan.h"
 
@@ -7,14 +7,13 @@
 #include <stdlib.h>
 
 #include "render/draw/names.h"
-#include "render/schematic/schematic_parts.h"
 
 /* In units of the label's font size. */
 static const double header_height = 1.7, label_line = 1.3, leader = 1.0, arrow_room = 0.95, guide_height = 0.28,
                     brace_height = 1.05, wall_width = 1.3, gap_width = 2.0, between_rows = 1.1, lowest_row = 8, most_drop = 5.5;
 /* Radius of the largest bead, in units of the label's font size: preferred sizes in this order, and the smallest acceptable one. */
 static const double largest_ball = 2.2, least_ball[][2] = {{0.9, 0.5}, {0.22, 0}};
-/* What is tried, best first: entries of `beads` shown, and beads shown of each. */
+/* Choices, best first: entries of `beads` shown, and beads shown of each. */
 static const size_t entries[] = {BEAD_PLAN_PARTS - 2, 24, 16, 12, 9, 7, 5, 4, 3, 2};
 static const size_t shown[] = {400, 60, 40, 30, 24, 18, 14, 10, 8, 6, 4, 3, 2};
 
@@ -38,16 +37,6 @@ double bead_plan_wall(const struct bead_plan *plan, const struct bead_plan_row *
     return bead_chain_spec(row->chain)->wall == BEAD_WALL_NONE ? 0 : wall_width * plan->em;
 }
 
-double bead_plan_gap(const struct bead_plan *plan)
-{
-    return gap_width * plan->em;
-}
-
-double bead_plan_row_gap(const struct bead_plan *plan)
-{
-    return between_rows * plan->em;
-}
-
 double bead_plan_header_y(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     return row->y + 0.6 * plan->em;
@@ -68,7 +57,7 @@ double bead_plan_guide(const struct bead_plan_row *row, double x)
     return row->guide_y + row->slope * fmax(x - row->first_x, 0);
 }
 
-/* The striker rests on the ramp just before the chain; px from its left end to bead 1, and what stands above the guide. */
+/* Places the striker on the ramp just before the chain; returns px from its left end to bead 1, and its height above the guide. */
 static void place_striker(const struct bead_plan *plan, struct bead_plan_row *row, double *width, double *top)
 {
     double angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), em = plan->em;
@@ -99,11 +88,11 @@ static bool anchor_labels(const struct bead_plan *plan, struct bead_plan_row *ro
     return true;
 }
 
-/* Positions of everything in a row whose top is at y; false: too wide. */
+/* Finds all positions in a row whose top is at y; false: too wide. */
 static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row, double y)
 {
     const struct bead_scene *scene = plan->d->context->scene;
-    double em = plan->em, width = bead_strip_width(&row->strip, scene, plan->scale, bead_plan_gap(plan)), ramp, top;
+    double em = plan->em, width = bead_strip_width(&row->strip, scene, plan->scale, gap_width * plan->em), ramp, top;
     row->y = y;
     row->first_x = row->guide_y = 0;
     place_striker(plan, row, &ramp, &top);
@@ -114,7 +103,7 @@ static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row, d
     row->first_x = plan->area.x + 0.5 * spare + ramp;
     row->guide_y = y + (header_height + label_line + leader) * em + top;
     place_striker(plan, row, &ramp, &top);
-    bead_strip_place(&row->strip, scene, plan->scale, bead_plan_gap(plan), row->first_x);
+    bead_strip_place(&row->strip, scene, plan->scale, gap_width * plan->em, row->first_x);
     row->end_x = row->first_x + width;
     double drop = row->slope * (width + bead_plan_wall(plan, row));
     double below = guide_height + brace_height + leader + (plan->details ? 2 : 1) * label_line;
@@ -129,12 +118,12 @@ static bool place_rows(struct bead_plan *plan, size_t count)
     for (size_t i = 0; i < count; i++) {
         if (!place_row(plan, &plan->rows[i], y))
             return false;
-        y += plan->rows[i].height + bead_plan_row_gap(plan);
+        y += plan->rows[i].height + between_rows * plan->em;
     }
-    return y - bead_plan_row_gap(plan) <= plan->area.y + plan->area.height;
+    return y - between_rows * plan->em <= plan->area.y + plan->area.height;
 }
 
-/* The largest scale at which everything fits. */
+/* Finds the largest scale at which everything fits. */
 static bool find_scale(struct bead_plan *plan, size_t count, double least)
 {
     double largest = 0;
@@ -148,7 +137,7 @@ static bool find_scale(struct bead_plan *plan, size_t count, double least)
     return false;
 }
 
-/* Tries a plan with this many entries of `beads`, and this many beads of each. */
+/* Tries a plan with this many entries of `beads`, and fewer and fewer beads of each. */
 static bool try_rows(struct bead_plan *plan, size_t count, size_t parts, double least)
 {
     struct bead_text_style style = bead_sketch_style(plan->d->sketch, plan->em);
@@ -170,7 +159,7 @@ static bool try_rows(struct bead_plan *plan, size_t count, size_t parts, double 
     return false;
 }
 
-/* All entries shown matters more than how large. */
+/* Prefers more entries to larger beads. */
 static bool try_entries(struct bead_plan *plan, size_t count, const double least[2])
 {
     for (size_t e = 0; e < sizeof entries / sizeof *entries; e++) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plans of the drawing of an experiment: how much of each chain is shown, how large, and where its labels go. */
-#ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PLAN_H
-#define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_PLAN_H
+/* Plans of the drawing of an experiment: the parts of each chain that are shown, their size, and the places of their labels. */
+#pragma once
 
 #include "render/schematic/schematic.h"
+#include "render/schematic/schematic_strip.h"
 
 enum { BEAD_PLAN_PARTS = 40, BEAD_PLAN_LABELS = BEAD_PLAN_PARTS + 2 };
 
@@ -11,10 +11,10 @@ enum { BEAD_PLAN_PARTS = 40, BEAD_PLAN_LABELS = BEAD_PLAN_PARTS + 2 };
 struct bead_part {
     const struct bead_segment *segment; /* NULL: left out */
     size_t first, beads;                /* beads of the chain */
-    char words[2][160];                 /* under its brace: material or cell, and its orientation; "": nothing */
+    char words[2][160];                 /* under its brace: material or cell, and its orientation; "": none */
 };
 
-/* Words in a row, and what each belongs to. */
+/* Words in a row, each with its part. */
 struct bead_plan_labels {
     struct bead_label label[BEAD_PLAN_LABELS];
     char words[BEAD_PLAN_LABELS][2][160];
@@ -51,13 +51,11 @@ struct bead_plan {
 
 enum { BEAD_PLAN_ANGLE_PERCENT = 42 }; /* the ramp's slope */
 
-/* Makes as many rows as fit. false: not even one. */
+/* Makes as many rows as fit. False: not even one. */
 BEAD_CHECK bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct bead_plan *plan);
 void bead_plan_free(struct bead_plan *plan);
 
 double bead_plan_wall(const struct bead_plan *plan, const struct bead_plan_row *row); /* px: width of the wall; 0: none */
-double bead_plan_gap(const struct bead_plan *plan);                                   /* px: where beads are left out */
-double bead_plan_row_gap(const struct bead_plan *plan);                               /* px */
 /* Baselines of the rows of words: of the header, above the beads, below them (first line). */
 double bead_plan_header_y(const struct bead_plan *plan, const struct bead_plan_row *row);
 double bead_plan_above_y(const struct bead_plan *plan, const struct bead_plan_row *row);
@@ -65,4 +63,15 @@ double bead_plan_below_y(const struct bead_plan *plan, const struct bead_plan_ro
 /* Top of the guide at x. */
 double bead_plan_guide(const struct bead_plan_row *row, double x);
 
-#endif
+/* ---- parts of a chain and their words ---- */
+
+/* Segments of the chain, `most` of them; the segments left out between the first and last ones form one part. Returns the number of
+ * parts, at most `most` + 1. */
+size_t bead_parts_make(const struct bead_chain *chain, size_t most, struct bead_part *parts);
+/* Beads of all parts, at most about `most` of each. False: out of memory. */
+BEAD_CHECK bool bead_parts_strip(const struct bead_chain *chain, const struct bead_part *parts, size_t count, size_t most,
+                                 struct bead_strip *strip);
+/* Words above and below with their widths. */
+void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *style, bool details);
+/* `decimals`: of M. */
+void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, int decimals, double width);

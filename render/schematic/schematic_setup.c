@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws the experiment (thesis, Fig. 4): striker on its ramp, guide, beads to scale, sensors, wall. The plan is made before. */
+/* Draws the experiment (thesis, Fig. 4) as planned: striker on its ramp, guide, beads to scale, sensors, wall. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,17 +12,7 @@ enum { MOST_ENTRIES = 8, PIECES = MOST_ENTRIES + 1 };
 /* In units of the label's font size. */
 static const double guide_height = 0.28, brace_gap = 0.25, brace_depth = 0.7, arrow_length = 2.0, arrow_above = 0.45;
 
-static struct bead_rgb between(struct bead_rgb a, struct bead_rgb b, double part)
-{
-    return (struct bead_rgb){a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
-}
-
-static struct bead_rgb guide_colour(const struct bead_look *look)
-{
-    return between(look->background, look->ink, look->dark ? 0.35 : 0.3);
-}
-
-/* Guide with its ramp; beads smaller than the largest rest on blocks. */
+/* Draws the guide with its ramp; beads smaller than the largest rest on blocks. */
 static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     struct bead_sketch *sketch = plan->d->sketch;
@@ -30,7 +20,7 @@ static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row 
     double em = plan->em, angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), thick = guide_height * em;
     double foot = row->first_x - 0.2 * em, end = row->end_x + bead_plan_wall(plan, row);
     double left = row->striker_x - row->striker_r * (1 + sin(angle)) - 0.4 * em;
-    bead_sketch_colour(sketch, guide_colour(sketch->look));
+    bead_sketch_colour(sketch, bead_sketch_mixed(sketch->look, sketch->look->ink, sketch->look->dark ? 0.35 : 0.3));
     cairo_move_to(cr, left, row->foot_y - (foot - left) * tan(angle));
     cairo_line_to(cr, foot, row->foot_y);
     cairo_line_to(cr, foot, row->guide_y);
@@ -181,15 +171,14 @@ static bool near(double a, double b)
     return fabs(a - b) <= 1e-3 * fabs(a);
 }
 
-/* Beads of one stuff, whatever their size. */
 static bool differ_in_size_only(const struct bead_material *a, const struct bead_material *b)
 {
     return near(a->modulus, b->modulus) && near(a->poisson, b->poisson) &&
            near(a->mass / pow(a->radius, 3), b->mass / pow(b->radius, 3)) && memcmp(a->colour, b->colour, sizeof a->colour) == 0;
 }
 
-/* The last of those that differ from `first` in size only; all but `first` itself are marked as not used, and *listed counts them
- * all where there are several. */
+/* The last material that differs from `first` in size only. All but `first` are marked as not used; if there are several, *listed
+ * counts them all. */
 static size_t last_alike(const struct bead_scene *scene, bool *used, size_t first, size_t *listed)
 {
     size_t last = first;
@@ -203,7 +192,7 @@ static size_t last_alike(const struct bead_scene *scene, bool *used, size_t firs
     return last;
 }
 
-/* Materials of beads, in the order of the scene; many that differ in size only are one entry. */
+/* Lists the materials of beads in the order of the scene; if there are many, those that differ in size only are one entry. */
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
     const struct bead_scene *scene = d->context->scene;
@@ -231,12 +220,12 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
     return count;
 }
 
-/* What there is no room to draw. */
+/* Adds a line about the chains that are not drawn. */
 static bool say_rest(const struct bead_drafting *d, struct bead_box *area, size_t rest)
 {
     struct bead_piece piece = {{0}, NULL};
     snprintf(piece.markup, sizeof piece.markup, "and %zu more chain%s", rest, rest == 1 ? "" : "s");
-    return bead_drafting_pieces(d, area, &piece, 1, false);
+    return bead_sketch_pieces(d->sketch, area, &piece, 1, false);
 }
 
 bool bead_schematic_setup(const struct bead_drafting *d)
@@ -245,8 +234,9 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
     d->sketch->failed = d->sketch->failed || !pieces;
-    bool room = pieces && bead_drafting_pieces(d, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
-    if (room && plan.row_count < d->context->chain_count) { /* again, with a line about beads left out */
+    bool room =
+        pieces && bead_sketch_pieces(d->sketch, &area, pieces, list_materials(d, pieces), true) && bead_plan_make(d, area, &plan);
+    if (room && plan.row_count < d->context->chain_count) { /* again, with a line about the chains left out */
         struct bead_box less = area;
         less.height -= 2 * d->sketch->look->label;
         bead_plan_free(&plan);

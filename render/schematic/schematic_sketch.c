@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Strokes, texts and labels of schematic drawings, and whether the texts can all be read. */
+/* Strokes, texts and labels of schematic drawings, and a check that all texts can be read. */
 #include "render/schematic/schematic_sketch.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/memory.h"
+
 /* Half the height of a line's box, in units of the font size. */
 static const double half_line = 0.55;
-/* Head of an arrow: length in units of the label's font size, half its width. */
+/* Head of an arrow, in units of the label's font size: length, half the width. */
 static const double head_length = 0.42, head_half = 0.15;
 
 void bead_sketch_free(struct bead_sketch *sketch)
@@ -51,16 +53,10 @@ double bead_sketch_width(const struct bead_text_style *style, const char *markup
 
 static void keep_box(struct bead_sketch *sketch, struct bead_box box)
 {
-    if (sketch->count == sketch->room) {
-        size_t room = sketch->room ? 2 * sketch->room : 64;
-        struct bead_box *grown = realloc(sketch->boxes, room * sizeof *grown);
-        sketch->failed = sketch->failed || !grown;
-        if (!grown)
-            return;
-        sketch->boxes = grown;
-        sketch->room = room;
-    }
-    sketch->boxes[sketch->count++] = box;
+    if (bead_memory_grow((void **)&sketch->boxes, &sketch->room, sketch->count + 1, sizeof box))
+        sketch->boxes[sketch->count++] = box;
+    else
+        sketch->failed = true;
 }
 
 void bead_sketch_text(struct bead_sketch *sketch, const struct bead_text_style *style, double x, double y, const char *markup)
@@ -76,6 +72,12 @@ void bead_sketch_text(struct bead_sketch *sketch, const struct bead_text_style *
 void bead_sketch_colour(struct bead_sketch *sketch, struct bead_rgb colour)
 {
     cairo_set_source_rgb(sketch->cr, colour.r, colour.g, colour.b);
+}
+
+struct bead_rgb bead_sketch_mixed(const struct bead_look *look, struct bead_rgb colour, double part)
+{
+    struct bead_rgb b = look->background;
+    return (struct bead_rgb){b.r + part * (colour.r - b.r), b.g + part * (colour.g - b.g), b.b + part * (colour.b - b.b)};
 }
 
 void bead_sketch_line(struct bead_sketch *sketch, double x0, double y0, double x1, double y1)
@@ -183,12 +185,7 @@ struct cluster {
     double x, width;
 };
 
-static double within(double x, double low, double high)
-{
-    return fmax(low, fmin(x, high));
-}
-
-/* The position where its labels' mean distance from their anchors is 0. */
+/* Moves a cluster to where its labels' mean distance from their anchors is 0. */
 static void sketch_settle(struct cluster *cluster, const struct bead_label *labels, double gap, double low, double high)
 {
     double sum = 0, at = 0;
@@ -197,7 +194,7 @@ static void sketch_settle(struct cluster *cluster, const struct bead_label *labe
         at += labels[i].width + gap;
     }
     cluster->width = at - gap;
-    cluster->x = within(sum / (double)(cluster->last - cluster->first + 1), low, high - cluster->width);
+    cluster->x = fmax(low, fmin(sum / (double)(cluster->last - cluster->first + 1), high - cluster->width));
 }
 
 bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, double low, double high)
@@ -225,6 +222,50 @@ bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, dou
             labels[i].x = x;
             x += labels[i].width + gap;
         }
+    }
+    return true;
+}
+
+/* In units of the label's font size. */
+static const double line_height = 1.45, piece_gap = 1.6, ball_radius = 0.42;
+
+bool bead_sketch_pieces(struct bead_sketch *s, struct bead_box *area, const struct bead_piece *pieces, size_t count, bool centred)
+{
+    double em = s->look->label, used = 0;
+    struct bead_text_style style = bead_sketch_style(s, em);
+    enum { MOST = 64 };
+    double width[MOST], line_width[MOST] = {0};
+    size_t line[MOST], lines = 0;
+    if (count > MOST)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        width[i] = bead_sketch_width(&style, pieces[i].markup) + (pieces[i].colour ? (2 * ball_radius + 0.4) * em : 0);
+        if (width[i] > area->width)
+            return false;
+        if (lines == 0 || used + piece_gap * em + width[i] > area->width) {
+            lines++;
+            used = -piece_gap * em;
+        }
+        used += piece_gap * em + width[i];
+        line[i] = lines - 1;
+        line_width[lines - 1] = used;
+    }
+    double height = line_height * em * (double)lines, x = 0;
+    if (height > area->height)
+        return false;
+    area->height -= height + (lines > 0 ? 0.4 * em : 0);
+    double top = area->y + area->height + (lines > 0 ? 0.4 * em : 0);
+    for (size_t i = 0; i < count; i++) {
+        double y = top + line_height * em * ((double)line[i] + 0.5);
+        if (i == 0 || line[i] != line[i - 1])
+            x = area->x + (centred ? 0.5 * (area->width - line_width[line[i]]) : 0);
+        double text = x;
+        if (pieces[i].colour) {
+            bead_sketch_ball(s, x + ball_radius * em, y, ball_radius * em, pieces[i].colour);
+            text += (2 * ball_radius + 0.4) * em;
+        }
+        bead_sketch_text(s, &style, text, y, pieces[i].markup);
+        x += width[i] + piece_gap * em;
     }
     return true;
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sketches: the strokes that schematic drawings are made of. The box of every text is kept, so that one can check afterwards that
- * all can be read. Lengths in px, y downwards. */
-#ifndef BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H
-#define BEADREEL_RENDER_SCHEMATIC_SCHEMATIC_SKETCH_H
+/* Sketches: the strokes of schematic drawings. The box of every text is kept for a check that all can be read. Lengths in px, y
+ * downwards. */
+#pragma once
 
 #include <stdbool.h>
+#include <stddef.h>
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 struct bead_box {
     double x, y, width, height;
@@ -31,26 +31,35 @@ double bead_sketch_width(const struct bead_text_style *style, const char *markup
 void bead_sketch_text(struct bead_sketch *sketch, const struct bead_text_style *style, double x, double y, const char *markup);
 
 void bead_sketch_colour(struct bead_sketch *sketch, struct bead_rgb colour);
+/* `part` of a colour, the rest of the background's. */
+struct bead_rgb bead_sketch_mixed(const struct bead_look *look, struct bead_rgb colour, double part);
 void bead_sketch_line(struct bead_sketch *sketch, double x0, double y0, double x1, double y1);
 void bead_sketch_dashed(struct bead_sketch *sketch, bool dashed);
 /* With a head at its end, and at its start where `both`. */
 void bead_sketch_arrow(struct bead_sketch *sketch, double x0, double y0, double x1, double y1, bool both);
-/* A curly brace below x0..x1 at y, its point at `depth` below. */
+/* A curly brace below x0..x1 at y, its point `depth` lower. */
 void bead_sketch_brace(struct bead_sketch *sketch, double x0, double x1, double y, double depth);
 /* A ball lit from above left. */
 void bead_sketch_ball(struct bead_sketch *sketch, double x, double y, double r, const double colour[3]);
-/* Three dots for what is left out. */
+/* Three dots in place of beads left out. */
 void bead_sketch_dots(struct bead_sketch *sketch, double x, double y, double width);
 /* Slanted lines in a rectangle, which is first filled with `colour` (NULL: not filled). */
 void bead_sketch_hatch(struct bead_sketch *sketch, struct bead_box box, const double colour[3]);
+
+/* Pieces of text one after the other, each with an optional ball before it, in as many lines as the area's width requires; the last
+ * line is at the bottom. The area shrinks by their height. False: no room. */
+struct bead_piece {
+    char markup[512];
+    const double *colour; /* of a ball; NULL: none */
+};
+bool bead_sketch_pieces(struct bead_sketch *sketch, struct bead_box *area, const struct bead_piece *pieces, size_t count,
+                        bool centred);
 
 /* Labels in a row, left to right, each as close to its anchor as the others and low..high allow. */
 struct bead_label {
     double anchor, width; /* px */
     double x;             /* found: left end */
 };
-enum { BEAD_LABELS = 64 }; /* beside each other, at most */
+enum { BEAD_LABELS = 64 }; /* in a row, at most */
 /* `labels` in the order of their anchors; false: they do not fit. */
 bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, double low, double high);
-
-#endif

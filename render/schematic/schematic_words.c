@@ -14,30 +14,6 @@ const char *bead_cell_word(size_t beads, bool several)
     return words[row][several];
 }
 
-size_t bead_cell_groups(const struct bead_segment *segment, struct bead_cell_group *groups, size_t room)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < segment->cell_beads; i++) {
-        if (count > 0 && groups[count - 1].material == segment->cell[i]) {
-            groups[count - 1].beads++;
-            continue;
-        }
-        if (count == room)
-            return 0;
-        groups[count++] = (struct bead_cell_group){segment->cell[i], 1};
-    }
-    return count;
-}
-
-bool bead_cell_mirrored(const struct bead_segment *segment)
-{
-    for (size_t i = 0, j = segment->cell_beads - 1; i < j; i++, j--) {
-        if (segment->cell[i] != segment->cell[j])
-            return false;
-    }
-    return true;
-}
-
 /* "steel, 4.76 mm" has the number of "4.76\u00a0mm". */
 static bool says_radius(const char *label, const char *radius)
 {
@@ -54,7 +30,7 @@ static void mass_words(const struct bead_material *material, char *out, size_t s
         snprintf(out, size, "%.3g kg", material->mass);
 }
 
-void bead_material_words(const struct bead_material *material, char *out, size_t size)
+static void material_words(const struct bead_material *material, char *out, size_t size)
 {
     char name[96], radius[32], mass[32];
     bead_text_escape(material->label, name, sizeof name);
@@ -71,7 +47,7 @@ void bead_materials_words(const struct bead_material *first, const struct bead_m
     char name[2][96], radius[2][32], mass[2][32];
     const struct bead_material *ends[] = {first, last};
     if (first == last) {
-        bead_material_words(first, out, size);
+        material_words(first, out, size);
         return;
     }
     for (int i = 0; i < 2; i++) {
@@ -81,4 +57,14 @@ void bead_materials_words(const struct bead_material *first, const struct bead_m
     }
     snprintf(out, size, "%s to %s, " BEAD_SYMBOL("R") " = %s to %s, %s to %s", name[0], name[1], radius[0], radius[1], mass[0],
              mass[1]);
+}
+
+void bead_symbol_words(const char *letter, int index, char *out, size_t size)
+{
+    char text[64];
+    if (index > 0)
+        snprintf(text, sizeof text, "*%s*_%d", letter, index);
+    else
+        snprintf(text, sizeof text, "*%s*", letter);
+    bead_markup(text, out, size);
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Areas: add samples to sums of pixels as they come, and give finished columns out again. The space-time view, bare images and
- * contact sheets are made of them. */
+/* Areas: add each sample to sums of pixels, and read columns back. Used by the space-time view, bare images and contact sheets. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -8,10 +7,10 @@
 
 #include "render/view/area.h"
 #include "render/view/area_kernels.h"
-#include "sim/base/large.h"
+#include "sim/base/memory.h"
 
-/* How a bead is spread over rows where there are fewer rows than beads. For means: its share of its own row and of the next. For
- * values furthest from 0: the first and last row it reaches into. */
+/* Spreads a bead over rows if they are fewer than the beads. For means: its share of its own row and of the next. For values
+ * furthest from 0: the first and last row it reaches into. */
 struct share {
     double own, next;
     size_t row, last;
@@ -21,8 +20,9 @@ struct share {
 struct bead_area {
     struct bead_area_setup setup;
     size_t beads, rows;
+    double *memory; /* of all arrays of doubles but `sums` */
     double *sums; /* [columns][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in row
-                     and column, NaN where all was at rest; finished columns hold what their pixels show */
+                     and column, NaN where all was at rest; finished columns hold the values of their pixels */
     double *covered;      /* s, [columns]; a column's sums have no values where it is 0 */
     double *rest;         /* [beads], values of beads that had not moved at the first sample */
     double *resting;      /* [rows], the same in rows */
@@ -49,11 +49,6 @@ static double *area_column(const struct bead_area *a, int c)
     return a->sums + (size_t)c * a->rows;
 }
 
-static double *area_numbers(size_t count)
-{
-    return calloc(count ? count : 1, sizeof(double));
-}
-
 static struct share area_share_of(const struct bead_area *a, size_t i)
 {
     if (keeps_largest(a))
@@ -65,7 +60,7 @@ static struct share area_share_of(const struct bead_area *a, size_t i)
     return (struct share){cell - next, next, row, next > 0 ? row + 1 : row};
 }
 
-/* With the first sample: pictures that are only planned write to no array of beads, and take no memory for them. */
+/* With the first sample: pictures that are only planned write to no array of beads, so those take no memory. */
 static void find_shares(struct bead_area *a)
 {
     for (size_t i = 0; a->shares && i < a->beads; i++)
@@ -90,20 +85,22 @@ static bool area_allocate(struct bead_area *a)
     size_t columns = (size_t)a->setup.columns, places = (size_t)a->setup.places;
     bool fits = a->rows < SIZE_MAX / sizeof(double) / columns;
     a->sums = fits ? bead_large_take(a->rows * columns * sizeof(double)) : NULL;
-    a->covered = area_numbers(columns);
-    a->rest = area_numbers(a->beads);
-    a->resting = area_numbers(a->rows);
-    a->before = area_numbers(a->rows);
-    a->now = area_numbers(a->rows);
-    a->low = area_numbers(a->rows);
-    a->high = area_numbers(a->rows);
-    a->shown = area_numbers(a->rows);
     a->shares = a->rows < a->beads ? calloc(a->beads, sizeof *a->shares) : NULL;
     a->level = a->rows < places ? calloc(places, sizeof *a->level) : NULL;
-    a->beyond = area_numbers(a->rows);
-    a->levels = area_numbers(bead_area_levels(a));
-    return a->sums && a->covered && a->rest && a->resting && a->before && a->now && a->low && a->high && a->shown && a->beyond &&
-           a->levels && (a->shares || a->rows == a->beads) && (a->level || a->rows == places);
+    a->memory = calloc(columns + a->beads + 7 * a->rows + bead_area_levels(a), sizeof *a->memory);
+    if (!a->sums || !a->memory || (!a->shares && a->rows < a->beads) || (!a->level && a->rows < places))
+        return false;
+    a->covered = a->memory;
+    a->rest = a->covered + columns;
+    a->resting = a->rest + a->beads;
+    a->before = a->resting + a->rows;
+    a->now = a->before + a->rows;
+    a->low = a->now + a->rows;
+    a->high = a->low + a->rows;
+    a->shown = a->high + a->rows;
+    a->beyond = a->shown + a->rows;
+    a->levels = a->beyond + a->rows;
+    return true;
 }
 
 enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg)
@@ -133,18 +130,9 @@ void bead_area_destroy(struct bead_area *area)
     if (!area)
         return;
     free(area->sums);
-    free(area->covered);
-    free(area->rest);
-    free(area->resting);
-    free(area->before);
-    free(area->now);
-    free(area->low);
-    free(area->high);
-    free(area->shown);
+    free(area->memory);
     free(area->shares);
     free(area->level);
-    free(area->beyond);
-    free(area->levels);
     free(area);
 }
 
@@ -181,7 +169,7 @@ static size_t means_in_rows(const struct bead_area *a, const double *values, siz
     return touched;
 }
 
-/* For the beads below `count`; returns the number of rows touched. */
+/* Values of the beads below `count`, in rows; returns the number of rows touched. */
 static size_t into_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
 {
     if (a->shares)
@@ -213,7 +201,7 @@ static void clear(const struct bead_area *a, double *sums)
         sums[r] = NAN;
 }
 
-/* Adds the integral of one linear piece over column c. The weights of its two ends are the same for all rows. */
+/* Adds the integral of one linear piece over column c. All rows weigh its two ends alike. */
 static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
 {
     double length = to - from, span = time - a->time_before, *sums = area_column(a, c);
@@ -227,7 +215,7 @@ static void add_piece(struct bead_area *a, int c, double from, double to, double
     a->covered[c] += length;
 }
 
-/* What column c shows, in rows; samples must have touched it. */
+/* The values of column c in rows; samples must have touched it. */
 static void show_column(const struct bead_area *a, int c, double *rows)
 {
     if (keeps_largest(a))
@@ -236,7 +224,7 @@ static void show_column(const struct bead_area *a, int c, double *rows)
         bead_area_means(a->rows, a->covered[c], a->resting, area_column(a, c), rows);
 }
 
-/* Turns sums into what the pixels show, while the column is still in the cache. */
+/* Turns sums into values of pixels while the column is still in the cache. */
 static void area_finish(struct bead_area *a, int c)
 {
     if (!(a->covered[c] > 0))
@@ -245,12 +233,7 @@ static void area_finish(struct bead_area *a, int c)
     bead_area_spread(a->rows, area_column(a, c), a->low, a->high);
 }
 
-static size_t larger(size_t a, size_t b)
-{
-    return a > b ? a : b;
-}
-
-/* Values of beads that have not moved yet; in a precompressed chain their forces are not 0. */
+/* Keeps the values of beads that have not moved yet; in a precompressed chain their forces are not 0. */
 static void remember_rest(struct bead_area *a, const double *values, size_t active)
 {
     for (size_t i = active; i < a->beads; i++) {
@@ -262,16 +245,15 @@ static void remember_rest(struct bead_area *a, const double *values, size_t acti
     }
 }
 
-/* Rows from..to - 1 as they are while nothing has moved. */
+/* Gives rows from..to - 1 their values at rest. */
 static void set_at_rest(const struct bead_area *a, double *rows, size_t from, size_t to)
 {
     for (size_t r = from; r < to; r++)
         rows[r] = keeps_largest(a) ? a->resting[r] : 0;
 }
 
-void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active)
+void bead_area_feed(struct bead_area *a, double time, const double *values, size_t active)
 {
-    struct bead_area *a = area;
     size_t first = a->setup.beads.first, count = active > first ? active - first : 0;
     count = count < a->beads ? count : a->beads;
     values += first;
@@ -280,7 +262,7 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
         remember_rest(a, values, count);
     }
     size_t touched = into_rows(a, values, count, a->now);
-    size_t lit = larger(touched, a->lit_before);
+    size_t lit = touched > a->lit_before ? touched : a->lit_before;
     set_at_rest(a, a->now, touched, lit);
     set_at_rest(a, a->before, a->lit_before, lit);
     if (a->started && time > a->time_before) {
@@ -300,7 +282,7 @@ void bead_area_feed(struct bead_area *area, double time, const double *values, s
     a->started = true;
 }
 
-/* The rows of a column: in place if it is finished, else in scratch memory. */
+/* The values of a column in rows: in place if it is finished, else in scratch memory. */
 static const double *rows_of(const struct bead_area *a, int c)
 {
     if (c < a->done)
@@ -319,9 +301,8 @@ const unsigned *bead_area_level(const struct bead_area *area)
     return area->level;
 }
 
-bool bead_area_column_levels(const struct bead_area *area, int c, double *values)
+bool bead_area_column_levels(const struct bead_area *a, int c, double *values)
 {
-    const struct bead_area *a = area;
     if (!(a->covered[c] > 0))
         return false;
     const double *rows = rows_of(a, c);
@@ -333,9 +314,8 @@ bool bead_area_column_levels(const struct bead_area *area, int c, double *values
     return true;
 }
 
-bool bead_area_column(const struct bead_area *area, int c, double *means)
+bool bead_area_column(const struct bead_area *a, int c, double *means)
 {
-    const struct bead_area *a = area;
     if (!a->level)
         return bead_area_column_levels(a, c, means);
     bool touched = bead_area_column_levels(a, c, a->levels);
@@ -352,9 +332,8 @@ static void area_extend(size_t n, const double *lows, const double *highs, doubl
     }
 }
 
-void bead_area_extremes(const struct bead_area *area, double *low, double *high)
+void bead_area_extremes(const struct bead_area *a, double *low, double *high)
 {
-    const struct bead_area *a = area;
     *low = INFINITY;
     *high = -INFINITY;
     area_extend(a->rows, a->low, a->high, low, high);
@@ -371,14 +350,14 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The value that this part of all is not above; sorts them. */
+/* The value below which this part of all lies; sorts them. INFINITY if there is none. */
 static double quantile(double *values, size_t count, double part)
 {
     qsort(values, count, sizeof *values, by_size);
     return count > 0 ? values[(size_t)(part * (double)(count - 1))] : INFINITY;
 }
 
-/* The largest magnitude of each column that has been touched, and of each row; returns the number of columns. */
+/* Finds the largest magnitude of each touched column and of each row; returns the number of such columns. */
 static size_t find_most(const struct bead_area *a, double *of_column, double *of_row)
 {
     size_t count = 0;
@@ -399,7 +378,8 @@ static size_t find_most(const struct bead_area *a, double *of_column, double *of
 double bead_area_typical(const struct bead_area *area)
 {
     static const double of_time = 0.95, of_chain = 0.9;
-    double *of_column = area_numbers((size_t)area->setup.columns), *of_row = area_numbers(area->rows), typical = INFINITY;
+    double *of_column = calloc((size_t)area->setup.columns, sizeof *of_column), *of_row = calloc(area->rows, sizeof *of_row);
+    double typical = INFINITY;
     if (of_column && of_row) {
         size_t columns = find_most(area, of_column, of_row);
         typical = fmax(quantile(of_column, columns, of_time), quantile(of_row, area->rows, of_chain));

@@ -5,8 +5,7 @@
  * mean of this function over the pixel's rectangle, so a pulse shorter than a pixel keeps its integral; or, with
  * BEAD_SAMPLING_MAX, the value furthest from 0 within the pixel, so the pulse keeps its height. Only one number per pixel is
  * stored, never the samples. */
-#ifndef BEADREEL_RENDER_VIEW_AREA_H
-#define BEADREEL_RENDER_VIEW_AREA_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,19 +29,17 @@ void bead_area_destroy(struct bead_area *area);
 /* Values of all beads at `time`, which must rise from call to call. Beads >= active still have the values of the first sample; the
  * cost grows with the active beads only. */
 void bead_area_feed(struct bead_area *area, double time, const double *values, size_t active);
-/* Means (or values furthest from 0) of the pixels of time column `c` from the chain's first to its last, [places]; false: no sample
- * has touched it. */
+/* Means (or values furthest from 0) of the pixels of time column `c`, from the chain's first to its last, [places]. False: no
+ * sample has touched the column. */
 bool bead_area_column(const struct bead_area *area, int c, double *means);
-/* The same without repetition: the distinct values of a column, [levels], and for each pixel the index of its value. NULL: every
+/* As above without repetition: the distinct values of a column, [levels], and for each pixel the index of its value. NULL: every
  * pixel has its own. */
 size_t bead_area_levels(const struct bead_area *area);
 const unsigned *bead_area_level(const struct bead_area *area);
 bool bead_area_column_levels(const struct bead_area *area, int c, double *values);
 size_t bead_area_places(const struct bead_area *area);
-/* Smallest and largest value of all pixels touched; low > high if there are none. */
+/* Smallest and largest value of all pixels touched; low > high if no pixel is. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
 /* The magnitude that only a short and narrow event exceeds, such as the strike: neither 5 % of the time columns have larger values,
- * nor 10 % of the chain. INFINITY where nothing is known. */
+ * nor 10 % of the chain. INFINITY: unknown. */
 double bead_area_typical(const struct bead_area *area);
-
-#endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Colours of an area's columns, as indices into a palette, written straight into an image. The space-time view and bare images call
- * it. */
+/* Colours of an area's columns, as indices into a palette, written straight into an image. Used by the space-time view and bare
+ * images. */
 #include "render/view/area_colours.h"
 
 #include <stdlib.h>
@@ -46,7 +46,7 @@ static void colours_put_columns(const struct block *b, int count, uint8_t *origi
     }
 }
 
-/* Returns how many of `most` columns samples have touched. */
+/* Colours of at most `most` columns; returns the number of those before the first that no sample has touched. */
 static int take_columns(const struct block *b, const struct bead_area *area, const struct bead_colour_table *table, int from,
                         int most)
 {

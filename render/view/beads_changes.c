@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What of the row and the lens must be painted again. Where the lens goes in whole pixels, beads at rest look the same but for
- * their place: they are moved in the frame, which costs a tenth of painting them. */
+/* Finds the parts of the row and the lens that must be painted again. Where the lens moves by whole pixels, beads at rest change
+ * only their place: they are moved in the frame, which costs a tenth of painting them. */
 #include <math.h>
 #include <string.h>
 
@@ -33,30 +33,6 @@ static void span_of_ball(struct bead_spans *spans, const struct bead_ball *ball,
     add_span(spans, ball->x - by - ball->r - 3, ball->x - by + ball->r + 3, limits);
 }
 
-/* The row always shows all beads, so old and new balls correspond. */
-struct bead_spans bead_beads_row_changes(const struct bead_view *v)
-{
-    const struct bead_drawing *d = &v->row_drawing;
-    const struct bead_rect *limits = &v->row.rect;
-    struct bead_spans spans = {.count = 0};
-    if (!v->drawn || d->count != d->old_count || d->first != d->old_first)
-        return everything(limits);
-    for (size_t m = 0; m < 2 && v->striker; m++) { /* arrow: the only mark that is not beside a bead that changed */
-        const struct bead_mark *now = &d->marks[0], *old = &d->old_marks[0];
-        bool same = d->mark_count && d->old_mark_count && memcmp(now, old, sizeof *now) == 0;
-        const struct bead_mark *mark = m ? now : old;
-        if (!same && (m ? d->mark_count : d->old_mark_count) && mark->kind == BEAD_MARK_ARROW)
-            add_span(&spans, mark->box[0] - 2, mark->box[2] + 2, limits);
-    }
-    for (size_t i = 0; i < d->count; i++) {
-        if (d->glow[i] == d->old_glow[i] && memcmp(&d->balls[i], &d->old_balls[i], sizeof d->balls[i]) == 0)
-            continue;
-        span_of_ball(&spans, &d->old_balls[i], 0, limits);
-        span_of_ball(&spans, &d->balls[i], 0, limits);
-    }
-    return spans;
-}
-
 bool bead_beads_lens_is_plain(const struct bead_view *v, const struct bead_frame *background)
 {
     const struct bead_rect *r = &v->lens.rect;
@@ -79,13 +55,13 @@ int bead_beads_lens_moves(const struct bead_view *v)
 /* Ball i, and old ball j moved to the left. Sums of floats are exact here. */
 static bool same_ball(const struct bead_drawing *d, size_t i, size_t j, int by)
 {
-    const struct bead_ball *now = &d->balls[i], *old = &d->old_balls[j];
-    bool light = d->glow[i] == d->old_glow[j] && (i + 1 < d->count) == (j + 1 < d->old_count);
+    const struct bead_ball *now = &d->now.balls[i], *old = &d->old.balls[j];
+    bool light = d->now.glow[i] == d->old.glow[j] && (i + 1 < d->now.count) == (j + 1 < d->old.count);
     return light && now->y == old->y && now->r == old->r && (double)now->x + by == old->x && (double)now->left + by == old->left &&
            (double)now->right + by == old->right && memcmp(now->rgba, old->rgba, sizeof now->rgba) == 0;
 }
 
-/* Arrow (at the left) or wall (at the right): the marks that do not go with a ball. */
+/* Adds arrow (at the left) or wall (at the right): the marks that belong to no ball. */
 static void add_marks(struct bead_spans *spans, const struct bead_mark *marks, size_t count, bool arrow, int by,
                       const struct bead_rect *limits)
 {
@@ -98,18 +74,36 @@ static void add_marks(struct bead_spans *spans, const struct bead_mark *marks, s
 
 static void add_balls(struct bead_spans *spans, const struct bead_drawing *d, int by, const struct bead_rect *limits)
 {
-    size_t first = d->first < d->old_first ? d->first : d->old_first;
-    size_t end = d->first + d->count > d->old_first + d->old_count ? d->first + d->count : d->old_first + d->old_count;
+    size_t first = d->now.first < d->old.first ? d->now.first : d->old.first;
+    size_t end =
+        d->now.first + d->now.count > d->old.first + d->old.count ? d->now.first + d->now.count : d->old.first + d->old.count;
     for (size_t bead = first; bead < end; bead++) {
-        size_t i = bead - d->first, j = bead - d->old_first; /* huge where bead is before the first */
-        bool now = i < d->count, old = j < d->old_count;
+        size_t i = bead - d->now.first, j = bead - d->old.first; /* huge if the bead is before the first */
+        bool now = i < d->now.count, old = j < d->old.count;
         if (now && old && same_ball(d, i, j, by))
             continue;
         if (old)
-            span_of_ball(spans, &d->old_balls[j], by, limits);
+            span_of_ball(spans, &d->old.balls[j], by, limits);
         if (now)
-            span_of_ball(spans, &d->balls[i], 0, limits);
+            span_of_ball(spans, &d->now.balls[i], 0, limits);
     }
+}
+
+/* The row always shows all beads, so old and new balls correspond. */
+struct bead_spans bead_beads_row_changes(const struct bead_view *v)
+{
+    const struct bead_drawing *d = &v->row_drawing;
+    const struct bead_rect *limits = &v->row.rect;
+    struct bead_spans spans = {.count = 0};
+    if (!v->drawn || d->now.count != d->old.count || d->now.first != d->old.first)
+        return everything(limits);
+    /* The arrow is the first mark, and the only one that may be away from a changed ball. */
+    if (!d->now.mark_count || !d->old.mark_count || memcmp(d->now.marks, d->old.marks, sizeof *d->now.marks) != 0) {
+        add_marks(&spans, d->old.marks, d->old.mark_count, true, 0, limits);
+        add_marks(&spans, d->now.marks, d->now.mark_count, true, 0, limits);
+    }
+    add_balls(&spans, d, 0, limits);
+    return spans;
 }
 
 struct bead_spans bead_beads_lens_changes(const struct bead_view *v, int by)
@@ -119,17 +113,17 @@ struct bead_spans bead_beads_lens_changes(const struct bead_view *v, int by)
     struct bead_spans spans = {.count = 0};
     if (!v->drawn || (by == 0 && v->lens.from != v->lens_drawn))
         return everything(r);
-    add_span(&spans, r->x, r->x - by, r); /* what comes into view */
-    add_marks(&spans, d->old_marks, d->old_mark_count, true, by, r);
-    add_marks(&spans, d->marks, d->mark_count, true, 0, r);
+    add_span(&spans, r->x, r->x - by, r); /* newly in view */
+    add_marks(&spans, d->old.marks, d->old.mark_count, true, by, r);
+    add_marks(&spans, d->now.marks, d->now.mark_count, true, 0, r);
     add_balls(&spans, d, by, r);
-    add_marks(&spans, d->old_marks, d->old_mark_count, false, by, r);
-    add_marks(&spans, d->marks, d->mark_count, false, 0, r);
+    add_marks(&spans, d->old.marks, d->old.mark_count, false, by, r);
+    add_marks(&spans, d->now.marks, d->now.mark_count, false, 0, r);
     add_span(&spans, r->x + r->width - by, r->x + r->width, r);
     return spans;
 }
 
-/* Columns from..to get what is `by` pixels to their right. */
+/* Moves the pixels `by` to the right of columns from..to into these. */
 static void move_gap(const struct bead_view *v, int from, int to, int by, struct bead_frame *frame)
 {
     const struct bead_rect *r = &v->lens.rect;
@@ -139,7 +133,7 @@ static void move_gap(const struct bead_view *v, int from, int to, int by, struct
     }
 }
 
-/* In the direction of the move, so that nothing is overwritten before it is read. */
+/* Gaps are moved in the direction of the move, so that none is overwritten before it is read. */
 void bead_beads_move(const struct bead_view *v, const struct bead_spans *spans, int by, struct bead_frame *frame)
 {
     const struct bead_rect *r = &v->lens.rect;

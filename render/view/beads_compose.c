@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From positions and colours to balls and marks, which the canvas paints. Second step of every draw of the beads view. */
+/* Makes balls and marks of positions and colours, for the canvas to paint. Second step of every draw of the beads view. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "render/view/beads.h"
 
-/* Positions are rounded to this fraction of a pixel: fine enough for smooth motion, coarse enough that a bead at rest is not
- * redrawn. */
+/* Positions are rounded to this fraction of a pixel: motion is smooth, and a bead at rest is not redrawn. */
 static const double steps_per_pixel = 64;
 
 static float on_grid(double x)
@@ -51,7 +50,7 @@ static void set_ball(const struct bead_view *v, const struct bead_window *w, siz
     memcpy(ball->rgba, v->colour[i], sizeof ball->rgba);
 }
 
-/* Where two beads overlap, they meet in a plane. */
+/* Two beads that overlap meet in a plane. */
 static void flatten(struct bead_ball *a, struct bead_ball *b)
 {
     float distance = b->x - a->x;
@@ -68,7 +67,7 @@ static uint8_t glow_of(const struct bead_view *v, const struct bead_window *w, s
 
 static struct bead_mark *add_mark(struct bead_drawing *d, enum bead_mark_kind kind, double x0, double y0, double x1, double y1)
 {
-    struct bead_mark *mark = &d->marks[d->mark_count++];
+    struct bead_mark *mark = &d->now.marks[d->now.mark_count++];
     *mark = (struct bead_mark){.box = {(float)x0, (float)y0, (float)x1, (float)y1}, .kind = (float)kind};
     return mark;
 }
@@ -83,9 +82,9 @@ static void paint_mark(struct bead_mark *mark, struct bead_rgb colour, double al
 static void ring(const struct bead_view *v, const struct bead_window *w, struct bead_drawing *d, size_t i, struct bead_rgb colour)
 {
     double r = v->radius[i] * w->scale, width = fmax(1.2, 0.07 * r);
-    if (r < 3 || i < d->first || i >= d->first + d->count)
+    if (r < 3 || i < d->now.first || i >= d->now.first + d->now.count)
         return;
-    double x = d->balls[i - d->first].x; /* moves only with its ball */
+    double x = d->now.balls[i - d->now.first].x; /* moves only with its ball */
     struct bead_mark *mark = add_mark(d, BEAD_MARK_RING, x - r - 1, w->middle - r - 1, x + r + 1, w->middle + r + 1);
     mark->shape[0] = (float)(r - 0.5 * width);
     mark->shape[1] = (float)width;
@@ -98,7 +97,7 @@ static void arrow(const struct bead_view *v, const struct bead_window *w, struct
     double full = fabs(bead_chain_spec(v->setup.chain)->striker_velocity);
     double r = v->radius[0] * w->scale, part = full > 0 ? v->speed / full : 0;
     double length = on_grid(2 * r * fmin(1.2, part)), tip = on_grid(bead_x(v, w, 0) - 1.25 * r);
-    if (r < 3 || length < 3 || d->first > 0 || d->count == 0)
+    if (r < 3 || length < 3 || d->now.first > 0 || d->now.count == 0)
         return;
     paint_mark(add_mark(d, BEAD_MARK_ARROW, tip - length, w->middle - 0.55 * r, tip, w->middle + 0.55 * r), v->look.accent, 1);
 }
@@ -123,41 +122,39 @@ static void wall_mark(const struct bead_view *v, const struct bead_window *w, st
 
 static void glow_marks(const struct bead_view *v, const struct bead_window *w, struct bead_drawing *d)
 {
-    for (size_t i = 0; i < d->count; i++) {
-        if (d->glow[i] == 0)
+    for (size_t i = 0; i < d->now.count; i++) {
+        if (d->now.glow[i] == 0)
             continue;
-        const struct bead_ball *ball = &d->balls[i];
-        double least = i + 1 < d->count ? fminf(ball->r, d->balls[i + 1].r) : ball->r;
+        const struct bead_ball *ball = &d->now.balls[i];
+        double least = i + 1 < d->now.count ? fminf(ball->r, d->now.balls[i + 1].r) : ball->r;
         double x = fminf(ball->right, ball->x + ball->r), half = 0.8 * least, wide = 0.34 * least;
         struct bead_mark *mark = add_mark(d, BEAD_MARK_GLOW, x - wide, w->middle - half, x + wide, w->middle + half);
         struct bead_rgb white = {1, 0.97, 0.9}, ink = v->look.ink;
-        paint_mark(mark, v->look.dark ? white : ink, 0.65 * d->glow[i] / 255.0);
+        paint_mark(mark, v->look.dark ? white : ink, 0.65 * d->now.glow[i] / 255.0);
     }
 }
 
 static void swap(struct bead_drawing *d)
 {
-    struct bead_drawing was = *d;
-    d->old_balls = was.balls, d->balls = was.old_balls;
-    d->old_glow = was.glow, d->glow = was.old_glow;
-    d->old_marks = was.marks, d->marks = was.old_marks;
-    d->old_first = was.first, d->old_count = was.count, d->old_mark_count = was.mark_count;
-    d->count = d->mark_count = 0;
+    struct bead_composed spare = d->old;
+    d->old = d->now;
+    d->now = spare;
+    d->now.count = d->now.mark_count = 0;
 }
 
 void bead_beads_compose(struct bead_view *v, const struct bead_window *w, struct bead_drawing *d)
 {
     swap(d);
-    find_visible(v, w, &d->first, &d->count);
-    for (size_t i = 0; i < d->count; i++) {
-        set_ball(v, w, d->first + i, &d->balls[i]);
-        d->glow[i] = glow_of(v, w, d->first + i);
+    find_visible(v, w, &d->now.first, &d->now.count);
+    for (size_t i = 0; i < d->now.count; i++) {
+        set_ball(v, w, d->now.first + i, &d->now.balls[i]);
+        d->now.glow[i] = glow_of(v, w, d->now.first + i);
         if (i > 0)
-            flatten(&d->balls[i - 1], &d->balls[i]);
+            flatten(&d->now.balls[i - 1], &d->now.balls[i]);
     }
-    bool at_wall = v->wall && d->count > 0 && d->first + d->count == v->count;
+    bool at_wall = v->wall && d->now.count > 0 && d->now.first + d->now.count == v->count;
     if (at_wall)
-        d->balls[d->count - 1].right = fminf(d->balls[d->count - 1].right, (float)bead_window_x(w, v->ends[1]));
+        d->now.balls[d->now.count - 1].right = fminf(d->now.balls[d->now.count - 1].right, (float)bead_window_x(w, v->ends[1]));
     if (v->striker) {
         arrow(v, w, d);
         ring(v, w, d, 0, v->look.accent);

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places the row of beads and the lens, and draws what never changes around them: names, wall, lens frame. Once per picture. */
+/* Places the row of beads and the lens, and draws names, wall and the lens's frame around them, once per picture. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "render/draw/chain_axis.h"
 #include "render/draw/names.h"
 #include "render/view/beads.h"
+#include "render/view/panel.h"
+#include "sim/chain/system.h"
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
 static const double strip_below = 3;
-/* Beads in the lens: their part of its height, and how many must fit side by side. */
+/* Beads in the lens: their part of its height, and the least number side by side. */
 static const double large_share = 0.8, most_across = 14;
 
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
@@ -51,19 +52,29 @@ static void only_row(struct bead_view *v, double scale, double top)
     v->row.from = v->ends[0];
 }
 
-/* Names above the row: sensors whenever possible, the others only where there is plenty of room. */
+/* The name of a sensor as markup; false: its bead is not shown. */
+static bool sensor_name(const struct bead_view *v, const struct bead_sensor *sensor, char markup[160])
+{
+    char plain[64];
+    snprintf(plain, sizeof plain, "%.40s", sensor->name);
+    bead_text_escape(plain, markup, 160);
+    return sensor->bead >= v->first && sensor->bead < v->first + v->count;
+}
+
+/* Whether names fit above the row: sensors need little room, the others plenty. */
 static bool has_names(const struct bead_view *v)
 {
     size_t count, shown = 0;
+    char name[160];
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
     for (size_t i = 0; i < count; i++)
-        shown += sensors[i].bead >= v->first && sensors[i].bead < v->first + v->count;
+        shown += sensor_name(v, &sensors[i], name);
     if (v->setup.camera && shown == 0 && !v->setup.bead_labels)
         return false;
     return v->setup.axes && v->plot.height > (shown > 0 || v->setup.bead_labels ? 2.6 : 8.5) * v->look.tick;
 }
 
-/* The camera's window takes everything below the names. */
+/* The camera's window takes all room below the names. */
 static void only_camera(struct bead_view *v, double top)
 {
     double width = bead_camera_width(v->setup.camera);
@@ -74,7 +85,7 @@ static void only_camera(struct bead_view *v, double top)
     v->lens.from = v->ends[0];
 }
 
-void bead_beads_divide(struct bead_view *v)
+enum bead_error bead_beads_divide(struct bead_view *v, struct bead_message *msg)
 {
     const struct bead_look *look = &v->look;
     double length = v->ends[1] - v->ends[0], scale = v->plot.width / length, diameter = 2 * v->largest * scale;
@@ -82,21 +93,21 @@ void bead_beads_divide(struct bead_view *v)
     v->label_y = top > 0 ? 0.95 * look->tick : -1;
     if (v->setup.camera) {
         only_camera(v, top);
-        return;
+        return BEAD_OK;
     }
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
     double row = v->strip ? fmax(8, 0.9 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
-    /* Only waves in beads at rest have a front to follow. */
+    /* Only waves in beads at rest, which a striker makes, have a front to follow. */
     double height = v->plot.height - top - row - zoom, large = fmin(large_share * height, v->plot.width / most_across);
-    bool worth = !bead_chain_spec(v->setup.chain)->equation.name && large > fmax(14, 1.7 * diameter) &&
+    bool worth = bead_chain_spec(v->setup.chain)->system->has_striker && large > fmax(14, 1.7 * diameter) &&
                  v->plot.width / large < 0.8 * (double)v->count;
     if (diameter >= 1.25 * look->label || !worth) {
         only_row(v, scale, top);
         row = fmin(2.2 * row, v->row.rect.height);
         v->row.rect.height = v->strip ? (int)row : v->row.rect.height;
         v->row.middle = v->strip ? v->row.rect.y + 0.5 * row : v->row.middle;
-        return;
+        return BEAD_OK;
     }
     set_window(&v->row, v, scale, top, row, true);
     v->row.left = v->plot.x - v->area.x;
@@ -108,7 +119,8 @@ void bead_beads_divide(struct bead_view *v)
                                       v->lens.rect.height - 2 * line};
     v->lens.left = v->lens.rect.x;
     v->lens.from = v->ends[0];
-    v->follower = bead_follower_make(v->lens.rect.width / v->lens.scale, length, v->count, v->setup.time[1] - v->setup.time[0]);
+    return bead_camera_create(v->setup.chain, (struct bead_span){v->first, v->first + v->count - 1},
+                              v->lens.rect.width / v->lens.scale, v->setup.time, &v->camera, msg);
 }
 
 static void beads_set_colour(cairo_t *cr, struct bead_rgb c, double alpha)
@@ -145,7 +157,7 @@ static void beads_draw_wall(const struct bead_view *v, cairo_t *cr)
     cairo_restore(cr);
 }
 
-/* Names above the row, from left to right; a name that would overlap another is left out. */
+/* Names above the row; a name that would overlap an earlier one is left out. */
 struct names {
     cairo_t *cr;
     const struct bead_view *v;
@@ -176,11 +188,9 @@ static void name_sensors(struct names *names)
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
     for (size_t i = 0; i < count; i++) {
-        char plain[64], markup[160];
-        if (sensors[i].bead < v->first || sensors[i].bead >= v->first + v->count)
+        char markup[160];
+        if (!sensor_name(v, &sensors[i], markup))
             continue;
-        snprintf(plain, sizeof plain, "%.40s", sensors[i].name);
-        bead_text_escape(plain, markup, sizeof markup);
         double x = v->area.x + bead_window_x(&v->row, v->position[sensors[i].bead - v->first]), y = v->area.y + v->label_y;
         double em = 0.3 * v->look.tick;
         beads_set_colour(names->cr, v->look.ink, 1);
@@ -192,6 +202,13 @@ static void name_sensors(struct names *names)
     }
 }
 
+static void wall_name(const struct bead_view *v, char markup[200])
+{
+    char text[96];
+    bead_wall_name(v->setup.chain, text, sizeof text);
+    bead_text_escape(text, markup, 200);
+}
+
 static void name_ends(struct names *names)
 {
     const struct bead_view *v = names->v;
@@ -199,9 +216,8 @@ static void name_ends(struct names *names)
         add_name(names, v->area.x + bead_window_x(&v->row, v->ends[0]), "striker", BEAD_ALIGN_START, v->look.faint);
     if (!v->wall)
         return;
-    char text[96], markup[200];
-    bead_wall_name(v->setup.chain, text, sizeof text);
-    bead_text_escape(text, markup, sizeof markup);
+    char markup[200];
+    wall_name(v, markup);
     add_name(names, v->area.x + bead_window_x(&v->row, v->ends[1]), markup, BEAD_ALIGN_END, v->look.faint);
 }
 
@@ -227,20 +243,17 @@ static enum bead_error move_names(struct bead_view *v, struct bead_message *msg)
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
     enum bead_error err = bead_moving_labels_create(&v->look, strip, v->lens.scale, &v->labels, msg);
     for (size_t i = 0; !err && i < count; i++) {
-        char plain[64], markup[96];
-        if (sensors[i].bead < v->first || sensors[i].bead >= v->first + v->count)
+        char markup[160];
+        if (!sensor_name(v, &sensors[i], markup))
             continue;
-        snprintf(plain, sizeof plain, "%.40s", sensors[i].name);
-        bead_text_escape(plain, markup, sizeof markup);
         err = bead_moving_labels_add(v->labels, v->position[sensors[i].bead - v->first], markup, v->look.ink, BEAD_LABEL_POINTER,
                                      msg);
     }
     if (!err && v->striker)
         err = bead_moving_labels_add(v->labels, v->position[0], "striker", v->look.faint, BEAD_LABEL_PLAIN, msg);
     if (!err && v->wall) {
-        char text[64], markup[96];
-        bead_wall_name(v->setup.chain, text, sizeof text);
-        bead_text_escape(text, markup, sizeof markup);
+        char markup[200];
+        wall_name(v, markup);
         err = bead_moving_labels_add(v->labels, v->ends[1] - 4 * v->largest, markup, v->look.faint, BEAD_LABEL_PLAIN, msg);
     }
     if (!err && v->setup.bead_labels)

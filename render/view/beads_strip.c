@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* More beads than pixels: each column of the row shows the exact mean of the field over the beads in it, as a colour over that of
- * their materials, and the background where they leave gaps. */
+/* Rows of beads too small to be drawn: each column of pixels shows the exact mean of the field over its beads, as a colour over
+ * that of their materials, and the background in their gaps. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 /* The share of light that a ball reflects, compared with a flat square of its colour. */
 static const double shading = 0.62;
 
-/* What one column of pixels holds. */
+/* The contents of one column of pixels. */
 struct column {
     double cover, value; /* parts of the pixel; integral of the field over them */
 };
@@ -22,7 +22,7 @@ static double tent(double x, double h)
     return part < 0 ? 0.5 * (1 + part) * (1 + part) : 1 - 0.5 * (1 - part) * (1 - part);
 }
 
-/* Materials are averaged over two beads on either side; otherwise cells of two beads show moire against the pixels. */
+/* Averages materials over two beads on either side; without that, cells of two beads show moire against the pixels. */
 bool bead_beads_prepare_strip(struct bead_view *v)
 {
     size_t width = (size_t)v->plot.width;

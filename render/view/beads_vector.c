@@ -31,8 +31,8 @@ static void draw_ball(const struct bead_ball *b, cairo_t *cr)
 
 static void draw_rings(const struct bead_drawing *d, cairo_t *cr)
 {
-    for (size_t i = 0; i < d->mark_count; i++) {
-        const struct bead_mark *m = &d->marks[i];
+    for (size_t i = 0; i < d->now.mark_count; i++) {
+        const struct bead_mark *m = &d->now.marks[i];
         if (m->kind != BEAD_MARK_RING)
             continue;
         cairo_set_source_rgb(cr, m->rgba[0] / 255.0, m->rgba[1] / 255.0, m->rgba[2] / 255.0);
@@ -55,8 +55,8 @@ void bead_beads_vector(struct bead_view *v, cairo_t *cr)
         cairo_save(cr);
         cairo_rectangle(cr, r->x, r->y, r->width, r->height);
         cairo_clip(cr);
-        for (size_t i = 0; i < drawings[k]->count; i++)
-            draw_ball(&drawings[k]->balls[i], cr);
+        for (size_t i = 0; i < drawings[k]->now.count; i++)
+            draw_ball(&drawings[k]->now.balls[i], cr);
         draw_rings(drawings[k], cr);
         cairo_restore(cr);
     }

@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the front, smooths its motion and moves a chain's window with it. Movies that follow the front have one camera per chain.
- */
+/* Finds the front, smooths its motion and moves a chain's window with it. */
 #include "render/view/camera.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/view/latest.h"
 #include "render/view/magnify.h"
 
-/* The wave has reached a contact that is loaded by this part of the strongest compression. */
+/* The wave has reached a contact loaded by this part of the strongest compression. */
 static const double reaching = 0.015;
-/* Position of the front in the window, from its left edge, and how far the window takes to speed up and slow down, in widths. */
+/* In widths of the window: position of the front, from the left edge; distance in which the window speeds up or slows down. */
 static const double front_place = 0.7, easing = 0.2;
 /* The window reaches this many radii beyond the chain: room for a rebounding striker and for a wall. */
 static const double before_striker = 2.4, beyond_wall = 0.8, beyond_rest = 0.2;
 
-double bead_front_find(double *reached, const double *load, size_t count)
+/* The length of chain that the wave has reached, in beads from the first. `load`: compression of each contact, in units of a strong
+ * one; `reached` keeps the largest so far, up to where the contact counts as reached. */
+static double find_front(double *reached, const double *load, size_t count)
 {
-    /* Contacts skipped between two frames were reached as well. */
+    /* The wave also reached contacts that it passed between two frames. */
     double front = 0, beyond = 0;
     for (size_t i = count; i-- > 0;) {
         reached[i] = fmax(beyond, fmax(reached[i], fmin(1, load[i] / reaching)));
@@ -28,7 +30,7 @@ double bead_front_find(double *reached, const double *load, size_t count)
     return front;
 }
 
-/* The front jumps from bead to bead. It is smoothed over a tenth of the window, at least two beads, at the speed of a front that
+/* Smooths the front, which jumps from bead to bead, over a tenth of the window, at least two beads, at the speed of a front that
  * takes the whole picture to cross the chain. */
 struct bead_follower bead_follower_make(double width, double length, size_t beads, double span)
 {
@@ -77,9 +79,9 @@ struct bead_camera {
     bool wall;             /* a contact follows the last bead */
     double unit;           /* m: the compression that counts as strong */
     double width, ends[2]; /* m: of the window; edges that it may have */
-    double *u[2], time[2]; /* the last two samples */
+    double *u[2];          /* of the last two samples; u[0] owns the memory of all arrays */
+    struct bead_latest latest;
     double *load, *reached;
-    int fed, newest;
     struct bead_follower follower;
     double left;
 };
@@ -96,11 +98,11 @@ enum bead_error bead_camera_create(const struct bead_chain *chain, struct bead_s
     c->position = bead_chain_position(chain) + c->first;
     c->wall = last + 1 == all && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
     c->unit = bead_compression_scale(chain);
-    for (int k = 0; k < 2; k++)
-        c->u[k] = calloc(c->count, sizeof(double));
-    c->load = calloc(c->count, sizeof(double));
-    c->reached = calloc(c->count, sizeof(double));
-    if (!c->u[0] || !c->u[1] || !c->load || !c->reached) {
+    c->u[0] = calloc(4 * c->count, sizeof *c->u[0]);
+    c->u[1] = c->u[0] + c->count;
+    c->load = c->u[1] + c->count;
+    c->reached = c->load + c->count;
+    if (!c->u[0]) {
         bead_camera_destroy(c);
         *camera = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a camera");
@@ -120,9 +122,6 @@ void bead_camera_destroy(struct bead_camera *c)
     if (!c)
         return;
     free(c->u[0]);
-    free(c->u[1]);
-    free(c->load);
-    free(c->reached);
     free(c);
 }
 
@@ -131,14 +130,12 @@ enum bead_error bead_camera_feed(struct bead_camera *c, const struct bead_sample
     const double *u = sample->field[BEAD_FIELD_DISPLACEMENT];
     if (!u)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a camera needs displacements");
-    c->newest = 1 - c->newest;
-    c->fed += c->fed < 2;
-    c->time[c->newest] = sample->time;
-    memcpy(c->u[c->newest], u + c->first, c->count * sizeof *u);
+    bead_latest_feed(&c->latest, sample->time);
+    memcpy(c->u[c->latest.newest], u + c->first, c->count * sizeof *u);
     return BEAD_OK;
 }
 
-/* m along the chain, of a place in beads from the first. */
+/* Position along the chain, m, of a place in beads from the first. */
 static double camera_place_of(const struct bead_camera *c, double bead)
 {
     double within = fmin(fmax(bead, 0), (double)(c->count - 1)), whole = floor(within);
@@ -148,18 +145,14 @@ static double camera_place_of(const struct bead_camera *c, double bead)
 
 void bead_camera_advance(struct bead_camera *c, double time)
 {
-    const double *now = c->u[c->newest], *before = c->u[1 - c->newest];
-    double span = c->time[c->newest] - c->time[1 - c->newest], weight = 1;
-    if (c->fed == 2 && span > 0)
-        weight = fmin(1, fmax(0, (time - c->time[1 - c->newest]) / span));
-    double here = before[0] + weight * (now[0] - before[0]);
+    double weight = bead_latest_weight(&c->latest, time), here = bead_latest_value(&c->latest, c->u, 0, weight);
     for (size_t i = 0; i < c->count; i++) {
         bool last = i + 1 == c->count;
-        double next = last ? (c->wall ? 0 : here) : before[i + 1] + weight * (now[i + 1] - before[i + 1]);
+        double next = last ? (c->wall ? 0 : here) : bead_latest_value(&c->latest, c->u, i + 1, weight);
         c->load[i] = c->unit > 0 ? fmax(0, (here - next) / c->unit) : 0;
         here = next;
     }
-    double front = camera_place_of(c, bead_front_find(c->reached, c->load, c->count));
+    double front = camera_place_of(c, find_front(c->reached, c->load, c->count));
     front = bead_follower_advance(&c->follower, front, time);
     c->left = fmax(c->left, bead_window_left(front, c->width, c->ends[0], c->ends[1] - c->width));
 }

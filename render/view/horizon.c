@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds from when on two runs differ visibly at each bead, and draws the line through these times. Used by pictures with `trust`.
- */
+/* Finds the time from which two runs differ visibly at each bead, and draws the line through these times. Used by pictures with
+ * `trust`. */
 #include "render/view/horizon.h"
 
 #include <limits.h>
@@ -11,7 +11,7 @@
 static const double core = 1, seam = 3;
 
 struct bead_horizon {
-    struct bead_area_setup setup; /* places: a bead each or a pixel where these are fewer */
+    struct bead_area_setup setup; /* places: beads, or pixels if these are fewer */
     struct bead_area *area;       /* of the difference */
     double *difference;           /* [last bead + 1] */
     double *means;                /* [places] */
@@ -65,7 +65,7 @@ void bead_horizon_feed(struct bead_horizon *h, double time, const double *first,
     bead_area_feed(h->area, time, h->difference, active); /* means of differences are differences of means */
 }
 
-/* Neighbours considered on each side, so that a single quiet bead among others makes no spike in the line. */
+/* Neighbours considered on each side: a single quiet bead makes no spike in the line. */
 static int neighbours(const struct bead_horizon *h)
 {
     return 1 + h->setup.places / 48;
@@ -80,7 +80,7 @@ static int line_at(const struct bead_horizon *h, int place)
     return earliest;
 }
 
-/* The first column where the line changes when a place gets its horizon; its neighbours' points move as well. */
+/* The first column where the line changes as a place gets its horizon, which moves its neighbours' points too. */
 static int changed_from(const struct bead_horizon *h, int place)
 {
     int earliest = INT_MAX, side = neighbours(h) + 1;
@@ -133,17 +133,11 @@ void bead_horizon_stroke(cairo_t *cr, const struct bead_look *look)
     cairo_stroke(cr);
 }
 
-/* One point of the line: `place` from 0 to 1 along the chain, `column` with parts. */
-struct point {
-    double place, column;
-};
-
-static void horizon_add_point(cairo_t *cr, struct bead_rect plot, enum bead_orientation lies, int columns, struct point p,
-                              bool begin)
+/* Adds a point of the line: `place` and `time` from 0 to 1 along the chain and in the image. */
+static void horizon_add_point(cairo_t *cr, struct bead_rect plot, enum bead_orientation lies, double place, double time, bool begin)
 {
-    double time = p.column / columns;
-    double x = plot.x + plot.width * (lies == BEAD_TIME_DOWN ? p.place : time);
-    double y = plot.y + plot.height * (lies == BEAD_TIME_DOWN ? time : lies == BEAD_MATRIX ? p.place : 1 - p.place);
+    double x = plot.x + plot.width * (lies == BEAD_TIME_DOWN ? place : time);
+    double y = plot.y + plot.height * (lies == BEAD_TIME_DOWN ? time : lies == BEAD_MATRIX ? place : 1 - place);
     if (begin)
         cairo_move_to(cr, x, y);
     else
@@ -153,7 +147,7 @@ static void horizon_add_point(cairo_t *cr, struct bead_rect plot, enum bead_orie
 void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
                        enum bead_orientation orientation, bool closed)
 {
-    int places = h->setup.places, columns = h->setup.columns;
+    int places = h->setup.places;
     bool drawing = false;
     if (h->earliest == INT_MAX)
         return;
@@ -164,16 +158,17 @@ void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct b
     for (int p = 0; p < places; p++) {
         int column = line_at(h, p);
         double reach = 2 * bead_horizon_reach(look); /* beyond the end: out of sight */
-        double end = column < INT_MAX ? column : columns * (1 + reach / (orientation == BEAD_TIME_DOWN ? plot.height : plot.width));
+        double beyond = 1 + reach / (orientation == BEAD_TIME_DOWN ? plot.height : plot.width);
+        double end = column < INT_MAX ? (double)column / h->setup.columns : beyond;
         if (column == INT_MAX && !closed) {
             drawing = false;
             continue;
         }
         if (p == 0 || !drawing) /* from the edge of the chain, or of the bead */
-            horizon_add_point(cr, plot, orientation, columns, (struct point){(double)p / places, end}, true);
-        horizon_add_point(cr, plot, orientation, columns, (struct point){(p + 0.5) / places, end}, false);
+            horizon_add_point(cr, plot, orientation, (double)p / places, end, true);
+        horizon_add_point(cr, plot, orientation, (p + 0.5) / places, end, false);
         if (p + 1 == places)
-            horizon_add_point(cr, plot, orientation, columns, (struct point){1, end}, false);
+            horizon_add_point(cr, plot, orientation, 1, end, false);
         drawing = true;
     }
     bead_horizon_stroke(cr, look);

@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Horizon: up to when a picture can be trusted.
+/* Horizon: the time until which a picture can be trusted.
  *
- * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic their difference grows
+ * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic, their difference grows
  * until the details of both are arbitrary. The horizon of a bead is the first time at which the two pictures' pixels differ by
- * more than a threshold there. The line drawn passes through the horizons of all beads, each the earliest of its own and those
+ * more than a threshold there. The line passes through the horizons of all beads, each the earliest of its own and those
  * of its neighbours (about 2 % of the chain on both sides): before the line no pixel differs by more. */
-#ifndef BEADREEL_RENDER_VIEW_HORIZON_H
-#define BEADREEL_RENDER_VIEW_HORIZON_H
+#pragma once
 
 #include <cairo.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/error.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/view/area.h"
 
 /* Two pictures differ where their values differ by more than this part of the range. */
@@ -36,9 +35,7 @@ double bead_horizon_time(const struct bead_horizon *horizon);
  * without a horizon. */
 void bead_horizon_draw(const struct bead_horizon *horizon, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
                        enum bead_orientation orientation, bool closed);
-/* How far the line reaches to both sides of its path, px. */
+/* Half the width of the line about its path, px. */
 double bead_horizon_reach(const struct bead_look *look);
 /* Strokes the current path in the style of a horizon, visible on every colour of a map. */
 void bead_horizon_stroke(cairo_t *cr, const struct bead_look *look);
-
-#endif

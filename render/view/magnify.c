@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the factor by which displacements are drawn larger, from the first hit. Stills and movies take it unless the scene gives
- * one. */
+/* Chooses, from the first hit, the factor by which displacements are drawn larger, for stills and movies whose scene gives none. */
 #include "render/view/magnify.h"
 
 #include <math.h>
 
 #include "beadreel/law.h"
 
-/* In radii: how large the compression of the striker's hit is drawn, and the limit for any contact that holds all of the hit's
- * energy. */
+/* In radii: the compression of the striker's hit as drawn, and the limit for any contact that stores all of the hit's energy. */
 static const double share = 0.25, limit = 0.5;
 
 /* Energy of the hit that the first contact stores, J. */
@@ -33,7 +31,7 @@ double bead_compression_scale(const struct bead_chain *chain)
     return bead_chain_contacts(chain) > 0 ? magnify_compression(chain, 0, hit_energy(chain)) : 0;
 }
 
-/* Of one chain, not rounded; infinite where nothing is struck. */
+/* The factor for one chain, not rounded; infinite if nothing is struck. */
 static double magnify_factor_of(const struct bead_chain *chain)
 {
     const double *radius = bead_chain_radius(chain);

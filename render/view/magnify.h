@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How much displacements are magnified where beads are drawn. */
-#ifndef BEADREEL_RENDER_VIEW_MAGNIFY_H
-#define BEADREEL_RENDER_VIEW_MAGNIFY_H
+/* The factor by which drawings magnify the displacements of beads. */
+#pragma once
 
 #include "beadreel/chain.h"
 
-/* Largest compression when the striker hits bead 1 as if the two were alone, m: the unit of the wave's compressions. The contact
+/* Largest compression as the striker hits bead 1, as if the two were alone, m: the unit of the wave's compressions. The contact
  * then stores (1/2) m v^2 with the reduced mass m. 0 if nothing is struck. */
 double bead_compression_scale(const struct bead_chain *chain);
 /* The round factor (1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten; at least 1) that shows this compression as a quarter of a
  * radius, or less where softer contacts would then show more than half of one; the smallest of all chains' factors. */
 double bead_magnify_auto(const struct bead_chain *const *chains, size_t count);
-
-#endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Labels that move with the camera, as masks shifted by parts of a pixel. Below profiles and above rows of beads. */
+/* Labels that move with the camera, below profiles and above rows of beads: masks shifted by parts of a pixel. */
 #include "render/view/moving_labels.h"
 
 #include <math.h>
@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
+
 static const double steps_per_pixel = 16;
-/* In units of the tick font's size; the first three equal those of axes that do not move. */
+/* In units of the tick font's size; the first three as for axes that do not move. */
 static const double tick_length = 0.38, label_gap = 0.3, digit_height = 0.7, fade = 1, apart = 0.5, pointer = 0.3,
                     digit_width = 0.6;
 
@@ -20,8 +22,8 @@ struct mask {
 };
 
 struct label {
-    double place, width; /* m; px that it may take */
-    char markup[96];
+    double place, width; /* m; px reserved for it */
+    char markup[200];
     struct bead_rgb colour;
     enum bead_label_sign sign;
     struct mask mask;
@@ -68,19 +70,6 @@ static struct bead_text_style labels_style_of(const struct bead_moving_labels *l
                                     .down = BEAD_ALIGN_BASELINE};
 }
 
-static enum bead_error labels_reserve(struct bead_moving_labels *l, struct bead_message *msg)
-{
-    if (l->count < l->room)
-        return BEAD_OK;
-    size_t room = l->room ? 2 * l->room : 16;
-    struct label *more = realloc(l->label, room * sizeof *more);
-    if (!more)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for labels");
-    l->label = more;
-    l->room = room;
-    return BEAD_OK;
-}
-
 static bool is_free(const struct bead_moving_labels *l, size_t count, double place, double width)
 {
     for (size_t i = 0; i < count; i++) {
@@ -91,15 +80,14 @@ static bool is_free(const struct bead_moving_labels *l, size_t count, double pla
     return true;
 }
 
-/* False if one of the first `before` labels is in its way. */
+/* Adds a label unless one of the first `before` labels is in its way. */
 static enum bead_error labels_add(struct bead_moving_labels *l, size_t before, double place, double width, const char *markup,
                                   struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg)
 {
     if (!is_free(l, before, place, width))
         return BEAD_OK;
-    enum bead_error err = labels_reserve(l, msg);
-    if (err)
-        return err;
+    if (!bead_memory_grow((void **)&l->label, &l->room, l->count + 1, sizeof *l->label))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for labels");
     struct label *label = &l->label[l->count++];
     *label = (struct label){.place = place, .width = width, .colour = colour, .sign = sign};
     snprintf(label->markup, sizeof label->markup, "%s", markup);
@@ -164,7 +152,7 @@ static void blend(const struct bead_moving_labels *l, struct bead_frame *frame, 
         p[c] = (uint8_t)lround(p[c] + alpha * (255 * bgra[c] - p[c]));
 }
 
-/* The mask shifted to x by linear interpolation; row y of the strip is its top. */
+/* Draws the mask shifted to x by linear interpolation; row y of the strip is its top. */
 static void draw_mask(const struct bead_moving_labels *l, const struct label *label, double x, int y, double alpha,
                       struct bead_frame *frame)
 {
@@ -181,7 +169,7 @@ static void draw_mask(const struct bead_moving_labels *l, const struct label *la
     }
 }
 
-/* A line downwards, or a triangle that points down, with its middle at x. */
+/* Draws a line downwards, or a triangle that points down, with its middle at x. */
 static void draw_sign(const struct bead_moving_labels *l, enum bead_label_sign sign, double x, double alpha, struct bead_rgb colour,
                       struct bead_frame *frame)
 {

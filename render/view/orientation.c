@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which way space-time images lie. */
+/* Chooses the orientation of space-time images, and finds their axes and pixels. */
 #include "render/view/orientation.h"
 
-/* Papers have time to the right; below a row of beads it runs down, so that each bead stands above its column; bare pixels lie as a
+/* Papers have time to the right; below a row of beads it runs down, so that each bead is above its column; bare pixels lie as a
  * matrix does. */
 static enum bead_orientation of_image(const struct bead_views_asked *views)
 {
-    if (!bead_views_all(views->kinds, views->count, BEAD_SHOWS_ALL_TIMES))
+    if (!bead_views_all(views, BEAD_SHOWS_ALL_TIMES))
         return BEAD_TIME_DOWN;
     return !views->axes && views->count == 1 ? BEAD_MATRIX : BEAD_TIME_RIGHT;
 }

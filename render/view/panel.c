@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws panels and their vertical axes: in figures with the title beside the axis, in movies above the panel, where it reads
- * without turning one's head and never breaks. */
+/* Draws panels and their axes. The title of a vertical axis is beside it in figures, and above the panel in movies, where it is
+ * horizontal and never breaks. */
 #include "render/view/panel.h"
+#include "render/draw/axis.h"
 
 #include <math.h>
 
 /* From a panel's top to the baseline of its title, in units of the label's font size. */
 static const double title_rise = 0.38;
-/* From a panel's left edge to the end of a title there; from its bottom to the baseline, as for numbers of axes. */
-static const double name_gap = 0.65, least_gap = 0.3 /* from a number there */, name_drop = 1.38;
+/* Titles left of a panel: from its left edge, or from a number there, to the end of the title; from its bottom to the baseline, as
+ * for numbers of axes. */
+static const double name_gap = 0.65, least_gap = 0.3, name_drop = 1.38;
 
 void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot)
 {
@@ -49,7 +51,7 @@ double bead_panel_name_room(const struct bead_look *look, const char *title)
     return width + name_gap * look->tick;
 }
 
-/* How far numbers of the axis reach out of the panel at its left, px. */
+/* Room that the numbers of the axis need left of the panel, px. */
 static double number_reach(const struct bead_look *look, const struct bead_axis *axis, struct bead_rect plot)
 {
     struct bead_text_style style = {.family = look->family, .size = look->tick};
@@ -87,4 +89,13 @@ void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, cons
 {
     bead_axis_draw(cr, setup->look, axis, plot, BEAD_SIDE_BOTTOM, false, !setup->time_shared,
                    setup->titles == BEAD_TITLES_NONE ? NULL : "time");
+}
+
+const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first,
+                                  size_t last, double length, double em, bool horizontal)
+{
+    const struct bead_chain_axis along = bead_chain_axis(chain, of_contacts);
+    double low = along.first + ((double)first - 0.5) * along.spacing, high = along.first + ((double)last + 0.5) * along.spacing;
+    bead_axis_make(axis, low, high, along.unit, BEAD_SCALE_LINEAR, length, em, horizontal);
+    return along.title;
 }

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The panel behind a plot of a movie, which reaches beyond it where beads stand there, and the vertical axis at its left. */
-#ifndef BEADREEL_RENDER_VIEW_PANEL_H
-#define BEADREEL_RENDER_VIEW_PANEL_H
+/* The panel behind a plot of a movie, which reaches beyond it in views of beads, and the axes at its sides. */
+#pragma once
 
 #include <string.h>
 
 #include "beadreel/view.h"
+#include "render/draw/axis.h"
 
-/* "force" for "bead force": where the picture says what it is of. */
+/* "force" for "bead force", in pictures that name the beads elsewhere. */
 static inline const char *bead_field_short(const struct bead_field_info *field)
 {
     const char *last = strrchr(field->title, ' ');
     return last ? last + 1 : field->title;
 }
 
-/* The plot of a view, or more. */
+/* The plot of a view with the room beside it that its panel covers. */
 static inline struct bead_rect bead_panel_rect(const struct bead_view_setup *setup, struct bead_rect plot)
 {
     const int *beyond = setup->beyond;
@@ -30,9 +30,12 @@ void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, con
                            const char *title);
 /* The axis of time below the plot, with its title unless the picture has none. */
 void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot);
-/* The title of the axis along the chain left of its numbers, where vertical axes are labelled; its room there, px. */
+/* The title of the axis along the chain, left of its numbers below the labels of vertical axes; its room there, px. */
 void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
                      const char *title);
 double bead_panel_name_room(const struct bead_look *look, const char *title);
 
-#endif
+/* The axis along a chain: numbers of beads or contacts, or positions of an equation's points, for values first..last, each one unit
+ * wide. Returns the title. */
+const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first,
+                                  size_t last, double length, double em, bool horizontal);

@@ -10,7 +10,7 @@
 /* Each column is cut into slices, which give steep parts soft edges; at most this many per half width of the pen. */
 enum { SLICES = BEAD_SLICES, MOST_TAPS = 64 };
 
-/* Lowest and highest y of the curve in a slice; empty where the curve does not reach. */
+/* Lowest and highest y of the curve in a slice; empty beyond the ends of the curve. */
 struct extent {
     float low, high;
 };
@@ -56,7 +56,7 @@ static size_t find_segment(const struct bead_curve *c, float x)
     return low;
 }
 
-/* `segment` holds the start of the slice, or lies before it; it is moved on. */
+/* The curve's extent in a slice. `segment`, at or before its start, moves on to the segment of the start. */
 static struct extent slice(const struct bead_curve *c, size_t *segment, float from, float to)
 {
     struct extent e = nothing;
@@ -95,7 +95,7 @@ int bead_curve_reach(const struct bead_curve *curve)
     return (int)ceilf(0.5f * curve->width) + 2;
 }
 
-/* What the pen covers in each slice as it follows the curve. */
+/* The part of each slice that the pen covers as it follows the curve. */
 static struct extent stroke(const struct extent *around, const struct pen *pen)
 {
     struct extent e = nothing;
@@ -120,7 +120,7 @@ static struct extent make_column(const struct bead_curve *c, const struct extent
     struct extent rows = nothing;
     for (int s = 0; s < SLICES; s++) {
         struct extent line = stroke(curve + s, pen), area = nothing;
-        if (curve[s].low <= curve[s].high) { /* else nothing or the round end of the line */
+        if (curve[s].low <= curve[s].high) { /* else at most the round end of the line */
             float middle = 0.5f * (curve[s].low + curve[s].high);
             area = (struct extent){least(middle, c->base), most(middle, c->base)};
             curve_widen(&rows, c->base);

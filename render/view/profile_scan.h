@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A curve y(x) with a line of some width and the area below it, pixel by pixel. A column depends only on the points near it, so
  * parts can be redrawn alone. */
-#ifndef BEADREEL_RENDER_VIEW_PROFILE_SCAN_H
-#define BEADREEL_RENDER_VIEW_PROFILE_SCAN_H
+#pragma once
 
 #include <stddef.h>
 
 #include "beadreel/frame.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 struct bead_curve {
     const float *x, *y; /* points in px of the rectangle, x rising, y downwards */
@@ -18,12 +17,10 @@ struct bead_curve {
     double area_alpha;
 };
 
-/* How far a point's influence reaches beyond its neighbours, px. */
+/* Reach of a point's influence beyond its neighbours, px. */
 int bead_curve_reach(const struct bead_curve *curve);
 /* Columns from..to (exclusive, of `rect`) over `background`. */
 void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
                      const struct bead_frame *background);
-/* Discs of radius `r` px at its points, in the line's colour, over what is there. */
+/* Discs of radius `r` px at the curve's points, in the line's colour. */
 void bead_curve_dots(const struct bead_curve *curve, float r, struct bead_rect rect, int from, int to, struct bead_frame *frame);
-
-#endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Keeps curves over time in bounded memory: four points per stretch of time. The sensors view and plots of sensors store theirs
- * here. */
+/* Keeps curves over time in bounded memory: four points per stretch of time. Used by the sensors view and plots of sensors. */
 #include "render/view/sensor_curves.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+
+#include "sim/base/memory.h"
 
 /* Number of stretches of time: more than any picture has pixels. */
 static const double slots = 4096;
@@ -24,14 +25,9 @@ void bead_curves_free(struct bead_curves *curves)
 
 enum bead_error bead_curves_reserve(struct bead_curves *curves, struct bead_message *msg)
 {
-    if (curves->count < curves->room)
-        return BEAD_OK;
-    size_t room = curves->room ? 2 * curves->room : 64, row = curves->curves * sizeof *curves->stretch;
-    struct bead_stretch *grown = row > 0 && room < SIZE_MAX / row ? realloc(curves->stretch, room * row) : NULL;
-    if (!grown)
+    size_t row = curves->curves * sizeof *curves->stretch;
+    if (!bead_memory_grow((void **)&curves->stretch, &curves->room, curves->count + 1, row))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for curves of %zu sensors", curves->curves);
-    curves->stretch = grown;
-    curves->room = room;
     return BEAD_OK;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Curves over time, such as force at sensors, reduced to what a row of pixels can show. */
-#ifndef BEADREEL_RENDER_VIEW_SENSOR_CURVES_H
-#define BEADREEL_RENDER_VIEW_SENSOR_CURVES_H
+/* Curves over time, such as force at sensors, with no more points than a row of pixels can show. */
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -24,7 +23,7 @@ struct bead_curves {
     size_t count, room;
     long last_slot;
     struct bead_stretch *stretch; /* [count][curves] */
-    double low, high;             /* N: of everything added; low > high where there is nothing */
+    double low, high;             /* N: of everything added; low > high: nothing yet */
 };
 
 void bead_curves_init(struct bead_curves *curves, size_t count, const double time[2]);
@@ -33,7 +32,5 @@ void bead_curves_free(struct bead_curves *curves);
 BEAD_CHECK enum bead_error bead_curves_reserve(struct bead_curves *curves, struct bead_message *msg);
 /* Values of all curves at `time`, in time order; after reserve. */
 void bead_curves_add(struct bead_curves *curves, double time, const double *values);
-/* The points of stretch `s` of curve `k` in time order, without duplicates; returns how many. */
+/* The points of stretch `s` of curve `k` in time order, without duplicates; returns their number. */
 size_t bead_curves_points(const struct bead_curves *curves, size_t s, size_t k, struct bead_point points[4]);
-
-#endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Words about the horizon, from a full sentence to one word, as much as fits. Below headings in stills, beside the time in movies.
+/* Words about the horizon, from a full sentence to one word, as much as fits: below headings in stills, beside the time in movies.
  */
 #include "render/view/trust_words.h"
 
@@ -26,7 +26,7 @@ struct bead_trust bead_trust_make(const struct bead_chain *chain, double toleran
                                .unit = bead_chain_time_unit(chain)};
 }
 
-/* Three digits, rounded down: never later than the horizon. */
+/* Rounds down to three digits: never later than the horizon. */
 static void trust_time_words(double time, const char *unit, char *text, size_t size)
 {
     double shown = time / bead_power_of_ten(bead_prefix_exponent(time, unit));
@@ -57,7 +57,7 @@ static void runs_words(const struct bead_trust *trust, char *text, size_t size)
 
 enum { SHORTER = 4 };
 
-/* What follows the verdict, from the full text (0) to nothing (SHORTER - 1); %s: the runs. */
+/* The text after the verdict, from the full one (0) to none (SHORTER - 1); %s: the runs. */
 static const char *const beyond[SHORTER] = {": beyond the line two runs %s differ by more than 1\u00a0% of the range",
                                             ": then runs %s differ by more than 1\u00a0%",
                                             ": then two runs differ by over 1\u00a0%", ""};
@@ -98,7 +98,7 @@ void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bea
         if (key + width <= rect.width)
             break;
     }
-    if (key + width > rect.width) { /* the verdict must be shown, in smaller type if need be */
+    if (key + width > rect.width) { /* the verdict is never left out: smaller type */
         style.size *= rect.width / (key + width);
         key *= rect.width / (key + width);
         bead_text_size(cr, &style, markup, &width, &height);

@@ -12,3 +12,19 @@ const struct bead_view_type *bead_view_find(enum bead_view_kind kind)
 {
     return (unsigned)kind < BEAD_VIEW_KINDS ? views[kind] : NULL;
 }
+
+/* Has the view the functions that every view needs, and those of views that show all times? */
+static bool is_whole(const struct bead_view_type *t)
+{
+    const bool all = t->fields && t->create && t->place && t->decorate && t->feed && t->draw && t->vector && t->destroy;
+    const bool ranges = t->extremes && t->set_range && t->horizon;
+    return all && (ranges || !bead_view_has(t, BEAD_SHOWS_ALL_TIMES)) && (t->overlay || !bead_view_has(t, BEAD_OVERLAYS));
+}
+
+enum bead_error bead_view_take(const struct bead_views_asked *asked, size_t index, const struct bead_view_type **type,
+                               struct bead_message *msg)
+{
+    const unsigned kind = asked->kinds[index];
+    *type = kind < BEAD_VIEW_KINDS ? bead_view_find((enum bead_view_kind)kind) : asked->own[kind - BEAD_VIEW_KINDS];
+    return is_whole(*type) ? BEAD_OK : bead_fail(msg, BEAD_ERROR_USAGE, "view `%s`: a function is missing", (*type)->info->name);
+}

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* View: the chain's beads, as spheres. Where they are small, a lens below the row shows those at the front. */
+/* View: the chain's beads as spheres. Where they are small, a lens below the row shows those at the front. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,72 +9,63 @@
 #include "render/view/beads.h"
 #include "render/view/magnify.h"
 #include "render/view/views.h"
+#include "sim/chain/system.h"
 
 static unsigned beads_fields(const struct bead_view_setup *setup)
 {
     return BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(setup->field);
 }
 
-static void free_drawing(struct bead_drawing *d)
+static void free_composed(struct bead_composed *c)
 {
-    free(d->balls);
-    free(d->old_balls);
-    free(d->glow);
-    free(d->old_glow);
-    free(d->marks);
-    free(d->old_marks);
+    free(c->balls);
+    free(c->glow);
+    free(c->marks);
 }
 
 static void beads_destroy(struct bead_view *v)
 {
     if (!v)
         return;
-    for (int k = 0; k < 2; k++) {
-        free(v->u[k]);
-        free(v->value[k]);
-    }
-    free(v->shift);
-    free(v->shown);
+    free(v->numbers);
     free(v->base);
     free(v->colour);
-    free(v->load);
-    free(v->reached);
+    bead_camera_destroy(v->camera);
     bead_moving_labels_destroy(v->labels);
-    free_drawing(&v->row_drawing);
-    free_drawing(&v->lens_drawing);
+    free_composed(&v->row_drawing.now);
+    free_composed(&v->row_drawing.old);
+    free_composed(&v->lens_drawing.now);
+    free_composed(&v->lens_drawing.old);
     bead_backdrop_destroy(v->canvas, v->backdrop);
     free(v);
 }
 
-static bool make_drawing(struct bead_drawing *d, size_t balls, size_t marks)
+static bool make_composed(struct bead_composed *c, size_t balls, size_t marks)
 {
-    d->balls = calloc(balls, sizeof *d->balls);
-    d->old_balls = calloc(balls, sizeof *d->balls);
-    d->glow = calloc(balls, sizeof *d->glow);
-    d->old_glow = calloc(balls, sizeof *d->glow);
-    d->marks = calloc(marks, sizeof *d->marks);
-    d->old_marks = calloc(marks, sizeof *d->marks);
-    return d->balls && d->old_balls && d->glow && d->old_glow && d->marks && d->old_marks;
+    c->balls = calloc(balls, sizeof *c->balls);
+    c->glow = calloc(balls, sizeof *c->glow);
+    c->marks = calloc(marks, sizeof *c->marks);
+    return c->balls && c->glow && c->marks;
 }
 
 static bool make_arrays(struct bead_view *v)
 {
     size_t n = v->count, sensors;
     (void)bead_chain_sensors(v->setup.chain, &sensors);
-    bool good = true;
-    for (int k = 0; k < 2; k++) {
-        v->u[k] = calloc(n, sizeof(double));
-        v->value[k] = calloc(n, sizeof(double));
-        good = good && v->u[k] && v->value[k];
-    }
-    v->shift = calloc(n, sizeof *v->shift);
-    v->shown = calloc(n, sizeof *v->shown);
     v->colour = calloc(n, sizeof *v->colour);
-    v->load = calloc(n, sizeof *v->load);
-    v->reached = calloc(n, sizeof *v->reached);
+    v->numbers = calloc(7 * n, sizeof *v->numbers);
+    if (!v->colour || !v->numbers)
+        return false;
+    for (size_t k = 0; k < 2; k++) {
+        v->u[k] = v->numbers + k * n;
+        v->value[k] = v->numbers + (2 + k) * n;
+    }
+    v->shift = v->numbers + 4 * n;
+    v->shown = v->numbers + 5 * n;
+    v->load = v->numbers + 6 * n;
     size_t marks = n + sensors + 8;
-    return good && v->shift && v->shown && v->colour && v->load && v->reached && make_drawing(&v->row_drawing, n, marks) &&
-           make_drawing(&v->lens_drawing, n, marks);
+    return make_composed(&v->row_drawing.now, n, marks) && make_composed(&v->row_drawing.old, n, marks) &&
+           make_composed(&v->lens_drawing.now, n, marks) && make_composed(&v->lens_drawing.old, n, marks);
 }
 
 static void beads_measure(struct bead_view *v)
@@ -93,9 +84,8 @@ static void beads_measure(struct bead_view *v)
         v->ends[1] = fmax(v->ends[1], v->position[i] + v->radius[i]);
     }
     v->compression = bead_compression_scale(chain);
-    v->striker = v->first == 0 && !bead_chain_spec(chain)->equation.name;
+    v->striker = v->first == 0 && bead_chain_spec(chain)->system->has_striker;
     v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
-    v->newest = 0;
 }
 
 static enum bead_error beads_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
@@ -130,15 +120,10 @@ static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, s
     v->canvas = canvas;
     if (canvas && (v->area.width > canvas->width || v->area.height > canvas->height))
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads need a canvas of %d x %d pixels", v->area.width, v->area.height);
-    bead_beads_divide(v);
-    if (v->strip && !bead_beads_prepare_strip(v))
+    enum bead_error err = bead_beads_divide(v, msg);
+    if (!err && v->strip && !bead_beads_prepare_strip(v))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a strip of %zu beads", v->count);
-    return BEAD_OK;
-}
-
-static enum bead_error beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
-{
-    return bead_beads_decorate(v, cr, msg);
+    return err;
 }
 
 /* For a field of contacts, a bead shows the mean of its two contacts. */
@@ -158,23 +143,21 @@ static enum bead_error beads_feed(struct bead_view *v, const struct bead_sample 
     if (!u || !field)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of beads needs displacement and %s",
                          bead_field_info(v->setup.field)->name);
-    v->newest = 1 - v->newest;
-    v->fed += v->fed < 2;
-    v->time[v->newest] = sample->time;
+    bead_latest_feed(&v->latest, sample->time);
     for (size_t i = 0; i < v->count; i++) {
-        v->u[v->newest][i] = u[v->first + i];
-        v->value[v->newest][i] = value_of(v, field, v->first + i);
+        v->u[v->latest.newest][i] = u[v->first + i];
+        v->value[v->latest.newest][i] = value_of(v, field, v->first + i);
     }
-    return BEAD_OK;
+    return v->camera ? bead_camera_feed(v->camera, sample, msg) : BEAD_OK;
 }
 
-/* Everything of a drawing within `rect` of the area. */
+/* Paints a drawing within `rect` of the area. */
 static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawing *d, struct bead_rect rect,
                                    struct bead_frame *frame, struct bead_changes *changes, struct bead_message *msg)
 {
-    size_t first = d->count, end = 0;
-    for (size_t i = 0; i < d->count; i++) {
-        if (d->balls[i].x + d->balls[i].r + 2 < rect.x || d->balls[i].x - d->balls[i].r - 2 > rect.x + rect.width)
+    size_t first = d->now.count, end = 0;
+    for (size_t i = 0; i < d->now.count; i++) {
+        if (d->now.balls[i].x + d->now.balls[i].r + 2 < rect.x || d->now.balls[i].x - d->now.balls[i].r - 2 > rect.x + rect.width)
             continue;
         first = i < first ? i : first;
         end = i + 1;
@@ -183,8 +166,8 @@ static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawin
     if (err)
         return err;
     if (first < end)
-        bead_paint_balls(v->canvas, d->balls + first, end - first);
-    bead_paint_marks(v->canvas, d->marks, d->mark_count);
+        bead_paint_balls(v->canvas, d->now.balls + first, end - first);
+    bead_paint_marks(v->canvas, d->now.marks, d->now.mark_count);
     err = bead_paint_end(v->canvas, msg);
     if (changes)
         bead_changes_add(changes, (struct bead_rect){v->area.x + rect.x, v->area.y + rect.y, rect.width, rect.height});
@@ -234,12 +217,12 @@ static void compose_zoom(struct bead_view *v)
 static bool lens_changed(const struct bead_view *v)
 {
     const struct bead_drawing *d = &v->lens_drawing;
-    return !v->drawn || d->first != d->old_first || d->count != d->old_count || d->mark_count != d->old_mark_count ||
-           memcmp(d->balls, d->old_balls, d->count * sizeof *d->balls) != 0 ||
-           memcmp(d->marks, d->old_marks, d->mark_count * sizeof *d->marks) != 0;
+    return !v->drawn || d->now.first != d->old.first || d->now.count != d->old.count || d->now.mark_count != d->old.mark_count ||
+           memcmp(d->now.balls, d->old.balls, d->now.count * sizeof *d->now.balls) != 0 ||
+           memcmp(d->now.marks, d->old.marks, d->now.mark_count * sizeof *d->now.marks) != 0;
 }
 
-/* What has only moved with the lens is moved in the frame; the rest is painted. */
+/* Pixels that only move with the lens are moved in the frame; the others are painted. */
 static enum bead_error paint_lens_beads(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
                                         struct bead_message *msg)
 {
@@ -252,7 +235,7 @@ static enum bead_error paint_lens_beads(struct bead_view *v, struct bead_frame *
     return paint_spans(v, &v->lens_drawing, r, &spans, frame, by ? NULL : changes, msg);
 }
 
-/* Not on the canvas: a wide, low strip costs OpenGL seven times as much, and there is nothing of a bead in it. */
+/* Not on the canvas: OpenGL takes seven times as long for a wide, low strip, and the strip contains no bead. */
 static void paint_zoom(const struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
                        struct bead_changes *changes)
 {
@@ -278,7 +261,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
                                   struct bead_changes *changes, struct bead_message *msg)
 {
     if (!v->canvas)
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads are drawn on a canvas, and there is none");
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "beads need a canvas to be drawn on");
     enum bead_error err = BEAD_OK;
     if (!v->backdrop) {
         v->area.width = v->area.width < background->width - v->area.x ? v->area.width : background->width - v->area.x;
@@ -286,7 +269,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
         err = bead_backdrop_create(v->canvas, background, v->area, &v->backdrop, msg);
         v->plain = bead_beads_lens_is_plain(v, background);
     }
-    if (err || v->fed == 0)
+    if (err || v->latest.fed == 0)
         return err;
     v->drawn = v->drawn && changes;
     bead_beads_advance(v, time);
@@ -309,17 +292,16 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
     return err;
 }
 
-/* The front and the lens move on. */
+/* The lens follows the front also in frames that are not drawn. */
 static void beads_pass(struct bead_view *v, double time)
 {
-    if (v->fed > 0)
+    if (v->latest.fed > 0)
         bead_beads_advance(v, time);
 }
 
-static enum bead_error beads_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error beads_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *)
 {
-    (void)msg;
-    if (v->fed == 0)
+    if (v->latest.fed == 0)
         return BEAD_OK;
     bead_beads_advance(v, time);
     if (v->row.scale > 0)
@@ -335,7 +317,7 @@ const struct bead_view_type bead_view_beads_type = {
     .fields = beads_fields,
     .create = beads_create,
     .place = beads_place,
-    .decorate = beads_decorate,
+    .decorate = bead_beads_decorate,
     .feed = beads_feed,
     .draw = beads_draw,
     .pass = beads_pass,

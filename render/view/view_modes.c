@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/axis.h"
 #include "render/draw/raster.h"
+#include "render/view/latest.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
 
@@ -16,16 +18,16 @@ struct bead_view {
     struct bead_view_setup setup;
     struct bead_look look;
     size_t modes;
-    double energy[2][BEAD_MODES], time[2];
-    int fed, newest;
-    double whole; /* energy of these modes in the first sample: 1 on the axis */
+    double energies[2][BEAD_MODES], *energy[2];
+    struct bead_latest latest;
+    double whole; /* energy of all these modes in the first sample: 1 on the axis */
     struct bead_axis axis;
     struct bead_rect plot;
-    int top[BEAD_MODES]; /* px of the bars as drawn last, in parts of `steps` */
+    int top[BEAD_MODES]; /* of the bars as last drawn, in px / steps */
     bool drawn;
 };
 
-/* Heights are rounded to this part of a pixel. */
+/* Heights are rounded to this fraction of a pixel. */
 static const double steps = 16;
 
 static unsigned modes_fields(const struct bead_view_setup *setup)
@@ -42,7 +44,7 @@ static enum bead_error modes_create(const struct bead_view_setup *setup, struct 
 {
     *view = NULL;
     if (!bead_chain_mode_fields(setup->chain))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of modes needs an equation that has some");
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of modes needs an equation with linear modes");
     struct bead_view *v = calloc(1, sizeof *v);
     if (!v)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of modes");
@@ -50,13 +52,14 @@ static enum bead_error modes_create(const struct bead_view_setup *setup, struct 
     v->look = *setup->look;
     v->setup.look = &v->look;
     v->modes = setup->modes;
+    v->energy[0] = v->energies[0];
+    v->energy[1] = v->energies[1];
     *view = v;
     return BEAD_OK;
 }
 
-static enum bead_error modes_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+static enum bead_error modes_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *, struct bead_message *)
 {
-    (void)canvas, (void)msg;
     v->plot = plot;
     bead_axis_make(&v->axis, 0, high, "", BEAD_SCALE_LINEAR, plot.height, v->look.tick, false);
     return BEAD_OK;
@@ -67,10 +70,9 @@ static double middle_of(const struct bead_view *v, size_t k)
     return v->plot.x + ((double)k + 0.5) * v->plot.width / (double)v->modes;
 }
 
-static enum bead_error modes_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+static enum bead_error modes_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *)
 {
     struct bead_axis numbers;
-    (void)msg;
     bead_panel_fill(cr, &v->setup, v->plot);
     if (!v->setup.axes)
         return BEAD_OK;
@@ -89,23 +91,17 @@ static enum bead_error modes_feed(struct bead_view *v, const struct bead_sample 
         if (needed & BEAD_FIELD_BIT(f) && !sample->field[f])
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "energies of modes need the field %s", bead_field_info(f)->name);
     }
-    v->newest = 1 - v->newest;
-    v->fed += v->fed < 2;
-    v->time[v->newest] = sample->time;
-    bead_chain_mode_energies(v->setup.chain, sample->field, v->modes, v->energy[v->newest]);
-    for (size_t k = 0; v->fed == 1 && k < v->modes; k++)
-        v->whole += v->energy[v->newest][k];
+    bead_latest_feed(&v->latest, sample->time);
+    bead_chain_mode_energies(v->setup.chain, sample->field, v->modes, v->energy[v->latest.newest]);
+    for (size_t k = 0; v->latest.fed == 1 && k < v->modes; k++)
+        v->whole += v->energy[v->latest.newest][k];
     v->whole = v->whole > 0 ? v->whole : 1;
     return BEAD_OK;
 }
 
 static double energy_at(const struct bead_view *v, size_t k, double time)
 {
-    const double *now = v->energy[v->newest], *before = v->energy[1 - v->newest];
-    double span = v->time[v->newest] - v->time[1 - v->newest], weight = 1;
-    if (v->fed == 2 && span > 0)
-        weight = fmin(1, fmax(0, (time - v->time[1 - v->newest]) / span));
-    return weight >= 1 ? now[k] : before[k] + weight * (now[k] - before[k]);
+    return bead_latest_value(&v->latest, v->energy, k, bead_latest_weight(&v->latest, time));
 }
 
 /* Distance of a bar's top from the plot's, px. */
@@ -123,21 +119,20 @@ static void modes_draw_bar(const struct bead_view *v, cairo_t *cr, size_t k, dou
     cairo_fill(cr);
 }
 
-/* Only bars whose height has changed. */
+/* Draws the bars whose height has changed. */
 static enum bead_error modes_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
                                   struct bead_changes *changes, struct bead_message *msg)
 {
-    if (v->fed == 0)
+    if (v->latest.fed == 0)
         return BEAD_OK;
     cairo_t *cr = bead_raster_begin(frame);
     for (size_t k = 0; k < v->modes; k++) {
         double top = top_of(v, energy_at(v, k, time));
         if (v->drawn && changes && v->top[k] == (int)lround(top * steps))
             continue;
-        int left = (int)floor(middle_of(v, k) - 0.5 * v->plot.width / (double)v->modes);
-        int right = (int)ceil(middle_of(v, k) + 0.5 * v->plot.width / (double)v->modes);
-        left = left > v->plot.x ? left : v->plot.x;
-        right = right < v->plot.x + v->plot.width ? right : v->plot.x + v->plot.width;
+        double half = 0.5 * v->plot.width / (double)v->modes;
+        int left = (int)fmax(v->plot.x, floor(middle_of(v, k) - half));
+        int right = (int)fmin(v->plot.x + v->plot.width, ceil(middle_of(v, k) + half));
         struct bead_rect rect = {left, v->plot.y, right - left, v->plot.height};
         cairo_surface_flush(cairo_get_target(cr));
         if (background)
@@ -152,10 +147,9 @@ static enum bead_error modes_draw(struct bead_view *v, double time, struct bead_
     return bead_raster_end(cr, "bars of modes", msg);
 }
 
-static enum bead_error modes_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error modes_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *)
 {
-    (void)msg;
-    for (size_t k = 0; v->fed > 0 && k < v->modes; k++)
+    for (size_t k = 0; v->latest.fed > 0 && k < v->modes; k++)
         modes_draw_bar(v, cr, k, top_of(v, energy_at(v, k, time)));
     return BEAD_OK;
 }

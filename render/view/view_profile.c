@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* View: the field along the chain, as a smooth line over a filled area, with dots at the beads where there is room. The view of one
- * chain can draw those of others with its own, on one axis. */
+/* View: the field along the chain, as a smooth line over a filled area, with dots at the beads if they fit. The view of one chain
+ * can draw those of others with its own, on one axis. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/draw/chain_axis.h"
 #include "render/draw/smooth_curve.h"
 #include "render/view/camera.h"
+#include "render/view/latest.h"
 #include "render/view/moving_labels.h"
 #include "render/view/panel.h"
 #include "render/view/profile_scan.h"
@@ -15,7 +15,7 @@
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
 static const double steps_per_pixel = 32;
-/* Dots at the values, in units of the curve's width: radius, and how far apart values must be for them. */
+/* Dots at the values, in units of the curve's width: radius, and the least distance between values with dots. */
 static const double dot_size = 1.5, dot_room = 7;
 static const double area_alpha = 0.26, shared_alpha = 0.12;
 enum { MOST_SPANS = 8, MERGE_GAP = 12, MOST_OTHERS = 15 };
@@ -24,10 +24,12 @@ struct bead_view {
     struct bead_view_setup setup;
     struct bead_look look;
     size_t first, count; /* values shown */
-    double *value[2], time[2];
-    int fed, newest;
+    double *numbers;     /* memory of `value` and `place` */
+    double *value[2];
+    struct bead_latest latest;
+    float *pixels;        /* memory of x, y, old_y */
     float *x, *y, *old_y; /* px of the plot, of the values */
-    float *sx, *sy;       /* of the curve through them */
+    float *sx, *sy;       /* of the curve through them, in one piece of memory */
     size_t points;        /* of the curve, as of now */
     unsigned parts;       /* of the curve to a gap between values */
     float dots;           /* px: radius; 0: none */
@@ -54,14 +56,9 @@ static void profile_destroy(struct bead_view *v)
 {
     if (!v)
         return;
-    for (int k = 0; k < 2; k++)
-        free(v->value[k]);
-    free(v->x);
-    free(v->y);
-    free(v->old_y);
+    free(v->numbers);
+    free(v->pixels);
     free(v->sx);
-    free(v->sy);
-    free(v->place);
     free(v->changed);
     bead_moving_labels_destroy(v->labels);
     free(v);
@@ -77,24 +74,25 @@ static enum bead_error profile_create(const struct bead_view_setup *setup, struc
         v->look = *setup->look;
         v->setup.look = &v->look;
         v->first = setup->beads.first;
-        v->count = n;
-        for (int k = 0; k < 2; k++)
-            v->value[k] = calloc(n, sizeof(double));
-        v->x = calloc(n, sizeof *v->x);
-        v->y = calloc(n, sizeof *v->y);
-        v->old_y = calloc(n, sizeof *v->old_y);
-        v->place = calloc(n, sizeof *v->place);
-        v->to = n;
+        v->count = v->to = n;
+        v->numbers = calloc(3 * n, sizeof *v->numbers);
+        v->pixels = calloc(3 * n, sizeof *v->pixels);
     }
-    if (!v || !v->value[0] || !v->value[1] || !v->x || !v->y || !v->old_y || !v->place) {
+    if (!v || !v->numbers || !v->pixels) {
         profile_destroy(v);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", n);
     }
+    v->value[0] = v->numbers;
+    v->value[1] = v->numbers + n;
+    v->place = v->numbers + 2 * n;
+    v->x = v->pixels;
+    v->y = v->pixels + n;
+    v->old_y = v->pixels + 2 * n;
     *view = v;
     return BEAD_OK;
 }
 
-/* The range of the colours, with some air above the highest value. */
+/* The axis spans the range of the colours and some air above the highest value. */
 static void profile_make_axis(struct bead_view *v)
 {
     const struct bead_colours *colours = &v->setup.colours;
@@ -109,7 +107,7 @@ static void profile_make_axis(struct bead_view *v)
     v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, 0));
 }
 
-/* Of the curve, px. */
+/* Width of the curve, px. */
 static double line_width(const struct bead_view *v)
 {
     return fmax(1.6, 1.8 * v->look.line);
@@ -123,7 +121,7 @@ static float profile_y_of(const struct bead_view *v, double value)
     return (float)(round(y * steps_per_pixel) / steps_per_pixel);
 }
 
-/* Where values stand along the chain: a contact is to the right of its bead. */
+/* Places of values along the chain: a contact is to the right of its bead. */
 static void profile_find_places(struct bead_view *v)
 {
     const struct bead_chain *chain = v->setup.chain;
@@ -134,7 +132,7 @@ static void profile_find_places(struct bead_view *v)
     }
 }
 
-/* x of all values where the camera is now; which of them are in the plot. */
+/* Finds x of all values from the camera's window, and the range of those in the plot. */
 static void profile_follow(struct bead_view *v)
 {
     double left = bead_camera_left(v->setup.camera), scale = v->plot.width / bead_camera_width(v->setup.camera);
@@ -172,7 +170,7 @@ static struct bead_chain_axis profile_along(const struct bead_view *v)
     return bead_chain_axis(v->setup.chain, bead_field_info(v->setup.field)->of_contacts);
 }
 
-/* The axis that all curves have room on. */
+/* Finds the ends of an axis for all curves. */
 static void profile_find_ends(struct bead_view *v)
 {
     v->ends[0] = INFINITY;
@@ -185,7 +183,7 @@ static void profile_find_ends(struct bead_view *v)
     }
 }
 
-/* Room for the curve, once it is known how far apart the values stand. */
+/* Allocates the curve, once the distance between values is known. */
 static enum bead_error profile_make_curve(struct bead_view *v, struct bead_message *msg)
 {
     double width = v->setup.camera ? bead_camera_width(v->setup.camera) : 0, last = v->count > 1 ? (double)(v->count - 1) : 1;
@@ -193,12 +191,13 @@ static enum bead_error profile_make_curve(struct bead_view *v, struct bead_messa
         width > 0 ? v->plot.width * (v->place[v->count - 1] - v->place[0]) / last / width : (v->x[v->count - 1] - v->x[0]) / last;
     v->parts = bead_smooth_parts(pitch);
     v->dots = (float)(pitch > dot_room * line_width(v) ? dot_size * line_width(v) : 0);
-    v->sx = calloc(v->count * v->parts + 1, sizeof *v->sx);
-    v->sy = calloc(v->count * v->parts + 1, sizeof *v->sy);
-    return v->sx && v->sy ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", v->count);
+    const size_t points = v->count * v->parts + 1;
+    v->sx = calloc(2 * points, sizeof *v->sx);
+    v->sy = v->sx + points;
+    return v->sx ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", v->count);
 }
 
-/* Where the values stand on the axis of the view that draws them, `on`. */
+/* Places the values on the axis of the view that draws them, `on`. */
 static void profile_spread(struct bead_view *v, const struct bead_view *on)
 {
     const struct bead_chain_axis along = profile_along(v);
@@ -214,10 +213,8 @@ static void profile_spread(struct bead_view *v, const struct bead_view *on)
         v->x[0] = 0;
 }
 
-static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
-                                     struct bead_message *msg)
+static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *, struct bead_message *msg)
 {
-    (void)canvas;
     v->plot = plot;
     v->changed = calloc((size_t)plot.width + 1, 1);
     if (!v->changed)
@@ -233,7 +230,7 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     return err;
 }
 
-/* Numbers below the plot that move with the camera; the title stands to their left. */
+/* Numbers below the plot move with the camera; their title is left of them. */
 static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     bead_panel_name(cr, &v->setup, NULL, v->plot, bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead");
@@ -272,27 +269,22 @@ static enum bead_error profile_feed(struct bead_view *v, const struct bead_sampl
     const double *field = sample->field[v->setup.field];
     if (!field)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a profile of %s needs that field", bead_field_info(v->setup.field)->name);
-    v->newest = 1 - v->newest;
-    v->fed += v->fed < 2;
-    v->time[v->newest] = sample->time;
-    memcpy(v->value[v->newest], field + v->first, v->count * sizeof(double));
+    bead_latest_feed(&v->latest, sample->time);
+    memcpy(v->value[v->latest.newest], field + v->first, v->count * sizeof(double));
     return BEAD_OK;
 }
 
 static void profile_advance(struct bead_view *v, double time)
 {
-    const double *now = v->value[v->newest], *before = v->value[1 - v->newest];
-    double span = v->time[v->newest] - v->time[1 - v->newest], weight = 1;
-    if (v->fed == 2 && span > 0)
-        weight = fmin(1, fmax(0, (time - v->time[1 - v->newest]) / span));
+    double weight = bead_latest_weight(&v->latest, time);
     float *was = v->old_y;
     v->old_y = v->y;
     v->y = was;
     for (size_t i = 0; i < v->count; i++)
-        v->y[i] = profile_y_of(v, weight >= 1 ? now[i] : before[i] + weight * (now[i] - before[i]));
+        v->y[i] = profile_y_of(v, bead_latest_value(&v->latest, v->value, i, weight));
 }
 
-/* The curve through the values in the plot; forces and other values without a sign stay on their side of zero. */
+/* Finds the curve through the values in the plot. Forces and other values of one sign stay on their side of zero. */
 static void profile_smooth(struct bead_view *v)
 {
     float bottom = profile_y_of(v, v->base), lowest = v->axis.low < 0 || v->axis.scale == BEAD_SCALE_LOG ? INFINITY : bottom;
@@ -330,7 +322,7 @@ static void draw_span(struct bead_view *v, int from, int to, struct bead_frame *
         bead_changes_add(changes, (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height});
 }
 
-/* Marks the columns that values of the curve influence which have changed. */
+/* Marks the columns that changed values of the curve influence. */
 static void find_changed(const struct bead_view *curve, bool all, uint8_t *changed)
 {
     const struct bead_curve drawn = profile_curve_of(curve);
@@ -351,7 +343,7 @@ static void find_changed(const struct bead_view *curve, bool all, uint8_t *chang
 static enum bead_error profile_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
                                     struct bead_changes *changes, struct bead_message *msg)
 {
-    if (v->fed == 0)
+    if (v->latest.fed == 0)
         return BEAD_OK;
     memset(v->changed, 0, (size_t)v->plot.width);
     for (size_t k = 0; k <= v->other_count; k++) {
@@ -378,10 +370,9 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
     return v->labels ? bead_moving_labels_draw(v->labels, v->left, frame, background, changes, msg) : BEAD_OK;
 }
 
-static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *)
 {
-    (void)msg;
-    if (v->fed == 0 || v->count == 0)
+    if (v->latest.fed == 0 || v->count == 0)
         return BEAD_OK;
     profile_advance(v, time);
     profile_smooth(v);

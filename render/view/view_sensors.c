@@ -21,14 +21,14 @@ struct bead_view {
     size_t count;
     double *values; /* of one time */
     struct bead_curves curves;
-    struct bead_curves differences; /* from the comparison run's, where asked for */
-    double low, high;               /* N: range of the curves; the axis leaves a strip for names above them */
+    struct bead_curves differences; /* from the comparison run's, with `trust` */
+    double low, high;               /* N: range of the curves; the axis extends beyond it for the names */
     struct bead_axis force;
     double shown; /* s: drawn until here */
     bool drawn;
 };
 
-/* A sensor measures the bead force. In movies it shows the field of the other views, whose range it shares. */
+/* A sensor measures the bead force. In movies it shows the field of the other views and shares their range. */
 static enum bead_field shown_field(const struct bead_view_setup *setup)
 {
     return setup->fill && !bead_field_info(setup->field)->of_contacts ? setup->field : BEAD_FIELD_FORCE;
@@ -60,12 +60,10 @@ static enum bead_error sensors_create(const struct bead_view_setup *setup, struc
     *view = NULL;
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(setup->chain, &count);
-    const struct bead_scene *scene = bead_chain_scene(setup->chain);
-    struct bead_place place = bead_chain_spec(setup->chain)->place;
+    char place[128];
     if (count == 0)
-        return bead_fail(msg, BEAD_ERROR_SCENE,
-                         "%s:%zu:%zu: there is no sensor to show; give a bead one: {bead: steel, sensor: first}", scene->file,
-                         place.line, place.column);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%sthere is no sensor to show; give a bead one: {bead: steel, sensor: first}",
+                         bead_chain_place(setup->chain, place, sizeof place));
     struct bead_view *v = calloc(1, sizeof *v);
     if (v)
         v->values = calloc(count, sizeof *v->values);
@@ -91,51 +89,44 @@ static void sensors_extremes(const struct bead_view *view, double *low, double *
     *high = view->curves.high;
 }
 
-/* The axis of forces; without it the range of the setup's colours. */
-static void sensors_set_range(struct bead_view *view, const struct bead_colours *colours, const double values[2])
+/* Sets the ends of the axis of forces, which are those of the setup's colours until then. */
+static void sensors_set_range(struct bead_view *view, const struct bead_colours *, const double values[2])
 {
-    (void)colours;
     set_ends(view, values[0], values[1]);
 }
 
-static enum bead_error sensors_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
-                                     struct bead_message *msg)
+static enum bead_error sensors_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *, struct bead_message *)
 {
-    (void)canvas;
-    (void)msg;
     v->plot = plot;
     return BEAD_OK;
 }
 
-static enum bead_error feed_comparison(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+/* Adds the force at each sensor, less that of the comparison run (NULL: the force itself). */
+static enum bead_error add_forces(struct bead_view *v, struct bead_curves *curves, double time, const double *force,
+                                  const double *comparison, struct bead_message *msg)
 {
-    const enum bead_field field = shown_field(&v->setup);
-    const double *force = sample->field[field], *comparison = sample->comparison[field];
-    if (!comparison)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
-    enum bead_error err = bead_curves_reserve(&v->differences, msg);
+    enum bead_error err = bead_curves_reserve(curves, msg);
     for (size_t k = 0; !err && k < v->count; k++)
-        v->values[k] = force[v->sensors[k].bead] - comparison[v->sensors[k].bead];
+        v->values[k] = force[v->sensors[k].bead] - (comparison ? comparison[v->sensors[k].bead] : 0);
     if (!err)
-        bead_curves_add(&v->differences, sample->time, v->values);
+        bead_curves_add(curves, time, v->values);
     return err;
 }
 
 static enum bead_error sensors_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const double *force = sample->field[shown_field(&v->setup)];
+    const enum bead_field field = shown_field(&v->setup);
+    const double *force = sample->field[field], *comparison = sample->comparison[field];
     if (!force)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "sensors need the field force");
-    enum bead_error err = bead_curves_reserve(&v->curves, msg);
-    for (size_t k = 0; !err && k < v->count; k++)
-        v->values[k] = force[v->sensors[k].bead];
-    if (!err)
-        bead_curves_add(&v->curves, sample->time, v->values);
-    return !err && v->setup.trust ? feed_comparison(v, sample, msg) : err;
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "sensors need the field %s", bead_field_info(field)->name);
+    if (v->setup.trust && !comparison)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no comparison run");
+    enum bead_error err = add_forces(v, &v->curves, sample->time, force, NULL, msg);
+    return !err && v->setup.trust ? add_forces(v, &v->differences, sample->time, force, comparison, msg) : err;
 }
 
 /* The first time at which a force differs from the comparison run's by more than a hundredth of the axis's range. */
-static double first_difference(const struct bead_view *v)
+static double sensors_horizon(struct bead_view *v)
 {
     double threshold = BEAD_HORIZON_PART * (v->high - v->low);
     for (size_t s = 0; s < v->differences.count; s++) {
@@ -148,19 +139,9 @@ static double first_difference(const struct bead_view *v)
     return INFINITY;
 }
 
-static double sensors_horizon(struct bead_view *v)
-{
-    return first_difference(v);
-}
-
-static struct bead_rgb ink(const struct bead_view *v, size_t k)
-{
-    return bead_look_curve(&v->look, k);
-}
-
 /* ---- names ---- */
 
-/* Where a name stands: a row of `strip` px, from `x`. Rows are counted from the top of the plot. */
+/* The place of a name: a row of `strip` px, from `x`. Rows are counted from the top of the plot. */
 struct name {
     double x, width;
     char markup[128];
@@ -173,8 +154,8 @@ static struct bead_text_style name_style(const struct bead_view *v)
         .family = v->look.family, .size = v->look.label, .down = BEAD_ALIGN_MIDDLE, .across = BEAD_ALIGN_START};
 }
 
-/* A legend in rows of the plot's width: a line and a name for each sensor, or the name alone in the line's colour. Returns the
- * number of rows. */
+/* Lays out the legend in rows of the plot's width: for each sensor a line and its name, or only its name in the line's colour.
+ * Returns the number of rows. */
 static int lay_out_names(const struct bead_view *v, cairo_t *cr, struct name *names, bool lines)
 {
     double em = v->look.label, left = v->plot.x + 0.6 * em, x = left, height;
@@ -204,8 +185,8 @@ static void sensors_draw_names(const struct bead_view *v, cairo_t *cr, const str
     cairo_clip(cr);
     for (size_t k = 0; k < v->count; k++) {
         double x = names[k].x, y = v->plot.y + (names[k].row + 0.65) * strip * em;
-        struct bead_rgb colour = ink(v, k);
-        if ((names[k].row + 1) * strip * em > v->plot.height) /* no cut names */
+        struct bead_rgb colour = bead_look_curve(&v->look, k);
+        if ((names[k].row + 1) * strip * em > v->plot.height) /* a name is whole or absent */
             continue;
         style.colour = lines ? v->look.ink : colour;
         if (lines) {
@@ -264,14 +245,14 @@ static double sensors_y_of(const struct bead_view *v, double value)
     return v->plot.y + (1 - bead_axis_place(&v->force, value)) * v->plot.height;
 }
 
-/* The part of the curves from one time to another; clipped to the plot by the caller. */
+/* Draws the curves from one time to another; the caller clips them to the plot. */
 static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, double to)
 {
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_width(cr, curve_width * v->look.line);
     for (size_t k = 0; k < v->count; k++) {
-        struct bead_rgb colour = ink(v, k);
+        struct bead_rgb colour = bead_look_curve(&v->look, k);
         struct bead_point points[4], before = {0, 0};
         bool begun = false, have = false;
         cairo_new_path(cr);
@@ -294,9 +275,9 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
 }
 
 /* A line, below the curves, where they stop being predictable. */
-static void paint_horizon(const struct bead_view *v, cairo_t *cr)
+static void paint_horizon(struct bead_view *v, cairo_t *cr)
 {
-    double time = v->setup.trust ? first_difference(v) : INFINITY;
+    double time = v->setup.trust ? sensors_horizon(v) : INFINITY;
     if (!(time <= v->setup.time[1]))
         return;
     cairo_new_path(cr);
@@ -312,7 +293,7 @@ static void clip(cairo_t *cr, struct bead_rect rect)
     cairo_clip(cr);
 }
 
-/* Stills show everything; movies what has passed. */
+/* Stills show all times, movies those up to the present. */
 static double until(const struct bead_view *v, double time)
 {
     return v->setup.fill ? time : INFINITY;
@@ -347,9 +328,8 @@ static enum bead_error sensors_draw(struct bead_view *v, double time, struct bea
     return bead_raster_end(cr, "curves of sensors", msg);
 }
 
-static enum bead_error sensors_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+static enum bead_error sensors_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *)
 {
-    (void)msg;
     cairo_save(cr);
     clip(cr, v->plot);
     paint_horizon(v, cr);

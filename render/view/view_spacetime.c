@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Space-time image: every pixel the exact mean of the field over its stretch of chain and time, lying as the setup's orientation
- * says. With `fill` only what has passed is shown, with a line at the present. */
-#include "render/draw/chain_axis.h"
-
+/* View: space-time image in the setup's orientation. Every pixel is the exact mean of the field over its stretch of chain and time.
+ * With `fill`, only times up to the present are shown, with a line there. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -15,19 +13,19 @@
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
-#include "sim/base/large.h"
+#include "sim/base/memory.h"
 
 struct bead_view {
     struct bead_view_setup setup;
     struct bead_look look;
     struct bead_rect plot;
     struct bead_area *area;
-    struct bead_horizon *horizon; /* NULL: not asked for */
+    struct bead_horizon *horizon; /* NULL: without `trust` */
     int columns, places;          /* pixels along time, along the chain */
     uint8_t *indices;             /* [plot.height][plot.width], colours of the columns (or rows) done */
     int first, done;              /* time columns first <= c < done have their final colours */
     int shown;                    /* columns up to here are in the frame */
-    int mark[2];                  /* places that the cursor shows the camera's window at */
+    int mark[2];                  /* places of the camera's window, shown on the cursor */
     bool drawn, finished;
     uint32_t colour[256]; /* as in frames */
     struct bead_colour_table table;
@@ -67,10 +65,8 @@ static bool down(const struct bead_view *v)
     return v->setup.orientation == BEAD_TIME_DOWN;
 }
 
-static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas,
-                                       struct bead_message *msg)
+static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *, struct bead_message *msg)
 {
-    (void)canvas;
     if (plot.width < 1 || plot.height < 1)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "there is no room for a space-time image: make the picture larger");
     v->plot = plot;
@@ -79,7 +75,7 @@ static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plo
     return BEAD_OK;
 }
 
-/* Sums and indices are taken when the first sample comes: a view that only decorates needs none. */
+/* Makes sums and indices, with the first sample: a view that only decorates needs neither. */
 static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_message *msg)
 {
     struct bead_area_setup setup = {
@@ -95,9 +91,8 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
     return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
 }
 
-static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *)
 {
-    (void)msg;
     const struct bead_view_setup *s = &v->setup;
     bead_panel_fill(cr, s, v->plot);
     if (!s->axes)
@@ -135,7 +130,7 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
     return err;
 }
 
-/* Colours of columns from v->done to `to`. Columns without samples occur only at the ends and are skipped. */
+/* Finds the colours of columns v->done .. to - 1. Columns without samples occur only at the ends and are skipped. */
 static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_message *msg)
 {
     const struct bead_area_image image = bead_orientation_image(v->setup.orientation, v->places, v->indices, v->plot.width);
@@ -150,17 +145,13 @@ static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_m
     return err;
 }
 
-/* Pixels of columns from..to into the frame. */
-static void show_columns(const struct bead_view *v, int from, int to, struct bead_frame *frame)
+/* Writes the pixels of `rect`, a part of the plot. */
+static void put_pixels(const struct bead_view *v, struct bead_rect rect, uint8_t *row, size_t stride)
 {
-    struct bead_rect part =
-        down(v) ? (struct bead_rect){0, from, v->plot.width, to - from} : (struct bead_rect){from, 0, to - from, v->plot.height};
-    for (int y = part.y; y < part.y + part.height; y++) {
-        const uint8_t *index = v->indices + (size_t)y * (size_t)v->plot.width + (size_t)part.x;
-        uint8_t *row = frame->pixels + (size_t)(v->plot.y + y) * frame->stride + 4 * (size_t)(v->plot.x + part.x);
-        for (int x = 0; x < part.width; x++)
+    const uint8_t *index = v->indices + (size_t)(rect.y - v->plot.y) * (size_t)v->plot.width + (size_t)(rect.x - v->plot.x);
+    for (int y = 0; y < rect.height; y++, row += stride, index += v->plot.width)
+        for (int x = 0; x < rect.width; x++)
             memcpy(row + 4 * x, &v->colour[index[x]], 4);
-    }
 }
 
 static uint32_t pixel_of(struct bead_rgb c)
@@ -188,7 +179,7 @@ static double bead_at(const struct bead_view *v, double place)
     return (double)low + (place - position[low]) / (position[high] - position[low]);
 }
 
-/* Finds where the camera's window lies in the picture; true if it has moved. */
+/* Finds the places of the camera's window; true if it has moved. */
 static bool find_mark(struct bead_view *v)
 {
     int mark[2] = {0, 0};
@@ -220,14 +211,14 @@ static void draw_cursor(const struct bead_view *v, int at, int thickness, struct
     }
 }
 
-/* Compares both runs' columns up to `to`; returns the first column where the line has changed. */
+/* Compares both runs' columns up to `to`; returns the first column where the horizon has changed, INT_MAX if it has not. */
 static int find_horizon(struct bead_view *v, int to)
 {
     double range = v->setup.colours.high - v->setup.colours.low;
     return v->horizon ? bead_horizon_find(v->horizon, BEAD_HORIZON_PART * range, to) : INT_MAX;
 }
 
-/* The earliest time at which a pixel differs from the comparison run's: in stills of all, in movies of those drawn so far. */
+/* The earliest time at which a pixel (in movies: one drawn so far) differs from the comparison run's. */
 static double spacetime_horizon(struct bead_view *view)
 {
     if (!view->setup.fill)
@@ -235,7 +226,7 @@ static double spacetime_horizon(struct bead_view *view)
     return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
 }
 
-/* Marks the moment that the other views show: a light line with dark edges, visible on any colour. */
+/* Marks the moment that the other views show by a light line with dark edges, visible on any colour. */
 static void stroke_mark(const struct bead_view *v, cairo_t *cr)
 {
     double place = (v->setup.mark - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]), line = v->look.line;
@@ -253,7 +244,7 @@ static void stroke_mark(const struct bead_view *v, cairo_t *cr)
     }
 }
 
-/* Horizon and mark over a part of the frame. */
+/* Draws horizon and mark in a part of the frame. */
 static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
                                             struct bead_message *msg)
 {
@@ -268,7 +259,7 @@ static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct be
     return bead_raster_end(cr, "horizon", msg);
 }
 
-/* The number of time columns whose means are final at `time`; in stills, all. */
+/* The number of time columns that are final at `time`; in stills, all. */
 static int columns_until(const struct bead_view *v, double time)
 {
     double place = (time - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]) * v->columns;
@@ -300,7 +291,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
     if (err)
         return err;
-    /* From where the cursor stood, or where the horizon has changed. */
+    /* From the cursor's last place, or from the first change of the horizon. */
     double reach = ceil(bead_horizon_reach(&v->look)) + 1;
     int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
     if (line < INT_MAX)
@@ -308,9 +299,10 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     if (v->setup.fill && background)
         bead_frame_copy(frame, background, columns_rect(v, from, until));
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);
+    struct bead_rect rect = columns_rect(v, first, to);
     if (v->area && to > first)
-        show_columns(v, first, to, frame);
-    err = spacetime_draw_lines(v, columns_rect(v, first, to), frame, msg);
+        put_pixels(v, rect, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)rect.x, frame->stride);
+    err = spacetime_draw_lines(v, rect, frame, msg);
     if (cursor) {
         int at = smaller(until, last);
         draw_cursor(v, at, thickness, frame);
@@ -323,9 +315,8 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     return err;
 }
 
-static void spacetime_set_range(struct bead_view *view, const struct bead_colours *colours, const double values[2])
+static void spacetime_set_range(struct bead_view *view, const struct bead_colours *colours, const double[2])
 {
-    (void)values;
     recolour(view, colours);
 }
 
@@ -342,33 +333,31 @@ static double spacetime_typical(const struct bead_view *view)
     return view->area ? bead_area_typical(view->area) : INFINITY;
 }
 
-/* The same pixels, as an embedded image. */
-static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+/* Draws the pixels of `rect` as an embedded image. */
+static cairo_status_t embed(const struct bead_view *v, struct bead_rect rect, cairo_t *cr)
 {
-    int until = columns_until(v, time);
-    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
-    int to = smaller(v->done, until), count = to - v->first;
-    if (err || !v->area || count < 1)
-        return err;
-    int width = down(v) ? v->plot.width : count, height = down(v) ? count : v->plot.height;
-    int left = down(v) ? 0 : v->first, top = down(v) ? v->first : 0;
-    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, rect.width, rect.height);
     cairo_status_t status = cairo_surface_status(image);
     if (!status) {
-        unsigned char *pixels = cairo_image_surface_get_data(image);
-        size_t stride = (size_t)cairo_image_surface_get_stride(image);
-        for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++)
-                memcpy(pixels + (size_t)y * stride + 4 * (size_t)x,
-                       &v->colour[v->indices[(size_t)(top + y) * (size_t)v->plot.width + (size_t)(left + x)]], 4);
-        }
+        put_pixels(v, rect, cairo_image_surface_get_data(image), (size_t)cairo_image_surface_get_stride(image));
         cairo_surface_mark_dirty(image);
-        cairo_set_source_surface(cr, image, v->plot.x + left, v->plot.y + top);
+        cairo_set_source_surface(cr, image, rect.x, rect.y);
         cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
         cairo_paint(cr);
         status = cairo_status(cr);
     }
     cairo_surface_destroy(image);
+    return status;
+}
+
+static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    int until = columns_until(v, time);
+    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
+    int to = smaller(v->done, until);
+    if (err || !v->area || to <= v->first)
+        return err;
+    cairo_status_t status = embed(v, columns_rect(v, v->first, to), cr);
     find_horizon(v, until);
     if (v->horizon && !status) {
         bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.orientation, !v->setup.fill);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Goes back over the steps of a run for the derivatives of contact forces: see adjoint.h. */
+/* Sweeps back over the steps of a run for the derivatives of contact forces: see adjoint.h. */
 #include "sim/adjoint/adjoint.h"
 
 #include <math.h>
@@ -8,25 +8,24 @@
 
 #include "sim/adjoint/adjoint_nodes.h"
 
-/* Beads on either side that one step reaches; and those that it reaches with more than a trifle of what an end has that is below
- * this part of the largest r. */
+/* Beads on either side that one step reaches, normally and from an end that is below the part `faded` of the largest r. */
 enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8 };
 static const double faded = 1e-9;
-/* Steps between looks at the largest r. */
+/* Steps between updates of the largest r. */
 enum { LOOK_EVERY = 16 };
-/* As h^2 K/m: none. */
+/* h^2 K/m up to which a contact has no stiffness. */
 static const double no_stiffness = 1e-30;
 
-/* A force on its way back. Beads outside of low..high - 1 have r = r' = 0. */
+/* A force on its way back. Beads outside low..high - 1 have r = r' = 0. */
 struct traveller {
     struct bead_adjoint *of;
     size_t step; /* of the record, in which it starts */
-    double from; /* where in it, as a part of the step */
+    double from; /* x of the start in that step */
     size_t low, high;
-    double *r, *rate;                           /* [beads] m/N.., and by the time that runs back */
+    double *r, *rate;                           /* [beads] m/N.., and its derivative by backward time */
     double *by_stiffness, *by_static, *by_mass; /* integrals */
     double striker;
-    double most; /* the largest r + h r', at the last look */
+    double most; /* the largest r + h r', at the last update */
 };
 
 struct sweep {
@@ -64,7 +63,7 @@ static enum bead_error allocate(struct sweep *w, struct bead_adjoint *adjoints, 
     return BEAD_OK;
 }
 
-/* ---- where a force starts ---- */
+/* ---- the start of a force ---- */
 
 struct rising {
     const struct bead_adjoint_nodes *nodes;
@@ -80,7 +79,7 @@ static struct rising rising_of(const struct sweep *w, const struct bead_adjoint 
     return rising;
 }
 
-/* The rate of the force; for one contact that of its compression. */
+/* The rate of the force, or of the compression of a single contact. */
 static double force_rate(const void *context, double x)
 {
     const struct rising *r = context;
@@ -112,8 +111,8 @@ static struct bead_part beads_near(const struct traveller *t)
     return (struct bead_part){first > 0 ? first - 1 : 0, last + 2};
 }
 
-/* The maximum meant: in the step of its time, or in one beside it. */
-static void find_start(struct sweep *w, struct traveller *t)
+/* Finds the start: at a maximum, in the step of its time or in a neighbouring one. */
+static enum bead_error find_start(struct sweep *w, struct traveller *t, struct bead_message *msg)
 {
     const struct bead_record *record = w->nodes.record;
     const size_t here = step_at(record, t->of->time), steps[3] = {here, here + 1, here - 1};
@@ -123,18 +122,21 @@ static void find_start(struct sweep *w, struct traveller *t)
     for (size_t i = 0; t->of->at_maximum && i < 3; i++) {
         if (steps[i] >= record->steps)
             continue;
-        bead_adjoint_nodes_load(&w->nodes, steps[i], beads_near(t));
+        enum bead_error err = bead_adjoint_nodes_load(&w->nodes, steps[i], beads_near(t), msg);
+        if (err)
+            return err;
         const struct rising rising = rising_of(w, t->of);
         const double rate0 = force_rate(&rising, 0), rate1 = force_rate(&rising, 1);
         if (!(rate0 > 0 && rate1 <= 0))
             continue;
         t->step = steps[i];
         t->from = bead_find_root(force_rate, &rising, rate0, rate1);
-        return;
+        break;
     }
+    return BEAD_OK;
 }
 
-/* r = 0, r' from what moves the force, and the force's own share. */
+/* Sets r = 0, r' from the force's stiffnesses, and the direct derivatives. */
 static void start(struct sweep *w, struct traveller *t)
 {
     const struct bead_chain *c = w->chain;
@@ -164,7 +166,7 @@ static void start(struct sweep *w, struct traveller *t)
 
 /* ---- steps ---- */
 
-/* Ahead of the front contacts have no stiffness, and had none before: what beads there do is of no consequence. */
+/* Leaves out beads ahead of the front, whose contacts have no stiffness and had none before. */
 static void leave_front(const struct sweep *w, struct traveller *t, double h)
 {
     const double *stiffness = w->nodes.stiffness[BEAD_NODES - 1], *m = w->nodes.inverse_mass;
@@ -176,19 +178,16 @@ static void leave_front(const struct sweep *w, struct traveller *t, double h)
     }
 }
 
-static double larger(double x, double y)
-{
-    return x > y ? x : y;
-}
-
-/* Beads at both ends that hardly take part are left out. */
+/* Leaves out negligible beads at both ends. */
 static void trim(const struct sweep *w, struct traveller *t, double h)
 {
     leave_front(w, t, h);
     if (!(t->most > 0) || w->nodes.stepper->steps % LOOK_EVERY == 0) {
         t->most = 0;
-        for (size_t j = t->low; j < t->high; j++)
-            t->most = larger(t->most, fabs(t->r[j]) + h * fabs(t->rate[j]));
+        for (size_t j = t->low; j < t->high; j++) {
+            const double here = fabs(t->r[j]) + h * fabs(t->rate[j]);
+            t->most = t->most > here ? t->most : here;
+        }
     }
     const double least = w->care->negligible * t->most;
     while (t->high > t->low + 1 && fabs(t->r[t->high - 1]) + h * fabs(t->rate[t->high - 1]) <= least) {
@@ -219,7 +218,7 @@ static struct bead_part reached(const struct sweep *w, const struct traveller *t
     return whole_vectors(from, to < span ? to : span > from ? span : from);
 }
 
-/* r'' at a node from r there, y, and the node's share in the integrals. */
+/* Finds r'' at a node from r = y, and adds the node's share to the integrals. */
 static void pass_node(struct sweep *w, struct traveller *t, struct bead_part part, size_t node, double h)
 {
     const struct bead_adjoint_nodes *nodes = &w->nodes;
@@ -238,7 +237,7 @@ static void pass_node(struct sweep *w, struct traveller *t, struct bead_part par
     t->striker -= at == 0 ? weight * y[0] : 0;
 }
 
-/* Back by `h`, over the nodes as they are filled. */
+/* Steps back by `h`, over the nodes as they are filled. */
 static void step(struct sweep *w, struct traveller *t, double h)
 {
     const struct bead_tableau *m = w->nodes.method;
@@ -258,7 +257,7 @@ static void step(struct sweep *w, struct traveller *t, double h)
     }
     kernels->combine(n, spare, r, h, rate, BEAD_NODES, m->b, slope);
     memcpy(r, spare, n * sizeof *r);
-    /* Rates have no drift of their own: the first slope stands in for it. */
+    /* rates have no drift: the first slope takes its place */
     kernels->combine(n, spare, rate, later[0], slope[0], BEAD_NODES - 1, later + 1, slope + 1);
     memcpy(rate, spare, n * sizeof *rate);
     t->low = part.from;
@@ -266,7 +265,7 @@ static void step(struct sweep *w, struct traveller *t, double h)
     trim(w, t, h);
 }
 
-/* Beads that the next step moves of all that came from later steps than `index`. */
+/* Beads that the next step moves, for all travellers that started in steps after `index`. */
 static struct bead_part reached_by_all(const struct sweep *w, size_t index)
 {
     struct bead_part all = {SIZE_MAX, 0};
@@ -281,7 +280,7 @@ static struct bead_part reached_by_all(const struct sweep *w, size_t index)
     return all.to > all.from ? whole_vectors(all.from, all.to) : all;
 }
 
-/* Beads that some force may meet in step `index`. */
+/* Beads that any traveller may reach in step `index`. */
 static struct bead_part touched_by_all(const struct sweep *w, size_t index)
 {
     struct bead_part all = reached_by_all(w, index);
@@ -296,7 +295,7 @@ static struct bead_part touched_by_all(const struct sweep *w, size_t index)
     return all;
 }
 
-/* From x = `from` of the step at hand to its start: one traveller, or all that came from later steps (NULL). */
+/* Moves one traveller, or all that started in later steps (NULL), from x = `from` of the current step to its start. */
 static void go_back(struct sweep *w, size_t index, double from, struct traveller *alone)
 {
     const double h = w->nodes.stepper->h;
@@ -315,11 +314,12 @@ static void go_back(struct sweep *w, size_t index, double from, struct traveller
     }
 }
 
-static void step_all(struct sweep *w, size_t index)
+static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
 {
     const struct bead_part touched = touched_by_all(w, index);
-    if (touched.to > touched.from)
-        bead_adjoint_nodes_load(&w->nodes, index, touched);
+    enum bead_error err = touched.to > touched.from ? bead_adjoint_nodes_load(&w->nodes, index, touched, msg) : BEAD_OK;
+    if (err)
+        return err;
     for (size_t i = 0; i < w->count; i++) {
         if (w->traveller[i].step != index)
             continue;
@@ -327,6 +327,7 @@ static void step_all(struct sweep *w, size_t index)
         go_back(w, index, w->traveller[i].from, &w->traveller[i]);
     }
     go_back(w, index, 1, NULL);
+    return BEAD_OK;
 }
 
 static void finish(const struct sweep *w, const struct traveller *t)
@@ -352,11 +353,11 @@ enum bead_error bead_adjoint_sweep(const struct bead_chain *chain, const struct 
     if (!err)
         err = allocate(&w, adjoints, count, msg);
     for (size_t i = 0; !err && i < count; i++) {
-        find_start(&w, &w.traveller[i]);
+        err = find_start(&w, &w.traveller[i], msg);
         last = w.traveller[i].step > last ? w.traveller[i].step : last;
     }
     for (size_t i = last + 1; !err && i-- > 0;)
-        step_all(&w, i);
+        err = step_all(&w, i, msg);
     for (size_t i = 0; !err && i < count; i++)
         finish(&w, &w.traveller[i]);
     bead_adjoint_nodes_destroy(&w.nodes);

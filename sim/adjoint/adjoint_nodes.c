@@ -1,21 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds what adjoints need of a chain at the nodes of a step: see adjoint_nodes.h. */
+/* Finds stiffnesses and derivatives of forces at the nodes of a step: see adjoint_nodes.h. */
 #include "sim/adjoint/adjoint_nodes.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/base/wide.h"
+#include "sim/base/memory.h"
+#include "sim/integrate/events_patch.h"
 
-/* Branch points this far outside of a step are looked for, in steps, of those that may spoil a velocity by this part of the
- * striker's: not what the wave just reaches. */
-static const double reach = 0.3, least = 1e-9;
-/* Contacts of less weight do not feel what their own stiffness does twice. Of a heavy one this part of the step on either side of a
- * branch point is gone back over for itself. */
+/* Branch points count up to this distance outside a step, in steps, if they may change a velocity by this part of the striker's,
+ * which excludes contacts that the wave just reaches. */
+static const double reach = 0.3, least = 8e-9;
+/* Largest correction of times found by interpolation, in steps. */
+static const double farthest = 0.1;
+/* Second-order effects of a stiffness are negligible below the weight `slight`. The part of the step within `around` of a branch
+ * point is stepped separately if the contact is heavy. */
 static const double slight = 5e-4, around = 0.05;
-/* Of the polynomials that take a stiffness's place. Their product with what they move is to be within the order of the method:
- * with higher degrees, as with lower ones, errors are larger. */
+/* Degree of the polynomials that replace a stiffness. Their product with r must be within the order of the method: both higher and
+ * lower degrees give larger errors. */
 enum { DEGREE = 3 };
 
 /* ---- memory ---- */
@@ -62,8 +65,6 @@ enum bead_error bead_adjoint_nodes_create(const struct bead_chain *chain, const 
     if (!err)
         err = bead_dense_create(n->stepper, &n->dense, msg);
     n->memory = calloc(bead_adjoint_padded(chain) * (3 + 5 * BEAD_NODES), sizeof(double));
-    if (!err)
-        err = bead_branch_points_create(chain, &n->branches, msg);
     if (!err && !n->memory)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sensitivities of %zu beads", chain->beads);
     if (err)
@@ -80,36 +81,59 @@ void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *n)
     bead_stepper_destroy(n->stepper);
     bead_dense_destroy(&n->dense);
     free(n->memory);
-    bead_branch_points_destroy(&n->branches);
+    free(n->point);
 }
 
 /* ---- contacts that open or close ---- */
 
-/* Contacts of a part of the beads, those that may have a stiffness. */
+/* Contacts of a part of the beads that may have a stiffness. */
 static struct bead_part contacts_of(const struct bead_stepper *s, const struct bead_part *part)
 {
-    const size_t last = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const size_t last = bead_stepper_contacts(s);
     return (struct bead_part){part->from, part->to < last ? part->to : last};
-}
-
-void bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t step, struct bead_part part)
-{
-    const struct bead_stepper *s = n->stepper;
-    bead_record_load(n->record, step, n->stepper);
-    bead_branch_points_find(&n->branches, s, part, reach, least * fabs(s->chain->spec->striker_velocity));
 }
 
 struct bead_adjoint_curve bead_adjoint_curve(const struct bead_adjoint_nodes *n, size_t contact)
 {
-    return (struct bead_adjoint_curve){contact, bead_dense_compression(n->stepper, contact),
-                                       bead_branch_points_near(&n->branches, contact)};
+    return (struct bead_adjoint_curve){contact, bead_dense_compression(n->stepper, contact)};
 }
 
 void bead_adjoint_compression(const struct bead_adjoint_nodes *n, const struct bead_adjoint_curve *curve, double x, double d[2])
 {
     d[0] = bead_polynomial_value(&curve->compression, x);
     d[1] = bead_polynomial_slope(&curve->compression, x);
-    bead_branch_points_correct_compression(&n->branches, n->stepper, curve->near, curve->contact, x, d);
+    bead_between_correct_compression(n->dense.between, n->stepper, curve->contact, x, d);
+}
+
+/* Adds a branch point, after one Newton step to the zero of its compression. */
+static void add_point(struct bead_adjoint_nodes *n, const struct bead_between_point *found)
+{
+    const struct bead_stepper *s = n->stepper;
+    const size_t k = found->contact;
+    const struct bead_adjoint_curve curve = bead_adjoint_curve(n, k);
+    double d[2];
+    bead_adjoint_compression(n, &curve, found->at, d);
+    const double shift = -d[0] / d[1], w = fmax(n->inverse_mass[k], k + 1 < s->beads ? n->inverse_mass[k + 1] : 0);
+    n->point[n->points++] =
+        (struct bead_adjoint_point){k, fabs(shift) < farthest ? found->at + shift : found->at,
+                                    s->h * s->h * w * s->chain->law->stiffness(s->table.stiffness[k], s->table.law, fabs(d[1]))};
+}
+
+enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t step, struct bead_part part, struct bead_message *msg)
+{
+    const struct bead_stepper *s = n->stepper;
+    size_t count;
+    bead_record_load(n->record, step, n->stepper);
+    bead_between_find(n->dense.between, s, part, least * fabs(s->chain->spec->striker_velocity));
+    const struct bead_between_point *found = bead_between_points(n->dense.between, &count);
+    if (bead_between_failed(n->dense.between) || !bead_memory_grow((void **)&n->point, &n->point_room, count, sizeof *n->point))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
+    n->points = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (found[i].at > -reach && found[i].at < 1 + reach)
+            add_point(n, &found[i]);
+    }
+    return BEAD_OK;
 }
 
 /* ---- moments ---- */
@@ -124,13 +148,13 @@ static void legendre(double z, double p[DEGREE + 1])
         p[m + 1] = ((2 * m + 1) * x * p[m] - m * p[m - 1]) / (m + 1);
 }
 
-/* Integrals of a stiffness with itself, z from 0 to 1 over a part of the step. */
+/* Integrals of a stiffness with itself, for z from 0 to 1 over a part of the step. */
 struct twice {
-    double once[3];   /* I_i, of z^i K up to here */
+    double once[3];   /* I_i, of z^i K so far */
     double second[3]; /* of K (z I_0 - I_1), K (z I_1 - I_2) and (1 - z) K (z I_1 - I_2) */
 };
 
-/* On over nodes z of Gauss's, with their dz. */
+/* Continues the integrals over Gauss nodes z, with their dz. */
 static void go_on(struct twice *t, const double z[BEAD_GAUSS_NODES], const double dz[BEAD_GAUSS_NODES],
                   const double stiffness[BEAD_GAUSS_NODES])
 {
@@ -160,23 +184,23 @@ struct moments {
     struct bead_adjoint_curve curve;
     double low, length; /* over low <= x <= low + length */
     double sum[2][DEGREE + 1];
-    bool twice; /* those of its stiffness with itself are wanted, too */
+    bool twice; /* includes those of its stiffness with itself */
     struct twice stiffness;
 };
 
-/* Nodes where x = tau +- z^m. */
+/* Integrates over nodes with x = tau +- z^m. */
 static void integrate(const struct bead_adjoint_nodes *n, struct moments *m, double from, double to, double tau)
 {
     const struct bead_stepper *s = n->stepper;
     const double a = s->table.stiffness[m->curve.contact];
-    struct bead_patch_nodes nodes;
+    const struct bead_patch_piece piece = bead_patch_piece_make(bead_between_power(n->dense.between), &tau, from, to);
     double z[BEAD_GAUSS_NODES], dz[BEAD_GAUSS_NODES], stiffness[BEAD_GAUSS_NODES];
-    bead_patch_place_nodes(n->branches.rule.power, tau, (const double[2]){from, to}, &nodes);
     for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
-        double d[2], p[DEGREE + 1];
-        bead_adjoint_compression(n, &m->curve, nodes.s[i], d);
-        z[i] = (nodes.s[i] - m->low) / m->length;
-        dz[i] = nodes.rate[i] / m->length;
+        double d[2], p[DEGREE + 1], rate;
+        const double at = bead_patch_place(&piece, bead_gauss_node[i], &rate);
+        bead_adjoint_compression(n, &m->curve, at, d);
+        z[i] = (at - m->low) / m->length;
+        dz[i] = rate / m->length;
         stiffness[i] = s->chain->law->stiffness(a, s->table.law, d[0]);
         legendre(z[i], p);
         const double weight = bead_gauss_weight[i] * dz[i], force = s->chain->law->force(a, s->table.law, d[0]);
@@ -189,7 +213,7 @@ static void integrate(const struct bead_adjoint_nodes *n, struct moments *m, dou
         go_on(&m->stiffness, z, dz, stiffness);
 }
 
-/* From one branch point to the next, or the end of the step. Between two of them each half has its own. */
+/* Integrates from one branch point to the next, or to an end of the part. Between two of them, each half uses the nearer one. */
 static void integrate_between(const struct bead_adjoint_nodes *n, struct moments *m, double from, double to, double before,
                               double after)
 {
@@ -206,7 +230,7 @@ static void integrate_between(const struct bead_adjoint_nodes *n, struct moments
     integrate(n, m, middle, to, after);
 }
 
-/* The value at z of the polynomial that has these moments. */
+/* The value at z of the polynomial with these moments. */
 static double value_of(const double sum[DEGREE + 1], double z)
 {
     double p[DEGREE + 1], value = 0;
@@ -216,9 +240,9 @@ static double value_of(const double sum[DEGREE + 1], double z)
     return value;
 }
 
-/* A polynomial with the moments of K moves what the contact presses, e'' = - c K e, as K does, but for what K does twice: e(1) and
- * e'(1) owe c^2 times the integrals of (1 - t) K(t) and K(t) times that of (t - s) K(s) e(s), s < t, to it. For e = 1 and e = s;
- * the moments of z^0, z^1 and z^2 are moved so that the polynomial brings the same. */
+/* A polynomial with the moments of K has the effect of K on e'' = - c K e to first order. To second order, e(1) and e'(1) also
+ * contain c^2 times the integrals of (1 - t) K(t) and of K(t), both times that of (t - s) K(s) e(s), s < t. The moments of z^0, z^1
+ * and z^2 are moved so that the polynomial gives the same contributions for e = 1 and e = s. */
 static void move_moments(const struct bead_adjoint_nodes *n, struct moments *m)
 {
     static const double even[BEAD_GAUSS_NODES] = {1, 1, 1, 1, 1, 1, 1, 1};
@@ -237,16 +261,16 @@ static void move_moments(const struct bead_adjoint_nodes *n, struct moments *m)
     m->sum[0][2] += 6 * by2 - 6 * by1 + by0;
 }
 
-/* Nodes of the contact of branch points first..last - 1, which ascend, from the moments. */
+/* Sets the nodes of the contact of branch points first..last - 1, in ascending order, from the moments. */
 static void smooth_contact(struct bead_adjoint_nodes *n, double from, double back, size_t first, size_t last)
 {
-    const size_t k = n->branches.point[first].contact;
+    const size_t k = n->point[first].contact;
     struct moments m = {.curve = bead_adjoint_curve(n, k), .low = back, .length = from - back};
     double at = back, before = -INFINITY;
     for (size_t i = first; i < last; i++)
-        m.twice = m.twice || n->branches.point[i].weight > slight;
+        m.twice = m.twice || n->point[i].weight > slight;
     for (size_t i = first; i < last; i++) {
-        const double tau = n->branches.point[i].at, to = fmin(fmax(tau, at), from);
+        const double tau = n->point[i].at, to = fmin(fmax(tau, at), from);
         integrate_between(n, &m, at, to, before, tau);
         before = tau;
         at = to;
@@ -267,16 +291,16 @@ static bool within(const struct bead_part *part, size_t contact)
 
 static void smooth_all(struct bead_adjoint_nodes *n, double from, double back, const struct bead_part *part)
 {
-    for (size_t first = 0, last; first < n->branches.count; first = last) {
-        for (last = first + 1; last < n->branches.count && n->branches.point[last].contact == n->branches.point[first].contact;)
+    for (size_t first = 0, last; first < n->points; first = last) {
+        for (last = first + 1; last < n->points && n->point[last].contact == n->point[first].contact;)
             last++;
-        if (within(part, n->branches.point[first].contact))
+        if (within(part, n->point[first].contact))
             smooth_contact(n, from, back, first, last);
     }
-    /* Of all beads beside them. */
-    for (size_t b = 0; b < n->branches.count; b++) {
-        for (size_t j = n->branches.point[b].contact; j <= n->branches.point[b].contact + 1 && j < n->stepper->beads; j++) {
-            for (size_t i = 0; within(part, n->branches.point[b].contact) && i < BEAD_NODES; i++)
+    /* the beads beside them */
+    for (size_t b = 0; b < n->points; b++) {
+        for (size_t j = n->point[b].contact; j <= n->point[b].contact + 1 && j < n->stepper->beads; j++) {
+            for (size_t i = 0; within(part, n->point[b].contact) && i < BEAD_NODES; i++)
                 n->acceleration[i][j] = (*(n->force[i] + j - 1) - n->force[i][j]) * n->inverse_mass[j];
         }
     }
@@ -291,7 +315,7 @@ static void find_displacements(struct bead_adjoint_nodes *n, double x, const str
     bead_dense_displacement(&n->dense, s, x, moving, n->u);
     if (part->to >= s->active)
         memset(n->u + s->active, 0, (part->to + 1 - s->active) * sizeof *n->u);
-    bead_branch_points_correct(&n->branches, s, x, *part, n->u, NULL);
+    bead_between_correct(n->dense.between, s, x, *part, n->u, NULL);
 }
 
 static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness, const struct bead_part *part)
@@ -315,13 +339,13 @@ static void find_stiffnesses(struct bead_adjoint_nodes *n, double *stiffness, co
             law->stiffness(s->table.stiffness[k], s->table.law, s->table.static_compression[k] + (n->u[k] - n->u[k + 1]));
 }
 
-/* Forces, accelerations and stiffnesses of the displacements. */
+/* Forces, accelerations and stiffnesses at the displacements. */
 static void evaluate(struct bead_adjoint_nodes *n, size_t node, const struct bead_part *part)
 {
     const struct bead_stepper *s = n->stepper;
     const size_t at = part->from;
     double *force = n->force[node], *stiffness = n->stiffness[node], *acceleration = n->acceleration[node];
-    if (s->force == s->kernels->hertz) {
+    if (s->fused) {
         struct bead_contact_table table = s->table;
         table.stiffness += at;
         s->kernels->hertz_all(part->to - at, &table, n->u + at, n->inverse_mass + at, force + at, stiffness + at,
@@ -359,9 +383,9 @@ void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *n, double from, double b
 double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *n, double from, double heavy, struct bead_part part)
 {
     double back = 0;
-    for (size_t i = 0; i < n->branches.count; i++) {
-        const double edges[2] = {n->branches.point[i].at - around, n->branches.point[i].at + around};
-        for (int e = 0; e < 2 && n->branches.point[i].weight > heavy && within(&part, n->branches.point[i].contact); e++) {
+    for (size_t i = 0; i < n->points; i++) {
+        const double edges[2] = {n->point[i].at - around, n->point[i].at + around};
+        for (int e = 0; e < 2 && n->point[i].weight > heavy && within(&part, n->point[i].contact); e++) {
             if (edges[e] > back && edges[e] < from - 0.5 * around)
                 back = edges[e];
         }

@@ -1,34 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What adjoints need of a chain at the nodes of a step, going back: stiffnesses, and what the forces owe to their coefficients.
+/* Adjoint nodes: stiffnesses of a chain at the nodes of a backward step, and derivatives of forces by their coefficients.
  *
- * States between the ends of a step are those of dense output, put right where a contact opens or closes. At the nodes the
- * stiffness of such a contact is the value of a polynomial that has, over the step, the moments of the stiffness itself, so that
- * quadratures of smooth functions do not see the branch point. */
-#ifndef BEADREEL_SIM_ADJOINT_ADJOINT_NODES_H
-#define BEADREEL_SIM_ADJOINT_ADJOINT_NODES_H
+ * States within a step are those of dense output, corrected where a contact opens or closes. At the nodes, the stiffness of such a
+ * contact is the value of a polynomial with the moments of the stiffness over the step, so that quadratures of smooth functions do
+ * not see the branch point. */
+#pragma once
 
 #include "sim/adjoint/record.h"
-#include "sim/integrate/branch_points.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/tableau.h"
 
-enum { BEAD_NODES = 8 }; /* evaluations of the method in a step that does not end with one */
+enum { BEAD_NODES = 8 }; /* evaluations of the method, without the one at the end of a step */
 
-/* All arrays are those of contacts or beads with room for whole vectors, before them too. */
+/* A branch point: a contact opens or closes, or nearly does. */
+struct bead_adjoint_point {
+    size_t contact;
+    double at;     /* in steps from the start */
+    double weight; /* h^2 K/m of the stiffness at the distance of one step */
+};
+
+/* Arrays of contacts or beads have room for whole vectors, before them too. */
 struct bead_adjoint_nodes {
     const struct bead_tableau *method;
     const struct bead_record *record;
-    struct bead_stepper *stepper; /* set to the step at hand */
+    struct bead_stepper *stepper; /* set to the current step */
     struct bead_dense dense;
-    struct bead_branch_points branches; /* in order of contacts */
+    struct bead_adjoint_point *point; /* of the current step, in order of contacts */
+    size_t points, point_room;
     bool has_static;
     double *inverse_mass, *static_stiffness; /* 1/kg; N/m of the contacts at rest */
     double *u;                               /* work */
     /* At the nodes: */
     double *force[BEAD_NODES], *acceleration[BEAD_NODES]; /* N, less the static part; m/s^2 */
     double *stiffness[BEAD_NODES];                        /* N/m */
-    double *by_stiffness[BEAD_NODES]; /* N: A df/dA, the static force kept; the forces themselves where there are no static ones */
-    double *by_static[BEAD_NODES];    /* df/dF; only where there are static forces */
+    double *by_stiffness[BEAD_NODES]; /* N: A df/dA at constant static force; without static forces the forces themselves */
+    double *by_static[BEAD_NODES];    /* df/dF; only with static forces */
     void *memory;
 };
 
@@ -37,26 +43,24 @@ BEAD_CHECK enum bead_error bead_adjoint_nodes_create(const struct bead_chain *ch
                                                      const struct bead_kernels *kernels, struct bead_adjoint_nodes *nodes,
                                                      struct bead_message *msg);
 void bead_adjoint_nodes_destroy(struct bead_adjoint_nodes *nodes);
-/* Set to a step of the record, and find what opens or closes in a part of the chain. */
-void bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_part part);
-/* Fill the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads, whole vectors. The
- * acceleration of its first bead is without the force before it. */
+/* Moves to a step of the record, and finds the contacts that open or close in a part of the chain. */
+BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *nodes, size_t step, struct bead_part part,
+                                                   struct bead_message *msg);
+/* Fills the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads in whole vectors. The
+ * acceleration of the first one lacks the force before it. */
 void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back, struct bead_part part);
-/* Where to go back to from x = `from`: the start of the step, 0, or a place before it such that the branch point of a contact of
- * more weight than `heavy` lies in a short part of its own. */
+/* The x to go back to from x = `from`: the start of the step, 0, or earlier, so that the branch point of a contact of more weight
+ * than `heavy` has a short part for itself. */
 double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *nodes, double from, double heavy, struct bead_part part);
 /* The compression of a contact over the step. */
 struct bead_adjoint_curve {
     size_t contact;
     struct bead_polynomial compression; /* as interpolated */
-    struct bead_branch_range near;      /* its own branch points and those of its neighbours */
 };
 struct bead_adjoint_curve bead_adjoint_curve(const struct bead_adjoint_nodes *nodes, size_t contact);
 /* Compression d[0], m, and its derivative d[1] by x. */
 void bead_adjoint_compression(const struct bead_adjoint_nodes *nodes, const struct bead_adjoint_curve *curve, double x,
                               double d[2]);
-/* Doubles of an array, and where its element 0 is. */
+/* Length of an array, in doubles, and offset of its element 0. */
 size_t bead_adjoint_padded(const struct bead_chain *chain);
 enum { BEAD_ADJOINT_MARGIN = 16 };
-
-#endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Keeps the states between the steps of a run, for what looks at them again: see record.h. */
+/* Records the states between the steps of a run: see record.h. */
 #include "sim/adjoint/record.h"
 
 #include <stdlib.h>
@@ -18,14 +18,14 @@ static enum bead_error grow(struct bead_record *r, size_t values, struct bead_me
     if (states == r->room && size == r->size)
         return BEAD_OK;
     enum bead_error err =
-        bead_memory_check((size - r->size) * sizeof *r->values, "the steps of a run, kept for its sensitivities", msg);
+        bead_memory_check((size - r->size) * sizeof *r->values, "the steps of a run, recorded for its sensitivities", msg);
     if (err)
         return err;
     struct bead_recorded *state = realloc(r->state, states * sizeof *state);
     r->state = state ? state : r->state;
     double *grown = state ? realloc(r->values, size * sizeof *grown) : NULL;
     if (!grown)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the steps of a run, kept for its sensitivities");
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the steps of a run, recorded for its sensitivities");
     r->room = states;
     r->values = grown;
     r->size = size;

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A record of steps: the states between them, kept so that a stepper can be set to any step again, such as for a sweep backwards.
- */
-#ifndef BEADREEL_SIM_ADJOINT_RECORD_H
-#define BEADREEL_SIM_ADJOINT_RECORD_H
+/* A record of steps: the states between them, so that a stepper can return to any step, as in a sweep backwards. */
+#pragma once
 
 #include <stddef.h>
 
@@ -11,8 +9,8 @@
 /* A state between two steps. */
 struct bead_recorded {
     double time;   /* s */
-    size_t active; /* beads kept: the others are at rest */
-    size_t at;     /* where its u, v and a begin in `values` */
+    size_t active; /* beads recorded: the others are at rest */
+    size_t at;     /* index of its u, v and a in `values` */
 };
 
 struct bead_record {
@@ -22,12 +20,10 @@ struct bead_record {
     size_t used, size;
 };
 
-/* Add the step just made; the first one with its start. Errors: MEMORY. */
+/* Adds the last step; the first one with its start. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_record_add(struct bead_record *record, const struct bead_stepper *stepper,
                                            struct bead_message *msg);
-/* Set a stepper of the same chain to step `step` (from 0 on) of the record: its start, end and times are those, and beads behind
- * its window are at rest. Forces are not kept. */
+/* Sets a stepper of the same chain to step `step` (from 0) of the record: start, end and times; beads outside its window are at
+ * rest. Forces are not recorded. */
 void bead_record_load(const struct bead_record *record, size_t step, struct bead_stepper *stepper);
 void bead_record_free(struct bead_record *record);
-
-#endif

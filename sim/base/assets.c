@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds ready scenes, materials and colour maps: in BEADREEL_ASSETS, beside the program, or where they were installed. */
-#include "beadreel/assets.h"
+#include "sim/base/assets.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -10,9 +9,12 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "sim/base/file.h"
+#include "sim/base/suggest.h"
+
 enum { MOST_BYTES = 16 << 20 };
 
-/* Directory of the running program, "" where it cannot be known. */
+/* Directory of the running program, "" if unknown. */
 static void program_directory(char *directory, size_t size)
 {
     ssize_t length = readlink("/proc/self/exe", directory, size - 1);
@@ -22,7 +24,7 @@ static void program_directory(char *directory, size_t size)
         *slash = 0;
 }
 
-/* Place `number` to look in; false behind the last. A place that does not exist on this machine is "". */
+/* The directory `number` to search; false after the last. "": there is none on this machine. */
 static bool place(size_t number, char *directory, size_t size)
 {
     static const char *const beside[] = {"assets", "../assets", "../share/beadreel"};
@@ -53,11 +55,7 @@ enum bead_error bead_asset_path(const char *name, char *path, size_t size, struc
         int length = snprintf(path, size, "%s/%s", directory, name);
         if (length > 0 && (size_t)length < size && access(path, R_OK) == 0)
             return BEAD_OK;
-        size_t used = strlen(tried), more = strlen(directory);
-        if (used + more + 3 <= sizeof tried) {
-            strcat(tried, used ? ", " : "");
-            strcat(tried, directory);
-        }
+        bead_list_add(tried, sizeof tried, ", ", directory);
     }
     return bead_fail(msg, BEAD_ERROR_IO, "asset `%s` not found in %s; set BEADREEL_ASSETS to the directory of the assets", name,
                      tried);
@@ -69,35 +67,5 @@ enum bead_error bead_asset_read(const char *name, char **text, size_t *length, s
     *text = NULL;
     *length = 0;
     enum bead_error err = bead_asset_path(name, path, sizeof path, msg);
-    if (err)
-        return err;
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
-    size_t room = 0, used = 0, got = 1;
-    char *read = NULL;
-    while (got > 0 && used < MOST_BYTES) {
-        if (room - used < 2) {
-            char *grown = realloc(read, room = 2 * room + 16384);
-            if (!grown) {
-                free(read);
-                fclose(file);
-                return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
-            }
-            read = grown;
-        }
-        got = fread(read + used, 1, room - used - 1, file);
-        used += got;
-    }
-    if (ferror(file) || used >= MOST_BYTES)
-        err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read, or is longer than 16 MiB", path);
-    fclose(file);
-    if (err) {
-        free(read);
-        return err;
-    }
-    read[used] = 0;
-    *text = read;
-    *length = used;
-    return BEAD_OK;
+    return err ? err : bead_file_read(path, MOST_BYTES, text, length, msg);
 }

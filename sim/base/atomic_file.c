@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files that appear complete or not at all, and claims on them. Every file that the programs write goes through here. */
-#include "beadreel/file.h"
+/* Files that appear complete or not at all, and claims on them. All files that the programs write are made here. */
+#include "sim/base/file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -15,16 +15,14 @@
 
 #include "sim/base/fingerprint.h"
 
-static enum bead_error concatenate(const char *a, const char *b, const char *c, char **text, struct bead_message *msg)
+/* The first `length` bytes of `a`, `b` and `c` as one text. */
+static enum bead_error concatenate(const char *a, size_t length, const char *b, const char *c, char **text,
+                                   struct bead_message *msg)
 {
-    size_t la = strlen(a), lb = strlen(b), lc = strlen(c);
-    *text = malloc(la + lb + lc + 1);
-    if (!*text)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
-    memcpy(*text, a, la);
-    memcpy(*text + la, b, lb);
-    memcpy(*text + la + lb, c, lc + 1);
-    return BEAD_OK;
+    if (asprintf(text, "%.*s%s%s", (int)length, a, b, c) >= 0)
+        return BEAD_OK;
+    *text = NULL;
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
 }
 
 enum bead_error bead_file_join(const char *directory, const char *path, char **joined, struct bead_message *msg)
@@ -33,8 +31,9 @@ enum bead_error bead_file_join(const char *directory, const char *path, char **j
     if (!path || !*path)
         return bead_fail(msg, BEAD_ERROR_IO, "an output has no file name");
     if (!directory || !*directory || strcmp(directory, ".") == 0 || path[0] == '/')
-        return concatenate("", "", path, joined, msg);
-    return concatenate(directory, directory[strlen(directory) - 1] == '/' ? "" : "/", path, joined, msg);
+        return concatenate("", 0, "", path, joined, msg);
+    const size_t length = strlen(directory);
+    return concatenate(directory, length, directory[length - 1] == '/' ? "" : "/", path, joined, msg);
 }
 
 bool bead_file_is_inside(const char *path)
@@ -51,7 +50,7 @@ bool bead_file_is_inside(const char *path)
     return true;
 }
 
-/* Bytes of `name` that are kept of at most `most`: whole characters of UTF-8. */
+/* Length of the beginning of `name` that has at most `most` bytes and only whole characters of UTF-8. */
 static size_t whole_characters(const char *name, size_t most)
 {
     while (most > 0 && ((unsigned char)name[most] & 0xC0) == 0x80)
@@ -62,20 +61,14 @@ static size_t whole_characters(const char *name, size_t most)
 enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg)
 {
     static const char ending[] = ".part";
-    enum { MARK = 17 + sizeof ending }; /* "~0123456789abcdef.part" */
-    char mark[MARK];
+    char mark[32]; /* "~0123456789abcdef" */
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    *part = NULL;
-    if (strlen(name) + sizeof ending - 1 <= NAME_MAX || strlen(name) > NAME_MAX)
-        return concatenate(path, ending, "", part, msg);
-    snprintf(mark, MARK, "~%016" PRIx64 "%s", bead_fingerprint(BEAD_FINGERPRINT_START, name, strlen(name)), ending);
-    size_t directory = (size_t)(name - path), kept = whole_characters(name, NAME_MAX + 1 - MARK);
-    *part = malloc(directory + kept + MARK);
-    if (!*part)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
-    memcpy(*part, path, directory + kept);
-    memcpy(*part + directory + kept, mark, MARK);
-    return BEAD_OK;
+    const size_t length = strlen(name), room = NAME_MAX - (sizeof ending - 1);
+    if (length <= room || length > NAME_MAX)
+        return concatenate(path, strlen(path), "", ending, part, msg);
+    const int marked = snprintf(mark, sizeof mark, "~%016" PRIx64, bead_fingerprint(BEAD_FINGERPRINT_START, name, length));
+    const size_t kept = (size_t)(name - path) + whole_characters(name, room - (size_t)marked);
+    return concatenate(path, kept, mark, ending, part, msg);
 }
 
 static enum bead_error cannot_write(const char *part, int error, struct bead_message *msg)
@@ -88,7 +81,7 @@ static enum bead_error cannot_write(const char *part, int error, struct bead_mes
 
 enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg)
 {
-    /* A FIFO without a reader blocks, unless asked not to. */
+    /* O_NONBLOCK, as opening a FIFO without a reader would block. */
     const int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
     struct stat found;
     bool made = true;
@@ -139,7 +132,7 @@ enum bead_error bead_file_close(FILE *file, const char *part, struct bead_messag
     return BEAD_OK;
 }
 
-/* Returns 0 or an errno. EINVAL means that the file system cannot sync such an object; that is no failure. */
+/* Returns 0 or an errno. EINVAL is not a failure: the file system cannot sync such an object. */
 static int sync_path(const char *path, int flags)
 {
     int fd = open(path, flags | O_CLOEXEC);
@@ -150,7 +143,7 @@ static int sync_path(const char *path, int flags)
     return error;
 }
 
-/* The rename itself must reach the disk, too; a directory that may not be read cannot be synced, which is no failure. */
+/* The rename must reach the disk, too. A directory without read permission cannot be synced, which is not a failure. */
 static void sync_directory(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -193,14 +186,14 @@ static bool still_names(const char *part, int descriptor)
 
 enum bead_error bead_file_lock(const char *part, const char *path, int *descriptor, bool *created, struct bead_message *msg)
 {
-    for (;;) { /* again where another run finished and renamed the file in between */
+    for (;;) { /* again if another run finished and renamed the file in between */
         enum bead_error err = bead_file_open(part, descriptor, created, msg);
         if (err)
             return err;
         bool locked = flock(*descriptor, LOCK_EX | LOCK_NB) == 0;
         if (!locked && errno == EWOULDBLOCK)
             err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run is writing it", path);
-        else if (still_names(part, *descriptor)) /* file systems without locks: as good as it gets */
+        else if (still_names(part, *descriptor)) /* on file systems without locks, unlocked */
             return BEAD_OK;
         close(*descriptor);
         *descriptor = -1;

@@ -19,10 +19,10 @@ static struct pair product(double x, double y)
     return (struct pair){p, ((x1 * y1 - p) + x1 * y2 + x2 * y1) + x2 * y2};
 }
 
-/* Between these the products here neither overflow nor lose digits. */
+/* Between these limits the products below neither overflow nor lose digits. */
 static const double small = 0x1p-400, large = 0x1p300;
 
-/* One Newton step from the C library's root, which is right to 1 unit in the last place, with the exact remainder. */
+/* The C library's root is right to 1 unit in the last place; one Newton step with the exact remainder rounds it correctly. */
 double bead_cbrt(double x)
 {
     const double y = cbrt(x);
@@ -34,7 +34,7 @@ double bead_cbrt(double x)
     return y + ((x - cube.high) - (cube.low + square.low * y)) / (3 * square.high);
 }
 
-/* As bead_cbrt, for y^5 = x^2. */
+/* Like bead_cbrt, for y^5 = x^2. */
 double bead_two_fifths(double x)
 {
     const double y = pow(x, 0.4);
@@ -76,6 +76,6 @@ double bead_log(double x)
     double series = 0;
     for (int i = TERMS; i > 0; i--)
         series = square * (series + 1.0 / (2 * i + 1));
-    /* ln 2, the first part short enough for exact products with k */
+    /* ln 2 in two parts: products of the first with k are exact */
     return k * 0x1.62e42feep-1 + (2 * s + (2 * s * series + k * 0x1.a39ef35793c76p-33));
 }

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fingerprints: 64 bits that detect accidental differences; they do not protect against deliberate ones. */
-#ifndef BEADREEL_SIM_BASE_FINGERPRINT_H
-#define BEADREEL_SIM_BASE_FINGERPRINT_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
 
 enum { BEAD_FINGERPRINT_START = 0x2545f491 };
 
-/* `hash` with `size` more bytes in it: FNV-1a, mixed at the end, so that every bit of the result depends on every byte. */
+/* Add `size` bytes to `hash`: FNV-1a, mixed at the end, so that every bit of the result depends on every byte. */
 static inline uint64_t bead_fingerprint(uint64_t hash, const void *bytes, size_t size)
 {
     hash ^= 0xcbf29ce484222325u;
@@ -17,5 +16,3 @@ static inline uint64_t bead_fingerprint(uint64_t hash, const void *bytes, size_t
     hash = (hash ^ (hash >> 31)) * 0xbf58476d1ce4e5b9u;
     return hash ^ (hash >> 29);
 }
-
-#endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets and tables, h5_read.c reads. */
-#include "beadreel/file.h"
+/* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets, h5_read.c reads. */
+#include "sim/base/file.h"
 #include "sim/base/h5_private.h"
 
 #include <errno.h>
@@ -55,7 +55,7 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
     return h5->error;
 }
 
-/* The new, empty file. Returns false where that failed. */
+/* Open the new file and empty it; false on failure. */
 static bool take_file(struct bead_h5 *h5)
 {
     h5->error = bead_file_open(h5->path, &h5->disk.file, NULL, h5->msg);
@@ -64,7 +64,7 @@ static bool take_file(struct bead_h5 *h5)
     return !h5->error;
 }
 
-/* Returns false where HDF5 is missing. */
+/* False if HDF5 is missing. */
 static bool load(struct bead_h5 *h5)
 {
     struct bead_message why;
@@ -95,18 +95,16 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
         bead_h5_disk_leave(&h5->disk);
 }
 
-/* Report a failed write, which HDF5 has not noticed. */
+/* Report a failed write, which the driver hides from HDF5. */
 static void check_disk(struct bead_h5 *h5)
 {
     if (h5->disk.error)
         bead_h5_fail(h5, false, "cannot be written: %s", strerror(h5->disk.error));
 }
 
-/* Links out of the file are not followed: an untrusted file must not refer to others. */
-static herr_t refuse_external(const char *file, const char *path, const char *target, const char *object, unsigned *flags,
-                              hid_t access, void *data)
+/* Follow no links out of the file: an untrusted file must not refer to others. */
+static herr_t refuse_external(const char *, const char *, const char *, const char *, unsigned *, hid_t, void *)
 {
-    (void)file, (void)path, (void)target, (void)object, (void)flags, (void)access, (void)data;
     return -1;
 }
 
@@ -135,7 +133,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg
         return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
-    /* Closing the file closes all that is open in it. A run still writing holds a lock; what it flushed may be read. */
+    /* Closing the file closes all objects in it. A run that is still writing holds a lock; data it has flushed may be read. */
     if (access_list < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0) {
         bead_h5_fail(h5, true, "cannot be opened");
         return;
@@ -148,8 +146,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg
         bead_h5_fail(h5, true, "damaged, or cut off");
 }
 
-/* As H5Fis_hdf5, but without starting the library for other files: the signature stands at the beginning, or at 512 bytes or a
- * power of two times as many. */
+/* Like H5Fis_hdf5, but without opening the library: the signature is at the beginning, or at 512 bytes times a power of two. */
 bool bead_h5_is(const char *path)
 {
     static const char signature[8] = "\211HDF\r\n\032\n";
@@ -207,7 +204,7 @@ hid_t bead_h5_text_type(size_t size, H5T_cset_t characters)
     return type;
 }
 
-/* The type of texts of `width` bytes each, `size` bytes in all. ASCII where they are: Octave's `load` stops at the first UTF-8. */
+/* The type of texts of `width` bytes each, `size` bytes in all: ASCII if possible, as Octave's `load` stops at the first UTF-8. */
 static hid_t type_of_texts(const char *texts, size_t size, size_t width)
 {
     H5T_cset_t characters = H5T_CSET_ASCII;
@@ -257,18 +254,24 @@ void bead_h5_put_text(struct bead_h5 *h5, hid_t object, const char *name, const 
     put(h5, object, name, type, type, 0, text);
 }
 
-/* Texts one after the other, each in `width` bytes; to be freed. */
-static char *pack_texts(struct bead_h5 *h5, const char *const *texts, size_t count, size_t *width)
+static const char *text_at(const char *const *first, size_t size, size_t index)
+{
+    const char *text = *(const char *const *)(const void *)((const char *)first + index * size);
+    return text ? text : "";
+}
+
+/* All texts in one block, each in `width` bytes; to be freed. */
+static char *pack_texts(struct bead_h5 *h5, const char *const *first, size_t size, size_t count, size_t *width)
 {
     *width = 1;
     for (size_t i = 0; i < count; i++)
-        if (strlen(texts[i]) + 1 > *width)
-            *width = strlen(texts[i]) + 1;
+        if (strlen(text_at(first, size, i)) + 1 > *width)
+            *width = strlen(text_at(first, size, i)) + 1;
     char *block = calloc(count ? count : 1, *width);
     if (!block)
         h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu names", h5->path, count);
     for (size_t i = 0; block && i < count; i++)
-        memcpy(block + i * *width, texts[i], strlen(texts[i]));
+        memcpy(block + i * *width, text_at(first, size, i), strlen(text_at(first, size, i)));
     return block;
 }
 
@@ -277,7 +280,7 @@ void bead_h5_put_texts(struct bead_h5 *h5, hid_t object, const char *name, const
     if (h5->error)
         return;
     size_t width;
-    char *block = pack_texts(h5, texts, count, &width);
+    char *block = pack_texts(h5, texts, sizeof *texts, count, &width);
     BEAD_H5_AUTO type = block ? type_of_texts(block, count * width, width) : -1;
     if (block)
         put(h5, object, name, type, type, count, block);
@@ -339,60 +342,97 @@ void bead_h5_attach(struct bead_h5 *h5, hid_t dataset, unsigned axis, hid_t scal
         bead_h5_fail(h5, true, "cannot attach a scale");
 }
 
-static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, hid_t type, hid_t memory,
-                       size_t count, const void *values)
+static hid_t stored_type(enum bead_h5_type type)
+{
+    return type == BEAD_H5_DOUBLE ? H5T_IEEE_F64LE : type == BEAD_H5_INT ? H5T_STD_I64LE : H5T_STD_U8LE;
+}
+
+hid_t bead_h5_memory_type(enum bead_h5_type type)
+{
+    return type == BEAD_H5_DOUBLE ? H5T_NATIVE_DOUBLE : type == BEAD_H5_INT ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT8;
+}
+
+hid_t bead_h5_space_apart(size_t size, size_t count)
+{
+    const hsize_t start = 0, apart = size / sizeof(double), numbers = count ? count : 1, all = (numbers - 1) * apart + 1;
+    hid_t space = H5Screate_simple(1, &all, NULL);
+    if (space >= 0 && H5Sselect_hyperslab(space, H5S_SELECT_SET, &start, &apart, &numbers, NULL) < 0)
+        bead_h5_release(&space);
+    return space;
+}
+
+/* A dataset that is written once; of rank 0 it is a scalar. */
+struct once {
+    const char *units;         /* NULL: none */
+    hid_t scales[2];           /* of the axes; -1: none */
+    hid_t type, memory, apart; /* in the file, in memory, and the places there */
+    int rank;
+    hsize_t size[2];
+};
+
+static void write_once(struct bead_h5 *h5, hid_t parent, const char *name, const struct once *once, const void *values)
 {
     BEAD_H5_QUIET;
-    BEAD_H5_AUTO space = vector_space(count);
+    BEAD_H5_AUTO space = once->rank ? H5Screate_simple(once->rank, once->size, NULL) : H5Screate(H5S_SCALAR);
     BEAD_H5_AUTO links = H5Pcreate(H5P_LINK_CREATE);
     BEAD_H5_AUTO layout = H5Pcreate(H5P_DATASET_CREATE);
     BEAD_H5_AUTO dataset = -1;
-    /* No time stamps: same scene, same bytes. */
+    /* No time stamps: the same scene gives the same bytes. */
     if (space >= 0 && links >= 0 && layout >= 0 && H5Pset_obj_track_times(layout, 0) >= 0 &&
         H5Pset_create_intermediate_group(links, 1) >= 0)
-        dataset = H5Dcreate2(parent, name, type, space, links, layout, H5P_DEFAULT);
-    if (dataset < 0 || H5Dwrite(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
+        dataset = H5Dcreate2(parent, name, once->type, space, links, layout, H5P_DEFAULT);
+    if (dataset < 0 || H5Dwrite(dataset, once->memory, once->apart, H5S_ALL, H5P_DEFAULT, values) < 0) {
         bead_h5_fail(h5, true, "cannot write %s", name);
         return;
     }
-    if (units)
-        bead_h5_put_text(h5, dataset, "units", units);
-    if (scale >= 0)
-        bead_h5_attach(h5, dataset, 0, scale);
+    if (once->units)
+        bead_h5_put_text(h5, dataset, "units", once->units);
+    for (unsigned axis = 0; axis < 2; axis++) {
+        if (once->scales[axis] >= 0)
+            bead_h5_attach(h5, dataset, axis, once->scales[axis]);
+    }
 }
 
-void bead_h5_write_doubles(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale, const double *values,
-                           size_t count)
+/* Texts of `width` bytes each; count 0: one, as a scalar. */
+static void write_block(struct bead_h5 *h5, hid_t parent, const char *name, const char *block, size_t width, size_t count)
+{
+    BEAD_H5_AUTO type = type_of_texts(block, (count ? count : 1) * width, width);
+    write_once(h5, parent, name, &(struct once){NULL, {-1, -1}, type, type, H5S_ALL, count > 0, {count}}, block);
+}
+
+void bead_h5_write_numbers(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, hid_t scale,
+                           enum bead_h5_type type, const void *first, size_t size, size_t count)
 {
     if (h5->error)
         return;
-    write_once(h5, parent, name, units, scale, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, count, values);
+    BEAD_H5_AUTO apart = bead_h5_space_apart(size, count);
+    const struct once once = {units, {scale, -1}, stored_type(type), bead_h5_memory_type(type), apart, count > 0, {count}};
+    write_once(h5, parent, name, &once, first);
 }
 
-void bead_h5_write_ints(struct bead_h5 *h5, hid_t parent, const char *name, hid_t scale, const int64_t *values, size_t count)
+void bead_h5_write_table(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, enum bead_h5_type type, size_t rows,
+                         size_t columns, const hid_t scales[2], const void *values)
 {
     if (h5->error)
         return;
-    write_once(h5, parent, name, NULL, scale, H5T_STD_I64LE, H5T_NATIVE_INT64, count, values);
+    const struct once once = {units, {scales[0], scales[1]}, stored_type(type), bead_h5_memory_type(type), H5S_ALL,
+                              2,     {rows, columns}};
+    write_once(h5, parent, name, &once, values);
 }
 
-void bead_h5_write_texts(struct bead_h5 *h5, hid_t parent, const char *name, hid_t scale, const char *const *texts, size_t count)
+void bead_h5_write_texts(struct bead_h5 *h5, hid_t parent, const char *name, const char *const *first, size_t size, size_t count)
 {
     if (h5->error)
         return;
     size_t width;
-    char *block = pack_texts(h5, texts, count, &width);
-    BEAD_H5_AUTO type = block ? type_of_texts(block, count * width, width) : -1;
+    char *block = pack_texts(h5, first, size, count, &width);
     if (block)
-        write_once(h5, parent, name, NULL, scale, type, type, count, block);
+        write_block(h5, parent, name, block, width, count);
     free(block);
 }
 
 void bead_h5_write_text(struct bead_h5 *h5, hid_t parent, const char *name, const char *text)
 {
-    if (h5->error)
-        return;
-    size_t size = strlen(text) + 1;
-    BEAD_H5_AUTO type = type_of_texts(text, size, size);
-    write_once(h5, parent, name, NULL, -1, type, type, 0, text);
+    if (!h5->error)
+        write_block(h5, parent, name, text, strlen(text) + 1, 0);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The HDF5 driver of h5_disk.h: holds changes of what was flushed until the next flush, and keeps what could not be written, so
- * that HDF5 itself never sees a failure. */
+/* The HDF5 driver of h5_disk.h: holds changes of flushed blocks until the next flush, and keeps unwritten bytes, so that HDF5 never
+ * sees a failure. */
 #include "sim/base/h5_disk.h"
 
 #include <errno.h>
@@ -21,24 +21,23 @@ struct kept {
 };
 
 struct disk {
-    H5FD_t public; /* HDF5 wants it first */
+    H5FD_t public; /* HDF5 requires it to be first */
     int file;
     haddr_t allocated, end; /* end of what HDF5 uses, and of the file */
-    haddr_t flushed;        /* what a reader of the flushed file may look at ends here */
+    haddr_t flushed;        /* end of the part that readers of the flushed file may read */
     struct bead_h5_disk *caller;
     struct kept *kept, **last; /* in the order of writing */
 };
 
-/* What an access list carries. */
+/* Carried by an access list. */
 struct info {
     struct bead_h5_disk *caller;
 };
 
-static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t most)
+static H5FD_t *disk_open(const char *, unsigned flags, hid_t access, haddr_t)
 {
-    (void)name, (void)most;
     const struct info *info = H5Pget_driver_info(access);
-    /* HDF5 may look first whether the file is there already: it is new. */
+    /* Not found without H5F_ACC_CREAT: HDF5 may first try to open an existing file. */
     if (!(flags & H5F_ACC_CREAT) || !info || info->caller->file < 0)
         return NULL;
     struct disk *disk = calloc(1, sizeof *disk);
@@ -51,35 +50,31 @@ static H5FD_t *disk_open(const char *name, unsigned flags, hid_t access, haddr_t
     return &disk->public;
 }
 
-static herr_t disk_query(const H5FD_t *public, unsigned long *flags)
+static herr_t disk_query(const H5FD_t *, unsigned long *flags)
 {
-    (void)public;
     if (flags)
         *flags =
             H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
     return 0;
 }
 
-static haddr_t disk_get_eoa(const H5FD_t *public, H5FD_mem_t type)
+static haddr_t disk_get_eoa(const H5FD_t *public, H5FD_mem_t)
 {
-    (void)type;
     return ((const struct disk *)public)->allocated;
 }
 
-static herr_t disk_set_eoa(H5FD_t *public, H5FD_mem_t type, haddr_t address)
+static herr_t disk_set_eoa(H5FD_t *public, H5FD_mem_t, haddr_t address)
 {
-    (void)type;
     ((struct disk *)public)->allocated = address;
     return 0;
 }
 
-static haddr_t disk_get_eof(const H5FD_t *public, H5FD_mem_t type)
+static haddr_t disk_get_eof(const H5FD_t *public, H5FD_mem_t)
 {
-    (void)type;
     return ((const struct disk *)public)->end;
 }
 
-/* Where [address, address + size) and the kept bytes meet: the number of bytes, and their offsets in either. */
+/* The overlap of [address, address + size) with the kept bytes: the number of bytes, and their offsets in both. */
 static size_t overlap(const struct kept *kept, haddr_t address, size_t size, size_t *in_kept, size_t *in_other)
 {
     haddr_t from = kept->address > address ? kept->address : address;
@@ -89,7 +84,7 @@ static size_t overlap(const struct kept *kept, haddr_t address, size_t size, siz
     return from < to ? (size_t)(to - from) : 0;
 }
 
-/* What is kept must not bring back what stood there before. Returns true if all of the new bytes are kept as `type` now. */
+/* Update the kept bytes, so that none is older than the new ones. Returns true if all new bytes are now kept as `type`. */
 static bool renew(const struct disk *disk, H5FD_mem_t type, haddr_t address, size_t size, const unsigned char *bytes)
 {
     bool whole = false;
@@ -135,9 +130,8 @@ static size_t put(struct disk *disk, haddr_t address, size_t size, const unsigne
     return size;
 }
 
-static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t address, size_t size, const void *bytes)
+static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t, haddr_t address, size_t size, const void *bytes)
 {
-    (void)transfer;
     struct disk *disk = (struct disk *)public;
     if (address + size > disk->end)
         disk->end = address + size;
@@ -146,14 +140,13 @@ static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_
     const bool held = type == H5FD_MEM_SUPER || (type != H5FD_MEM_DRAW && address < disk->flushed);
     if (held && keep(disk, type, address, size, bytes) == 0)
         return 0;
-    /* What there is no memory to hold is written at once: rather that than a failure that HDF5 sees. */
+    /* Without memory to hold it, write it at once, to spare HDF5 the failure. */
     size_t left = put(disk, address, size, bytes);
     return left > 0 ? keep(disk, type, address + (size - left), left, (const unsigned char *)bytes + (size - left)) : 0;
 }
 
-static herr_t disk_read(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t address, size_t size, void *bytes)
+static herr_t disk_read(H5FD_t *public, H5FD_mem_t, hid_t, haddr_t address, size_t size, void *bytes)
 {
-    (void)type, (void)transfer;
     struct disk *disk = (struct disk *)public;
     size_t got = 0;
     while (got < size) {
@@ -175,9 +168,8 @@ static herr_t disk_read(H5FD_t *public, H5FD_mem_t type, hid_t transfer, haddr_t
     return 0;
 }
 
-static herr_t disk_truncate(H5FD_t *public, hid_t transfer, hbool_t closing)
+static herr_t disk_truncate(H5FD_t *public, hid_t, hbool_t)
 {
-    (void)transfer, (void)closing;
     struct disk *disk = (struct disk *)public;
     if (disk->allocated == disk->end)
         return 0;
@@ -197,12 +189,10 @@ static void forget(struct disk *disk)
     disk->last = &disk->kept;
 }
 
-/* New blocks are in the file, and nothing there refers to them yet. Each of these steps leaves a file that can be read: the
- * superblock says how long it is, indices and groups learn of the new blocks, objects learn of the new indices and of their new
- * size. */
-static herr_t disk_flush(H5FD_t *public, hid_t transfer, hbool_t closing)
+/* New blocks are in the file already, but nothing refers to them. After each of these steps the file can be read: the superblock
+ * gets the new length, indices and groups refer to the new blocks, objects to the new indices and sizes. */
+static herr_t disk_flush(H5FD_t *public, hid_t, hbool_t)
 {
-    (void)transfer, (void)closing;
     struct disk *disk = (struct disk *)public;
     static const struct {
         H5FD_mem_t first, second;
@@ -212,7 +202,7 @@ static herr_t disk_flush(H5FD_t *public, hid_t transfer, hbool_t closing)
             if (kept->type == steps[i].first || kept->type == steps[i].second)
                 put(disk, kept->address, kept->size, kept->bytes);
     if (disk->caller->error)
-        return 0; /* all is kept: HDF5 may read it */
+        return 0; /* all bytes stay in memory, for HDF5 to read */
     forget(disk);
     disk->flushed = disk->allocated;
     return 0;

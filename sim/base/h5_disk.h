@@ -1,28 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An HDF5 driver for writing one plain file that never fails, and that can be read whenever its run is killed.
  *
- * A flush of HDF5's own writes its metadata by address: a run killed in between leaves indices that point beyond the end in the
- * superblock. So this driver writes new blocks at once, and holds changes of those that were flushed; a flush then writes these in
- * an order of which each step leaves a file as it was at this flush or at the one before.
+ * HDF5 flushes its metadata by address: a run killed meanwhile leaves indices that point beyond the end in the superblock. So this
+ * driver writes new blocks at once and holds changes of flushed blocks. A flush writes these in an order in which each step leaves
+ * the state of this flush, or of the one before, readable.
  *
- * When a write fails (a full disk, say), HDF5 1.10 tries again while it closes what is open, fails again, and crashes at
- * exit over the objects it then holds half closed. So this driver keeps the first error for its caller, keeps what
- * could not be written in memory, and lets HDF5 go on until its file is closed, and given up. */
-#ifndef BEADREEL_SIM_BASE_H5_DISK_H
-#define BEADREEL_SIM_BASE_H5_DISK_H
+ * When a write fails (on a full disk, say), HDF5 1.10 tries again while it closes its objects, fails again, and crashes at exit
+ * over objects that are half closed. So this driver keeps the first error for its caller and the unwritten bytes in memory, and
+ * lets HDF5 carry on until the file is closed and given up. */
+#pragma once
 
 #include <hdf5.h>
 
-/* What the driver shares with its caller; must outlive the file. */
+/* Shared by the driver and its caller; must outlive the file. */
 struct bead_h5_disk {
-    int file;  /* open for reading and writing; taken over (and set to -1) when HDF5 opens its file */
+    int file;  /* open for reading and writing; taken over, and set to -1, when HDF5 opens the file */
     int error; /* errno of the first failure, 0: none */
     hid_t driver;
 };
 
 /* Make `access` (a file access list) use the driver, which stays until bead_h5_disk_leave. Returns < 0 on failure. */
 herr_t bead_h5_disk_use(hid_t access, struct bead_h5_disk *disk);
-/* After the file is closed, and not before: HDF5 reads the driver's table once more when it has let go of it. */
+/* Only after the file is closed: HDF5 still reads the driver's table while it closes the file. */
 void bead_h5_disk_leave(struct bead_h5_disk *disk);
-
-#endif

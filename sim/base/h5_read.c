@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads HDF5 files that are not trusted: see h5.h. Trajectories and sweep files are read through it. */
+/* Reads HDF5 files that are not trusted, trajectories and files of sweeps: see h5.h. */
 #include "sim/base/h5_private.h"
 
 #include <stdlib.h>
@@ -15,7 +15,7 @@ bool bead_h5_has(struct bead_h5 *h5, const char *name)
     size_t length = strlen(name);
     if (access < 0 || length >= sizeof path)
         return false;
-    /* H5Lexists wants every group on the way to exist. */
+    /* H5Lexists requires all groups on the way. */
     for (size_t i = 1; i <= length; i++) {
         if (name[i] != '/' && name[i] != '\0')
             continue;
@@ -59,7 +59,7 @@ hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
     return open_object(h5, name, H5I_GROUP);
 }
 
-/* Data in external files are not read: an untrusted file must not refer to others. */
+/* Read no data in external files: an untrusted file must not refer to others. */
 hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
@@ -137,9 +137,9 @@ int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int6
     return value;
 }
 
-/* `memory` -1: texts of `size` bytes each. */
-static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class, hid_t memory, size_t size, void *values,
-                        size_t count)
+/* `memory` -1: texts of `size` bytes each. `apart`: the places in memory. */
+static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class, hid_t memory, size_t size, hid_t apart,
+                        void *values, size_t count)
 {
     if (h5->error)
         return;
@@ -153,27 +153,21 @@ static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class,
     BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
     if (!fits)
         bead_h5_fail(h5, false, "%s must have %zu values of the right kind", name, count);
-    else if (H5Dread(dataset, memory < 0 ? text : memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+    else if (H5Dread(dataset, memory < 0 ? text : memory, apart, H5S_ALL, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "%s cannot be read", name);
 }
 
-void bead_h5_read_doubles(struct bead_h5 *h5, const char *name, double *values, size_t count)
+void bead_h5_read_numbers(struct bead_h5 *h5, const char *name, enum bead_h5_type type, void *first, size_t size, size_t count)
 {
     if (h5->error)
         return;
-    read_vector(h5, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, values, count);
-}
-
-void bead_h5_read_ints(struct bead_h5 *h5, const char *name, int64_t *values, size_t count)
-{
-    if (h5->error)
-        return;
-    read_vector(h5, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, values, count);
+    BEAD_H5_AUTO apart = bead_h5_space_apart(size, count);
+    read_vector(h5, name, type == BEAD_H5_DOUBLE ? H5T_FLOAT : H5T_INTEGER, bead_h5_memory_type(type), 0, apart, first, count);
 }
 
 void bead_h5_read_texts(struct bead_h5 *h5, const char *name, struct bead_h5_text *texts, size_t count)
 {
-    read_vector(h5, name, H5T_STRING, -1, sizeof *texts, texts, count);
+    read_vector(h5, name, H5T_STRING, -1, sizeof *texts, H5S_ALL, texts, count);
     for (size_t i = 0; i < count; i++)
         texts[i].text[sizeof texts[i].text - 1] = '\0';
 }
@@ -193,7 +187,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
         bead_h5_fail(h5, false, "%s must be a text of at most %zu bytes", name, limit);
         return NULL;
     }
-    /* Read at its stored length if it ends with a NUL: to change the length of a text, HDF5 takes half a megabyte. */
+    /* Keep the stored length if the text ends with a NUL: HDF5 takes half a megabyte to change the length of a text. */
     BEAD_H5_AUTO memory = text_type_like(type, H5Tget_strpad(type) == H5T_STR_NULLTERM ? size : size + 1);
     char *text = calloc(1, size + 1);
     if (!text) {
@@ -208,7 +202,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
     return text;
 }
 
-/* Uncompressed chunks go straight from the file to their destination if HDF5 does not cache them. */
+/* Without HDF5's cache, uncompressed chunks are read straight into the caller's memory. */
 static hid_t without_cache(struct bead_h5 *h5, const char *name, hid_t dataset)
 {
     BEAD_H5_AUTO layout = dataset < 0 ? -1 : H5Dget_create_plist(dataset);
@@ -239,7 +233,7 @@ hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, 
                 H5Sget_simple_extent_dims(space, size, NULL) == rank;
     fits = fits && (rank < 2 || size[1] == columns) && (rank < 3 || size[2] == components) && size[0] <= SIZE_MAX;
     if (!fits) {
-        bead_h5_fail(h5, false, "%s has a wrong type or shape: floating-point [times]%s wanted", name,
+        bead_h5_fail(h5, false, "%s has a wrong type or shape; must be floating-point numbers [times]%s", name,
                      rank == 1   ? ""
                      : rank == 2 ? "[columns]"
                                  : "[beads][3]");
@@ -261,4 +255,24 @@ void bead_h5_read_rows(struct bead_h5 *h5, hid_t series, size_t first, size_t ro
     if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
         H5Dread(series, H5T_NATIVE_DOUBLE, memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "samples from %zu on cannot be read", first);
+}
+
+void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type type, size_t rows, size_t columns, void *values)
+{
+    if (h5->error)
+        return;
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
+    if (dataset < 0)
+        return;
+    hsize_t size[2] = {0, 0};
+    BEAD_H5_AUTO kind = H5Dget_type(dataset);
+    BEAD_H5_AUTO space = H5Dget_space(dataset);
+    const H5T_class_t class = type == BEAD_H5_DOUBLE ? H5T_FLOAT : H5T_INTEGER;
+    bool fits = type_is(kind, class) && space >= 0 && H5Sget_simple_extent_ndims(space) == 2 &&
+                H5Sget_simple_extent_dims(space, size, NULL) == 2 && size[0] == rows && size[1] == columns;
+    if (!fits)
+        bead_h5_fail(h5, false, "%s must have %zu x %zu values of the right kind", name, rows, columns);
+    else if (H5Dread(dataset, bead_h5_memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        bead_h5_fail(h5, true, "%s cannot be read", name);
 }

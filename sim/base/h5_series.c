@@ -1,22 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes growing datasets and whole tables: see h5.h. The trajectory sink streams its samples through these. */
+/* Writes growing datasets: see h5.h. The trajectory sink streams its samples through these. */
 #include "sim/base/h5_private.h"
 
-/* Wide rows are cut into chunks of this many columns, so that no chunk nears HDF5's limit of 4 GB. */
+/* Columns in a chunk, at most, so that no chunk nears HDF5's limit of 4 GB. */
 static const hsize_t widest_chunk = 1 << 20;
 
-static hid_t stored_type(enum bead_h5_type type)
-{
-    return type == BEAD_H5_DOUBLE ? H5T_IEEE_F64LE : type == BEAD_H5_INT ? H5T_STD_I64LE : H5T_STD_U8LE;
-}
-
-static hid_t memory_type(enum bead_h5_type type)
-{
-    return type == BEAD_H5_DOUBLE ? H5T_NATIVE_DOUBLE : type == BEAD_H5_INT ? H5T_NATIVE_INT64 : H5T_NATIVE_UINT8;
-}
-
-/* Give components that are never written a place, too: jsfive has nothing to read where a chunk is missing. Chunks come at the
- * end of the file, which grows by them without a write: these are zeros that take no room on most disks. */
+/* Allocate also the components that are never written, as jsfive cannot read missing chunks. They extend the file without a write:
+ * these zeros take no room on most disks. */
 static herr_t reserve_chunks(hid_t layout)
 {
     return H5Pset_alloc_time(layout, H5D_ALLOC_TIME_EARLY) < 0 ? -1 : H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER);
@@ -30,7 +20,7 @@ static hid_t series_layout(bool integer, size_t chunk_rows, size_t columns, int 
     hid_t layout = H5Pcreate(H5P_DATASET_CREATE);
     herr_t filled =
         integer ? H5Pset_fill_value(layout, H5T_NATIVE_INT64, &izero) : H5Pset_fill_value(layout, H5T_NATIVE_DOUBLE, &zero);
-    /* No time stamps: same scene, same bytes. */
+    /* No time stamps: the same scene gives the same bytes. */
     if (filled < 0 || H5Pset_obj_track_times(layout, 0) < 0 || H5Pset_chunk(layout, rank, chunk) < 0 ||
         (rank == 3 && reserve_chunks(layout) < 0))
         bead_h5_release(&layout);
@@ -82,7 +72,7 @@ void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, enum bead_h5_type type
     BEAD_H5_AUTO file_space = ok < 0 ? -1 : H5Dget_space(series);
     BEAD_H5_AUTO memory_space = H5Screate_simple(columns ? 2 : 1, count, NULL);
     if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
-        H5Dwrite(series, memory_type(type), memory_space, file_space, H5P_DEFAULT, values) < 0)
+        H5Dwrite(series, bead_h5_memory_type(type), memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "cannot write samples");
 }
 
@@ -93,51 +83,4 @@ void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *na
     BEAD_H5_QUIET;
     if (H5Olink(object, parent, name, H5P_DEFAULT, H5P_DEFAULT) < 0)
         bead_h5_fail(h5, true, "cannot link %s", name);
-}
-
-/* ---- tables, written and read whole ---- */
-
-void bead_h5_write_table(struct bead_h5 *h5, hid_t parent, const char *name, const char *units, enum bead_h5_type type, size_t rows,
-                         size_t columns, const hid_t scales[2], const void *values)
-{
-    if (h5->error)
-        return;
-    BEAD_H5_QUIET;
-    const hsize_t size[2] = {rows, columns};
-    BEAD_H5_AUTO space = H5Screate_simple(2, size, NULL);
-    BEAD_H5_AUTO layout = H5Pcreate(H5P_DATASET_CREATE);
-    BEAD_H5_AUTO dataset = -1;
-    /* No time stamps: same scene, same bytes. */
-    if (space >= 0 && layout >= 0 && H5Pset_obj_track_times(layout, 0) >= 0)
-        dataset = H5Dcreate2(parent, name, stored_type(type), space, H5P_DEFAULT, layout, H5P_DEFAULT);
-    if (dataset < 0 || H5Dwrite(dataset, memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
-        bead_h5_fail(h5, true, "cannot write %s", name);
-        return;
-    }
-    if (units)
-        bead_h5_put_text(h5, dataset, "units", units);
-    for (unsigned axis = 0; axis < 2; axis++) {
-        if (scales[axis] >= 0)
-            bead_h5_attach(h5, dataset, axis, scales[axis]);
-    }
-}
-
-void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type type, size_t rows, size_t columns, void *values)
-{
-    if (h5->error)
-        return;
-    BEAD_H5_QUIET;
-    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
-    if (dataset < 0)
-        return;
-    hsize_t size[2] = {0, 0};
-    BEAD_H5_AUTO kind = H5Dget_type(dataset);
-    BEAD_H5_AUTO space = H5Dget_space(dataset);
-    const H5T_class_t class = type == BEAD_H5_DOUBLE ? H5T_FLOAT : H5T_INTEGER;
-    bool fits = kind >= 0 && H5Tget_class(kind) == class && space >= 0 && H5Sget_simple_extent_ndims(space) == 2 &&
-                H5Sget_simple_extent_dims(space, size, NULL) == 2 && size[0] == rows && size[1] == columns;
-    if (!fits)
-        bead_h5_fail(h5, false, "%s must have %zu x %zu values of the right kind", name, rows, columns);
-    else if (H5Dread(dataset, memory_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-        bead_h5_fail(h5, true, "%s cannot be read", name);
 }

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How much memory is left, asked before large arrays are made. */
+/* Finds the memory that is left, before large arrays are allocated. */
 #include "sim/base/memory.h"
 
 #include <inttypes.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* What can be had without ending other programs: free and cached memory, and free swap. */
+/* Memory available without ending other programs: free and cached memory, and free swap. */
 static uint64_t machine_left(void)
 {
     FILE *file = fopen("/proc/meminfo", "re");

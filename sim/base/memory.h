@@ -1,21 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Is there room for what is about to be made? Where arrays are only touched later, the system ends the program instead of refusing
- * them. */
-#ifndef BEADREEL_SIM_BASE_MEMORY_H
-#define BEADREEL_SIM_BASE_MEMORY_H
+/* Memory: growing arrays and arrays of megabytes (in the header for both libraries), and a check of the memory that is left.
+ * Without the check, Linux grants arrays that do not fit, and kills the program when it fills them. */
+#pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
+#include <sys/mman.h>
 
 #include "beadreel/error.h"
 
-/* Bytes; less is not worth asking for. */
+/* Bytes; smaller arrays are not checked. */
 enum { BEAD_MEMORY_SMALL = 64 << 20 };
 
-/* Bytes that this process may still take: of the machine's memory and swap, and of its own limit (ulimit -v). UINT64_MAX: not
- * known. */
+/* Bytes that this process may still allocate, by the machine's memory and swap and by its own limit (ulimit -v). UINT64_MAX:
+ * unknown. */
 uint64_t bead_memory_left(void);
-/* `what` is the beginning of the message: "chain.yaml:3:1: chain: 100 beads". Up to BEAD_MEMORY_SMALL nothing is checked. Errors:
- * MEMORY. */
+/* `what` begins the message: "chain.yaml:3:1: chain: 100 beads". Up to BEAD_MEMORY_SMALL bytes pass unchecked. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_message *msg);
+/* Make room for `count` elements of `size` bytes, and some more, in an array that keeps its contents. False: out of memory. */
+static inline bool bead_memory_grow(void **array, size_t *room, size_t count, size_t size)
+{
+    if (count <= *room)
+        return true;
+    void *made = reallocarray(*array, count + count / 2 + 16, size);
+    if (!made)
+        return false;
+    *array = made;
+    *room = count + count / 2 + 16;
+    return true;
+}
 
-#endif
+/* For arrays of megabytes. Not cleared; free with free(). NULL: out of memory. From 768 kB on in huge pages, if the system has
+ * them: one page fault for 2 MB. */
+static inline void *bead_large_take(size_t bytes)
+{
+    const size_t page = 2 << 20;
+    if (bytes < page * 3 / 8 || bytes > SIZE_MAX - page)
+        return malloc(bytes ? bytes : 1);
+    bytes = (bytes + page - 1) / page * page;
+    void *memory = aligned_alloc(page, bytes);
+    if (memory)
+        madvise(memory, bytes, MADV_HUGEPAGE); /* if this fails, pages are small */
+    return memory;
+}

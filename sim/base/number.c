@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* 17 digits identify every double; a text of 15 or fewer survives the way there and back, so that %.15g is the shortest wherever
- * it reads back. Denormal numbers have fewer digits. */
+/* 17 digits identify every double. A text of up to 15 digits is unchanged by reading and printing it, so %.15g is the shortest text
+ * if it reads back. Denormal numbers have fewer digits. */
 enum { SURE = DBL_DIG, MOST = DBL_DECIMAL_DIG, ROOM = BEAD_NUMBER_ROOM };
 
-/* Add one to the last digit of "d.ddde-dd"; false where that carries past the first. */
+/* Add one to the last digit of "d.ddde-dd"; false if it carries past the first. */
 static bool bump(char *text)
 {
     char *digit = strchr(text, 'e');
@@ -28,8 +28,8 @@ static bool bump(char *text)
     return false;
 }
 
-/* Below a power of two the doubles are twice as dense as above it: the nearest text of 16 digits may lie below, next to another
- * double, where the next one up reads back. */
+/* Below a power of two the doubles are twice as dense as above it: the nearest text of 16 digits may lie below it and read back as
+ * another double, and the next text up as the power itself. */
 static bool next_up(char *text, double value)
 {
     int exponent;

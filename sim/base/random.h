@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random numbers: Philox4x32-10, which gives word `index` of a stream without the words before. */
-#ifndef BEADREEL_SIM_BASE_RANDOM_H
-#define BEADREEL_SIM_BASE_RANDOM_H
+/* Random numbers: Philox4x32-10, which gives word `index` of a stream without computing the words before it. */
+#pragma once
 
 #include <Random123/philox.h>
 #include <stddef.h>
@@ -16,10 +15,8 @@ static inline uint64_t bead_draw(uint64_t seed, uint64_t stream, uint64_t index)
     return (uint64_t)bits.v[0] | (uint64_t)bits.v[1] << 32;
 }
 
-/* Uniform on 0..count-1, to 2^-64 count: the high word of the product. */
+/* Uniform on 0..count-1, with an error of 2^-64 count: the high word of the product. */
 static inline size_t bead_draw_below(uint64_t seed, uint64_t stream, uint64_t index, size_t count)
 {
     return (size_t)(((unsigned __int128)bead_draw(seed, stream, index) * count) >> 64);
 }
-
-#endif

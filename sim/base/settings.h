@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Structures of settings that callers fill in (api.h): taken over member by member as far as the caller's own header had them. */
-#ifndef BEADREEL_SIM_BASE_SETTINGS_H
-#define BEADREEL_SIM_BASE_SETTINGS_H
+/* Structures of settings that callers fill in (api.h): copied up to the last member that the caller's header had. */
+#pragma once
 
 #include <stddef.h>
 #include <string.h>
 
 #include "beadreel/error.h"
 
-/* Size of the oldest structure that is understood: up to its member `last`, without which it says nothing. */
+/* Size of the shortest structure accepted: up to its member `last`. */
 #define BEAD_SETTINGS_UP_TO(type, last) (offsetof(type, last) + sizeof(((type *)0)->last))
 
-/* `given` into `own`, which has `size` bytes; the rest is 0, which means the default. Both begin with their size. Errors: USAGE. */
+/* Copy `given` into `own`, which has `size` bytes; the rest is 0, the default. Both begin with their size. Errors: USAGE. */
 BEAD_CHECK static inline enum bead_error bead_settings_take(void *own, size_t size, size_t least, const void *given,
                                                             const char *name, struct bead_message *msg)
 {
@@ -19,7 +18,7 @@ BEAD_CHECK static inline enum bead_error bead_settings_take(void *own, size_t si
     memcpy(&taken, given, sizeof taken);
     if (taken < least || taken > size || taken % sizeof(void *) != 0)
         return bead_fail(msg, BEAD_ERROR_USAGE,
-                         "struct %s: its size is given as %zu; this library (%s) knows %zu, and smaller ones from %zu on; "
+                         "struct %s: its size is given as %zu; this library (%s) accepts %zu, and smaller sizes from %zu on; "
                          "begin with BEAD_DEFAULT",
                          name, taken, bead_version(), size, least);
     memset(own, 0, size);
@@ -27,5 +26,3 @@ BEAD_CHECK static inline enum bead_error bead_settings_take(void *own, size_t si
     memcpy(own, &size, sizeof size);
     return BEAD_OK;
 }
-
-#endif

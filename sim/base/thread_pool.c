@@ -2,7 +2,6 @@
 /* A pool of threads for independent jobs (chains of a scene or a sweep). Each run starts and joins its own threads. */
 #include "sim/base/thread_pool.h"
 
-#include <pthread.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdint.h>
@@ -20,13 +19,13 @@ struct worker {
     struct pool *pool;
     bool calling;
     pthread_t thread;
-    /* Jobs ascend within a thread, and it stops at its first error, so a thread has at most one. */
+    /* A thread stops at its first error, so it has at most one. */
     enum bead_error error;
     size_t failed_at;
     struct bead_message message;
 };
 
-/* Jobs begin in ascending order, so the lowest one that fails is always among those found. */
+/* Jobs begin in ascending order, so the failing job with the lowest index is always among those begun. */
 static void *work(void *context)
 {
     struct worker *w = context;
@@ -43,18 +42,16 @@ static void *work(void *context)
     return NULL;
 }
 
-/* Signals are for the program's own threads. Returns how many could be started. */
-static size_t pool_start(struct worker *worker, size_t count)
+int bead_thread_start(pthread_t *thread, void *(*function)(void *context), void *context)
 {
     sigset_t all, before;
-    size_t started = 0;
     sigfillset(&all);
-    if (count == 0 || pthread_sigmask(SIG_SETMASK, &all, &before))
-        return 0;
-    while (started < count && pthread_create(&worker[started].thread, NULL, work, &worker[started]) == 0)
-        started++;
+    int failed = pthread_sigmask(SIG_SETMASK, &all, &before);
+    if (failed)
+        return failed;
+    failed = pthread_create(thread, NULL, function, context);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return started;
+    return failed;
 }
 
 enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool_job job, void *context, struct bead_message *msg)
@@ -65,7 +62,9 @@ enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool
     struct worker *worker = others > 0 ? calloc(others, sizeof *worker) : NULL;
     for (size_t i = 0; worker && i < others; i++)
         worker[i].pool = &pool;
-    size_t started = worker ? pool_start(worker, others) : 0;
+    size_t started = 0;
+    while (worker && started < others && bead_thread_start(&worker[started].thread, work, &worker[started]) == 0)
+        started++;
     work(&self);
     const struct worker *lowest = self.error ? &self : NULL;
     for (size_t i = 0; i < started; i++) {

@@ -12,61 +12,42 @@
 
 #include "sim/base/yaml.h"
 
-/* The usual units, so that UDUNITS-2 (5 ms to read its tables) is seldom needed: value in SI = number * factor * 10^power. */
-static const struct usual {
+/* The usual units, so that UDUNITS-2, which needs 5 ms to read its tables, is rarely needed: value in SI = number * factor *
+ * 10^power. */
+struct usual {
     const char *unit, *si;
     int power;
     double factor;
-} usual[] = {
-    {"s", "s", 0, 1},
-    {"ms", "s", -3, 1},
-    {"us", "s", -6, 1},
-    {"\u00b5s", "s", -6, 1},
-    {"\u03bcs", "s", -6, 1},
-    {"ns", "s", -9, 1},
-    {"m", "m", 0, 1},
-    {"cm", "m", -2, 1},
-    {"mm", "m", -3, 1},
-    {"um", "m", -6, 1},
-    {"\u00b5m", "m", -6, 1},
-    {"\u03bcm", "m", -6, 1},
-    {"nm", "m", -9, 1},
-    {"m/s", "m/s", 0, 1},
-    {"cm/s", "m/s", -2, 1},
-    {"mm/s", "m/s", -3, 1},
-    {"um/s", "m/s", -6, 1},
-    {"km/s", "m/s", 3, 1},
-    {"kg", "kg", 0, 1},
-    {"g", "kg", -3, 1},
-    {"mg", "kg", -6, 1},
-    {"kg/m3", "kg/m3", 0, 1},
-    {"kg/m^3", "kg/m3", 0, 1},
-    {"g/cm3", "kg/m3", 3, 1},
-    {"g/cm^3", "kg/m3", 3, 1},
-    {"Pa", "Pa", 0, 1},
-    {"kPa", "Pa", 3, 1},
-    {"MPa", "Pa", 6, 1},
-    {"GPa", "Pa", 9, 1},
-    {"N", "N", 0, 1},
-    {"kN", "N", 3, 1},
-    {"mN", "N", -3, 1},
-    {"uN", "N", -6, 1},
-    {"N/m", "N/m", 0, 1},
-    {"J", "J", 0, 1},
-    {"mJ", "J", -3, 1},
-    {"uJ", "J", -6, 1},
-    {"nJ", "J", -9, 1},
-    {"rad", "rad", 0, 1},
-    {"deg", "rad", 0, 0.017453292519943295},
-    {"\u00b0", "rad", 0, 0.017453292519943295},
-    {"1/m", "1/m", 0, 1},
-    {"%", "1", -2, 1},
+    bool prefixed; /* decimal prefixes are allowed */
 };
+static const struct usual usual[] = {
+    {"s", "s", 0, 1, true},
+    {"m", "m", 0, 1, true},
+    {"m/s", "m/s", 0, 1, true},
+    {"g", "kg", -3, 1, true},
+    {"Pa", "Pa", 0, 1, true},
+    {"N", "N", 0, 1, true},
+    {"J", "J", 0, 1, true},
+    {"kg/m3", "kg/m3", 0, 1, false},
+    {"kg/m^3", "kg/m3", 0, 1, false},
+    {"g/cm3", "kg/m3", 3, 1, false},
+    {"g/cm^3", "kg/m3", 3, 1, false},
+    {"N/m", "N/m", 0, 1, false},
+    {"rad", "rad", 0, 1, false},
+    {"deg", "rad", 0, 0.017453292519943295, false},
+    {"\u00b0", "rad", 0, 0.017453292519943295, false},
+    {"1/m", "1/m", 0, 1, false},
+    {"%", "1", -2, 1, false},
+};
+static const struct {
+    const char *text;
+    int power;
+} prefixes[] = {{"", 0}, {"n", -9}, {"u", -6}, {"\u00b5", -6}, {"\u03bc", -6}, {"m", -3}, {"c", -2}, {"k", 3}, {"M", 6}, {"G", 9}};
 
 enum { LONGEST = 128 }; /* of a number with its unit */
 
 struct bead_units {
-    locale_t c;        /* a point is a point, whatever the user's language */
+    locale_t c;        /* a decimal point, whatever the user's language */
     ut_system *system; /* NULL until needed */
     bool failed;       /* UDUNITS-2 has no tables here */
 };
@@ -91,7 +72,7 @@ void bead_units_free(struct bead_units *units)
     free(units);
 }
 
-/* Length of the decimal number that `text` begins with, 0 where there is none; hexadecimal, inf and nan are none. */
+/* Length of the decimal number that `text` begins with, 0: none. Hexadecimal numbers, inf and nan do not count. */
 static size_t number_length(const char *text)
 {
     const char *at = text + (*text == '+' || *text == '-');
@@ -115,17 +96,22 @@ static double shifted(const struct bead_units *units, const char *text, size_t l
     size_t mantissa = strcspn(text, "eE");
     mantissa = mantissa < length ? mantissa : length;
     long exponent = mantissa < length ? strtol(text + mantissa + 1, NULL, 10) : 0;
-    /* Beyond this the number is 0 or infinite anyway. */
+    /* Beyond this the number is 0 or infinite. */
     exponent = exponent > 100000 ? 100000 : exponent < -100000 ? -100000 : exponent;
     snprintf(moved, sizeof moved, "%.*se%ld", (int)mantissa, text, exponent + power);
     return strtod_l(moved, NULL, units->c);
 }
 
-static const struct usual *find_usual(const char *unit)
+/* A usual unit, and its power with the prefix. */
+static const struct usual *find_usual(const char *unit, int *power)
 {
     for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) {
-        if (strcmp(usual[i].unit, unit) == 0)
-            return &usual[i];
+        for (size_t k = 0; k < (usual[i].prefixed ? sizeof prefixes / sizeof *prefixes : 1); k++) {
+            size_t length = strlen(prefixes[k].text);
+            *power = usual[i].power + prefixes[k].power;
+            if (strncmp(unit, prefixes[k].text, length) == 0 && strcmp(unit + length, usual[i].unit) == 0)
+                return &usual[i];
+        }
     }
     return NULL;
 }
@@ -140,29 +126,26 @@ static bool read_tables(struct bead_units *units)
     return units->system != NULL;
 }
 
-/* A factor that is a power of ten but for rounding. */
+/* Is a factor a power of ten, within rounding errors? */
 static bool is_power_of_ten(double factor, int *power)
 {
     *power = factor > 0 ? (int)lrint(log10(factor)) : 0;
     return factor > 0 && fabs(factor / pow(10, *power) - 1) < 1e-13;
 }
 
-/* Ask UDUNITS-2 for the factor from `unit` to `si`; false: not convertible. Offsets (celsius) and logarithms are not wanted. */
+/* Ask UDUNITS-2 for the factor from `unit` to `si`; false: not convertible. Units with an offset (celsius) or a logarithm are
+ * rejected. */
 static bool convert(struct bead_units *units, const char *unit, const char *si, double *factor, const char **why)
 {
     ut_unit *from = ut_parse(units->system, unit, UT_UTF8), *to = ut_parse(units->system, si, UT_UTF8);
     cv_converter *converter = from && to ? ut_get_converter(from, to) : NULL;
-    *why = from ? "is not in a unit of" : "has a unit that is not known; must be a unit of";
+    *why = from ? "is not in a unit of" : "has an unknown unit; must be a unit of";
+    bool good = false;
     if (converter) {
         *factor = cv_convert_double(converter, 1);
-        if (cv_convert_double(converter, 0) != 0 || cv_convert_double(converter, 2) != 2 * *factor || !isfinite(*factor)) {
-            cv_free(converter);
-            converter = NULL;
-        }
-    }
-    bool good = converter != NULL;
-    if (converter)
+        good = cv_convert_double(converter, 0) == 0 && cv_convert_double(converter, 2) == 2 * *factor && isfinite(*factor);
         cv_free(converter);
+    }
     if (from)
         ut_free(from);
     if (to)
@@ -181,24 +164,23 @@ static enum bead_error wrong(char *why, size_t size, const char *text, const cha
 static enum bead_error read_with_unit(struct bead_units *units, const char *text, size_t length, const char *unit, const char *si,
                                       double *value, char *why, size_t size)
 {
-    const struct usual *known = find_usual(unit);
+    int power = 0;
+    const struct usual *known = find_usual(unit, &power);
     const char *what = "is not in a unit of";
     double factor = 1;
-    int power = 0;
     if (!si)
         return wrong(why, size, text, "has a unit, but must be a plain number", NULL);
     if (known && strcmp(known->si, si) == 0) {
-        *value = shifted(units, text, length, known->power) * known->factor;
+        *value = shifted(units, text, length, power) * known->factor;
         return BEAD_OK;
     }
     if (known)
         return wrong(why, size, text, what, si);
-    /* UDUNITS-2 would take "5" for a unit, and dates as well. */
+    /* UDUNITS-2 would accept "5" as a unit, and dates, too. */
     if ((strchr("0123456789+-.", *unit) && strncmp(unit, "1/", 2) != 0) || strchr(unit, '@'))
         return wrong(why, size, text, "is not a number with a unit of", si);
     if (!read_tables(units))
-        return wrong(why, size, text, "has a unit that is not known (the tables of UDUNITS-2 cannot be read); must be a unit of",
-                     si);
+        return wrong(why, size, text, "has an unknown unit (the tables of UDUNITS-2 cannot be read); must be a unit of", si);
     if (!convert(units, unit, si, &factor, &what))
         return wrong(why, size, text, what, si);
     *value = is_power_of_ten(factor, &power) ? shifted(units, text, length, power) : shifted(units, text, length, 0) * factor;

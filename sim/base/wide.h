@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Arithmetic with 113 bits, IEEE binary128: the same bits on every processor and from every C library, which neither `long double`
- * nor the functions of double have (x86-64 has 64 bits in the one; the others depend on whether the processor multiplies and adds
- * at once). In software: some 20 ns an operation, 1 us a function. */
-#ifndef BEADREEL_SIM_BASE_WIDE_H
-#define BEADREEL_SIM_BASE_WIDE_H
+/* Arithmetic with 113 bits, IEEE binary128: it gives the same bits on every processor and with every C library. `long double` does
+ * not (it has 64 bits on x86-64), nor do the functions of double (they depend on fused multiply-adds). In software: about 20 ns for
+ * an operation, 1 us for a function. */
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -14,7 +13,7 @@ typedef long double bead_wide;
 #else
 typedef __float128 bead_wide;
 #define BEAD_WIDE_NAME(function) function##f128
-/* As in the C library (glibc >= 2.26); its header shows them to GCC only. */
+/* From the C library (glibc >= 2.26), whose header declares them for GCC only. */
 bead_wide sinf128(bead_wide x);
 bead_wide cosf128(bead_wide x);
 bead_wide expf128(bead_wide x);
@@ -58,7 +57,7 @@ static inline double bead_sech2(double x)
     return (double)(4 * e / ((1 + e) * (1 + e)));
 }
 
-/* A point that goes around the unit circle. */
+/* A point on the unit circle. */
 struct bead_turn {
     bead_wide re, im;
 };
@@ -72,5 +71,3 @@ static inline struct bead_turn bead_turn_on(struct bead_turn a, struct bead_turn
 {
     return (struct bead_turn){a.re * b.re - a.im * b.im, a.im * b.re + a.re * b.im};
 }
-
-#endif

@@ -8,20 +8,20 @@
 
 #include "sim/base/yaml_private.h"
 
-/* What a parse carries along. */
+/* The state of a parse. */
 struct builder {
     struct bead_yaml *yaml;
     yaml_parser_t *parser;
     const char *text;
     size_t length;
-    struct bead_place origin; /* of a piece: the place of its first character; 0: a whole text */
+    struct bead_place origin; /* of a piece: the place of its first character; 0: a whole document */
     struct bead_message *msg;
     size_t depth;
     struct bead_node *open[BEAD_YAML_DEPTH];
     struct bead_node *root;
     size_t anchor_count;
     struct {
-        char *name; /* owned by the document */
+        const char *name; /* owned by the document */
         const struct bead_node *node;
     } * anchors;
 };
@@ -56,14 +56,14 @@ static enum bead_error out_of_memory(const struct builder *b)
 static enum bead_error no_node(const struct builder *b, yaml_mark_t mark)
 {
     if (b->yaml->nodes >= BEAD_YAML_NODES)
-        return wrong(b, mark, "there are too many entries: at most 200000 are allowed, aliases copied out");
+        return wrong(b, mark, "there are too many entries; at most 200000 are allowed, counting aliases as copies");
     return out_of_memory(b);
 }
 
-/* The usual cause of libyaml's complaints. */
+/* The usual cause of an error of libyaml. */
 static const char *hint(const char *problem)
 {
-    static const char quotes[] = "; a text with a colon, comma or bracket in it stands in \"quotes\"";
+    static const char quotes[] = "; a text with a colon, comma or bracket in it must be in \"quotes\"";
     static const struct {
         const char *problem, *hint;
     } hints[] = {
@@ -72,7 +72,7 @@ static const char *hint(const char *problem)
         {"did not find expected ',' or '}'", quotes},
         {"did not find expected ',' or ']'", quotes},
         {"mapping values are not allowed in this context",
-         "; is a colon missing in the line before? A text with a colon in it stands in \"quotes\""},
+         "; is a colon missing in the line before? A text with a colon in it must be in \"quotes\""},
         {"could not find expected ':'", "; a key ends with a colon and a space: is one missing here, or in the line before?"},
     };
     for (size_t i = 0; problem && i < sizeof hints / sizeof hints[0]; i++) {
@@ -82,7 +82,7 @@ static const char *hint(const char *problem)
     return "";
 }
 
-/* libyaml's own complaint. Its reader knows bytes only, and counts them wrongly behind a bad one: count lines here. */
+/* An error of libyaml. Its reader gives a byte offset only, so lines are counted here. */
 static enum bead_error parser_wrong(const struct builder *b)
 {
     const yaml_parser_t *parser = b->parser;
@@ -109,14 +109,14 @@ static enum bead_error check_key(const struct builder *b, const struct bead_node
     if (key->kind != BEAD_NODE_SCALAR)
         return wrong(b, mark, "a key must be a word, not a list or a map");
     if (map->count / 2 >= BEAD_YAML_PAIRS)
-        return wrong(b, mark, "there are too many keys in one map: at most 1000 are allowed");
+        return wrong(b, mark, "there are too many keys in one map; at most 1000 are allowed");
     if (!bead_node_get(map, key->text, NULL))
         return BEAD_OK;
     snprintf(what, sizeof what, "%s: is given twice; give it once", bead_text_show(key->text, shown, sizeof shown));
     return wrong(b, mark, what);
 }
 
-/* Put a finished or opened node where it belongs. */
+/* Add a finished or opened node to its parent. */
 static enum bead_error place_node(struct builder *b, struct bead_node *node, yaml_mark_t mark)
 {
     if (b->depth == 0) {
@@ -137,14 +137,12 @@ static enum bead_error remember(struct builder *b, const yaml_char_t *anchor, co
     if (!anchor)
         return BEAD_OK;
     if (b->anchor_count >= BEAD_YAML_ANCHORS)
-        return wrong(b, mark, "there are too many anchors: at most 1000 are allowed");
+        return wrong(b, mark, "there are too many anchors; at most 1000 are allowed");
     if (!b->anchors && !(b->anchors = bead_yaml_take(b->yaml, BEAD_YAML_ANCHORS * sizeof *b->anchors)))
         return out_of_memory(b);
-    size_t length = strlen((const char *)anchor);
-    char *name = bead_yaml_take(b->yaml, length + 1);
+    const char *name = bead_yaml_text(b->yaml, (const char *)anchor, strlen((const char *)anchor));
     if (!name)
         return out_of_memory(b);
-    memcpy(name, anchor, length);
     b->anchors[b->anchor_count].name = name;
     b->anchors[b->anchor_count++].node = node;
     return BEAD_OK;
@@ -162,7 +160,7 @@ static enum bead_error take_alias(struct builder *b, const yaml_event_t *event)
             return wrong(b, event->start_mark, "this alias contains itself");
     }
     if (b->depth + bead_yaml_height(target) > BEAD_YAML_DEPTH)
-        return wrong(b, event->start_mark, "nested too deeply: at most 32 levels are allowed");
+        return wrong(b, event->start_mark, "nested too deeply; at most 32 levels are allowed");
     struct bead_node *node = bead_yaml_copy(b->yaml, target, place_of(b, event->start_mark), NULL);
     return node ? place_node(b, node, event->start_mark) : no_node(b, event->start_mark);
 }
@@ -186,7 +184,7 @@ static enum bead_error take_scalar(struct builder *b, const yaml_event_t *event)
 static enum bead_error open_node(struct builder *b, const yaml_event_t *event, enum bead_node_kind kind)
 {
     if (b->depth >= BEAD_YAML_DEPTH)
-        return wrong(b, event->start_mark, "nested too deeply: at most 32 levels are allowed");
+        return wrong(b, event->start_mark, "nested too deeply; at most 32 levels are allowed");
     struct bead_node *node = bead_yaml_node(b->yaml, kind, place_of(b, event->start_mark));
     if (!node)
         return no_node(b, event->start_mark);
@@ -205,7 +203,7 @@ static enum bead_error take_event(struct builder *b, const yaml_event_t *event)
 {
     switch (event->type) {
     case YAML_DOCUMENT_START_EVENT:
-        return b->root ? wrong(b, event->start_mark, "only one document is allowed, not a second one after `---`") : BEAD_OK;
+        return b->root ? wrong(b, event->start_mark, "only one document is allowed; a second one begins after `---`") : BEAD_OK;
     case YAML_ALIAS_EVENT:
         return take_alias(b, event);
     case YAML_SCALAR_EVENT:
@@ -237,14 +235,14 @@ static enum bead_error take_events(struct builder *b)
     return err;
 }
 
-/* Parse `text` into nodes of `yaml`; *root is NULL where it holds no node. */
+/* Parse `text` into nodes of `yaml`; *root is NULL if it holds no node. */
 static enum bead_error build(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place origin,
                              struct bead_node **root, struct bead_message *msg)
 {
     yaml_parser_t parser;
     struct builder b = {.yaml = yaml, .parser = &parser, .text = text, .length = length, .origin = origin, .msg = msg};
     if (length > BEAD_YAML_BYTES)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is too long: at most 4 MiB are allowed", file_name(&b));
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is too long; at most 4 MiB are allowed", file_name(&b));
     if (!yaml_parser_initialize(&parser))
         return out_of_memory(&b);
     yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
@@ -284,7 +282,7 @@ enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *text, size_t
     yaml->origin = before ? before : "--set";
     enum bead_error err = build(yaml, text, length, place, node, msg);
     if (!err && !*node && (*node = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place))) {
-        /* Nothing, or what YAML takes for a comment: a colour such as #aabbcc. */
+        /* An empty text, or one that YAML takes for a comment: a colour such as #aabbcc. */
         (*node)->text = bead_yaml_text(yaml, text, length);
         (*node)->plain = length == 0;
     }

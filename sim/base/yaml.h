@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* YAML documents as trees of nodes that know where they stand.
+/* YAML documents as trees of nodes that know their line and column.
  *
- * Read with libyaml, event by event, so that size, depth and number of nodes are bounded before memory is
- * taken; aliases are copied out, so that a setting changes one place only. Nodes belong to the document. */
-#ifndef BEADREEL_SIM_BASE_YAML_H
-#define BEADREEL_SIM_BASE_YAML_H
+ * Read with libyaml, event by event, so that size, depth and number of nodes are checked before memory is allocated. Aliases are
+ * replaced by copies, so that an override changes one place only. Nodes belong to the document. */
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,8 +26,8 @@ struct bead_node {
     enum bead_node_kind kind;
     bool plain;               /* scalar without quotes */
     bool flow;                /* list or map in brackets */
-    const char *origin;       /* NULL: the file; else the option of the command line that it comes from */
-    struct bead_place place;  /* of a setting: its number and the column in it */
+    const char *origin;       /* NULL: the file; else the command line option that set it */
+    struct bead_place place;  /* of an override: its number and the column in it */
     const char *text;         /* scalar, without NUL bytes */
     struct bead_node **items; /* list: elements; map: key, value, key, value, ... */
     size_t count;             /* of items: two a pair */
@@ -36,7 +35,7 @@ struct bead_node {
 
 struct bead_yaml;
 
-/* Parse the one document of `text`; `name` stands for the file in messages. An empty text is an error.
+/* Parse the one document of `text`; messages call the file `name`. An empty text is an error.
  * On failure *yaml is NULL. Errors: SCENE (`name:line:column: ...`), MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_parse(const char *name, const char *text, size_t length, struct bead_yaml **yaml,
                                            struct bead_message *msg);
@@ -45,32 +44,35 @@ struct bead_node *bead_yaml_root(const struct bead_yaml *yaml);
 /* `name` for messages about a node: that of the file, or of the option. */
 const char *bead_yaml_name(const struct bead_yaml *yaml, const struct bead_node *node);
 
-/* Parse a piece of text into a node of this document; its place counts from `place` and its origin is --set, where the document has
- * no other one now. */
+/* Parse a piece of text into a node of this document; its place counts from `place`, and its origin is --set unless the document
+ * has another one now. */
 BEAD_CHECK enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place,
                                            struct bead_node **node, struct bead_message *msg);
-/* Apply setting number `number` (from 1), `key.path=value`. One that another option than --set stands for names it:
- * `--colormap:outputs.0.colormap=grey`, and its columns are those of the value. Elements of lists are named by index, by `+`
- * (append), or by the value of one of the keys `naming` (NULL behind the last). Errors: SCENE (`--set:number:column: ...`), MEMORY.
- */
-BEAD_CHECK enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
+/* Lay one override over the document. Elements of lists are named by index, by `+` (append), or by the value of one of the keys
+ * `naming` (NULL after the last). Errors: SCENE (`--set:number:column: ...`), MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct bead_override *override, const char *const *naming,
                                          struct bead_message *msg);
-/* Write the document as text, to be freed with free(). Errors: MEMORY. */
-BEAD_CHECK enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, char **text, struct bead_message *msg);
+/* A document with a copy of the tree. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_duplicate(const struct bead_yaml *yaml, struct bead_yaml **made, struct bead_message *msg);
+/* Write a node of the document as text, to be freed with free(). Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, const struct bead_node *node, char **text,
+                                          struct bead_message *msg);
 
-/* Value of a key of a map, NULL where it has none; `key_node` (may be NULL) gets the key's node. */
+/* Value of a key of a map, NULL if it has none; `key_node` (may be NULL) gets the key's node. */
 struct bead_node *bead_node_get(const struct bead_node *map, const char *key, struct bead_node **key_node);
 /* "a map", "a list", "`text`" (shortened, in one line): for messages; returns `shown`. */
 const char *bead_node_show(const struct bead_node *node, char *shown, size_t size);
-/* Any text as `shown` in a message: one line, shortened. */
+/* Any text for a message: one line, shortened; returns `shown`. */
 const char *bead_text_show(const char *text, char *shown, size_t size);
 
-/* Make parts of trees; NULL where memory or the allowed number of nodes is used up. */
+/* Make parts of trees; NULL if out of memory, or if the document has the largest number of nodes. */
 struct bead_node *bead_yaml_node(struct bead_yaml *yaml, enum bead_node_kind kind, struct bead_place place);
 const char *bead_yaml_text(struct bead_yaml *yaml, const char *text, size_t length);
-/* A deep copy of a node, which may be another document's; its depth is bounded. `origin`: of the nodes made, the document's own;
- * NULL: as of all that are made now. */
+struct bead_node *bead_yaml_scalar(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place);
+/* A deep copy of a node, which may be another document's; its depth is bounded. `origin`: of the copies, owned by the document;
+ * NULL: that of each node. */
 struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node *node, struct bead_place place, const char *origin);
+/* A key, of `length` bytes, with its value (NULL: false) at the end of a map. */
+BEAD_CHECK bool bead_yaml_put(struct bead_yaml *yaml, struct bead_node *map, const char *key, size_t length,
+                              struct bead_node *value);
 BEAD_CHECK bool bead_yaml_append(struct bead_yaml *yaml, struct bead_node *parent, struct bead_node *item);
-
-#endif

@@ -1,28 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Settings of the command line: `key.path=value` changes a tree before it is read. */
+/* Lays overrides of the command line over a tree before it is read. */
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sim/base/yaml_private.h"
 
-static const char set[] = "--set";
-
-/* One setting being applied. */
+/* One override being laid. */
 struct edit {
     struct bead_yaml *yaml;
-    const char *setting; /* the whole, without its option */
-    const char *origin;  /* "--set" */
-    size_t number;
-    const char *const *naming; /* keys by the values of which elements of lists are named; NULL behind the last */
+    const struct bead_override *override;
+    const char *const *naming; /* keys whose values name elements of lists; NULL after the last */
     struct bead_message *msg;
 };
 
-/* Of --set the column of the setting, of other options that of their value. */
+static const char *end_of(const char *text)
+{
+    return text + strcspn(text, "=");
+}
+
+/* The column of a part of the path: in `path=value` if the value's column leaves room for the path before it, else 1. */
 static size_t column_of(const struct edit *e, const char *at)
 {
-    const char *value = strchr(e->setting, '=') + 1, *from = strcmp(e->origin, set) == 0 ? e->setting : value;
-    return at > from ? (size_t)(at - from) + 1 : 1;
+    const struct bead_override *o = e->override;
+    const size_t length = (size_t)(end_of(o->path) - o->path) + 1;
+    return o->place.column > length && at > o->path ? o->place.column - length + (size_t)(at - o->path) : 1;
 }
 
 static enum bead_error wrong(const struct edit *e, const char *at, const char *format, ...) BEAD_PRINTF(3, 4);
@@ -33,16 +36,18 @@ static enum bead_error wrong(const struct edit *e, const char *at, const char *f
     va_start(values, format);
     vsnprintf(what, sizeof what, format, values);
     va_end(values);
-    snprintf(path, sizeof path, "%.*s", (int)strcspn(e->setting, "="), e->setting);
-    return bead_fail(e->msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s: %s", e->origin, e->number, column_of(e, at), path, what);
+    snprintf(path, sizeof path, "%.*s", (int)(end_of(e->override->path) - e->override->path), e->override->path);
+    return bead_fail(e->msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s: %s", e->yaml->origin, e->override->place.line, column_of(e, at),
+                     path, what);
 }
 
 static enum bead_error out_of_memory(const struct edit *e)
 {
-    return bead_fail(e->msg, BEAD_ERROR_MEMORY, "--set: out of memory");
+    return bead_fail(e->msg, BEAD_ERROR_MEMORY, "%s: out of memory", e->yaml->name);
 }
 
-/* Texts by which an element of a list can be named: the value of one of the naming keys, or its elements; NULL behind the last. */
+/* The names of an element of a list: the value of one of the naming keys, or, if that is a list, its elements; NULL after the last.
+ */
 static const char *element_name(const struct edit *e, const struct bead_node *element, size_t number)
 {
     for (const char *const *key = e->naming; *key; key++) {
@@ -58,7 +63,7 @@ static const char *element_name(const struct edit *e, const struct bead_node *el
     return NULL;
 }
 
-/* Does `path` begin with `name`, up to a dot or its end? File names contain dots, so names are tried whole. */
+/* Does `path` begin with `name`, followed by a dot or its end? File names contain dots, so names are compared as a whole. */
 static bool begins_with(const char *path, const char *end, const char *name)
 {
     size_t length = strlen(name);
@@ -66,7 +71,7 @@ static bool begins_with(const char *path, const char *end, const char *name)
            (path + length == end || path[length] == '.');
 }
 
-/* Place of the element that `path` names; *used is the length of its name. */
+/* Find the slot of the element that `path` names; *used is the length of its name. */
 static enum bead_error find_element(const struct edit *e, struct bead_node *list, const char *path, const char *end,
                                     struct bead_node ***slot, size_t *used)
 {
@@ -85,17 +90,15 @@ static enum bead_error find_element(const struct edit *e, struct bead_node *list
     if (*slot)
         return BEAD_OK;
     if (digits > 0 && digits < 7 && (path + digits == end || path[digits] == '.')) {
-        size_t index = 0;
-        for (size_t i = 0; i < digits; i++)
-            index = 10 * index + (size_t)(path[i] - '0');
+        const size_t index = strtoul(path, NULL, 10);
         if (index >= list->count)
-            return wrong(e, path, "there is no element %zu: there are %zu, counted from 0", index, list->count);
+            return wrong(e, path, "the list has no element %zu; it has %zu, counted from 0", index, list->count);
         *slot = &list->items[index];
         *used = digits;
         return BEAD_OK;
     }
     if (*path == '+' && (path + 1 == end || path[1] == '.')) {
-        struct bead_node *added = bead_yaml_node(e->yaml, BEAD_NODE_MAP, (struct bead_place){e->number, 1});
+        struct bead_node *added = bead_yaml_node(e->yaml, BEAD_NODE_MAP, (struct bead_place){e->override->place.line, 1});
         if (!added || !bead_yaml_append(e->yaml, list, added))
             return out_of_memory(e);
         *slot = &list->items[list->count - 1];
@@ -108,7 +111,7 @@ static enum bead_error find_element(const struct edit *e, struct bead_node *list
                  list->count - 1);
 }
 
-/* Place of the value of the key that `path` begins with; made where the map has no such key. */
+/* Find the slot of the value of the key that `path` begins with; a missing key is added. */
 static enum bead_error find_key(const struct edit *e, struct bead_node *map, const char *path, const char *end,
                                 struct bead_node ***slot, size_t *used)
 {
@@ -122,27 +125,22 @@ static enum bead_error find_key(const struct edit *e, struct bead_node *map, con
             return BEAD_OK;
         }
     }
-    struct bead_place place = {e->number, column_of(e, path)};
-    struct bead_node *key = bead_yaml_node(e->yaml, BEAD_NODE_SCALAR, place);
-    struct bead_node *value = bead_yaml_node(e->yaml, BEAD_NODE_MAP, place);
-    if (!key || !value || !(key->text = bead_yaml_text(e->yaml, path, *used)))
-        return out_of_memory(e);
-    key->plain = true;
-    if (!bead_yaml_append(e->yaml, map, key) || !bead_yaml_append(e->yaml, map, value))
+    const struct bead_place place = {e->override->place.line, column_of(e, path)};
+    if (!bead_yaml_put(e->yaml, map, path, *used, bead_yaml_node(e->yaml, BEAD_NODE_MAP, place)))
         return out_of_memory(e);
     *slot = &map->items[map->count - 1];
     return BEAD_OK;
 }
 
-/* Follow the path from the root; *slot is where the value belongs. */
-static enum bead_error follow(const struct edit *e, const char *end, struct bead_node ***slot)
+/* Follow a path from *slot, which becomes the slot at its end. */
+static enum bead_error follow(const struct edit *e, const char *path, struct bead_node ***slot)
 {
-    const char *path = e->setting;
+    const char *end = end_of(path);
     for (size_t depth = 0; path <= end; depth++) {
         struct bead_node *node = **slot;
         size_t used = 0;
         if (depth >= BEAD_YAML_DEPTH)
-            return wrong(e, path, "nested too deeply: at most 32 levels are allowed");
+            return wrong(e, path, "nested too deeply; at most 32 levels are allowed");
         if (node->kind == BEAD_NODE_SCALAR && node->plain && !*node->text)
             node->kind = BEAD_NODE_MAP; /* `simulate:` with nothing behind it */
         if (node->kind == BEAD_NODE_SCALAR)
@@ -156,48 +154,34 @@ static enum bead_error follow(const struct edit *e, const char *end, struct bead
     return BEAD_OK;
 }
 
-/* Takes the option off a setting that names one. */
-static enum bead_error take_origin(struct edit *e)
+static enum bead_error lay(const struct edit *e)
 {
-    const size_t length = strcspn(e->setting, ":=");
-    if (strncmp(e->setting, "--", 2) != 0 || e->setting[length] != ':')
-        return BEAD_OK;
-    e->origin = bead_yaml_text(e->yaml, e->setting, length);
-    e->setting += length + 1;
-    e->number = 1;
-    return e->origin ? BEAD_OK : out_of_memory(e);
-}
-
-static enum bead_error apply(const struct edit *e)
-{
-    const char *equals = strchr(e->setting, '=');
-    char shown[64];
-    if (!equals || equals == e->setting)
-        return bead_fail(e->msg, BEAD_ERROR_SCENE, "--set:%zu:1: `%s` is not of the form key.path=value", e->number,
-                         bead_text_show(e->setting, shown, sizeof shown));
+    const struct bead_override *o = e->override;
     struct bead_node *value = NULL, **slot = &e->yaml->root;
-    enum bead_error err = bead_yaml_piece(e->yaml, equals + 1, strlen(equals + 1),
-                                          (struct bead_place){e->number, column_of(e, equals + 1)}, &value, e->msg);
-    if (!err)
-        err = follow(e, equals, &slot);
+    enum bead_error err = BEAD_OK;
+    if (!o->node)
+        err = bead_yaml_piece(e->yaml, o->value, strlen(o->value), o->place, &value, e->msg);
+    else if (!(value = bead_yaml_copy(e->yaml, o->node, o->node->place, NULL)))
+        err = out_of_memory(e);
+    if (!err && o->below)
+        err = follow(e, o->below, &slot);
+    if (!err && *o->path)
+        err = follow(e, o->path, &slot);
     if (err)
         return err;
     *slot = value;
-    /* The whole keeps within the depth that recursion relies on. */
+    /* Recursion relies on a bounded depth. */
     if (bead_yaml_height(e->yaml->root) > BEAD_YAML_DEPTH)
-        return wrong(e, e->setting, "nested too deeply: at most 32 levels are allowed");
+        return wrong(e, o->path, "nested too deeply; at most 32 levels are allowed");
     return BEAD_OK;
 }
 
-enum bead_error bead_yaml_set(struct bead_yaml *yaml, const char *setting, size_t number, const char *const *naming,
+enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct bead_override *override, const char *const *naming,
                               struct bead_message *msg)
 {
-    struct edit e = {yaml, setting, set, number, naming, msg};
-    enum bead_error err = take_origin(&e);
-    if (err)
-        return err;
-    yaml->origin = e.origin;
-    err = apply(&e);
+    const struct edit e = {yaml, override, naming, msg};
+    yaml->origin = bead_yaml_text(yaml, override->origin, (size_t)(end_of(override->origin) - override->origin));
+    enum bead_error err = yaml->origin ? lay(&e) : out_of_memory(&e);
     yaml->origin = NULL;
     return err;
 }

@@ -1,34 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes a tree as YAML text, through libyaml's emitter: the scene as changed by settings, which trajectories store. */
+/* Writes a tree as YAML text, with libyaml's emitter: the scene with its overrides, which trajectories store. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
 
 #include "sim/base/yaml_private.h"
 
-struct buffer {
-    char *text;
-    size_t used, room;
-};
-
-static int append(void *data, unsigned char *bytes, size_t size)
-{
-    struct buffer *buffer = data;
-    if (buffer->room - buffer->used <= size) {
-        size_t room = 2 * (buffer->used + size) + 256;
-        char *text = realloc(buffer->text, room);
-        if (!text)
-            return 0;
-        buffer->text = text;
-        buffer->room = room;
-    }
-    memcpy(buffer->text + buffer->used, bytes, size);
-    buffer->used += size;
-    buffer->text[buffer->used] = 0;
-    return 1;
-}
-
-/* The node and all below it; returns its number in the document, 0: no memory. Depth is bounded where trees are made. */
+/* Add the node and all below it; returns its number in the document, 0: out of memory. The depth of trees is bounded. */
 static int add(yaml_document_t *document, const struct bead_node *node)
 {
     int made, item[2] = {1, 1};
@@ -51,29 +30,36 @@ static int add(yaml_document_t *document, const struct bead_node *node)
     return made;
 }
 
-enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, char **text, struct bead_message *msg)
+/* False: out of memory. */
+static bool write_node(const struct bead_node *node, FILE *file)
 {
     yaml_emitter_t emitter;
-    struct buffer buffer = {0};
-    *text = NULL;
     if (!yaml_emitter_initialize(&emitter))
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", yaml->name);
-    yaml_emitter_set_output(&emitter, append, &buffer);
+        return false;
+    yaml_emitter_set_output_file(&emitter, file);
     yaml_emitter_set_encoding(&emitter, YAML_UTF8_ENCODING);
     yaml_emitter_set_unicode(&emitter, 1);
     yaml_emitter_set_width(&emitter, -1);
     yaml_document_t document;
     bool good = yaml_document_initialize(&document, NULL, NULL, NULL, 1, 1);
-    if (good && !add(&document, yaml->root)) {
+    if (good && !add(&document, node)) {
         yaml_document_delete(&document);
         good = false;
     }
-    good = good && yaml_emitter_dump(&emitter, &document) && yaml_emitter_close(&emitter) && buffer.text; /* dump deletes it */
+    good = good && yaml_emitter_dump(&emitter, &document) && yaml_emitter_close(&emitter); /* dump deletes the document */
     yaml_emitter_delete(&emitter);
-    if (!good) {
-        free(buffer.text);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for its changed text", yaml->name);
-    }
-    *text = buffer.text;
-    return BEAD_OK;
+    return good;
+}
+
+enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, const struct bead_node *node, char **text, struct bead_message *msg)
+{
+    size_t length = 0;
+    *text = NULL;
+    FILE *file = open_memstream(text, &length);
+    const bool written = file && write_node(node, file);
+    if (file && fclose(file) == 0 && written)
+        return BEAD_OK;
+    free(*text);
+    *text = NULL;
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for its changed text", yaml->name);
 }

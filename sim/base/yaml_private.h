@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Inside of YAML documents, shared by yaml*.c. */
-#ifndef BEADREEL_SIM_BASE_YAML_PRIVATE_H
-#define BEADREEL_SIM_BASE_YAML_PRIVATE_H
+/* The insides of YAML documents, shared by yaml*.c. */
+#pragma once
 
 #include "sim/base/yaml.h"
 
@@ -16,12 +15,10 @@ struct bead_yaml {
     struct bead_node *root;
     struct bead_yaml_chunk *chunks;
     size_t nodes;
-    const char *origin; /* of the nodes made now: NULL, or as in bead_node */
+    const char *origin; /* of nodes being made, as in bead_node */
 };
 
-/* Zeroed memory that lives as long as the document; NULL where there is none. */
+/* Zeroed memory that lives as long as the document; NULL: out of memory. */
 void *bead_yaml_take(struct bead_yaml *yaml, size_t size);
-/* Levels of nodes, 1 of a scalar. */
+/* Levels of nodes: 1 for a scalar. */
 size_t bead_yaml_height(const struct bead_node *node);
-
-#endif

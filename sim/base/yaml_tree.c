@@ -7,7 +7,7 @@
 
 enum { CHUNK = 16384 };
 
-/* Nodes live as long as their document, so memory is given out of chunks and freed all at once. */
+/* Nodes live as long as their document, so memory is taken from chunks and freed all at once. */
 void *bead_yaml_take(struct bead_yaml *yaml, size_t size)
 {
     size = (size + 15) & ~(size_t)15;
@@ -49,7 +49,7 @@ const char *bead_yaml_text(struct bead_yaml *yaml, const char *text, size_t leng
 bool bead_yaml_append(struct bead_yaml *yaml, struct bead_node *parent, struct bead_node *item)
 {
     size_t count = parent->count;
-    /* Room doubles at each power of two, from 4 on. */
+    /* The room doubles at each power of two, from 4 on. */
     if (count == 0 || (count >= 4 && (count & (count - 1)) == 0)) {
         size_t room = count < 4 ? 4 : 2 * count;
         struct bead_node **items = bead_yaml_take(yaml, room * sizeof(struct bead_node *));
@@ -61,6 +61,22 @@ bool bead_yaml_append(struct bead_yaml *yaml, struct bead_node *parent, struct b
     }
     parent->items[parent->count++] = item;
     return true;
+}
+
+struct bead_node *bead_yaml_scalar(struct bead_yaml *yaml, const char *text, size_t length, struct bead_place place)
+{
+    struct bead_node *node = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place);
+    return node && (node->text = bead_yaml_text(yaml, text, length)) ? node : NULL;
+}
+
+bool bead_yaml_put(struct bead_yaml *yaml, struct bead_node *map, const char *key, size_t length, struct bead_node *value)
+{
+    struct bead_node *name = value ? bead_yaml_scalar(yaml, key, length, value->place) : NULL;
+    if (!name)
+        return false;
+    name->plain = true;
+    name->origin = value->origin;
+    return bead_yaml_append(yaml, map, name) && bead_yaml_append(yaml, map, value);
 }
 
 void bead_yaml_free(struct bead_yaml *yaml)
@@ -143,11 +159,23 @@ struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node 
         return NULL;
     made->plain = node->plain;
     made->flow = node->flow;
-    made->origin = origin ? origin : made->origin;
+    made->origin = origin || !node->origin ? origin : bead_yaml_text(yaml, node->origin, strlen(node->origin));
+    if (node->origin && !made->origin)
+        return NULL;
     for (size_t i = 0; i < node->count; i++) {
         struct bead_node *item = bead_yaml_copy(yaml, node->items[i], node->items[i]->place, origin);
         if (!item || !bead_yaml_append(yaml, made, item))
             return NULL;
     }
     return made;
+}
+
+enum bead_error bead_yaml_duplicate(const struct bead_yaml *yaml, struct bead_yaml **made, struct bead_message *msg)
+{
+    struct bead_yaml *copy = *made = calloc(1, sizeof *copy);
+    if (copy && (copy->name = strdup(yaml->name)) && (copy->root = bead_yaml_copy(copy, yaml->root, yaml->root->place, NULL)))
+        return BEAD_OK;
+    bead_yaml_free(copy);
+    *made = NULL;
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", yaml->name);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes a chain from its part of the scene: first its outline, which plans need, then the arrays of its beads and contacts. Runs
- * take it from here, unchanged. */
+/* Makes a chain from its part of the scene: first the outline, which is enough for plans, then the arrays of its beads and
+ * contacts. Runs do not change it. */
 #include "beadreel/chain.h"
 
 #include <inttypes.h>
@@ -11,13 +11,14 @@
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
+#include "sim/base/yaml.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/contact_walk.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
-/* How large masses of a string are drawn, in parts of their distance. */
+/* Radius of the drawn masses of a string, as a part of their distance. */
 static const double radius_of_points = 0.3;
 
 static enum bead_error out_of_memory(struct bead_message *msg)
@@ -25,18 +26,14 @@ static enum bead_error out_of_memory(struct bead_message *msg)
     return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a chain");
 }
 
-/* `file:line:column: ` of an error in the chain's own text. */
-static enum bead_error wrong(const struct bead_chain *chain, struct bead_place place, struct bead_message *msg, const char *what)
+const char *bead_chain_place(const struct bead_chain *chain, char *text, size_t size)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", chain->scene->file, place.line, place.column, what);
-}
-
-static size_t count_beads(const struct bead_chain_spec *spec)
-{
-    size_t beads = 1;
-    for (size_t s = 0; s < spec->segment_count; s++)
-        beads += spec->segments[s].cell_beads * spec->segments[s].count;
-    return beads;
+    const struct bead_node *node = chain->spec->node;
+    *text = '\0';
+    if (node)
+        snprintf(text, size, "%.64s:%zu:%zu: ", node->origin ? node->origin : chain->scene->file, node->place.line,
+                 node->place.column);
+    return text;
 }
 
 static size_t count_spins(const struct bead_chain_spec *spec)
@@ -52,12 +49,11 @@ uint64_t bead_chain_bytes(const struct bead_chain *chain)
     return chain->beads * (sizeof *chain->material + 7 * sizeof(double));
 }
 
-/* Arrays of all beads are filled at once: rather refuse what does not fit than be ended by the system halfway. */
+/* Arrays of all beads are filled at once: refuse a chain that does not fit, before the system kills the program halfway. */
 static enum bead_error check_memory(const struct bead_chain *chain, struct bead_message *msg)
 {
-    char what[128];
-    struct bead_place place = chain->spec->place;
-    snprintf(what, sizeof what, "%.64s:%zu:%zu: chain: %zu beads", chain->scene->file, place.line, place.column, chain->beads);
+    char what[200], place[128];
+    snprintf(what, sizeof what, "%schain: %zu beads", bead_chain_place(chain, place, sizeof place), chain->beads);
     return bead_memory_check(bead_chain_bytes(chain), what, msg);
 }
 
@@ -95,7 +91,7 @@ static enum bead_error allocate(struct bead_chain *chain, struct bead_message *m
     return out_of_memory(msg);
 }
 
-/* Spins of one segment into `digits`. */
+/* Write the spins of a segment into `digits`. */
 static void write_spins(const struct bead_segment *segment, char *digits)
 {
     if (segment->spins == BEAD_SPINS_DIGITS)
@@ -106,7 +102,7 @@ static void write_spins(const struct bead_segment *segment, char *digits)
         memset(digits, segment->spins == BEAD_SPINS_UP ? '1' : '0', segment->count);
 }
 
-/* The magnetism is that of the cells whose spins the scene gives; fixed cells beside them do not count. */
+/* The magnetism of the cells whose spins the scene gives; other cells count only if there are no such cells. */
 static double find_magnetism(const struct bead_chain *chain)
 {
     double up[2] = {0, 0}, all[2] = {0, 0};
@@ -155,14 +151,16 @@ static enum bead_error find_sensors(struct bead_chain *chain, struct bead_messag
     return BEAD_OK;
 }
 
-/* Masses have been checked with their materials. */
+/* Masses need no check: their materials were checked. */
 static enum bead_error check_contacts(const struct bead_chain *chain, struct bead_message *msg)
 {
     struct bead_contact_walk w;
+    char place[128];
     for (bead_contact_walk_start(&w, chain, true); bead_contact_walk_next(&w);) {
         if (!(w.stiffness > 0) || !isfinite(w.stiffness) || !isfinite(w.static_compression))
-            return wrong(chain, chain->spec->place, msg,
-                         "chain: a contact's stiffness is not a positive finite number: check materials and law");
+            return bead_fail(msg, BEAD_ERROR_SCENE,
+                             "%schain: a contact's stiffness is not a positive finite number: check materials and law",
+                             bead_chain_place(chain, place, sizeof place));
     }
     return BEAD_OK;
 }
@@ -170,22 +168,19 @@ static enum bead_error check_contacts(const struct bead_chain *chain, struct bea
 static enum bead_error outline(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
-    if (!chain->system) {
-        chain->beads = count_beads(spec);
+    chain->beads = spec->system->count(spec, chain->scene->simulate.accuracy);
+    if (spec->system->has_contacts) {
         chain->contacts = chain->beads - (spec->wall == BEAD_WALL_NONE);
         chain->slope = gravity * bead_sin(spec->tilt);
         chain->striker_mass = chain->scene->materials[spec->striker_material].mass;
         chain->striker_force = chain->striker_mass * chain->slope;
-    } else {
-        chain->beads = chain->system->points(&spec->equation, chain->scene->simulate.accuracy);
-        chain->striker_mass = 1;
     }
     enum bead_error err = draw_spins(chain, msg);
     if (!err)
         err = find_sensors(chain, msg);
     if (!err)
         err = check_contacts(chain, msg);
-    if (err || chain->system)
+    if (err || !spec->system->has_contacts)
         return err;
     const double energy = bead_chain_energy(chain);
     chain->energy = NAN; /* until omega is known */
@@ -194,11 +189,11 @@ static enum bead_error outline(struct bead_chain *chain, struct bead_message *ms
     return BEAD_OK;
 }
 
-/* Points of an equation: masses of 1 where there are masses; the arrays of contacts stay zero. */
+/* For systems without contacts: all masses are 1, and the arrays of contacts stay zero. */
 static void lay_points(struct bead_chain *chain)
 {
     double first = 0, spacing = 1;
-    chain->system->places(&chain->spec->equation, chain->beads, &first, &spacing);
+    chain->spec->system->places(chain->spec, chain->beads, &first, &spacing);
     for (size_t i = 0; i < chain->beads; i++) {
         chain->mass[i] = chain->inverse_mass[i] = 1;
         chain->radius[i] = radius_of_points * spacing;
@@ -214,7 +209,7 @@ static void lay_contacts(struct bead_chain *chain)
         if (w.k + 1 < chain->beads)
             chain->material[w.k + 1] = w.right;
         chain->stiffness[w.k] = w.stiffness;
-        if (!(w.static_force > 0)) /* zero already: pages that nobody writes to cost nothing */
+        if (!(w.static_force > 0)) /* already zero: untouched pages take no memory */
             continue;
         chain->static_compression[w.k] = w.static_compression;
         chain->static_force[w.k] = w.static_force;
@@ -229,7 +224,7 @@ static void lay_beads(struct bead_chain *chain)
         chain->inverse_mass[i] = 1 / material->mass;
         chain->radius[i] = material->radius;
     }
-    /* From bead 1 outwards, the striker at its left. */
+    /* The centre of bead 1 is at 0, the striker to its left. */
     chain->position[0] = -(chain->radius[0] + chain->radius[1]);
     for (size_t i = 2; i < chain->beads; i++)
         chain->position[i] = chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i];
@@ -242,11 +237,11 @@ enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_message *ms
     enum bead_error err = allocate(chain, msg);
     if (err)
         return err;
-    if (chain->system) {
-        lay_points(chain);
-    } else {
+    if (chain->spec->system->has_contacts) {
         lay_contacts(chain);
         lay_beads(chain);
+    } else {
+        lay_points(chain);
     }
     return BEAD_OK;
 }
@@ -269,7 +264,6 @@ enum bead_error bead_chain_outline(const struct bead_scene *scene, const struct 
     made->scene = scene;
     made->spec = spec;
     made->law = spec->law.row;
-    made->system = made->spec->equation.system;
     enum bead_error err = outline(made, msg);
     if (err)
         bead_chain_destroy(made);
@@ -298,5 +292,6 @@ void bead_chain_destroy(struct bead_chain *chain)
     free_arrays(chain);
     free(chain->spins);
     free(chain->sensors);
+    free(chain->own);
     free(chain);
 }

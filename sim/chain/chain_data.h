@@ -1,25 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A chain's insides, for the computing half only. */
-#ifndef BEADREEL_SIM_CHAIN_CHAIN_DATA_H
-#define BEADREEL_SIM_CHAIN_CHAIN_DATA_H
+#pragma once
 
 #include <stdint.h>
 
 #include "beadreel/chain.h"
 #include "beadreel/law.h"
 
-struct bead_system;
-
 struct bead_chain {
+    void *own; /* scene and specification of a chain made without a scene; NULL: they are the caller's */
     const struct bead_scene *scene;
     const struct bead_chain_spec *spec;
-    const struct bead_law *law;       /* NULL: an equation */
-    const struct bead_system *system; /* NULL: beads; else only beads (points), position, mass and radius mean anything */
+    const struct bead_law *law; /* NULL: no contacts; then only beads, position, mass and radius mean anything */
     size_t beads, contacts;
     double slope;         /* m/s^2: gravity along the chain */
     double striker_mass;  /* kg */
-    double striker_force; /* N: constant force on the striker beyond balance (its weight on a tilt) */
-    double energy, omega; /* those that bead_chain_energy and, with it, bead_chain_omega return */
+    double striker_force; /* N: constant force on the striker: its weight, on a tilt */
+    double energy, omega; /* bead_chain_energy, and bead_chain_omega at this energy */
     char *spins;
     double magnetism;
     struct bead_sensor *sensors;
@@ -35,37 +32,42 @@ struct bead_chain {
     double *static_compression; /* [contacts] m */
 };
 
-/* Part of a contact's energy that counts as that of a bead beside it: half, or all of the wall's, which has no bead behind. */
+/* Part of a contact's energy that counts as the energy of the bead beside it: half of it, or all at the wall. */
 static inline double bead_chain_share(const struct bead_chain *chain, size_t contact)
 {
     return contact + 1 < chain->beads ? 0.5 : 1;
 }
 
-/* What is known of a chain from its specification: all but the arrays of its beads and contacts, so that 1e8 beads can be planned.
- * Until bead_chain_lay, only functions that return no such array may be called. Scene and specification must outlive it. Errors:
- * SCENE, MEMORY. */
+/* Make a chain without the arrays of its beads and contacts, so that 1e8 beads can be planned. Before bead_chain_lay, call only
+ * functions that do not return such an array. Scene and specification must outlive it. Errors: SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_chain_outline(const struct bead_scene *scene, const struct bead_chain_spec *spec,
                                               struct bead_chain **chain, struct bead_message *msg);
-/* Bytes of the arrays that it lacks. */
+/* Bytes of these arrays. */
 uint64_t bead_chain_bytes(const struct bead_chain *chain);
-/* Makes the arrays, unless they are there. Errors: MEMORY; the chain is still to be destroyed. */
+/* Make the arrays, unless they exist. Errors: MEMORY; the chain must still be destroyed. */
 BEAD_CHECK enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_message *msg);
-/* The chain of a specification that need not be one of the scene's, made of the scene's materials. Both must outlive it. Errors:
- * those of bead_chain_create. */
+/* A chain of the scene's materials for a specification that need not be one of the scene's. Both must outlive it. Errors: as
+ * bead_chain_create. */
 BEAD_CHECK enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec,
                                                 struct bead_chain **chain, struct bead_message *msg);
 
-/* The derivatives of a quantity by what a chain is made of. */
+/* Do its forces depend on displacements only? */
+bool bead_chain_forces_follow(const struct bead_chain *chain);
+
+/* The derivatives of a quantity by the numbers of a chain. */
 struct bead_chain_raw_rates {
-    const double *stiffness, *static_force; /* [contacts] by A_k at given static forces, and by those */
-    const double *mass;                     /* [beads] by m_j at given forces */
+    const double *stiffness, *static_force; /* [contacts] by A_k at constant static forces, and by the static forces */
+    const double *mass;                     /* [beads] by m_j at constant forces */
     double striker_force;                   /* by the constant force on the striker */
 };
-/* Of these: by the mass, radius and modulus of each bead [beads], the two others kept; and by the modulus of the wall. */
+/* Its derivatives by the mass, radius or modulus of each bead [beads], with the other two constant, and by the modulus of the wall.
+ */
 struct bead_chain_rates {
     double *mass, *radius, *modulus; /* /kg, /m, /Pa */
     double wall_modulus;
 };
 void bead_chain_find_rates(const struct bead_chain *chain, const struct bead_chain_raw_rates *raw, struct bead_chain_rates *rates);
 
-#endif
+/* Contact forces (N, [beads]; 0 for a last bead without wall) and bead forces (N, [beads]) of displacements u (m, [beads]), for
+ * trajectories that store only these; equal to the samples of a run without damping, bit for bit. */
+void bead_derive_forces(const struct bead_chain *chain, const double *u, double *contact_force, double *bead_force);

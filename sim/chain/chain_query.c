@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What others ask a chain: its beads and contacts, its energy, and the bound on its frequencies from which the step follows. */
+/* Queries of a chain: its beads and contacts, its energy, and the bound on its frequencies, which limits the step. */
 #include <math.h>
 
 #include "sim/chain/contact_walk.h"
@@ -80,7 +80,7 @@ const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, siz
     return chain->sensors;
 }
 
-/* On a tilt the striker falls a little further than it pushes: allow for the work over a millimetre. */
+/* m: on a tilt gravity works on the striker while it pushes; allow for this way. */
 static const double tilt_reach = 1e-3;
 
 double bead_chain_energy(const struct bead_chain *chain)
@@ -97,7 +97,7 @@ static double excess(const struct bead_contact_walk *w, double d)
            w->static_force * (d - w->static_compression);
 }
 
-/* Largest compression of a contact that `energy` allows: of the contact alone, or with a static part by bisection. */
+/* Largest compression of a contact that `energy` allows; with a static compression, found by bisection. */
 static double bound(const struct bead_contact_walk *w, double energy)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;
@@ -114,11 +114,11 @@ static double bound(const struct bead_contact_walk *w, double energy)
     return high;
 }
 
-/* Cells repeat, so the bounds of the last few different contacts are kept: cells of two beads in any order have three. */
+/* Cells repeat, so keep the bounds of the last few different contacts: cells of two beads in any order have three. */
 enum { BOUNDS = 4 };
 struct hardest {
-    double stiffness, start; /* of the contact: what it is known by */
-    double pushed, either; /* N/m: the largest stiffness that the energy allows, of pushing contacts, and of those that pull, too */
+    double stiffness, start; /* of the contact: its identity */
+    double pushed, either;   /* N/m: the largest stiffness that the energy allows, if contacts push, and if they may pull, too */
 };
 struct bounds {
     struct hardest known[BOUNDS];
@@ -148,7 +148,7 @@ double bead_chain_omega(const struct bead_chain *chain, double energy)
     double worst = 0, before = 0, here = 0, left = 0, right = 0;
     for (bead_contact_walk_start(&w, chain, true); bead_contact_walk_next(&w);) {
         const double after = remembered_bound(&bounds, &w, energy)->either;
-        /* Gershgorin row of the contact before, now that its right neighbour is known. */
+        /* The Gershgorin row of the previous contact, now that its right neighbour is known. */
         if (w.k > 0)
             worst = fmax(worst, here * (left + right) + before * left + after * right);
         before = here;
@@ -170,4 +170,18 @@ double bead_chain_passage(const struct bead_chain *chain, double energy)
         time += stiffness > 0 ? sqrt(mass / stiffness) : 0;
     }
     return time;
+}
+
+void bead_derive_forces(const struct bead_chain *chain, const double *u, double *contact_force, double *bead_force)
+{
+    const struct bead_law_spec *spec = &chain->spec->law;
+    double before = 0;
+    for (size_t k = 0; k < chain->beads; k++) {
+        double next = k + 1 < chain->beads ? u[k + 1] : 0, d = chain->static_compression[k] + (u[k] - next);
+        double force = k < chain->contacts ? chain->law->force(chain->stiffness[k], spec, d) : 0;
+        /* the integrator subtracts the static part and sampling adds it again: so here, for equal last bits */
+        contact_force[k] = (force - chain->static_force[k]) + chain->static_force[k];
+        bead_force[k] = 0.5 * (before + contact_force[k]);
+        before = contact_force[k];
+    }
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From derivatives by stiffnesses and static forces to those by the masses, radii and moduli of beads. */
+/* Converts derivatives by stiffnesses and static forces into derivatives by the masses, radii and moduli of beads. */
 #include <string.h>
 
 #include "sim/chain/chain_data.h"
 
-/* The contact's coefficient depends on both of its sides; the wall has only a modulus. */
+/* A contact's coefficient depends on both bodies; the wall has only a modulus. */
 static void add_contact(const struct bead_chain *c, size_t k, double by_stiffness, struct bead_chain_rates *rates)
 {
     const struct bead_material *materials = c->scene->materials, *left = &materials[c->material[k]], *right = NULL;
@@ -25,7 +25,7 @@ static void add_contact(const struct bead_chain *c, size_t k, double by_stiffnes
 
 void bead_chain_find_rates(const struct bead_chain *c, const struct bead_chain_raw_rates *raw, struct bead_chain_rates *rates)
 {
-    double below = 0; /* static forces of this contact and those behind it carry the bead's weight */
+    double below = 0; /* of the static forces in this contact and all to its right, which carry the bead's weight */
     rates->wall_modulus = 0;
     memset(rates->radius, 0, c->beads * sizeof(double));
     memset(rates->modulus, 0, c->beads * sizeof(double));

@@ -4,15 +4,15 @@
 
 #include <math.h>
 #include <stdint.h>
-/* Of equal cells, so many at each end of their segment are visited at least: four beads are as many neighbours as anything needs.
- */
+
+/* The walk visits at least this many equal cells at each end of their segment: no caller needs more than four neighbours. */
 static const size_t enough = 4;
 
 void bead_contact_walk_start(struct bead_contact_walk *w, const struct bead_chain *chain, bool kinds)
 {
     const struct bead_chain_spec *spec = chain->spec;
     *w = (struct bead_contact_walk){.chain = chain,
-                                    .kinds = kinds && spec->tilt == 0, /* else each carries another weight */
+                                    .kinds = kinds && spec->tilt == 0, /* on a tilt no two contacts are equal */
                                     .right = spec->striker_material,
                                     .spin = chain->spins};
     for (size_t i = 0; i < BEAD_KNOWN_CONTACTS; i++)
@@ -36,7 +36,7 @@ static void end_cell(struct bead_contact_walk *w, const struct bead_segment *seg
     }
 }
 
-/* Material of the bead to the right. */
+/* Step to the next bead on the right; returns its material. */
 static size_t take_bead(struct bead_contact_walk *w)
 {
     const struct bead_segment *segment = &w->chain->spec->segments[w->segment];
@@ -58,7 +58,7 @@ static double stiffness_of(const struct bead_contact_walk *w)
     return spec->law.row->coefficient(&spec->law, left, &materials[at_wall ? spec->wall_material : w->right], at_wall);
 }
 
-/* The stored force is that of the stored compression, to the bit, so that a chain at rest feels exactly nothing. */
+/* Store the force of the stored compression, to the bit, so that the forces in a chain at rest cancel exactly. */
 static struct bead_known_contact solve(const struct bead_contact_walk *w, double force)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;
@@ -89,8 +89,8 @@ bool bead_contact_walk_next(struct bead_contact_walk *w)
     w->right = w->k + 1 < c->beads ? take_bead(w) : SIZE_MAX;
     w->left_mass = materials[w->left].mass;
     w->right_mass = w->right != SIZE_MAX ? materials[w->right].mass : INFINITY;
-    /* Static force: precompression, and on a tilt the weight of the beads above (the striker has not landed yet, so its own weight
-     * stays out of balance). */
+    /* Static force: the precompression and, on a tilt, the weight of the beads above. The striker has not landed, so its own weight
+     * is not balanced. */
     w->weight += w->k > 0 ? w->left_mass * c->slope : 0;
     const struct bead_known_contact *known = known_contact(w, c->spec->precompression + w->weight);
     w->stiffness = known->stiffness;

@@ -1,18 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The contacts of a chain one after the other, from its specification and spins: nothing has to be built for a plan.
+/* Walks along the contacts of a chain, computed from its specification and spins: plans need no arrays.
  *
  *     struct bead_contact_walk walk;
  *     for (bead_contact_walk_start(&walk, chain, kinds); bead_contact_walk_next(&walk);) ...
  */
-#ifndef BEADREEL_SIM_CHAIN_CONTACT_WALK_H
-#define BEADREEL_SIM_CHAIN_CONTACT_WALK_H
+#pragma once
 
 #include "sim/chain/chain_data.h"
 
-/* Contacts already solved, found by their materials. */
+/* A solved contact, known by its materials. */
 struct bead_known_contact {
     size_t left, right; /* right SIZE_MAX: wall; left SIZE_MAX: none */
-    double force;       /* asked */
+    double force;       /* N: the force asked for */
     double stiffness, static_force, static_compression;
 };
 enum { BEAD_KNOWN_CONTACTS = 8 };
@@ -29,16 +28,14 @@ struct bead_contact_walk {
     /* The walk's own. */
     const struct bead_chain *chain;
     bool kinds;
-    size_t next, segment, cell, place; /* the contact to come; where the bead to its right stands */
+    size_t next, segment, cell, place; /* of the contact to come, and of the bead to its right */
     const char *spin;
-    double weight; /* N: of the beads from 1 to the left one */
+    double weight; /* N: of the beads from 1 to `left` */
     struct bead_known_contact known[BEAD_KNOWN_CONTACTS];
 };
 
-/* `kinds`: where many equal cells follow each other, most of them are left out, which is right for whatever depends on neighbouring
- * contacts, but not on their number: every four neighbours that the chain has are still there. Not of equations. */
+/* `kinds`: skip most of many equal cells in a row. All sequences of four neighbours in the chain are still visited, so this suits
+ * results that depend on neighbouring contacts, but not on their number. Not for equations. */
 void bead_contact_walk_start(struct bead_contact_walk *walk, const struct bead_chain *chain, bool kinds);
-/* To the next contact, the first one at first; false: there is none. */
+/* Go to the next contact, at first to the first; false after the last. */
 bool bead_contact_walk_next(struct bead_contact_walk *walk);
-
-#endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of pair forces: a chain takes its row from the scene and asks it for forces, energies and coefficients. */
+/* The table of pair forces. A chain takes its row from the scene and asks it for forces, energies and coefficients. */
 #include "beadreel/law.h"
 
 #include <math.h>
@@ -9,15 +9,13 @@
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
 
-static double three_halves(const struct bead_law_spec *spec)
+static double three_halves(const struct bead_law_spec *)
 {
-    (void)spec;
     return 1.5;
 }
 
-static double one(const struct bead_law_spec *spec)
+static double one(const struct bead_law_spec *)
 {
-    (void)spec;
     return 1;
 }
 
@@ -26,39 +24,29 @@ static double power_exponent(const struct bead_law_spec *spec)
     return spec->power;
 }
 
-static double power_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
-                                const struct bead_material *right, bool wall)
+static double power_coefficient(const struct bead_law_spec *spec, const struct bead_material *, const struct bead_material *, bool)
 {
-    (void)left;
-    (void)right;
-    (void)wall;
     return spec->coefficient;
 }
 
-static double fpu_coefficient(const struct bead_law_spec *spec, const struct bead_material *left, const struct bead_material *right,
-                              bool wall)
+static double fpu_coefficient(const struct bead_law_spec *spec, const struct bead_material *, const struct bead_material *, bool)
 {
-    (void)left;
-    (void)right;
-    (void)wall;
     return spec->stiffness;
 }
 
-static double hertz_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
-                                const struct bead_material *right, bool wall)
+static double hertz_coefficient(const struct bead_law_spec *, const struct bead_material *left, const struct bead_material *right,
+                                bool wall)
 {
-    (void)spec;
     return wall ? bead_hertz_wall(left, right) : bead_hertz_spheres(left, right);
 }
 
-static double printed_coefficient(const struct bead_law_spec *spec, const struct bead_material *left,
-                                  const struct bead_material *right, bool wall)
+static double printed_coefficient(const struct bead_law_spec *, const struct bead_material *left, const struct bead_material *right,
+                                  bool wall)
 {
-    (void)spec;
     return wall ? bead_printed_wall(left, right) : bead_printed_spheres(left, right);
 }
 
-/* Of 4 / 3 / (c1 + c2), c = (1 - nu^2) / E: -dc1/dE1 / (c1 + c2); and of the radii as they stand there. */
+/* Logarithmic derivatives of 4 / 3 / (c1 + c2), c = (1 - nu^2) / E, times sqrt(R1 R2) / (R1 + R2)^sum_part; sqrt(R1) if it is 0. */
 static struct bead_coefficient_rates rates_of(const struct bead_material *left, const struct bead_material *right, double sum_part)
 {
     const double c1 = (1 - left->poisson * left->poisson) / left->modulus;
@@ -87,40 +75,34 @@ static struct bead_coefficient_rates printed_rates(const struct bead_material *l
 }
 
 /* f = A d^{3/2}; Hertz 1881, thesis Eq. 13. */
-static double hertz_energy(double a, const struct bead_law_spec *spec, double d)
+static double hertz_energy(double a, const struct bead_law_spec *, double d)
 {
-    (void)spec;
     return d > 0 ? 0.4 * a * (d * d * sqrt(d)) : 0;
 }
 
-static double hertz_force(double a, const struct bead_law_spec *spec, double d)
+static double hertz_force(double a, const struct bead_law_spec *, double d)
 {
-    (void)spec;
     return d > 0 ? a * (d * sqrt(d)) : 0;
 }
 
-static double hertz_stiffness(double a, const struct bead_law_spec *spec, double d)
+static double hertz_stiffness(double a, const struct bead_law_spec *, double d)
 {
-    (void)spec;
     return d > 0 ? 1.5 * a * sqrt(d) : 0;
 }
 
-static double hertz_compression(double a, const struct bead_law_spec *spec, double f)
+static double hertz_compression(double a, const struct bead_law_spec *, double f)
 {
-    (void)spec;
     return f > 0 && a > 0 ? bead_cbrt((f / a) * (f / a)) : 0;
 }
 
-static double hertz_energy_compression(double a, const struct bead_law_spec *spec, double e)
+static double hertz_energy_compression(double a, const struct bead_law_spec *, double e)
 {
-    (void)spec;
     return e > 0 && a > 0 ? bead_two_fifths(2.5 * e / a) : 0;
 }
 
-/* The same as the thesis's program computes it: the last bit may differ. */
-static double printed_force(double a, const struct bead_law_spec *spec, double d)
+/* Hertz's force as computed by the thesis's program: the last bit may differ. */
+static double printed_force(double a, const struct bead_law_spec *, double d)
 {
-    (void)spec;
     return d > 0 ? a * bead_three_halves(d) : 0;
 }
 
@@ -174,10 +156,9 @@ static double fpu_compression(double a, const struct bead_law_spec *spec, double
     return under > 0 ? 2 * f / (a * (1 + sqrt(under))) : NAN;
 }
 
-/* The largest |d| that energy e allows while the spring stays near its linear range; doubled for the cubic term. */
-static double fpu_energy_compression(double a, const struct bead_law_spec *spec, double e)
+/* The largest |d| that energy e allows in a linear spring, doubled to allow for the cubic term. */
+static double fpu_energy_compression(double a, const struct bead_law_spec *, double e)
 {
-    (void)spec;
     return e > 0 && a > 0 ? 2 * sqrt(2 * e / a) : 0;
 }
 
@@ -231,6 +212,27 @@ static const struct bead_law laws[] = {
      .compression = hertz_compression,
      .energy_compression = hertz_energy_compression},
 };
+
+enum bead_error bead_law_check(const struct bead_law *law, struct bead_message *msg)
+{
+    const struct {
+        bool there;
+        const char *what;
+    } members[] = {{law->name && *law->name, "name"},
+                   {law->description, "description"},
+                   {law->coefficient, "coefficient"},
+                   {law->coefficient_power, "coefficient_power"},
+                   {law->energy, "energy"},
+                   {law->force, "force"},
+                   {law->stiffness, "stiffness"},
+                   {law->compression, "compression"},
+                   {law->energy_compression, "energy_compression"}};
+    for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
+        if (!members[i].there)
+            return bead_fail(msg, BEAD_ERROR_USAGE, "law `%s`: its `%s` is missing", law->name ? law->name : "", members[i].what);
+    }
+    return BEAD_OK;
+}
 
 const struct bead_law *bead_law_info(size_t index)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of fields, and the times of a grid of samples. */
+/* The table of fields, and grids of sample times. */
 #include "beadreel/sample.h"
 
 #include <math.h>
@@ -17,8 +17,8 @@ const struct bead_field_info *bead_field_info(enum bead_field field)
     return &fields[field];
 }
 
-/* A grid point is inside when it lies at most this fraction of a spacing behind the end: grids are given in
- * decimal units whose quotients are not exact. */
+/* A grid point counts if it is at most this fraction of a spacing after the end: grids are given in decimal units, whose quotients
+ * are not exact. */
 static const double slack = 1e-6;
 
 size_t bead_grid_count(const struct bead_grid *grid)

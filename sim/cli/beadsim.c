@@ -20,7 +20,6 @@ static const struct command_list lists[] = {
 int main(int argc, char **argv)
 {
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), NULL};
-    const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), NULL};
     const struct command_program program = {
         .name = "beadsim",
         .purpose = "compute waves in chains of elastic beads: data only, no pictures",
@@ -33,7 +32,6 @@ int main(int argc, char **argv)
                     "  beadsim --list keys table           keys of one part of a scene\n",
         .lists = lists,
         .sinks = sinks,
-        .sweep_sinks = sweep_sinks,
     };
     return command_main(&program, argc, argv);
 }

@@ -5,19 +5,19 @@
 #include <string.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
 
-/* A program that does not draw leaves it to the one that does. */
+/* Only a program that draws checks the canvas. */
 static enum bead_error check_canvas(const struct command *command, struct bead_message *msg)
 {
     const struct bead_config *c = command->config;
     char all[160] = "";
     for (const char *const *canvas = command->program->canvases; c->canvas && canvas && *canvas; canvas++) {
-        size_t used = strlen(all);
         if (strcmp(*canvas, c->canvas) == 0)
             return BEAD_OK;
-        snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", *canvas);
+        bead_list_add(all, sizeof all, ", ", *canvas);
     }
     return !*all ? BEAD_OK
                  : bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: canvas: is `%.40s`; must be one of %s", c->path,
@@ -31,19 +31,21 @@ enum bead_error command_load_config(struct command *command, struct bead_message
     if (!asked || command->no_config || !bead_config_find(path, sizeof path))
         return BEAD_OK;
     enum bead_error err = bead_config_load(path, &command->config, msg);
-    if (!err)
-        err = check_canvas(command, msg);
-    if (err || command->action != COMMAND_INFO) /* sessions take it from the job */
+    if (err)
         return err;
-    if (asprintf(&command->config_setting, "--config=%s", path) < 0) {
-        command->config_setting = NULL;
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
-    }
-    command->settings[command->setting_count++] = command->config_setting;
-    return BEAD_OK;
+    command->job.config = command->config->path;
+    if (!command->job.canvas)
+        command->job.canvas = command->config->canvas;
+    return check_canvas(command, msg);
 }
 
-/* What it says in one word or file each, in the order of the manual. */
+struct bead_overrides command_overrides(const struct command *command)
+{
+    const struct bead_job *job = &command->job;
+    return (struct bead_overrides){.settings = job->settings, .setting_count = job->setting_count, .config = job->config};
+}
+
+/* The settings that have one value, in the order of the manual. */
 static const char *value_of(const struct bead_config *c, size_t index, const char **key)
 {
     const char *const keys[] = {"style", "font", "canvas", "materials"}, *const values[] = {c->style, c->font, c->canvas,
@@ -78,6 +80,5 @@ void command_write_config(struct json *json, const struct bead_config *c)
     json_open(json, "colormaps", '{');
     for (size_t i = 0; i < c->colormap_count; i++)
         json_text(json, c->colormaps[i].name, c->colormaps[i].file);
-    json_close(json, '}');
-    json_close(json, '}');
+    json_close(json, "}}");
 }

@@ -7,9 +7,10 @@
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
+#include "sim/chain/system.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/kinds/output_kinds.h"
 
 static void write_sensors(struct json *json, const struct bead_chain *chain)
 {
@@ -20,21 +21,21 @@ static void write_sensors(struct json *json, const struct bead_chain *chain)
         json_open(json, NULL, '{');
         json_text(json, "name", sensors[i].name);
         json_number(json, "bead", (double)sensors[i].bead);
-        json_close(json, '}');
+        json_close(json, "}");
     }
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void write_chain(struct json *json, const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    const bool beads = !spec->equation.name;
+    const struct bead_system *system = spec->system;
     const struct bead_material *materials = bead_chain_scene(chain)->materials;
     json_open(json, NULL, '{');
     json_text(json, "name", bead_chain_name(chain));
-    json_text(json, "equation", spec->equation.name);
-    json_number(json, beads ? "beads" : "points", (double)bead_chain_beads(chain));
-    if (beads) {
+    json_text(json, "equation", *system->label ? system->label : NULL);
+    json_number(json, system->points, (double)bead_chain_beads(chain));
+    if (system->has_contacts) {
         json_number(json, "contacts", (double)bead_chain_contacts(chain));
         json_text(json, "striker", materials[spec->striker_material].name);
         json_number(json, "velocity_m_s", spec->striker_velocity);
@@ -47,7 +48,7 @@ static void write_chain(struct json *json, const struct bead_chain *chain)
         json_number(json, "magnetism", *bead_chain_spins(chain) ? bead_chain_magnetism(chain) : NAN);
         write_sensors(json, chain);
     }
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 static void write_chains(struct json *json, const struct bead_chain *const *chains, size_t count)
@@ -55,7 +56,7 @@ static void write_chains(struct json *json, const struct bead_chain *const *chai
     json_open(json, "chains", '[');
     for (size_t i = 0; i < count; i++)
         write_chain(json, chains[i]);
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void write_outputs(struct json *json, const struct bead_scene *scene)
@@ -64,10 +65,10 @@ static void write_outputs(struct json *json, const struct bead_scene *scene)
     for (size_t i = 0; i < scene->output_count; i++) {
         json_open(json, NULL, '{');
         json_text(json, "name", scene->outputs[i].path);
-        json_text(json, "kind", bead_output_key(scene->outputs[i].kind));
-        json_close(json, '}');
+        json_text(json, "kind", bead_output_kind_name(&scene->outputs[i]));
+        json_close(json, "}");
     }
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void describe_begin(struct json *json, const char *file, const char *kind, const struct bead_scene *scene)
@@ -85,7 +86,7 @@ static void describe_begin(struct json *json, const char *file, const char *kind
 
 static void end(struct json *json)
 {
-    json_close(json, '}');
+    json_close(json, "}");
     fputc('\n', json->out);
 }
 
@@ -110,7 +111,7 @@ static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, co
             write_chain(&json, chain);
         bead_chain_destroy(chain);
     }
-    json_close(&json, ']');
+    json_close(&json, "]");
     end_with(&json, config);
     return err;
 }
@@ -171,8 +172,7 @@ enum bead_error command_describe_trajectory(FILE *out, const char *file, struct 
             if (bead_trajectory_fields(trajectory) & BEAD_FIELD_BIT(field))
                 json_text(&json, NULL, bead_field_info((enum bead_field)field)->name);
         }
-        json_close(&json, ']');
-        json_close(&json, '}');
+        json_close(&json, "]}");
         command_write_runs(&json, chains, outcomes, count);
         end_with(&json, config);
     }
@@ -201,7 +201,7 @@ static void write_lines(struct json *json, char *text)
     json_open(json, "lines", '[');
     for (char *line = strtok_r(text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
         json_text(json, NULL, line);
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 enum bead_error command_describe_plan(FILE *out, const struct bead_session *session, struct bead_message *msg)
@@ -227,9 +227,9 @@ enum bead_error command_describe_plan(FILE *out, const struct bead_session *sess
             json_text(&json, "path", planned.path);
             json_text(&json, "kind", planned.kind);
             json_flag(&json, "made", planned.made);
-            json_close(&json, '}');
+            json_close(&json, "}");
         }
-        json_close(&json, ']');
+        json_close(&json, "]");
         write_lines(&json, text);
         end(&json);
     }

@@ -3,7 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "sim/cli/command_options.h"
+#include "sim/base/suggest.h"
+#include "sim/cli/command_line.h"
 
 /* Help text of a row; --list names what this program can list. */
 static const char *row_help(const struct command_program *program, const struct command_option *row, char *text, size_t size)
@@ -14,10 +15,8 @@ static const char *row_help(const struct command_program *program, const struct 
     const char *words[COMMAND_MOST_WORDS];
     char names[160] = "";
     const size_t count = command_words(program, row, words);
-    for (size_t i = 0; i < count; i++) {
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, "%s%s", i == 0 ? "" : i + 1 < count ? ", " : " or ", words[i]);
-    }
+    for (size_t i = 0; i < count; i++)
+        bead_list_add(names, sizeof names, i + 1 < count ? ", " : " or ", words[i]);
     snprintf(text, size, "%.*s%s%s", (int)(gap - row->help), row->help, names, gap + 2);
     return text;
 }
@@ -38,7 +37,7 @@ static void print_wrapped(const char *text, FILE *out)
     fprintf(out, "%s\n", text);
 }
 
-/* Of the file -o, in one paragraph. */
+/* The options for the file -o, in one paragraph. */
 static void print_looks(FILE *out)
 {
     char text[512] = "";

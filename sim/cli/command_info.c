@@ -13,7 +13,9 @@
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/chain/system.h"
+#include "sim/kinds/output_kinds.h"
+#include "sim/output/measure.h"
 
 #define SHOWN 72 /* longer spin strings are cut */
 
@@ -40,19 +42,18 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
 /* Print the equation's own keys, as the scene gives them. */
 static void print_equation(FILE *out, const struct bead_chain *chain, size_t index)
 {
-    const struct bead_equation_spec *spec = &bead_chain_spec(chain)->equation;
     const struct bead_chain_axis along = bead_chain_axis(chain, false);
     const char *name = bead_chain_name(chain);
     char number[24];
     snprintf(number, sizeof number, "%zu", index);
-    fprintf(out, "chain %s: equation %s, %zu points from x = %.6g, %.6g apart\n", *name ? name : number, spec->name,
-            bead_chain_beads(chain), along.first, along.spacing);
+    fprintf(out, "chain %s: equation %s, %zu points from x = %.6g, %.6g apart\n", *name ? name : number,
+            bead_chain_spec(chain)->system->label, bead_chain_beads(chain), along.first, along.spacing);
 }
 
 static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    if (spec->equation.name) {
+    if (!spec->system->has_contacts) {
         print_equation(out, chain, index);
         return;
     }
@@ -78,7 +79,7 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
 static void print_outputs(FILE *out, const struct bead_scene *scene)
 {
     for (size_t i = 0; i < scene->output_count; i++)
-        fprintf(out, "output %zu: %s %s\n", i, bead_output_key(scene->outputs[i].kind), scene->outputs[i].path);
+        fprintf(out, "output %zu: %s %s\n", i, bead_output_kind_name(&scene->outputs[i]), scene->outputs[i].path);
 }
 
 static void print_head(FILE *out, const char *path, const char *kind, const struct bead_scene *scene)
@@ -93,9 +94,10 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
     char path[PATH_MAX], until[32], step[32];
     const char *unit = "s";
     struct bead_scene *scene = NULL;
-    enum bead_error err = bead_scene_find(command->input, path, sizeof path, msg);
+    const struct bead_overrides overrides = command_overrides(command);
+    enum bead_error err = bead_scene_find(command->job.input, path, sizeof path, msg);
     if (!err)
-        err = bead_scene_load(path, command->settings, command->setting_count, &scene, msg);
+        err = bead_scene_load(path, &overrides, &scene, msg);
     if (err)
         return err;
     if (command->json) {
@@ -130,8 +132,8 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
 static void print_outcome(FILE *out, size_t index, const char *unit, const struct bead_outcome *outcome)
 {
     char text[32], step[32];
-    if (!isfinite(outcome->end)) { /* nothing was written but samples */
-        fprintf(out, "run of chain %zu: killed, so that no more is known of it than its samples\n", index);
+    if (!isfinite(outcome->end)) { /* only samples were written */
+        fprintf(out, "run of chain %zu: killed: nothing but its samples is known\n", index);
         return;
     }
     fprintf(out, "run of chain %zu: %s, step %s, %llu steps to %s\n", index, outcome->method ? outcome->method : "?",
@@ -154,7 +156,7 @@ static void print_outcome(FILE *out, size_t index, const char *unit, const struc
 
 static void print_samples(FILE *out, const struct bead_trajectory *trajectory, const struct bead_chain *chain)
 {
-    const char *unit = bead_chain_time_unit(chain), *beads_word = *unit ? "beads" : "points";
+    const char *unit = bead_chain_time_unit(chain), *beads_word = bead_chain_spec(chain)->system->points;
     const struct bead_grid *grid = bead_trajectory_grid(trajectory);
     struct bead_span beads = bead_trajectory_beads(trajectory);
     char start[32], every[32], end[32];
@@ -178,21 +180,81 @@ static void print_samples(FILE *out, const struct bead_trajectory *trajectory, c
     fputc('\n', out);
 }
 
+/* ---- measures of a stored run, from its samples ---- */
+
+enum { MOST_MEASURES = 128 };
+/* Files with more values than this are not read through for --info. */
+static const double most_values = 5e7;
+
+static enum bead_error feed(struct bead_trajectory *trajectory, size_t chain, size_t samples, struct bead_measures *measures,
+                            struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < samples; i++) {
+        struct bead_sample sample = {.chain = chain, .index = i};
+        err = bead_trajectory_read(trajectory, i, chain, BEAD_MEASURE_FIELDS, &sample, msg);
+        if (!err)
+            err = bead_measures_feed(measures, &sample, msg);
+    }
+    return err;
+}
+
+static void print_measures(FILE *out, size_t chain, const struct bead_measure *found, size_t count)
+{
+    char text[48];
+    fprintf(out, "measures of chain %zu, from these samples:\n", chain);
+    for (size_t i = 0; i < count && i < MOST_MEASURES; i++) {
+        bool prefixed = found[i].unit[0] && !found[i].unit[1] && found[i].unit[0] != '1'; /* s, m, N, J */
+        const char *note = found[i].note;
+        if (isnan(found[i].value))
+            fprintf(out, "  %-27s %s\n", found[i].name, note);
+        else if (prefixed)
+            fprintf(out, "  %-27s %s%s%s\n", found[i].name, command_quantity(found[i].value, found[i].unit, text, sizeof text),
+                    *note ? ", " : "", note);
+        else
+            fprintf(out, "  %-27s %.6g%s%s%s%s\n", found[i].name, found[i].value, *found[i].unit ? " " : "", found[i].unit,
+                    *note ? ", " : "", note);
+    }
+}
+
+/* The measures of a chain's samples, if these have the fields needed and are not too many. */
+static enum bead_error describe_measures(FILE *out, struct bead_trajectory *trajectory, size_t chain,
+                                         const struct bead_outcome *outcome, struct bead_message *msg)
+{
+    size_t chains, samples = bead_grid_count(bead_trajectory_grid(trajectory));
+    const struct bead_chain *of = bead_trajectory_chains(trajectory, &chains)[chain];
+    struct bead_span beads = bead_trajectory_beads(trajectory);
+    struct bead_measure found[MOST_MEASURES];
+    struct bead_measures *measures = NULL;
+    bool there = (bead_trajectory_fields(trajectory) & BEAD_MEASURE_FIELDS) == BEAD_MEASURE_FIELDS && beads.first == 0 &&
+                 beads.last >= bead_chain_beads(of) - 1;
+    if (!there || !bead_chain_spec(of)->system->has_contacts || (double)samples * (double)bead_chain_beads(of) > most_values)
+        return BEAD_OK;
+    enum bead_error err = bead_measures_create(of, &measures, msg);
+    if (!err)
+        err = feed(trajectory, chain, samples, measures, msg);
+    if (!err)
+        print_measures(out, chain, found, bead_measures_read(measures, outcome, found, MOST_MEASURES));
+    bead_measures_destroy(measures);
+    return err;
+}
+
 static enum bead_error trajectory_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
+    const struct bead_overrides overrides = command_overrides(command);
     struct bead_trajectory *trajectory;
-    enum bead_error err = bead_trajectory_open(command->input, command->settings, command->setting_count, &trajectory, msg);
+    enum bead_error err = bead_trajectory_open(command->job.input, &overrides, &trajectory, msg);
     if (err)
         return err;
     if (command->json) {
-        err = command_describe_trajectory(out, command->input, trajectory, command->config, msg);
+        err = command_describe_trajectory(out, command->job.input, trajectory, command->config, msg);
         bead_trajectory_close(trajectory);
         return err;
     }
     size_t count = 0;
     const struct bead_chain *const *chains = bead_trajectory_chains(trajectory, &count);
     const char *kind = bead_trajectory_complete(trajectory) ? "trajectory" : "trajectory of a run that was stopped or killed";
-    print_head(out, command->input, kind, bead_trajectory_scene(trajectory));
+    print_head(out, command->job.input, kind, bead_trajectory_scene(trajectory));
     for (size_t i = 0; i < count; i++)
         print_chain(out, chains[i], i);
     print_samples(out, trajectory, chains[0]);
@@ -202,7 +264,7 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
         if (!err)
             print_outcome(out, i, bead_chain_time_unit(chains[i]), &outcome);
         if (!err)
-            err = command_measures(out, trajectory, i, &outcome, msg);
+            err = describe_measures(out, trajectory, i, &outcome, msg);
     }
     bead_trajectory_close(trajectory);
     return err;
@@ -232,17 +294,18 @@ static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)
 
 static enum bead_error sweep_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
+    const struct bead_overrides overrides = command_overrides(command);
     struct bead_sweep *sweep = NULL;
-    enum bead_error err = bead_sweep_open(command->input, command->settings, command->setting_count, &sweep, msg);
+    enum bead_error err = bead_sweep_open(command->job.input, &overrides, &sweep, msg);
     if (err)
         return err;
     size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
     if (command->json) {
-        command_describe_sweep(out, command->input, sweep, command->config);
+        command_describe_sweep(out, command->job.input, sweep, command->config);
         bead_sweep_close(sweep);
         return BEAD_OK;
     }
-    print_head(out, command->input, "sweep", bead_sweep_scene(sweep));
+    print_head(out, command->job.input, "sweep", bead_sweep_scene(sweep));
     for (size_t i = 0; i < bead_sweep_panels(sweep); i++)
         print_sweep(out, sweep, i);
     bead_sweep_part(sweep, &part, &parts);
@@ -264,16 +327,16 @@ static void print_journal(FILE *out, const char *path, const struct bead_sweep_p
 
 static enum bead_error file_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
-    if (bead_sweep_is(command->input))
+    if (bead_sweep_is(command->job.input))
         return sweep_info(command, out, msg);
-    return bead_trajectory_is(command->input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
+    return bead_trajectory_is(command->job.input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
 }
 
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     struct bead_sweep_progress progress;
-    if (bead_sweep_journal_look(command->input, &progress)) {
-        (command->json ? command_describe_journal : print_journal)(out, command->input, &progress);
+    if (bead_sweep_journal_look(command->job.input, &progress)) {
+        (command->json ? command_describe_journal : print_journal)(out, command->job.input, &progress);
         return BEAD_OK;
     }
     enum bead_error err = file_info(command, out, msg);

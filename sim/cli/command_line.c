@@ -10,7 +10,6 @@
 
 #include "beadreel/scene.h"
 #include "sim/base/suggest.h"
-#include "sim/cli/command_options.h"
 
 static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
                                              [COMMAND_PROGRESS_PLAIN] = "plain",
@@ -19,28 +18,20 @@ static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
                                              NULL};
 static const char *const instruction_words[] = {"portable", "sse2", "avx2", "avx512", NULL};
 
-static enum bead_error set_output(struct command *command, const char *value, struct bead_message *msg)
-{
-    if (!*value)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--output: the name is empty");
-    command->output = value;
-    return BEAD_OK;
-}
-
 static enum bead_error set_setting(struct command *command, const char *value, struct bead_message *msg)
 {
     const char *equals = strchr(value, '=');
     if (!equals || equals == value)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--set: `%s` is not of the form key.path=value", value);
-    command->settings[command->setting_count++] = value;
+    command->settings[command->job.setting_count++] = value;
     return BEAD_OK;
 }
 
 static enum bead_error set_only(struct command *command, const char *value, struct bead_message *msg)
 {
     if (!*value)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--only: the name is empty");
-    command->only[command->only_count++] = value;
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--only: NAME is empty");
+    command->only[command->job.only_count++] = value;
     return BEAD_OK;
 }
 
@@ -51,7 +42,7 @@ static enum bead_error set_threads(struct command *command, const char *value, s
     long threads = strtol(value, &end, 10);
     if (end == value || *end || errno || threads < 0 || threads > 1024)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--threads: `%s` is not a whole number from 0 (all cores) to 1024", value);
-    command->threads = (int)threads;
+    command->job.threads = (int)threads;
     return BEAD_OK;
 }
 
@@ -63,48 +54,17 @@ static size_t place_of(const char *word, const char *const *words)
     return i;
 }
 
-static enum bead_error set_progress(struct command *command, const char *value, struct bead_message *msg)
+static enum bead_error set_progress(struct command *command, const char *value, struct bead_message *)
 {
-    (void)msg;
     command->progress = (enum command_progress)place_of(value, progress_words);
     return BEAD_OK;
 }
 
 static const char *const new_words[] = {"paper", "lecture", "sweep", "compare", NULL};
 
-static enum bead_error set_new(struct command *command, const char *value, struct bead_message *msg)
+static enum bead_error set_quiet(struct command *command, const char *, struct bead_message *)
 {
-    (void)msg;
-    command->action = COMMAND_NEW;
-    command->kind = value;
-    return BEAD_OK;
-}
-
-static enum bead_error set_watch(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->watch = true;
-    return BEAD_OK;
-}
-
-static enum bead_error set_no_config(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->no_config = true;
-    return BEAD_OK;
-}
-
-static enum bead_error set_quiet(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
     command->progress = COMMAND_PROGRESS_NONE;
-    return BEAD_OK;
-}
-
-static enum bead_error set_instructions(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)msg;
-    command->instructions = value;
     return BEAD_OK;
 }
 
@@ -115,69 +75,12 @@ static enum bead_error check_draws(const struct command *command, const char *op
     return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: %s does not draw", option, command->program->name);
 }
 
-static enum bead_error set_canvas(struct command *command, const char *value, struct bead_message *msg)
+static enum bead_error set_list(struct command *command, const char *value, struct bead_message *)
 {
-    command->canvas = value;
-    return check_draws(command, "canvas", msg);
-}
-
-static enum bead_error set_frame(struct command *command, const char *value, struct bead_message *msg)
-{
-    command->frame = value;
-    return *value ? check_draws(command, "frame", msg) : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: the moment is empty");
-}
-
-static enum bead_error set_list(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)msg;
     command->action = COMMAND_LIST;
     command->list = command->program->lists;
     while (strcmp(command->list->name, value) != 0)
         command->list++;
-    return BEAD_OK;
-}
-
-static enum bead_error set_info(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)msg;
-    command->action = COMMAND_INFO;
-    command->input = value;
-    return BEAD_OK;
-}
-
-static enum bead_error set_plan(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->action = COMMAND_PLAN;
-    return BEAD_OK;
-}
-
-static enum bead_error set_configuration(struct command *command, const char *value, struct bead_message *msg)
-{
-    if (!*value)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: the number is empty");
-    command->configuration = value;
-    return BEAD_OK;
-}
-
-static enum bead_error set_allow_outside(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->allow_outside = true;
-    return BEAD_OK;
-}
-
-static enum bead_error set_sheet(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value;
-    command->sheet = true;
-    return check_draws(command, "sheet", msg);
-}
-
-static enum bead_error set_json(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->json = true;
     return BEAD_OK;
 }
 
@@ -190,15 +93,8 @@ static enum bead_error set_shard(struct command *command, const char *value, str
         part > parts || parts > 1000000)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: `%s` is not of the form K/N with K from 1 to N, N at most 1000000",
                          value);
-    command->shard = part;
-    command->shards = parts;
-    return BEAD_OK;
-}
-
-static enum bead_error set_merge(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->action = COMMAND_MERGE;
+    command->job.part = part;
+    command->job.parts = parts;
     return BEAD_OK;
 }
 
@@ -219,54 +115,50 @@ static enum bead_error set_help(struct command *command, const char *value, stru
     return command->action != COMMAND_HELP ? BEAD_OK : bead_fail(msg, BEAD_ERROR_USAGE, "--help: takes no value");
 }
 
-static enum bead_error set_version(struct command *command, const char *value, struct bead_message *msg)
-{
-    (void)value, (void)msg;
-    command->action = COMMAND_VERSION;
-    return BEAD_OK;
-}
-
+#define COMMAND(member) offsetof(struct command, member)
 static const struct command_option rows[] = {
-    {"output", 'o', "PATH", "directory for the files of a scene (default: this one), or the one file to make, by its ending", NULL,
-     set_output, NULL},
-    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", NULL, set_setting, NULL},
-    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", NULL, set_only, NULL},
-    {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", NULL, NULL, ""},
-    {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps, or a text file of them", NULL, NULL, ""},
-    {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", NULL, NULL, ":,"},
-    {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", NULL, NULL, ":,"},
-    {"beads", 0, "FIRST:LAST", "of the file -o: which beads", NULL, NULL, ":,-"},
-    {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", NULL, NULL, "x,"},
-    {"style", 0, "NAME", "of the file -o: paper, slide or movie", NULL, NULL, ""},
-    {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", NULL, NULL, ","},
-    {"frame", 0, "MOMENT", "draw only a frame of the scene's film, as PNG: 2.1ms of the motion, 50% of the film, or peak", NULL,
-     set_frame, NULL},
-    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", NULL, set_plan, NULL},
-    {"new", 0, "KIND", "write a commented scene to start from, KIND.yaml or -o FILE: paper, lecture, sweep or compare", new_words,
-     set_new, NULL},
-    {"watch", 0, NULL, "run the scene again whenever it is saved, until interrupted", NULL, set_watch, NULL},
-    {"list", 0, "WHAT", "list %s", NULL, set_list, NULL},
-    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", NULL, set_info, NULL},
-    {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps", NULL,
-     set_configuration, NULL},
-    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", NULL, set_sheet, NULL},
-    {"allow-outside", 0, NULL, "let the scene write outside the directory -o (absolute paths, `..`); for scenes you trust", NULL,
-     set_allow_outside, NULL},
-    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5", NULL, set_shard,
-     NULL},
-    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", NULL, set_merge, NULL},
-    {"no-config", 0, NULL, "without your own settings, beadreel/config.yaml in ~/.config", NULL, set_no_config, NULL},
-    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", NULL, set_threads, NULL},
+    {"output", 'o', "PATH", "directory for the files of a scene (default: this one), or the one file to make, by its ending",
+     .text = COMMAND(job.output)},
+    {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", .apply = set_setting},
+    {"only", 0, "NAME", "make only this output, named by its file (repeatable)", .apply = set_only},
+    {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", .separators = ""},
+    {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps, or a text file of them", .separators = ""},
+    {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", .separators = ":,"},
+    {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", .separators = ":,"},
+    {"beads", 0, "FIRST:LAST", "of the file -o: which beads", .separators = ":,-"},
+    {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", .separators = "x,"},
+    {"style", 0, "NAME", "of the file -o: paper, slide or movie", .separators = ""},
+    {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", .separators = ","},
+    {"frame", 0, "MOMENT", "draw only a frame of the scene's film, as PNG: 2.1ms of the motion, 50% of the film, or peak",
+     .text = COMMAND(job.frame), .draws = true},
+    {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", .action = COMMAND_PLAN},
+    {"new", 0, "KIND", "write a commented scene to start from, KIND.yaml or -o FILE: paper, lecture, sweep or compare",
+     .words = new_words, .text = COMMAND(kind), .action = COMMAND_NEW},
+    {"watch", 0, NULL, "run the scene again whenever it is saved, until interrupted", .flag = COMMAND(watch)},
+    {"list", 0, "WHAT", "list %s", .apply = set_list},
+    {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", .text = COMMAND(job.input),
+     .action = COMMAND_INFO},
+    {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
+     .text = COMMAND(job.configuration)},
+    {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", .flag = COMMAND(job.sheet),
+     .draws = true},
+    {"allow-outside", 0, NULL, "let the scene write outside the directory -o (absolute paths, `..`); for scenes you trust",
+     .flag = COMMAND(job.allow_outside)},
+    {"shard", 0, "K/N", "compute part K of N of a sweep into a file of its own: sweep.h5 becomes sweep.KofN.h5",
+     .apply = set_shard},
+    {"merge", 0, NULL, "merge the given parts of a sweep, in any order, into the file -o", .action = COMMAND_MERGE},
+    {"no-config", 0, NULL, "without your own settings, beadreel/config.yaml in ~/.config", .flag = COMMAND(no_config)},
+    {"threads", 0, "N", "use N threads (default 0: all cores); the results do not depend on N", .apply = set_threads},
     {"instructions", 0, "SET", "portable, or on x86-64 sse2, avx2 or avx512 (default: the best there is); the results are the same",
-     instruction_words, set_instructions, NULL},
+     .words = instruction_words, .text = COMMAND(job.instructions)},
     {"canvas", 0, "NAME", "what paints beads: osmesa (the default), else egl, else plain, which is the fastest; all look the same",
-     NULL, set_canvas, NULL},
+     .text = COMMAND(job.canvas), .draws = true},
     {"progress", 0, "HOW", "how to show progress on stderr: auto (default), plain, json (the result is JSON, too) or none",
-     progress_words, set_progress, NULL},
-    {"quiet", 'q', NULL, "the same as --progress none", NULL, set_quiet, NULL},
-    {"json", 0, NULL, "print the result, the plan or the description as one JSON object", NULL, set_json, NULL},
-    {"help", 'h', NULL, "show this help", NULL, set_help, NULL},
-    {"version", 'V', NULL, "show the version and the licence", NULL, set_version, NULL},
+     .words = progress_words, .apply = set_progress},
+    {"quiet", 'q', NULL, "the same as --progress none", .apply = set_quiet},
+    {"json", 0, NULL, "print the result, the plan or the description as one JSON object", .flag = COMMAND(json)},
+    {"help", 'h', NULL, "show this help", .apply = set_help},
+    {"version", 'V', NULL, "show the version and the licence", .action = COMMAND_VERSION},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -277,13 +169,12 @@ const struct command_option *command_option(size_t i)
 
 bool command_offers(const struct command_program *program, const struct command_option *row)
 {
-    return program->canvases ||
-           (row->apply != set_canvas && row->apply != set_sheet && row->apply != set_frame && !row->separators);
+    return program->canvases || (!row->draws && !row->separators);
 }
 
 size_t command_words(const struct command_program *program, const struct command_option *row, const char *words[COMMAND_MOST_WORDS])
 {
-    const char *const *list = row->apply == set_canvas ? program->canvases : row->words;
+    const char *const *list = row->text == COMMAND(job.canvas) ? program->canvases : row->words;
     size_t count = 0;
     for (; list && count < COMMAND_MOST_WORDS && list[count]; count++)
         words[count] = list[count];
@@ -303,15 +194,14 @@ static enum bead_error check_word(const struct command_program *program, const s
     for (size_t i = 0; i < count; i++) {
         if (strcmp(value, words[i]) == 0)
             return BEAD_OK;
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s%s", i == 0 ? "" : ", ", words[i]);
+        bead_list_add(all, sizeof all, ", ", words[i]);
         bead_suggest_try(&search, words[i]);
     }
     return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: unknown value `%s`%s (allowed: %s)", row->name, value,
                      bead_suggest_text(&search, near, sizeof near), all);
 }
 
-/* Say what was wrong with an option that getopt_long rejects. */
+/* Explains why getopt_long rejected an option. */
 static enum bead_error unknown_option(char **argv, int found, struct bead_message *msg)
 {
     char near[64];
@@ -336,34 +226,78 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
     return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`%s", word, *near ? near : "; see --help");
 }
 
+/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so; lists of words,
+ * with a single separator, may have one alone. To be freed; NULL: out of memory. */
+static char *as_list(const char *value, const char *separators)
+{
+    const bool words = *separators && !separators[1];
+    char *text = NULL;
+    size_t size = 0;
+    if (!*separators || *value == '[' || (!words && !value[strcspn(value, separators)]))
+        return strdup(value);
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        return NULL;
+    fputc('[', out);
+    for (const char *at = value;; at++) {
+        const size_t length = strcspn(at, separators);
+        fprintf(out, "%.*s", length ? (int)length : 4, length ? at : "auto");
+        at += length;
+        if (!*at)
+            break;
+        fputs(", ", out);
+    }
+    fputc(']', out);
+    if (fclose(out) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
 /* A key of the output that -o names. */
 static enum bead_error add_look(struct command *command, const struct command_option *row, const char *value,
                                 struct bead_message *msg)
 {
-    char *list = command_listed(value, row->separators);
-    char **look = &command->looks[command->look_count];
+    char *list = as_list(value, row->separators);
+    char **look = &command->looks[command->job.look_count];
     enum bead_error err = check_draws(command, row->name, msg);
-    if (!err && (!list || asprintf(look, "%s=%s", row->name, list) < 0))
+    if (!err && (!list || asprintf(look, "--%s=%s", row->name, list) < 0))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
-    command->look_count += !err;
+    command->job.look_count += !err;
     free(list);
     return err;
+}
+
+/* Applies the members of the row, then its function. */
+static enum bead_error apply_row(struct command *command, const struct command_option *row, const char *value,
+                                 struct bead_message *msg)
+{
+    if (row->text && !*value)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: %s is empty", row->name, row->argument);
+    if (row->text)
+        *(const char **)(void *)((char *)command + row->text) = value;
+    if (row->flag)
+        *(bool *)(void *)((char *)command + row->flag) = true;
+    if (row->action != COMMAND_RUN)
+        command->action = row->action;
+    enum bead_error err = row->draws ? check_draws(command, row->name, msg) : BEAD_OK;
+    return err || !row->apply ? err : row->apply(command, value, msg);
 }
 
 static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
     while (command->action == COMMAND_MERGE && optind < argc)
         command->parts[command->part_count++] = argv[optind++];
-    if (optind < argc && command->input)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
+    if (optind < argc && command->job.input)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->job.input, argv[optind]);
     if (optind < argc)
-        command->input = argv[optind++];
+        command->job.input = argv[optind++];
     if (optind < argc)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->input, argv[optind]);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->job.input, argv[optind]);
     if (command->watch && command->action != COMMAND_RUN)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--watch: has no effect here: it is for runs of a scene");
     bool needed = command->action == COMMAND_RUN || command->action == COMMAND_PLAN;
-    if (needed && (!command->input || !*command->input))
+    if (needed && (!command->job.input || !*command->job.input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given; see --help, or --list scenes for ready ones");
     return BEAD_OK;
 }
@@ -392,7 +326,7 @@ enum bead_error command_parse(struct command *command, int argc, char **argv, st
         enum bead_error err =
             command_words(command->program, &rows[i], words) > 0 ? check_word(command->program, &rows[i], optarg, msg) : BEAD_OK;
         if (!err)
-            err = rows[i].separators ? add_look(command, &rows[i], optarg, msg) : rows[i].apply(command, optarg, msg);
+            err = rows[i].separators ? add_look(command, &rows[i], optarg, msg) : apply_row(command, &rows[i], optarg, msg);
         if (err)
             return err;
         if (command->action >= COMMAND_HELP)

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command line of both programs: options, help, lists, progress and results.
  * Linked into the two programs only: the libraries neither print nor exit. */
-#ifndef BEADREEL_SIM_CLI_COMMAND_LINE_H
-#define BEADREEL_SIM_CLI_COMMAND_LINE_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -10,27 +9,27 @@
 #include <stdio.h>
 
 #include "beadreel/error.h"
-#include "beadreel/library.h"
 #include "beadreel/session.h"
 #include "beadreel/sink.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
+#include "sim/base/library.h"
 
 /* One thing that --list can show: a line each with a name and a description. */
+#define COMMAND_LISTS(print) enum bead_error print(FILE *out, __attribute__((unused)) struct bead_message *msg)
 struct command_list {
     const char *name;
-    enum bead_error (*print)(FILE *out, struct bead_message *msg);
+    COMMAND_LISTS((*print));
 };
 
-/* What differs between the programs. */
+/* The differences between the two programs. */
 struct command_program {
     const char *name;                                 /* "beadreel" */
     const char *purpose;                              /* one line for --help */
     const char *usage, *examples;                     /* paragraphs for --help */
     const struct command_list *lists;                 /* ends with a NULL name */
     const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
-    const struct bead_sweep_sink *const *const *sweep_sinks;
-    const char *const *canvases; /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
+    const char *const *canvases;                      /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
 };
 
 enum command_action {
@@ -53,18 +52,13 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    const char *input, *output, *instructions, *canvas, *configuration, *frame;
-    bool allow_outside;
-    bool sheet;
+    struct bead_job job; /* what a session is told of it */
     bool json, watch, no_config;
     struct bead_config *config;             /* the user's own settings, owned; NULL: none */
-    char *config_setting;                   /* the same as a setting of scenes, for --info; owned */
     const char *kind;                       /* of a new scene */
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
     char **looks;                           /* owned, and their texts */
-    size_t setting_count, only_count, part_count, look_count;
-    size_t shard, shards; /* 0, 0: all */
-    int threads;
+    size_t part_count;
     enum command_progress progress;
 };
 
@@ -75,13 +69,36 @@ int command_main(const struct command_program *program, int argc, char **argv);
 enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg);
 /* The user's own settings, and what --info says of them. Errors: those of bead_config_load; SCENE (no such canvas). */
 enum bead_error command_load_config(struct command *command, struct bead_message *msg);
+/* Changes of scenes: --set, and the user's own settings. */
+struct bead_overrides command_overrides(const struct command *command);
 void command_print_config(FILE *out, const struct bead_config *config);
 struct json;
 void command_write_config(struct json *json, const struct bead_config *config);
-/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so; lists of words,
- * with a single separator, may have one alone. To be freed; NULL: out of memory. */
-char *command_listed(const char *value, const char *separators);
-/* What the table of options says: --help, the options of the man page, a line per option for completions, --version. */
+/* A row of the table of options. */
+struct command_option {
+    const char *name;
+    char letter; /* 0: none */
+    const char *argument;
+    const char *help;           /* one line; %s: the words it takes */
+    const char *const *words;   /* the only values it takes, NULL-terminated; NULL: any, or as `apply` checks */
+    size_t text, flag;          /* offsets in struct command, of a text that keeps the value and of a flag that is set; 0: none */
+    enum command_action action; /* what is asked for; COMMAND_RUN: the option does not say */
+    bool draws;                 /* only for programs that draw */
+    enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg); /* NULL: no more than that */
+    const char
+        *separators; /* for keys of the output -o: characters between the values of a list; "": one value; NULL: no such key */
+};
+
+/* Row i of the table; NULL: there are no more. */
+const struct command_option *command_option(size_t i);
+/* Does this program have the option? One that does not draw has none for drawing. */
+bool command_offers(const struct command_program *program, const struct command_option *row);
+/* The only values that an option takes, at most COMMAND_MOST_WORDS of them; returns how many: 0 where any may be tried. */
+enum { COMMAND_MOST_WORDS = 16 };
+size_t command_words(const struct command_program *program, const struct command_option *row,
+                     const char *words[COMMAND_MOST_WORDS]);
+
+/* Texts from the table of options: --help, the options of the man page, a line per option for completions, --version. */
 void command_print_help(const struct command_program *program, FILE *out);
 void command_print_man(const struct command_program *program, FILE *out);
 void command_print_words(const struct command_program *program, FILE *out);
@@ -97,17 +114,17 @@ enum bead_error command_merge(const struct command *command, struct bead_message
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
 
 /* Lists that need no graphics. */
-enum bead_error command_list_scenes(FILE *out, struct bead_message *msg);
-enum bead_error command_list_materials(FILE *out, struct bead_message *msg);
-enum bead_error command_list_methods(FILE *out, struct bead_message *msg);
-enum bead_error command_list_laws(FILE *out, struct bead_message *msg);
-enum bead_error command_list_equations(FILE *out, struct bead_message *msg); /* that a chain may be instead of beads */
-enum bead_error command_list_measures(FILE *out, struct bead_message *msg);
-enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg);
-enum bead_error command_list_libraries(FILE *out, struct bead_message *msg); /* that are opened at run time */
-void command_list_library(FILE *out, const struct bead_library_info *library);
-enum bead_error command_list_keys(FILE *out, struct bead_message *msg);   /* of scenes: unit, range, default */
-enum bead_error command_list_schema(FILE *out, struct bead_message *msg); /* of the same: a JSON Schema, for editors */
+COMMAND_LISTS(command_list_scenes);
+COMMAND_LISTS(command_list_materials);
+COMMAND_LISTS(command_list_methods);
+COMMAND_LISTS(command_list_laws);
+COMMAND_LISTS(command_list_equations); /* that a chain may be instead of beads */
+COMMAND_LISTS(command_list_measures);
+COMMAND_LISTS(command_list_thresholds);
+COMMAND_LISTS(command_list_libraries); /* that are opened at run time */
+void command_list_opened(FILE *out, const struct bead_library_info *library);
+COMMAND_LISTS(command_list_keys);   /* of scenes: unit, range, default */
+COMMAND_LISTS(command_list_schema); /* of the same: a JSON Schema, for editors */
 
 /* --watch: runs the scene, and again each time its file is saved, until a signal. --new: a scene to start from. Errors: those of
  * command_run; USAGE, IO. */
@@ -117,7 +134,7 @@ enum bead_error command_new(const struct command *command, struct bead_message *
 void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);
 /* Is the result to be JSON on stdout? */
 bool command_is_json(const struct command *command);
-/* That of a run: one line on stdout. `session` is NULL where it could not be opened. */
+/* The result of a run: one line on stdout. `session` is NULL if it could not be opened. */
 void command_print_result(const struct bead_session *session, enum bead_error err, int status, double seconds,
                           const struct bead_message *msg);
 /* --plan and --info as JSON. Errors: those of what is described. */
@@ -134,7 +151,7 @@ void command_write_runs(struct json *json, const struct bead_chain *const *chain
 
 /* Progress on stderr. */
 struct command_meter {
-    enum command_progress mode;     /* AUTO stands for a bar on a terminal */
+    enum command_progress mode;     /* AUTO: a bar on a terminal */
     double done_began, items_began; /* when a stage continues what a stopped process began */
     double began, said;             /* s, monotonic clock: this stage began, the last line was written */
     struct {
@@ -148,14 +165,6 @@ void command_meter_init(struct command_meter *meter, enum command_progress mode)
 void command_meter_tell(void *context, const struct bead_progress *progress);
 /* Clear the terminal's line, so that other text can be written. */
 void command_meter_clear(struct command_meter *meter);
-/* Seconds of a clock that only runs forward. */
-double command_clock(void);
-
-/* Print the measures (measure.h) of a chain's samples, if these have the fields it takes and are not too many. */
-enum bead_error command_measures(FILE *out, struct bead_trajectory *trajectory, size_t chain, const struct bead_outcome *outcome,
-                                 struct bead_message *msg);
 
 /* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
 const char *command_quantity(double value, const char *unit, char *text, size_t size);
-
-#endif

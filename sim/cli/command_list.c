@@ -5,14 +5,14 @@
 #include <math.h>
 
 #include "beadreel/law.h"
-#include "beadreel/measure.h"
-#include "beadreel/methods.h"
 #include "beadreel/scene.h"
-#include "beadreel/statistics.h"
 #include "sim/base/h5.h"
 #include "sim/equation/equation.h"
+#include "sim/integrate/methods.h"
+#include "sim/output/measure.h"
+#include "sim/statistics/statistics.h"
 
-enum bead_error command_list_scenes(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_scenes)
 {
     struct bead_ready_scene *scenes;
     size_t count;
@@ -25,7 +25,7 @@ enum bead_error command_list_scenes(FILE *out, struct bead_message *msg)
     return BEAD_OK;
 }
 
-enum bead_error command_list_materials(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_materials)
 {
     struct bead_scene *scene;
     enum bead_error err = bead_scene_materials(&scene, msg);
@@ -45,9 +45,8 @@ enum bead_error command_list_materials(FILE *out, struct bead_message *msg)
     return BEAD_OK;
 }
 
-enum bead_error command_list_methods(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_methods)
 {
-    (void)msg;
     const struct bead_method_info *method;
     for (size_t i = 0; (method = bead_method_info(i)); i++)
         fprintf(out, "%-10s  order %d, %d force evaluation%s a step%s: %s\n", method->name, method->order, method->evaluations,
@@ -55,57 +54,50 @@ enum bead_error command_list_methods(FILE *out, struct bead_message *msg)
     return BEAD_OK;
 }
 
-enum bead_error command_list_equations(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_equations)
 {
-    (void)msg;
-    const struct bead_equation *equation;
-    for (size_t i = 0; (equation = bead_equation_info(i)); i++)
-        fprintf(out, "%-10s  %s\n", equation->system.name, equation->system.help);
+    const struct bead_system *system;
+    for (size_t i = 1; (system = bead_system_info(i)); i++) /* row 0 is that of beads */
+        fprintf(out, "%-10s  %s\n", system->name, system->help);
     return BEAD_OK;
 }
 
-void command_list_library(FILE *out, const struct bead_library_info *library)
+void command_list_opened(FILE *out, const struct bead_library_info *library)
 {
-    fprintf(out, "%-24s  %s\n", library->files[0], library->purpose);
+    for (; library->purpose; library++)
+        fprintf(out, "%-24s  %s\n", library->files[0], library->purpose);
 }
 
-enum bead_error command_list_libraries(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_libraries)
 {
-    (void)msg;
-    const struct bead_library_info *library;
-    for (size_t i = 0; (library = bead_h5_library_info(i)); i++)
-        command_list_library(out, library);
+    command_list_opened(out, bead_h5_libraries);
     return BEAD_OK;
 }
 
-enum bead_error command_list_laws(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_laws)
 {
-    (void)msg;
     const struct bead_law *law;
     for (size_t i = 0; (law = bead_law_info(i)); i++)
         fprintf(out, "%-16s  %s\n", law->name, law->description);
     return BEAD_OK;
 }
 
-enum bead_error command_list_thresholds(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_thresholds)
 {
     const struct bead_threshold_info *info;
-    (void)msg;
     for (size_t i = 0; (info = bead_threshold_info(i)); i++)
         fprintf(out, "%-14s  %s\n", info->name, info->formula);
     return BEAD_OK;
 }
 
-enum bead_error command_list_keys(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_keys)
 {
-    (void)msg;
     bead_scene_help(out);
     return BEAD_OK;
 }
 
-enum bead_error command_list_measures(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_measures)
 {
-    (void)msg;
     const struct bead_measure_info *info;
     for (size_t i = 0; (info = bead_measure_info(i)); i++)
         fprintf(out, "%-26s  %-8s  %s\n", info->name, info->unit, info->help);

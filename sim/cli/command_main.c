@@ -55,8 +55,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         command_print_version(command->program, stdout);
         return BEAD_OK;
     case COMMAND_LIST:
-        if (command->input && command->list->print == command_list_keys)
-            return bead_scene_help_of(command->input, stdout, msg);
+        if (command->job.input && command->list->print == command_list_keys)
+            return bead_scene_help_of(command->job.input, stdout, msg);
         return command->list->print(stdout, msg);
     case COMMAND_INFO:
         return command_info(command, stdout, msg);
@@ -73,24 +73,6 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     return err ? err : (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
 }
 
-int command_status(enum bead_error err, int signal)
-{
-    return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
-}
-
-/* One line, whatever is in the message; of wrong scenes one for each thing that is wrong. */
-void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg)
-{
-    fprintf(stderr, "%s: ", program->name);
-    for (const char *c = msg->text[0] ? msg->text : bead_error_text(err); *c; c++) {
-        if (err == BEAD_ERROR_SCENE && *c == '\n')
-            fprintf(stderr, "\n%s: ", program->name);
-        else
-            fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
-    }
-    fputc('\n', stderr);
-}
-
 int command_main(const struct command_program *program, int argc, char **argv)
 {
     struct bead_message msg = {""};
@@ -101,6 +83,11 @@ int command_main(const struct command_program *program, int argc, char **argv)
     command.only = calloc((size_t)argc + 1, sizeof *command.only);
     command.parts = calloc((size_t)argc + 1, sizeof *command.parts);
     command.looks = calloc((size_t)argc + 1, sizeof *command.looks);
+    BEAD_DEFAULT(&command.job);
+    command.job.settings = command.settings;
+    command.job.only = command.only;
+    command.job.looks = (const char *const *)command.looks;
+    command.job.sinks = program->sinks;
     if (!err && (!command.settings || !command.only || !command.parts || !command.looks))
         err = bead_fail(&msg, BEAD_ERROR_MEMORY, "out of memory");
     if (!err)
@@ -115,11 +102,10 @@ int command_main(const struct command_program *program, int argc, char **argv)
     if ((fflush(stdout) || ferror(stdout)) && !err)
         err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
     bead_config_free(command.config);
-    free(command.config_setting);
     free(command.settings);
     free(command.only);
     free(command.parts);
-    for (size_t i = 0; command.looks && i < command.look_count; i++)
+    for (size_t i = 0; command.looks && i < command.job.look_count; i++)
         free(command.looks[i]);
     free(command.looks);
     if (err)

@@ -5,26 +5,18 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "sim/base/clock.h"
 #include "sim/cli/json.h"
 
 #define REDRAW    0.1 /* s between redraws of a terminal's line */
 #define SAY_EVERY 3   /* s between plain lines */
 #define MARK      3   /* s between marks: the rate is that of the last 3 to 6 s */
 
-double command_clock(void)
-{
-    struct timespec now;
-    if (clock_gettime(CLOCK_MONOTONIC, &now))
-        return 0;
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 void command_meter_init(struct command_meter *meter, enum command_progress mode)
 {
-    *meter = (struct command_meter){.mode = mode, .began = command_clock()};
+    *meter = (struct command_meter){.mode = mode, .began = bead_clock()};
     const char *terminal = getenv("TERM");
     if (mode == COMMAND_PROGRESS_AUTO && (!isatty(STDERR_FILENO) || (terminal && strcmp(terminal, "dumb") == 0)))
         meter->mode = COMMAND_PROGRESS_PLAIN;
@@ -89,7 +81,7 @@ static void write_json(const struct command_meter *meter, double done, double le
         json_number(&json, progress->item, round(progress->items));
     if (isfinite(progress->time))
         json_number(&json, "time_s", progress->time);
-    json_close(&json, '}');
+    json_close(&json, "}");
     fputc('\n', stderr);
 }
 
@@ -110,7 +102,7 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
     struct command_meter *meter = context;
     if (meter->mode == COMMAND_PROGRESS_NONE)
         return;
-    double now = command_clock();
+    double now = bead_clock();
     bool fresh = strncmp(meter->what, progress->what, sizeof meter->what - 1) != 0;
     if (fresh) {
         if (*meter->what)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The result of a run as one JSON object on stdout, for programs: --json. The man page documents its keys. */
+/* The result of a command: the exit status, the message on stderr, and for programs (--json) the result of a run as one JSON object
+ * on stdout, whose keys the man page documents. */
 #include <math.h>
 #include <string.h>
 
@@ -7,6 +8,24 @@
 #include "beadreel/sweep.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
+
+int command_status(enum bead_error err, int signal)
+{
+    return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
+}
+
+/* One line, whatever is in the message; one for each error of a wrong scene. */
+void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg)
+{
+    fprintf(stderr, "%s: ", program->name);
+    for (const char *c = msg->text[0] ? msg->text : bead_error_text(err); *c; c++) {
+        if (err == BEAD_ERROR_SCENE && *c == '\n')
+            fprintf(stderr, "\n%s: ", program->name);
+        else
+            fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
+    }
+    fputc('\n', stderr);
+}
 
 bool command_is_json(const struct command *command)
 {
@@ -29,7 +48,7 @@ static void write_error(struct json *json, const char *text)
     json_number(json, "line", colon ? place[0] : NAN);
     json_number(json, "column", colon ? place[1] : NAN);
     json_text(json, "message", colon ? colon + length : text);
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 /* One a line of the message. */
@@ -43,10 +62,10 @@ static void write_errors(struct json *json, const char *text)
         write_error(json, line);
         text += length + (text[length] == '\n');
     }
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
-/* The peak that is known least well, as the last line has it. */
+/* The least certain peak, as in the last line of text output. */
 static void write_worst(struct json *json, const struct bead_outcome *o)
 {
     if (!(o->worst_force > 0)) {
@@ -58,7 +77,7 @@ static void write_worst(struct json *json, const struct bead_outcome *o)
     json_number(json, bead ? "bead" : "contact", bead ? o->worst_bead : o->worst_contact);
     json_number(json, "force_N", o->worst_force);
     json_number(json, "uncertainty_N", o->worst_uncertainty);
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 void command_write_runs(struct json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
@@ -78,9 +97,9 @@ void command_write_runs(struct json *json, const struct bead_chain *const *chain
         json_number(json, "embedded_error", o->embedded_error);
         json_number(json, "event_error", o->event_error);
         write_worst(json, o);
-        json_close(json, '}');
+        json_close(json, "}");
     }
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void write_outputs(struct json *json, const struct bead_session *session)
@@ -94,9 +113,9 @@ static void write_outputs(struct json *json, const struct bead_session *session)
         json_text(json, "path", results[i].path);
         json_text(json, "kind", results[i].kind);
         json_number(json, "bytes", (double)results[i].bytes);
-        json_close(json, '}');
+        json_close(json, "}");
     }
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void write_sweep(struct json *json, const struct bead_session *session)
@@ -111,7 +130,7 @@ static void write_sweep(struct json *json, const struct bead_session *session)
     json_number(json, "computed", (double)bead_session_counts(session)->chains);
     json_number(json, "known", (double)known);
     json_number(json, "chains", (double)all);
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 static void write_texts(struct json *json, const char *key, const struct bead_session *session,
@@ -121,7 +140,7 @@ static void write_texts(struct json *json, const char *key, const struct bead_se
     json_open(json, key, '[');
     for (size_t i = 0; session && (found = text(session, i)); i++)
         json_text(json, NULL, found);
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 void command_print_result(const struct bead_session *session, enum bead_error err, int status, double seconds,
@@ -140,6 +159,6 @@ void command_print_result(const struct bead_session *session, enum bead_error er
     write_sweep(&json, session);
     write_texts(&json, "warnings", session, bead_session_warning);
     write_errors(&json, !err ? "" : *msg->text ? msg->text : bead_error_text(err));
-    json_close(&json, '}');
+    json_close(&json, "}");
     fputc('\n', stdout);
 }

@@ -8,40 +8,15 @@
 #include <string.h>
 
 #include "beadreel/chain.h"
-#include "beadreel/file.h"
 #include "beadreel/sweep.h"
-
-static void fill_job(const struct command *command, const volatile sig_atomic_t *stop, struct bead_job *job)
-{
-    BEAD_DEFAULT(job);
-    job->input = command->input;
-    job->settings = command->settings;
-    job->setting_count = command->setting_count;
-    job->output = command->output;
-    job->only = command->only;
-    job->only_count = command->only_count;
-    job->threads = command->threads;
-    job->instructions = command->instructions;
-    job->canvas = command->canvas ? command->canvas : command->config ? command->config->canvas : NULL;
-    job->looks = (const char *const *)command->looks;
-    job->look_count = command->look_count;
-    job->sinks = command->program->sinks;
-    job->sweep_sinks = command->program->sweep_sinks;
-    job->configuration = command->configuration;
-    job->sheet = command->sheet;
-    job->frame = command->frame;
-    job->config = command->config ? command->config->path : NULL;
-    job->allow_outside = command->allow_outside;
-    job->part = command->shard;
-    job->parts = command->shards;
-    job->stop = stop;
-}
+#include "sim/base/clock.h"
+#include "sim/base/file.h"
 
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
-    struct bead_job job;
+    struct bead_job job = command->job;
     struct bead_session *session;
-    fill_job(command, stop, &job);
+    job.stop = stop;
     enum bead_error err = bead_session_open(&job, &session, msg);
     if (err)
         return err;
@@ -87,7 +62,7 @@ static void print_errors(const struct bead_outcome *outcomes, size_t chains)
     }
 }
 
-/* The peak that is known least well, where tables of peaks have asked. */
+/* The least certain peak, if a table of peaks asked for uncertainties. */
 static void print_worst(const struct bead_outcome *outcomes, size_t chains)
 {
     const struct bead_outcome *worst = NULL;
@@ -177,7 +152,7 @@ static enum bead_error play(const struct command *command, struct bead_session *
     enum bead_error err = bead_session_run(session, msg);
     command_meter_clear(meter);
     if (!command_is_json(command) && (!err || err == BEAD_ERROR_STOPPED))
-        print_text(command, session, command_clock() - began, err != BEAD_OK);
+        print_text(command, session, bead_clock() - began, err != BEAD_OK);
     if (err || bead_session_verified(session))
         return err;
     /* All is written; the last warning says what could not be verified. */
@@ -190,11 +165,11 @@ static enum bead_error play(const struct command *command, struct bead_session *
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     struct command_meter meter;
-    struct bead_job job;
+    struct bead_job job = command->job;
     struct bead_session *session;
-    double began = command_clock();
+    double began = bead_clock();
     command_meter_init(&meter, command->progress);
-    fill_job(command, stop, &job);
+    job.stop = stop;
     job.progress = command_meter_tell;
     job.progress_context = &meter;
     enum bead_error err = bead_session_open(&job, &session, msg);
@@ -204,7 +179,7 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     if (err == BEAD_ERROR_STOPPED && *stop)
         bead_fail(msg, err, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
     if (command_is_json(command))
-        command_print_result(session, err, command_status(err, *stop), command_clock() - began, msg);
+        command_print_result(session, err, command_status(err, *stop), bead_clock() - began, msg);
     bead_session_close(session);
     return err;
 }
@@ -212,14 +187,14 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
 enum bead_error command_merge(const struct command *command, struct bead_message *msg)
 {
     struct bead_sweep *sweep = NULL;
-    const char *dot = command->output ? strrchr(command->output, '.') : NULL;
+    const char *dot = command->job.output ? strrchr(command->job.output, '.') : NULL;
     if (!dot || strcmp(dot, ".h5") != 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: name the merged file with -o FILE.h5");
     enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
     if (!err)
-        err = bead_sweep_write(sweep, command->output, msg);
+        err = bead_sweep_write(sweep, command->job.output, msg);
     if (!err) {
-        const struct bead_result result = {.path = command->output, .bytes = bead_file_bytes(command->output)};
+        const struct bead_result result = {.path = command->job.output, .bytes = bead_file_bytes(command->job.output)};
         print_results(&result, 1);
     }
     bead_sweep_close(sweep);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "sim/cli/json.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/scene/scene_private.h"
 
 /* A number is one, or a text that begins like one and goes on with its unit; many words for YAML 1.1 are texts: 1e-6. */
@@ -16,7 +16,7 @@ static void put_only(struct json *json, const char *key, const char *inner, cons
 {
     json_open(json, key, '{');
     json_text(json, inner, text);
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 /* The definition called `name`. Headings are names of definitions but for blanks and brackets: "outputs (movie)", outputs:movie. */
@@ -68,7 +68,7 @@ static bool is_definition(const char *name, size_t length)
 
 static void put_alternatives(struct json *json, const char *like, size_t length);
 
-/* How many elements the list [of] or [2 of] has. Returns the length of what says so. */
+/* Limits the number of elements of the list [of] or [2 of]. Returns the length of this prefix. */
 static size_t put_item_count(struct json *json, const char *list)
 {
     bool pair = strncmp(list, "[2 ", 3) == 0;
@@ -95,8 +95,7 @@ static void put_alternative(struct json *json, const char *like, size_t length)
     size_t from = *like == '[' ? put_item_count(json, like) : 1;
     json_open(json, *like == '[' ? "items" : "additionalProperties", '{');
     put_alternatives(json, like + from, length - from - 1);
-    json_close(json, '}');
-    json_close(json, '}');
+    json_close(json, "}}");
 }
 
 static void put_alternatives(struct json *json, const char *like, size_t length)
@@ -108,7 +107,7 @@ static void put_alternatives(struct json *json, const char *like, size_t length)
         put_alternative(json, like + at, end);
         at += end + 1;
     }
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 /* Limits count for plain numbers, which are in SI units. */
@@ -116,10 +115,8 @@ static void put_number(struct json *json, const struct bead_option *row)
 {
     char pattern[80];
     snprintf(pattern, sizeof pattern, row->word ? "^(" NUMBER_TEXT "|%s)$" : "^" NUMBER_TEXT "$", row->word);
-    json_open(json, "type", '[');
-    json_text(json, NULL, row->type == BEAD_OPTION_COUNT || row->type == BEAD_OPTION_SEED ? "integer" : "number");
-    json_text(json, NULL, "string");
-    json_close(json, ']');
+    const bool whole = row->type == BEAD_OPTION_COUNT || row->type == BEAD_OPTION_SEED;
+    json_texts(json, "type", (const char *const[]){whole ? "integer" : "number", "string", NULL});
     json_text(json, "pattern", pattern);
     if (row->low == 0 && row->high == 0 && !row->open)
         return;
@@ -138,17 +135,7 @@ static void put_pair(struct json *json, const struct bead_option *row)
     json_number(json, "maxItems", 2);
     json_open(json, "items", '{');
     put_number(json, row);
-    json_close(json, '}');
-    json_close(json, '}');
-    json_close(json, ']');
-}
-
-static void put_choices(struct json *json, const struct bead_option *row)
-{
-    json_open(json, "enum", '[');
-    for (size_t i = 0; row->choices[i]; i++)
-        json_text(json, NULL, row->choices[i]);
-    json_close(json, ']');
+    json_close(json, "}}]");
 }
 
 static void put_value(struct json *json, const struct bead_option *row)
@@ -169,7 +156,10 @@ static void put_value(struct json *json, const struct bead_option *row)
         put_alternatives(json, "text", 4);
         break;
     case BEAD_OPTION_CHOICE:
-        put_choices(json, row);
+        json_texts(json, "enum", row->choices);
+        break;
+    case BEAD_OPTION_MAP:
+        put_alternatives(json, row->map->name, strlen(row->map->name));
         break;
     case BEAD_OPTION_CUSTOM:
         if (row->like && strcmp(row->like, "any") != 0)
@@ -196,14 +186,12 @@ static void put_rows(struct json *json, const struct bead_options *options)
     const struct bead_option *row;
     json_open(json, "properties", '{');
     for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
-        if (row->type == BEAD_OPTION_CUSTOM && !row->shape) /* hidden */
-            continue;
         json_open(json, row->key, '{');
         put_description(json, row);
         put_value(json, row);
-        json_close(json, '}');
+        json_close(json, "}");
     }
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 static void put_required(struct json *json, const struct bead_options *options)
@@ -213,7 +201,7 @@ static void put_required(struct json *json, const struct bead_options *options)
     for (size_t i = 0; (row = bead_options_row(options, i)); i++)
         if (row->required)
             json_text(json, NULL, row->key);
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void put_map(struct json *json, const struct bead_options *options)
@@ -229,7 +217,7 @@ static void put_definition(struct json *json, const char *name, const struct bea
 {
     json_open(json, name, '{');
     put_map(json, options);
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 /* ---- maps of several kinds ---- */
@@ -237,62 +225,43 @@ static void put_definition(struct json *json, const char *name, const struct bea
 static void put_has_key(struct json *json, const char *name, const char *key)
 {
     json_open(json, name, '{');
-    json_open(json, "required", '[');
-    json_text(json, NULL, key);
-    json_close(json, ']');
-    json_close(json, '}');
+    json_texts(json, "required", (const char *const[]){key, NULL});
+    json_close(json, "}");
 }
 
 /* Kinds of which each is told by its first key, which no other has. `next` gives the tables; NULL behind the last. */
-typedef const struct bead_options *(*next_kind)(const char *family, size_t index);
+typedef const struct bead_options *(*next_kind)(size_t index);
 
-static void put_kinds(struct json *json, const char *name, const char *family, next_kind next)
+static void put_kinds(struct json *json, const char *name, next_kind next)
 {
     const struct bead_options *options;
     char text[100];
     json_open(json, name, '{');
     json_text(json, "type", "object");
     json_open(json, "anyOf", '[');
-    for (size_t i = 0; (options = next(family, i)); i++)
+    for (size_t i = 0; (options = next(i)); i++)
         put_has_key(json, NULL, bead_options_row(options, 0)->key);
-    json_close(json, ']');
+    json_close(json, "]");
     json_open(json, "allOf", '[');
-    for (size_t i = 0; (options = next(family, i)); i++) {
+    for (size_t i = 0; (options = next(i)); i++) {
         json_open(json, NULL, '{');
         put_has_key(json, "if", bead_options_row(options, 0)->key);
         put_reference(json, "then", definition(options, text, sizeof text));
-        json_close(json, '}');
+        json_close(json, "}");
     }
-    json_close(json, ']');
-    json_close(json, '}');
-}
-
-/* Tables with headings "FAMILY (...)". */
-static const struct bead_options *kind_of_section(const char *family, size_t index)
-{
-    const struct bead_options *options;
-    char heading[100];
-    const size_t length = strlen(family);
-    for (size_t i = 0; (options = bead_scene_section(i)); i++) {
-        bead_options_heading(options, heading, sizeof heading);
-        if (strncmp(heading, family, length) == 0 && strncmp(heading + length, " (", 2) == 0 && index-- == 0)
-            return options;
-    }
-    return NULL;
+    json_close(json, "]}");
 }
 
 /* Kinds of outputs of scenes that are run once, and of those with sweeps. */
-static const struct bead_options *kind_of_output(const char *family, size_t index)
+static const struct bead_options *kind_of_output(size_t index)
 {
-    (void)family;
     for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
         if (bead_output_type(kind)->options && index-- == 0)
             return bead_output_type(kind)->options;
     return NULL;
 }
-static const struct bead_options *kind_of_sweep_output(const char *family, size_t index)
+static const struct bead_options *kind_of_sweep_output(size_t index)
 {
-    (void)family;
     for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
         if (bead_output_type(kind)->sweep_options && index-- == 0)
             return bead_output_type(kind)->sweep_options;
@@ -308,26 +277,19 @@ static void put_equations(struct json *json)
     put_has_key(json, "if", "equation");
     json_open(json, "then", '{');
     json_open(json, "oneOf", '[');
-    for (size_t i = 0; (options = bead_equation_family.member(i)); i++) {
-        if (!options->name)
-            continue;
+    for (size_t i = 0; (options = bead_equation_options(i)); i++) {
         json_open(json, NULL, '{');
         json_open(json, "allOf", '[');
         put_reference(json, NULL, definition(options, text, sizeof text));
         json_open(json, NULL, '{');
         json_open(json, "properties", '{');
         put_only(json, "equation", "const", options->name);
-        json_close(json, '}');
-        json_close(json, '}');
-        json_close(json, ']');
-        json_close(json, '}');
+        json_close(json, "}}]}");
     }
-    json_close(json, ']');
-    json_close(json, '}');
+    json_close(json, "]}");
     json_open(json, "else", '{');
     json_flag(json, "not", true);
-    json_close(json, '}');
-    json_close(json, '}');
+    json_close(json, "}}");
 }
 
 /* With `show` a panel is a plot. */
@@ -339,23 +301,20 @@ static void put_panels(struct json *json)
     put_has_key(json, "if", "show");
     put_reference(json, "then", "panel.plot");
     put_reference(json, "else", "panel.image");
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 static void put_values(struct json *json)
 {
-    static const char *const scalars[] = {"string", "number", "boolean"};
+    static const char *const scalars[] = {"string", "number", "boolean", NULL};
     const struct bead_option number = {.type = BEAD_OPTION_NUMBER};
     json_open(json, "number", '{');
     put_number(json, &number);
-    json_close(json, '}');
+    json_close(json, "}");
     put_only(json, "flag", "type", "boolean");
     json_open(json, "text", '{');
-    json_open(json, "type", '[');
-    for (size_t i = 0; i < sizeof scalars / sizeof *scalars; i++)
-        json_text(json, NULL, scalars[i]);
-    json_close(json, ']');
-    json_close(json, '}');
+    json_texts(json, "type", scalars);
+    json_close(json, "}");
 }
 
 static void put_definitions(struct json *json)
@@ -367,13 +326,13 @@ static void put_definitions(struct json *json)
     for (size_t i = 0; (options = bead_scene_section(i)); i++)
         if (options != &bead_scene_options)
             put_definition(json, definition(options, name, sizeof name), options);
-    put_kinds(json, "chain.law", "chain.law", kind_of_section);
-    put_kinds(json, "chain.start", "chain.start", kind_of_section);
-    put_kinds(json, "outputs", NULL, kind_of_output);
-    put_kinds(json, "outputs-of-a-sweep", NULL, kind_of_sweep_output);
+    put_kinds(json, "chain.law", bead_law_options);
+    put_kinds(json, "chain.start", bead_start_options);
+    put_kinds(json, "outputs", kind_of_output);
+    put_kinds(json, "outputs-of-a-sweep", kind_of_sweep_output);
     put_equations(json);
     put_panels(json);
-    json_close(json, '}');
+    json_close(json, "}");
 }
 
 /* ---- the scene ---- */
@@ -383,7 +342,7 @@ static void put_one_of(struct json *json, const char *name, const char *const *k
     json_open(json, name, '[');
     for (; *keys; keys++)
         put_has_key(json, NULL, *keys);
-    json_close(json, ']');
+    json_close(json, "]");
 }
 
 static void put_outputs(struct json *json, const char *name, const char *kinds)
@@ -394,16 +353,13 @@ static void put_outputs(struct json *json, const char *name, const char *kinds)
     json_text(json, "type", "array");
     json_number(json, "minItems", 1);
     put_reference(json, "items", kinds);
-    json_close(json, '}');
-    json_close(json, '}');
-    json_close(json, '}');
+    json_close(json, "}}}");
 }
 
-enum bead_error command_list_schema(FILE *out, struct bead_message *msg)
+COMMAND_LISTS(command_list_schema)
 {
     static const char *const systems[] = {"chain", "chains", "sweep", "sweeps", NULL};
     struct json json = {.out = out, .lines = true};
-    (void)msg;
     json_open(&json, NULL, '{');
     json_text(&json, "$schema", "http://json-schema.org/draft-07/schema#");
     json_text(&json, "title", "beadreel scene");
@@ -411,11 +367,11 @@ enum bead_error command_list_schema(FILE *out, struct bead_message *msg)
     put_one_of(&json, "anyOf", systems);
     json_open(&json, "if", '{');
     put_one_of(&json, "anyOf", systems + 2);
-    json_close(&json, '}');
+    json_close(&json, "}");
     put_outputs(&json, "then", "outputs-of-a-sweep");
     put_outputs(&json, "else", "outputs");
     put_definitions(&json);
-    json_close(&json, '}');
+    json_close(&json, "}");
     fputc('\n', out);
     return BEAD_OK;
 }

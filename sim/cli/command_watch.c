@@ -6,8 +6,9 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "beadreel/assets.h"
 #include "beadreel/scene.h"
+#include "sim/base/assets.h"
+#include "sim/base/file.h"
 #include "sim/cli/command_line.h"
 
 enum { LONGEST = 4 << 20 };
@@ -15,13 +16,9 @@ enum { LONGEST = 4 << 20 };
 /* The file as it is now; NULL: it cannot be read, as while an editor replaces it. */
 static char *read_text(const char *path)
 {
-    FILE *file = fopen(path, "rb");
-    char *text = file ? calloc(LONGEST + 1, 1) : NULL;
-    if (text)
-        text[fread(text, 1, LONGEST, file)] = 0;
-    if (file)
-        fclose(file);
-    return text;
+    char *text;
+    size_t length;
+    return bead_file_read(path, LONGEST, &text, &length, NULL) ? NULL : text;
 }
 
 static bool changed(const char *path, struct stat *last)
@@ -75,7 +72,7 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
     static const struct timespec pause = {0, 30000000}; /* s, ns */
     char path[4096], *text = NULL;
     struct stat last = {0};
-    enum bead_error err = bead_scene_find(command->input, path, sizeof path, msg);
+    enum bead_error err = bead_scene_find(command->job.input, path, sizeof path, msg);
     if (err)
         return err;
     (void)changed(path, &last);
@@ -103,7 +100,7 @@ enum bead_error command_new(const struct command *command, struct bead_message *
     size_t length = 0;
     snprintf(asset, sizeof asset, "new/%s.yaml", command->kind);
     snprintf(own, sizeof own, "%s.yaml", command->kind);
-    const char *path = command->output ? command->output : own;
+    const char *path = command->job.output ? command->job.output : own;
     enum bead_error err = bead_asset_read(asset, &text, &length, msg);
     FILE *file = err ? NULL : fopen(path, "wx");
     if (!err && !file)

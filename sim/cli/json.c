@@ -71,13 +71,15 @@ void json_open(struct json *json, const char *key, char bracket)
     json->depth++;
 }
 
-void json_close(struct json *json, char bracket)
+void json_close(struct json *json, const char *brackets)
 {
-    json->depth--;
-    if (json->more)
-        new_line(json);
-    fputc(bracket, json->out);
-    json->more = true;
+    for (; *brackets; brackets++) {
+        json->depth--;
+        if (json->more)
+            new_line(json);
+        fputc(*brackets, json->out);
+        json->more = true;
+    }
 }
 
 void json_text(struct json *json, const char *key, const char *text)
@@ -88,6 +90,14 @@ void json_text(struct json *json, const char *key, const char *text)
     }
     begin(json, key);
     quote(json->out, text);
+}
+
+void json_texts(struct json *json, const char *key, const char *const *texts)
+{
+    json_open(json, key, '[');
+    for (; *texts; texts++)
+        json_text(json, NULL, *texts);
+    json_close(json, "]");
 }
 
 void json_number(struct json *json, const char *key, double value)

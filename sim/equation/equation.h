@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Equations: what can move in a scene instead of a chain of beads, one const table each.
+/* Equations: how the systems that are not beads move, one const table each.
  *
- * The unknown stands at points x_0 < x_1 < ..., equally far apart; samples of it are those of a chain with as many beads, so
- * sinks and views show it without knowing what it is. Numbers have no units: time, length and the unknown are those of the
- * equation. Results must not depend on when they are sampled: steps follow from the state alone. */
-#ifndef BEADREEL_SIM_EQUATION_EQUATION_H
-#define BEADREEL_SIM_EQUATION_EQUATION_H
+ * The unknown is given at equidistant points x_0 < x_1 < ...; its samples are those of a chain with as many beads, so sinks and
+ * views need not know the equation. Numbers have no units: time, length and the unknown are those of the equation. Results must not
+ * depend on sample times: steps depend on the state only. */
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -21,26 +20,25 @@ struct bead_motion; /* each equation's own state */
 
 struct bead_motion_settings {
     const struct bead_equation_spec *spec;
-    size_t points;      /* as `points` below found */
+    size_t points;      /* by the system's `count` */
     const char *method; /* "auto", or one of the equation's `methods` */
-    double accuracy;    /* relative error wanted in the unknown at the end of the run */
-    double step;        /* 0: as the accuracy asks */
-    double end;         /* of the run: steps end there; INFINITY: not known */
+    double accuracy;    /* relative error allowed in the unknown at the end of the run */
+    double step;        /* 0: by the accuracy */
+    double end;         /* of the run: the last step ends there; INFINITY: unknown */
 };
 
-/* How a motion moves on. */
+/* Method and steps of a motion. */
 struct bead_pace {
-    const char *method; /* name for people */
+    const char *method; /* name to show */
     double step;        /* the first */
     double resolution;  /* samples this close show every oscillation */
-    bool variable;      /* later steps follow the state */
-    const char *why;    /* this method; NULL: there is no choice */
+    bool variable;      /* later steps depend on the state */
+    const char *why;    /* reason for the method; NULL: there is no choice */
 };
 
 struct bead_equation {
-    struct bead_system system;  /* its name, points and fields */
-    const char *const *methods; /* that `simulate.method` may have beside auto, NULL-terminated; NULL: none */
-    /* Everything that does not fit together in the settings, and the key it is about; NULL: nothing is wrong. */
+    const char *const *methods; /* allowed in `simulate.method` besides auto, NULL-terminated; NULL: none */
+    /* An error of the settings as a whole, and the key to blame; NULL: none. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
     /* Errors: MEMORY, NUMBERS. On failure *motion is NULL. */
     enum bead_error (*create)(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg);
@@ -53,25 +51,26 @@ struct bead_equation {
     enum bead_error (*sample)(struct bead_motion *motion, double t, unsigned fields, double *const value[BEAD_FIELD_COUNT],
                               struct bead_message *msg);
     uint64_t (*evaluations)(const struct bead_motion *motion); /* of the right-hand side at a point; NULL: not counted */
-    /* The state after the last step, for its hash; `count` numbers, borrowed. */
+    /* The state after the last step, to be hashed: `count` numbers, borrowed. */
     const double *(*state)(const struct bead_motion *motion, size_t *count);
-    /* The conserved quantity to watch (energy, or the integral of u^2), now. */
+    /* The present value of the conserved quantity to watch: energy, or the integral of u^2. */
     double (*energy)(const struct bead_motion *motion);
-    /* Conserved integrals and events of the run (recurrence, breaking) into `measures`, at most `room`; returns how many there are.
+    /* Write conserved integrals and events of the run (recurrence, breaking) into `measures`, at most `room`; returns their number.
      */
     size_t (*measures)(const struct bead_motion *motion, struct bead_measure *measures, size_t room);
 };
 
-/* For `measures`: one more, without a unit, where there is room; returns count + 1. */
+/* The extremum of the cubic through values and rates at both ends of a step of length h: its value, and its place *x from 0 to 1.
+ * It is a maximum if the cubic rises at the beginning and falls at the end, a minimum if it falls and rises. */
+double bead_step_extremum(double h, double e0, double r0, double e1, double r1, double *x);
+
+/* For `measures`: add one without a unit, if there is room; returns count + 1. */
 size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room, const char *name, double value);
 
-extern const struct bead_equation bead_equation_fput;
-extern const struct bead_equation bead_equation_kdv;
-extern const struct bead_equation bead_equation_shock;
+/* For `field_signed` of their systems. */
+bool bead_equation_field_signed(const struct bead_chain_spec *spec, enum bead_field field);
 
-/* NULL: there is no such equation. */
-const struct bead_equation *bead_equation_find(const char *name);
-/* Row `index`, NULL behind the last. */
-const struct bead_equation *bead_equation_info(size_t index);
+/* The table of systems: row `index`, NULL after the last. Row 0 is that of beads, for chains without the key `equation`. */
+const struct bead_system *bead_system_info(size_t index);
 
-#endif
+extern const struct bead_system bead_system_fput, bead_system_kdv, bead_system_shock;

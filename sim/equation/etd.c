@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Exponential time differencing, see etd.h: the coefficients of a step and the step itself, for kdv_solver.c. */
+/* Exponential time differencing, see etd.h: the coefficients of a step, and the step. */
 #include "sim/equation/etd.h"
 
 static struct bead_turn over(struct bead_turn a, struct bead_turn b)
@@ -28,11 +28,11 @@ static struct functions formulas(bead_wide angle, struct bead_turn e, struct bea
     return f;
 }
 
-/* Below this angle the formulas lose digits, and so many terms of the series are exact to rounding. */
+/* Below this angle the formulas lose digits; there TERMS terms of the series are exact to rounding. */
 static const double cancels = 2, rounding = 1e-22;
 enum { TERMS = 28 };
 
-/* Of the powers of z: those of q over 2, and of f1, f2 and f3. */
+/* Coefficients of the powers of z in q / 2, f1, f2 and f3. */
 struct series {
     bead_wide q[TERMS], f1[TERMS], f2[TERMS], f3[TERMS];
 };
@@ -51,7 +51,7 @@ static void make_series(struct series *to)
     }
 }
 
-/* The even number of terms that count. */
+/* The number of terms that count, which is even. */
 static int terms_at(double angle)
 {
     int n = 2;

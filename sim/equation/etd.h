@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Exponential time differencing for u' = i w u + N(u), mode by mode: the linear part exactly, N by a Runge-Kutta method of order
- * four.
+/* Exponential time differencing for u' = i w u + N(u), mode by mode: exact for the linear part, of order four for N (Runge-Kutta).
  *
- * S. M. Cox, P. C. Matthews, J. Comput. Phys. 176, 430 (2002), Eq. 26-29; coefficients by their power series where w h is small, as
- * the formulas themselves cancel there (A.-K. Kassam, L. N. Trefethen, SIAM J. Sci. Comput. 26, 1214 (2005)). */
-#ifndef BEADREEL_SIM_EQUATION_ETD_H
-#define BEADREEL_SIM_EQUATION_ETD_H
+ * S. M. Cox, P. C. Matthews, J. Comput. Phys. 176, 430 (2002), Eq. 26-29; coefficients by their power series for small w h, where
+ * the formulas cancel (A.-K. Kassam, L. N. Trefethen, SIAM J. Sci. Comput. 26, 1214 (2005)). */
+#pragma once
 
 #include "sim/base/wide.h"
 #include "sim/equation/spectral.h"
@@ -28,5 +26,3 @@ void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bea
 /* from -> to (may be the same) over one step; work->slope[0] must be N(from). */
 void bead_etd_step(const struct bead_etd_row *rows, size_t modes, bead_etd_slope slope, void *context, struct bead_etd_work *work,
                    const struct bead_complex *from, struct bead_complex *to);
-
-#endif

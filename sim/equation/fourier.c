@@ -12,7 +12,7 @@ enum { FACTORS_MAX = 64 };
 
 struct bead_fourier {
     size_t points, length;            /* real numbers; complex ones transformed */
-    size_t factor[FACTORS_MAX];       /* of `length`, 0 behind the last */
+    size_t factor[FACTORS_MAX];       /* of `length`; 0 after the last */
     struct bead_complex *turn;        /* [points] exp(-2 pi i k / points) */
     struct bead_complex *one, *other; /* [length] */
 };
@@ -71,12 +71,12 @@ static inline struct bead_complex conjugate(struct bead_complex a)
     return (struct bead_complex){a.re, -a.im};
 }
 
-/* One stage. Of the numbers x[q + stride (k + m r)], r < p, the transform of length p over r, turned by k r of p m, goes to
+/* One stage: transforms the numbers x[q + stride (k + m r)], r < p, over r, and stores the results, turned by k r of p m, as
  * y[q + stride (p k + r)]. */
 struct stage {
     size_t p, m, stride;
     const struct bead_complex *turn; /* of the first stage's p m */
-    size_t unit;                     /* from one to the next of those of p m */
+    size_t unit;                     /* stride in `turn` between those of p m */
 };
 
 static void by_two(const struct stage *s, const struct bead_complex *restrict x, struct bead_complex *restrict y)
@@ -109,7 +109,7 @@ static void by_four(const struct stage *s, const struct bead_complex *restrict x
     }
 }
 
-/* Odd p, inlined with its value where it is small. Numbers r and p - r meet conjugate roots of unity. */
+/* Odd p, inlined with its value if small. The roots of unity for r and p - r are conjugates. */
 static inline __attribute__((always_inline)) void by_odd(const struct stage *s, size_t p, const struct bead_complex *restrict x,
                                                          struct bead_complex *restrict y)
 {
@@ -157,7 +157,7 @@ static void by_any(const struct stage *s, const struct bead_complex *x, struct b
 typedef void (*stage_function)(const struct stage *s, const struct bead_complex *x, struct bead_complex *y);
 static const stage_function of_factor[] = {[2] = by_two, [3] = by_three, [4] = by_four, [5] = by_five};
 
-/* Of what stands in f->one; returns where the result is. */
+/* Transforms f->one; returns the result, in f->one or f->other. */
 static struct bead_complex *transform(struct bead_fourier *f)
 {
     struct bead_complex *x = f->one, *y = f->other;
@@ -189,7 +189,7 @@ void bead_fourier_forward(struct bead_fourier *f, const double *grid, struct bea
     }
 }
 
-/* The forward transform of the conjugates, conjugated. */
+/* The conjugate of the forward transform of the conjugates. */
 void bead_fourier_backward(struct bead_fourier *f, const struct bead_complex *bins, double *grid)
 {
     const size_t n = f->length, half = f->points / 2;

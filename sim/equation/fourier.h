@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Discrete Fourier transforms of any length, as sums and products in one order on every machine: results have the same bits, which
- * those of a library do not that is compiled with fused multiply-adds on one processor and without on another.
+/* Discrete Fourier transforms of any length, with sums and products in the same order on every machine, so that results have the
+ * same bits. A library's would not: it may use fused multiply-adds on one processor and none on another.
  *
  * Self-sorting (Stockham), with radices 4, 2 and the other prime factors p of the length, at a cost of p each: T. G. Stockham,
- * AFIPS Conf. Proc. 28, 229 (1966). Real numbers in pairs, as half as many complex ones. */
-#ifndef BEADREEL_SIM_EQUATION_FOURIER_H
-#define BEADREEL_SIM_EQUATION_FOURIER_H
+ * AFIPS Conf. Proc. 28, 229 (1966). Pairs of real numbers are transformed as complex ones. */
+#pragma once
 
 #include <stddef.h>
 
@@ -22,12 +21,10 @@ static inline struct bead_complex bead_complex_times(struct bead_complex a, stru
 
 struct bead_fourier;
 
-/* Of `points` >= 2 real numbers. Errors: MEMORY; *fourier is NULL then. */
+/* For `points` >= 2 real numbers. On failure *fourier is NULL. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_fourier_create(size_t points, struct bead_fourier **fourier, struct bead_message *msg);
 void bead_fourier_destroy(struct bead_fourier *fourier); /* NULL is allowed */
 /* bins[k] = sum over j of grid[j] exp(-2 pi i j k / points), k = 0 .. points / 2. */
 void bead_fourier_forward(struct bead_fourier *fourier, const double *grid, struct bead_complex *bins);
-/* grid[j] = sum over all k of bins[k] exp(2 pi i j k / points), where those behind points / 2 are the conjugates. */
+/* grid[j] = sum over all k of bins[k] exp(2 pi i j k / points); bins above points / 2 are the conjugates of the others. */
 void bead_fourier_backward(struct bead_fourier *fourier, const struct bead_complex *bins, double *grid);
-
-#endif

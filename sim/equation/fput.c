@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The equation `fput`: turns the string of fput_string.h into a row of equation.c; its modes, and the return of the first one. */
+/* The equation `fput`, a row of systems.c with the string of fput_string.h: modes, and the return of the first one. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,12 +9,12 @@
 #include "sim/equation/equation.h"
 #include "sim/equation/fput_string.h"
 
-/* The energy of a mode over time: its smallest value, and its largest after it was below half of the start's. */
+/* Follows the energy of a mode: its smallest value, and its largest after it was below half of that at the start. */
 struct returns {
     double before, rate_before;  /* energy and its rate at the last step's start */
     double start, low, low_time; /* energies and times */
-    double high, high_time;      /* 0: it has not come back yet */
-    bool away;                   /* below half */
+    double high, high_time;      /* 0: it has not returned yet */
+    bool away;                   /* it was below half */
 };
 
 struct bead_motion {
@@ -22,18 +22,18 @@ struct bead_motion {
     struct bead_string_stepper stepper;
     double h;
     double *u, *v; /* [points] between steps */
-    double *shape; /* [points] of the mode it started from, normalised; NULL: it started otherwise */
-    double omega2; /* of that mode */
+    double *shape; /* [points] of the mode at the start, normalised; NULL: another start */
+    double omega2; /* of this mode */
     struct returns returns;
     double energy_start, momentum_start, energy_error;
 };
 
-/* ---- what it means ---- */
+/* ---- meaning ---- */
 
 static const enum bead_field fields[] = {BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_VELOCITY, BEAD_FIELD_STRAIN, BEAD_FIELD_ENERGY,
                                          BEAD_FIELD_COUNT};
 
-static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
+static const struct bead_field_info *field(enum bead_field field)
 {
     static const struct bead_field_info infos[] = {
         [BEAD_FIELD_DISPLACEMENT] = {"displacement", "", "displacement", 0},
@@ -41,13 +41,17 @@ static const struct bead_field_info *field(const struct bead_equation_spec *spec
         [BEAD_FIELD_STRAIN] = {"strain", "", "strain", 0}, /* of a mass: the mean of its two springs */
         [BEAD_FIELD_ENERGY] = {"energy", "", "energy", 0},
     };
-    (void)spec;
     return &infos[field];
+}
+
+static bool fixed(const struct bead_equation_spec *spec)
+{
+    return spec->ends == BEAD_ENDS_FIXED;
 }
 
 static size_t highest_mode(const struct bead_equation_spec *spec)
 {
-    return spec->ends == BEAD_ENDS_FIXED ? spec->points : spec->points / 2;
+    return fixed(spec) ? spec->points : spec->points / 2;
 }
 
 static const char *fput_check(const struct bead_equation_spec *spec, const char **key)
@@ -57,16 +61,17 @@ static const char *fput_check(const struct bead_equation_spec *spec, const char 
         return "must be 3 or more for a ring";
     *key = "start";
     if (spec->start == BEAD_START_MODE && spec->mode > highest_mode(spec))
-        return "asks for a mode that the string does not have: of N moving masses there are N modes, of a ring N / 2";
-    /* The force has its maximum where 1 + 2 alpha r + 3 beta r^2 = 0; beyond it a spring tears or folds. */
+        return "asks for a mode that the string does not have: N moving masses have N modes, a ring N / 2";
+    /* At 1 + 2 alpha r + 3 beta r^2 = 0 the force has its maximum; beyond it a spring tears or folds. */
     double r = spec->amplitude;
     if (spec->start == BEAD_START_PULSE && !(1 + 2 * spec->alpha * r + 3 * spec->beta * r * r > 0))
         return "asks for strains at which a spring with this alpha and beta has no positive stiffness";
     return NULL;
 }
 
-static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+static void describe(const struct bead_chain_spec *chain, char *text, size_t size)
 {
+    const struct bead_equation_spec *spec = &chain->equation;
     char alpha[48] = "", beta[48] = "";
     if (spec->alpha != 0)
         snprintf(alpha, sizeof alpha, " %s %.4g r\u00b2", spec->alpha < 0 ? "\u2212" : "+", fabs(spec->alpha));
@@ -75,27 +80,20 @@ static void describe(const struct bead_equation_spec *spec, char *text, size_t s
     snprintf(text, size, "%zu masses, T = r%s%s", spec->points, alpha, beta);
 }
 
-static size_t points(const struct bead_equation_spec *spec, double accuracy)
+static size_t count_masses(const struct bead_chain_spec *chain, double)
 {
-    (void)accuracy;
-    return spec->points;
+    return chain->equation.points;
 }
 
-static void places(const struct bead_equation_spec *spec, size_t count, double *first, double *spacing)
+static void places(const struct bead_chain_spec *chain, size_t, double *first, double *spacing)
 {
-    (void)count;
-    *first = bead_string_first(spec);
+    *first = bead_string_first(&chain->equation);
     *spacing = 1;
 }
 
 /* ---- modes ---- */
 
-static bool fixed(const struct bead_equation_spec *spec)
-{
-    return spec->ends == BEAD_ENDS_FIXED;
-}
-
-/* Phase of mode k from mass to mass: k pi / (N + 1) between walls, 2 k pi / N on a ring. */
+/* Phase difference of mode k between neighbours: k pi / (N + 1) between walls, 2 k pi / N on a ring. */
 static bead_wide phase(const struct bead_equation_spec *spec, size_t k)
 {
     size_t n = spec->points;
@@ -108,15 +106,15 @@ static double omega_squared(const struct bead_equation_spec *spec, size_t k)
     return s * s;
 }
 
-/* Of the square of a mode's coordinate: the coordinates are then those of an orthonormal basis. */
+/* Factor of the square of a mode's coordinate, which makes the basis orthonormal. */
 static double norm(const struct bead_equation_spec *spec, size_t k)
 {
     size_t n = spec->points;
     return fixed(spec) ? 2 / (double)(n + 1) : (2 * k == n ? 1 : 2) / (double)n;
 }
 
-/* Energy of mode k: of a standing wave between walls; of the waves with sine and cosine together on a ring. The sines by
- * rotation. */
+/* Energy of mode k: between walls that of a standing wave, on a ring that of the sine and cosine waves together. Sines by rotation.
+ */
 static double mode_energy(const struct bead_equation_spec *spec, size_t k, const double *u, const double *v)
 {
     const struct bead_turn turn = bead_turn_by(phase(spec, k));
@@ -136,18 +134,18 @@ static double mode_energy(const struct bead_equation_spec *spec, size_t k, const
     return 0.5 * norm(spec, k) * energy;
 }
 
-static void modes(const struct bead_equation_spec *spec, size_t count, const double *const value[BEAD_FIELD_COUNT], size_t wanted,
+static void modes(const struct bead_chain_spec *chain, size_t, const double *const value[BEAD_FIELD_COUNT], size_t count,
                   double *energy)
 {
-    (void)count;
-    for (size_t k = 1; k <= wanted; k++)
+    const struct bead_equation_spec *spec = &chain->equation;
+    for (size_t k = 1; k <= count; k++)
         energy[k - 1] =
             k <= highest_mode(spec) ? mode_energy(spec, k, value[BEAD_FIELD_DISPLACEMENT], value[BEAD_FIELD_VELOCITY]) : 0;
 }
 
 /* ---- the return of the first mode ---- */
 
-/* Energy of the mode it started from, and its rate. */
+/* Energy of the mode at the start, and its rate. */
 static double watched(const struct bead_motion *m, const struct bead_string_state *at, double *rate)
 {
     double q = 0, p = 0, a = 0;
@@ -160,19 +158,6 @@ static double watched(const struct bead_motion *m, const struct bead_string_stat
     return 0.5 * (p * p + m->omega2 * q * q);
 }
 
-/* Where in the step the cubic through values and rates at both ends is stationary, and its value: between a rising and a falling
- * end there is a largest, between a falling and a rising one a smallest. */
-static double extremum(double h, double e0, double r0, double e1, double r1, double *x)
-{
-    double low = 0, high = 1, c1 = h * r0, c2 = 3 * (e1 - e0) - h * (2 * r0 + r1), c3 = 2 * (e0 - e1) + h * (r0 + r1);
-    for (int i = 0; i < 60; i++) {
-        double middle = 0.5 * (low + high), slope = c1 + middle * (2 * c2 + 3 * middle * c3);
-        *((slope > 0) == (r0 > 0) ? &low : &high) = middle;
-    }
-    *x = 0.5 * (low + high);
-    return e0 + *x * (c1 + *x * (c2 + *x * c3));
-}
-
 static void watch(struct bead_motion *m)
 {
     struct returns *r = &m->returns;
@@ -183,7 +168,7 @@ static void watch(struct bead_motion *m)
     r->away = r->away || energy < 0.5 * r->start;
     if ((rate_before > 0) == (rate > 0))
         return;
-    double peak = extremum(h, before, rate_before, energy, rate, &x), time = from->t + x * h;
+    double peak = bead_step_extremum(h, before, rate_before, energy, rate, &x), time = from->t + x * h;
     if (rate_before > 0 && r->away && peak > r->high) {
         r->high = peak;
         r->high_time = time;
@@ -211,8 +196,8 @@ static enum bead_error begin_watch(struct bead_motion *m, struct bead_message *m
 
 /* ---- motion ---- */
 
-/* Steps for an accuracy: phases of the fastest waves (omega = 2) go wrong by C (omega h)^order omega t after the time t; the
- * constants were found from such waves on linear strings, and steps are never longer than `longest` / omega. */
+/* Steps for an accuracy: after the time t the phases of the fastest waves (omega = 2) are wrong by C (omega h)^order omega t. The
+ * constants were measured on linear strings. Steps are never longer than `longest` / omega. */
 static const struct step_law {
     const char *method;
     double error, longest;
@@ -241,7 +226,7 @@ static enum bead_error choose_step(struct bead_motion *m, struct bead_message *m
     const struct step_law *law = step_laws;
     while (strcmp(law->method, info->name) != 0)
         law++;
-    /* Between steps there are polynomials of degree 7. */
+    /* Polynomials of degree 7 interpolate between steps. */
     double longest = fmin(law->longest, bead_pow(s->accuracy * 40320 * 256, 1. / 8)),
            turns = omega * (isfinite(s->end) ? s->end : 1e4);
     m->h = s->step > 0 ? s->step : fmin(bead_pow(s->accuracy / (law->error * turns), 1.0 / info->order), longest) / omega;
@@ -309,7 +294,7 @@ static enum bead_error fput_create(const struct bead_motion_settings *settings, 
 
 static void pace(const struct bead_motion *m, struct bead_pace *pace)
 {
-    /* Six or so in a period of the fastest wave. */
+    /* About six samples in a period of the fastest wave. */
     *pace =
         (struct bead_pace){m->stepper.method->info.name, m->h, 1 / fastest(&m->stepper.string, m->stepper.start.u), false, NULL};
 }
@@ -319,7 +304,7 @@ static double time_of(const struct bead_motion *m)
     return m->stepper.end.t;
 }
 
-/* Steps between checks of the energy, and the relative error beyond which the numbers mean nothing. */
+/* Steps between checks of the energy, and the relative error beyond which the results mean nothing. */
 enum { CHECK_EVERY = 16 };
 static const double energy_limit = 0.1, last_sliver = 1e-9;
 
@@ -331,8 +316,8 @@ static enum bead_error check_energy(struct bead_motion *m, struct bead_message *
         return BEAD_OK;
     return bead_fail(
         msg, BEAD_ERROR_NUMBERS,
-        "at %.6g the energy of the string is off by %.3g of itself: a spring has torn (alpha, beta or the amplitude are "
-        "too large), or steps of %.3g are too long for `%s`",
+        "at %.6g the energy of the string has a relative error of %.3g: a spring has torn (alpha, beta or the amplitude is too "
+        "large), or steps of %.3g are too long for `%s`",
         m->stepper.end.t, error, m->h, m->stepper.method->info.name);
 }
 
@@ -350,9 +335,8 @@ static enum bead_error fput_step(struct bead_motion *m, struct bead_message *msg
 }
 
 static enum bead_error fput_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
-                                   struct bead_message *msg)
+                                   struct bead_message *)
 {
-    (void)msg;
     const struct bead_string *s = &m->stepper.string;
     size_t n = s->masses;
     bead_string_between(&m->stepper, t, m->u, m->v);
@@ -380,7 +364,7 @@ static uint64_t evaluations(const struct bead_motion *m)
     return m->stepper.evaluations;
 }
 
-/* u and v stand one behind the other in memory. */
+/* u and v are adjacent in memory. */
 static const double *state(const struct bead_motion *m, size_t *count)
 {
     memcpy(m->u, m->stepper.end.u, m->settings.points * sizeof(double));
@@ -416,21 +400,7 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
     return n;
 }
 
-const struct bead_equation bead_equation_fput = {
-    .system =
-        {
-            .name = "fput",
-            .help = "springs of Fermi, Pasta, Ulam and Tsingou between unit masses (the thesis's Eq. 5)",
-            .fields = fields,
-            .beads = true,
-            .field = field,
-            .describe = describe,
-            .points = points,
-            .places = places,
-            .mode_fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
-            .mode_title = "energy of the mode",
-            .modes = modes,
-        },
+static const struct bead_equation equation = {
     .methods = methods,
     .check = fput_check,
     .create = fput_create,
@@ -443,4 +413,26 @@ const struct bead_equation bead_equation_fput = {
     .state = state,
     .energy = energy,
     .measures = measures,
+};
+
+const struct bead_system bead_system_fput = {
+    .name = "fput",
+    .help = "springs of Fermi, Pasta, Ulam and Tsingou between unit masses (the thesis's Eq. 5)",
+    .label = "fput",
+    .points = "points",
+    .axis = "x",
+    .axis_unit = "",
+    .time_unit = "",
+    .has_masses = true,
+    .names_fields = true,
+    .equation = &equation,
+    .fields = fields,
+    .field = field,
+    .field_signed = bead_equation_field_signed,
+    .describe = describe,
+    .count = count_masses,
+    .places = places,
+    .mode_fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
+    .mode_title = "energy of the mode",
+    .modes = modes,
 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The string of Fermi, Pasta, Ulam and Tsingou: its springs, starts, steps and dense output. fput.c makes a row of equation.c of
+/* The string of Fermi, Pasta, Ulam and Tsingou: its springs, starts, steps and dense output. fput.c makes a row of systems.c from
  * it. */
 #include "sim/equation/fput_string.h"
 
@@ -241,10 +241,10 @@ void bead_string_begin(struct bead_string_stepper *s)
 
 /* ---- the start: one of the modes, or a pulse of strain ---- */
 
-/* u_j = amplitude sin(pi k (j + 1) / (n + 1)), j from 0: the left wall stands where mass -1 would. */
+/* u_j = amplitude sin(pi k (j + 1) / (n + 1)), j from 0: the left wall is at the place of mass -1. */
 static void start_mode(const struct bead_string *s, double *u)
 {
-    bool fixed = s->spec->ends == BEAD_ENDS_FIXED;
+    bool fixed = !periodic(s);
     size_t n = s->masses, half = fixed ? n + 1 : n;
     for (size_t j = 0; j < n; j++) {
         size_t turn = s->spec->mode * (fixed ? j + 1 : 2 * j) % (2 * half); /* in units of half / pi */
@@ -252,7 +252,7 @@ static void start_mode(const struct bead_string *s, double *u)
     }
 }
 
-/* The strain asked for at place x (in units of springs, from mass 0). A ring has images of it. */
+/* The strain asked for at place x (in units of springs, from mass 0), with its images on a ring. */
 static double strain_at(const struct bead_string *s, double x)
 {
     const struct bead_equation_spec *e = s->spec;
@@ -277,8 +277,8 @@ static double simple_wave(const struct bead_equation_spec *e, double r)
     return -sum * r / (3 * PIECES);
 }
 
-/* Springs stand half-way between masses, so strains do; a wave going right has v(x, t) = -r(x, t) to first order in r exactly,
- * whatever its length, where r is taken at the masses. The ends are as far apart as all strains together ask for. */
+/* Strains are given half-way between masses. In a wave going right v(x, t) = -r(x, t) to first order in r, exactly for any
+ * wavelength if r is taken at the masses. The ends are as far apart as the sum of all strains requires. */
 static void start_pulse(struct bead_string *s, double *u, double *v)
 {
     static const double direction[] = {[BEAD_MOVING_REST] = 0, [BEAD_MOVING_RIGHT] = 1, [BEAD_MOVING_LEFT] = -1};

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The string of Fermi, Pasta, Ulam and Tsingou: unit masses between springs of unit length and stiffness.
  *
- * Spring j is left of mass j; with fixed ends there is one more, at the right end; with periodic ones spring 0 joins the last
- * mass and the first. Tension of a spring stretched by r: r + alpha r^2 + beta r^3, so that
+ * Spring j is left of mass j. With fixed ends there is one more at the right end; with periodic ones spring 0 joins the last mass
+ * and the first. Tension of a spring stretched by r: r + alpha r^2 + beta r^3, so that
  * u_j'' = T(r_{j+1}) - T(r_j), which for beta = 0 is (u_{j+1} + u_{j-1} - 2 u_j) (1 + alpha (u_{j+1} - u_{j-1})), Eq. 5 of the
- * thesis. r_j = u_j - u_{j-1} + stretch: the distance of the ends beyond the springs' total length, per spring. */
-#ifndef BEADREEL_SIM_EQUATION_FPUT_STRING_H
-#define BEADREEL_SIM_EQUATION_FPUT_STRING_H
+ * thesis. r_j = u_j - u_{j-1} + stretch; the stretch is the distance of the ends beyond the springs' total length, per spring. */
+#pragma once
 
 #include "sim/equation/equation.h"
 #include "sim/integrate/stepper.h"
@@ -22,7 +21,7 @@ struct bead_string_state {
     double t, *u, *v, *a; /* [masses] */
 };
 
-/* A string and its states at both ends of a step; arrays of one block of memory. */
+/* A string and its states at both ends of a step; all arrays are in one block of memory. */
 struct bead_string_stepper {
     struct bead_string string;
     const struct bead_method *method;
@@ -34,24 +33,22 @@ struct bead_string_stepper {
     double *memory;
 };
 
-/* At rest, all zero. Errors: MEMORY. */
+/* A string at rest, all zero. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_string_create(const struct bead_equation_spec *spec, const struct bead_method *method,
                                               struct bead_string_stepper *stepper, struct bead_message *msg);
 void bead_string_destroy(struct bead_string_stepper *stepper);
-/* To be called when end.u and end.v have been set. */
+/* Call this after setting end.u and end.v. */
 void bead_string_begin(struct bead_string_stepper *stepper);
-/* The old end becomes the start; one step of h to time t. */
+/* Make one step of h, to time t; the old end becomes the start. */
 void bead_string_step(struct bead_string_stepper *stepper, double h, double t);
 /* u and v [masses] at a time within the last step: septic Hermite. */
 void bead_string_between(struct bead_string_stepper *stepper, double t, double *u, double *v);
-/* Place of mass 0: `low` is the left end's, which a ring does not have. */
+/* Place of mass 0; `low` is the place of the left end, or on a ring of mass 0. */
 double bead_string_first(const struct bead_equation_spec *spec);
 /* Stretch of spring j. */
 double bead_string_strain(const struct bead_string *string, const double *u, size_t j);
-/* Energy of a spring, above that of the string at rest and less the work against its tension there. */
+/* Energy of a spring above that in the string at rest, less the work against the tension there. */
 double bead_string_spring_energy(const struct bead_string *string, double strain);
 double bead_string_energy(const struct bead_string *string, const double *u, const double *v);
-/* Displacements and velocities of the start that the spec asks for; sets the stretch. */
+/* Displacements and velocities of the start in the spec; sets the stretch. */
 void bead_string_start(struct bead_string *string, double *u, double *v);
-
-#endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The equation `kdv`: makes the solver of kdv_solver.h a row of equation.c; its settings, integrals, recurrence and measures. */
+/* The equation `kdv`, a row of systems.c with the solver of kdv_solver.h: settings, integrals, recurrence and measures. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,10 +14,10 @@ struct integrals {
     double mass, momentum, hamiltonian;
 };
 
-/* |mode|^2 over time: its largest value after it was below a quarter of the start's. */
+/* Follows |mode|^2: its largest value after it was below a quarter of that at the start. */
 struct watch {
     struct integrals start;
-    size_t mode; /* 0: none to watch */
+    size_t mode; /* 0: none */
     double first, before, rate_before, high, high_time;
     bool away;
 };
@@ -28,17 +28,16 @@ struct bead_motion {
     struct bead_kdv_solitons solitons;
 };
 
-/* ---- what it means ---- */
+/* ---- meaning ---- */
 
-/* The unknown is shown as the field that the scene wants, with its name, and as u where nothing else is said. */
-static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
+/* The unknown is shown as the field that the scene names, by default as u. */
+static const struct bead_field_info *field(enum bead_field field)
 {
     static const struct bead_field_info infos[] = {
 #define BEAD_KDV_FIELD(id, name, unit, title, place) {name, "", BEAD_FIELD_##id == BEAD_FIELD_DISPLACEMENT ? "u" : title, 0},
         BEAD_FIELDS(BEAD_KDV_FIELD)
 #undef BEAD_KDV_FIELD
     };
-    (void)spec;
     return &infos[field];
 }
 
@@ -68,7 +67,7 @@ static const char *kdv_check(const struct bead_equation_spec *spec, const char *
     return NULL;
 }
 
-/* " + 6 u" before a derivative; nothing where the coefficient is 0. */
+/* " + 6 u" before a derivative; nothing if the coefficient is 0. */
 static void add_term(char *text, size_t size, double coefficient, const char *factor)
 {
     size_t used = strlen(text);
@@ -79,8 +78,9 @@ static void add_term(char *text, size_t size, double coefficient, const char *fa
         snprintf(text + used, size - used, " %s %.4g %s", sign, fabs(coefficient), factor);
 }
 
-static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+static void describe(const struct bead_chain_spec *chain, char *text, size_t size)
 {
+    const struct bead_equation_spec *spec = &chain->equation;
     snprintf(text, size, "u\u209c");
     add_term(text, size, spec->drift, "u\u2093");
     add_term(text, size, spec->nonlinearity, "u u\u2093");
@@ -88,10 +88,15 @@ static void describe(const struct bead_equation_spec *spec, char *text, size_t s
     snprintf(text + strlen(text), size - strlen(text), " = 0");
 }
 
-static void places(const struct bead_equation_spec *spec, size_t points, double *first, double *spacing)
+static size_t count_points(const struct bead_chain_spec *chain, double accuracy)
 {
-    *first = spec->low;
-    *spacing = spec->length / (double)points;
+    return bead_kdv_points(&chain->equation, accuracy);
+}
+
+static void places(const struct bead_chain_spec *chain, size_t points, double *first, double *spacing)
+{
+    *first = chain->equation.low;
+    *spacing = chain->equation.length / (double)points;
 }
 
 /* ---- integrals ---- */
@@ -99,7 +104,7 @@ static void places(const struct bead_equation_spec *spec, size_t points, double 
 static void find_integrals(const struct bead_kdv *kdv, struct integrals *to)
 {
     const struct bead_equation_spec *spec = kdv->spec;
-    const double *u = bead_kdv_grid(kdv);
+    const double *u = bead_kdv_grid(kdv, kdv->end.u);
     double cubes = 0, squares = 0, slopes = 0;
     size_t n = kdv->spectral.points;
     for (size_t i = 0; i < n; i++)
@@ -121,7 +126,7 @@ static void find_integrals(const struct bead_kdv *kdv, struct integrals *to)
 static double watched(const struct watch *w, const struct bead_kdv_state *s, double *rate)
 {
     struct bead_complex u = s->u[w->mode], slope = s->slope[w->mode];
-    *rate = 2 * (u.re * slope.re + u.im * slope.im); /* the linear part only turns it */
+    *rate = 2 * (u.re * slope.re + u.im * slope.im); /* the linear part only turns its phase */
     return u.re * u.re + u.im * u.im;
 }
 
@@ -139,36 +144,31 @@ static void watch_step(struct watch *w, const struct bead_kdv *kdv)
 {
     if (!w->mode)
         return;
-    double rate, h = kdv->end.t - kdv->start.t, e0 = w->before, r0 = h * w->rate_before;
-    double e1 = watched(w, &kdv->end, &rate), r1 = h * rate;
-    w->before = e1;
+    double rate, x, h = kdv->end.t - kdv->start.t, before = w->before, rate_before = w->rate_before;
+    double now = watched(w, &kdv->end, &rate);
+    w->before = now;
     w->rate_before = rate;
-    w->away = w->away || e1 < 0.25 * w->first;
-    if (!(w->away && r0 > 0 && r1 <= 0))
+    w->away = w->away || now < 0.25 * w->first;
+    if (!(w->away && rate_before > 0 && rate <= 0))
         return;
-    /* The largest value of the cubic through values and rates at both ends. */
-    double low = 0, high = 1, c2 = 3 * (e1 - e0) - 2 * r0 - r1, c3 = 2 * (e0 - e1) + r0 + r1;
-    for (int i = 0; i < 60; i++) {
-        double middle = 0.5 * (low + high);
-        *(r0 + middle * (2 * c2 + 3 * middle * c3) > 0 ? &low : &high) = middle;
-    }
-    double x = 0.5 * (low + high), peak = e0 + x * (r0 + x * (c2 + x * c3));
+    double peak = bead_step_extremum(h, before, rate_before, now, rate, &x);
     if (peak > w->high) {
         w->high = peak;
         w->high_time = kdv->start.t + x * h;
     }
 }
 
-/* ---- all measures ---- */
+/* ---- measures ---- */
 
 static double relative(double now, double start)
 {
     return start != 0 ? now / start - 1 : now;
 }
 
-static size_t all_measures(const struct watch *w, const struct bead_kdv_solitons *solitons, const struct bead_kdv *kdv,
-                           struct bead_measure *to, size_t room)
+static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
 {
+    const struct watch *w = &m->watch;
+    const struct bead_kdv *kdv = &m->kdv;
     struct integrals now;
     size_t n = 0, crests = 0;
     find_integrals(kdv, &now);
@@ -179,11 +179,11 @@ static size_t all_measures(const struct watch *w, const struct bead_kdv_solitons
     n = bead_measure_add(to, n, room, "hamiltonian", now.hamiltonian);
     n = bead_measure_add(to, n, room, "change of the hamiltonian, relative", relative(now.hamiltonian, w->start.hamiltonian));
     n = bead_measure_add(to, n, room, "tail of the spectrum, relative", kdv->tail);
-    const double *u = bead_kdv_grid(kdv);
+    const double *u = bead_kdv_grid(kdv, kdv->end.u);
     for (size_t i = 0; i < kdv->spectral.points; i++)
         crests += bead_kdv_is_crest(u, kdv->spectral.points, i);
     if (kdv->spec->start == BEAD_START_SOLITONS)
-        return bead_kdv_soliton_measures(solitons, kdv, to, n, room);
+        return bead_kdv_soliton_measures(&m->solitons, kdv, to, n, room);
     n = bead_measure_add(to, n, room, "crests at the end", (double)crests);
     if (w->high > 0) {
         n = bead_measure_add(to, n, room, "recurrence time", w->high_time);
@@ -220,7 +220,7 @@ static enum bead_error kdv_create(const struct bead_motion_settings *settings, s
     return BEAD_OK;
 }
 
-/* A quarter of the time in which the fastest wave of the largest height passes over the narrowest feature. */
+/* The resolution: a quarter of the time in which the fastest wave passes over the narrowest feature. */
 static void pace(const struct bead_motion *m, struct bead_pace *pace)
 {
     const struct bead_equation_spec *spec = m->kdv.spec;
@@ -247,9 +247,8 @@ static enum bead_error kdv_step(struct bead_motion *m, struct bead_message *msg)
 }
 
 static enum bead_error kdv_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
-                                  struct bead_message *msg)
+                                  struct bead_message *)
 {
-    (void)msg;
     enum bead_field shown = m->kdv.spec->variable;
     if (!(wanted & BEAD_FIELD_BIT(shown)))
         return BEAD_OK;
@@ -276,12 +275,7 @@ static double energy(const struct bead_motion *m)
     return now.momentum;
 }
 
-static size_t measures(const struct bead_motion *m, struct bead_measure *to, size_t room)
-{
-    return all_measures(&m->watch, &m->solitons, &m->kdv, to, room);
-}
-
-/* What mode k of the Fourier series adds to the mean of u^2; the mean itself is no mode. Cosines by rotation. */
+/* The share of mode k of the Fourier series in the mean of u^2; the mean of u is not a mode. Cosines by rotation. */
 static double mode_energy(const double *u, size_t points, size_t k)
 {
     const struct bead_turn turn = bead_turn_by(2 * bead_wide_pi * k / points);
@@ -296,27 +290,14 @@ static double mode_energy(const double *u, size_t points, size_t k)
     return (2 * k == points ? 1 : 2) * (sum_c * sum_c + sum_s * sum_s) / (n * n);
 }
 
-static void modes(const struct bead_equation_spec *spec, size_t points, const double *const value[BEAD_FIELD_COUNT], size_t count,
+static void modes(const struct bead_chain_spec *chain, size_t points, const double *const value[BEAD_FIELD_COUNT], size_t count,
                   double *energy)
 {
     for (size_t k = 1; k <= count; k++)
-        energy[k - 1] = 2 * k <= points ? mode_energy(value[spec->variable], points, k) : 0;
+        energy[k - 1] = 2 * k <= points ? mode_energy(value[chain->equation.variable], points, k) : 0;
 }
 
-const struct bead_equation bead_equation_kdv = {
-    .system =
-        {
-            .name = "kdv",
-            .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the "
-                    "thesis's Eq. 1 "
-                    "and 12)",
-            .field = field,
-            .describe = describe,
-            .points = bead_kdv_points,
-            .places = places,
-            .mode_title = "mean square of the mode",
-            .modes = modes,
-        },
+static const struct bead_equation equation = {
     .check = kdv_check,
     .create = kdv_create,
     .destroy = kdv_destroy,
@@ -328,4 +309,24 @@ const struct bead_equation bead_equation_kdv = {
     .state = state,
     .energy = energy,
     .measures = measures,
+};
+
+const struct bead_system bead_system_kdv = {
+    .name = "kdv",
+    .help = "u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0, of Korteweg and de Vries, on a ring (the thesis's Eq. 1 "
+            "and 12)",
+    .label = "kdv",
+    .points = "points",
+    .axis = "x",
+    .axis_unit = "",
+    .time_unit = "",
+    .names_fields = true,
+    .equation = &equation,
+    .field = field,
+    .field_signed = bead_equation_field_signed,
+    .describe = describe,
+    .count = count_points,
+    .places = places,
+    .mode_title = "mean square of the mode",
+    .modes = modes,
 };

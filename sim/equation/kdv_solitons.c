@@ -5,24 +5,13 @@
 #include <math.h>
 #include <stdio.h>
 
-static const double pi = 3.14159265358979323846;
-
-/* A crest whose height differs by more than this part from the soliton's is none, or one in a collision. */
+/* A crest whose height differs by more than this part from the soliton's is another one, or in a collision. */
 static const double near = 0.1;
-/* Between two looks the fastest moves by this part of the narrowest soliton's width. */
+/* Between two looks the fastest soliton moves by this part of the narrowest one's width. */
 static const double look_part = 0.5;
-/* Of a place off by the whole ring, in units of a height off by `near`, squared: heights tell solitons apart, places those of equal
- * height. */
+/* Unlikeness by a distance of the whole ring, relative to that by a height off by `near`: heights distinguish solitons, places only
+ * those of equal height. */
 static const double place_weight = 0.01;
-
-const double *bead_kdv_grid(const struct bead_kdv *kdv)
-{
-    struct bead_spectral scratch = kdv->spectral;
-    bead_spectral_to_grid(&scratch, kdv->end.u);
-    for (size_t i = 0; i < scratch.points; i++)
-        scratch.grid[i] += kdv->mean;
-    return scratch.grid;
-}
 
 bool bead_kdv_is_crest(const double *u, size_t points, size_t i)
 {
@@ -39,7 +28,7 @@ static double wrap(double x, double length)
     return x - length * round(x / length);
 }
 
-/* Solitons of this scene go up or down, all of them. */
+/* Positive for all solitons of a scene, or negative for all. */
 static double height_of(const struct bead_equation_spec *spec, size_t i)
 {
     return bead_kdv_soliton_amplitude(spec, spec->solitons[i].speed);
@@ -53,31 +42,32 @@ static double speed_of(const struct bead_equation_spec *spec, size_t i)
 /* The crest at or beside a grid point, by Newton's method on the series. */
 static struct bead_kdv_crest refine(const struct bead_kdv *kdv, size_t point)
 {
-    double phase = 2 * pi * (double)point / (double)kdv->spectral.points, value[3], cell = 2 * pi / (double)kdv->spectral.points;
+    double phase = 2 * M_PI * (double)point / (double)kdv->spectral.points, value[3],
+           cell = 2 * M_PI / (double)kdv->spectral.points;
     for (int i = 0; i < 6; i++) {
         bead_spectral_at(kdv->end.u, kdv->spectral.modes, phase, value);
         double move = value[2] != 0 ? -value[1] / value[2] : 0;
         phase += fmin(fmax(move, -cell), cell);
     }
     bead_spectral_at(kdv->end.u, kdv->spectral.modes, phase, value);
-    return (struct bead_kdv_crest){kdv->spec->low + phase * kdv->spec->length / (2 * pi), value[0] + kdv->mean};
+    return (struct bead_kdv_crest){kdv->spec->low + phase * kdv->spec->length / (2 * M_PI), value[0] + kdv->mean};
 }
 
-/* How unlike soliton i is a crest, of this height at this distance from where it should be? INFINITY: another. */
+/* The unlikeness of soliton i to a crest of this height, at this distance from the expected place. INFINITY: not the same. */
 static double unlike(const struct bead_equation_spec *spec, size_t i, double height, double distance, double tolerance)
 {
     const double off = (height - height_of(spec, i)) / (tolerance * fabs(height_of(spec, i))), part = distance / spec->length;
     return fabs(off) <= 1 ? off * off + place_weight * part * part : INFINITY;
 }
 
-/* Crests for the solitons; more than these are not looked at. */
+/* Crests to consider. */
 enum { MOST_CRESTS = 4 * BEAD_SOLITONS };
 
-/* Those that may be solitons. A crest between grid points looks lower: twice the tolerance. */
+/* Find crests that may be solitons. A crest between grid points looks lower, hence twice the tolerance. */
 static size_t find_crests(const struct bead_kdv *kdv, struct bead_kdv_crest *crests)
 {
     const struct bead_equation_spec *spec = kdv->spec;
-    const double *u = bead_kdv_grid(kdv);
+    const double *u = bead_kdv_grid(kdv, kdv->end.u);
     const size_t n = kdv->spectral.points;
     size_t count = 0;
     for (size_t p = 0; p < n && count < MOST_CRESTS; p++) {
@@ -90,8 +80,8 @@ static size_t find_crests(const struct bead_kdv *kdv, struct bead_kdv_crest *cre
     return count;
 }
 
-/* Bring each soliton up to the present, the most alike pairs of soliton and crest first; no crest is two solitons. Bit i of the
- * result: soliton i was seen. */
+/* Find each soliton at the present time, assigning the most alike pairs of soliton and crest first, and each crest only once. Bit i
+ * of the result: soliton i was seen. */
 static unsigned follow(struct bead_kdv_solitons *s, const struct bead_kdv *kdv)
 {
     const struct bead_equation_spec *spec = kdv->spec;

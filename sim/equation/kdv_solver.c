@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c turns it into a row of equation.c. */
+/* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c makes a row of systems.c from it. */
 #include "sim/equation/kdv_solver.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ static double wave_number(const struct bead_equation_spec *spec, size_t i)
     return sqrt(spec->solitons[i].speed / spec->dispersion);
 }
 
-/* ln((k - l) / (k + l))^2: the phase shift of a pair of solitons once one has passed the other. */
+/* ln((k - l) / (k + l))^2: the phase shift of two solitons after one has passed the other. */
 static double pair_shift(const struct bead_equation_spec *spec, size_t i, size_t j)
 {
     double k = wave_number(spec, i), l = wave_number(spec, j), part = (k - l) / (k + l);
@@ -40,7 +40,7 @@ static bool speeds_differ(const struct bead_equation_spec *spec)
     return true;
 }
 
-/* Exponent of the subset: the sum of k_i (x - x_i), less what solitons to the left shift them, and of the pairs. */
+/* Exponent of the subset: the sum of k_i (x - x_i), less the shifts by solitons to the left, plus those of pairs in the subset. */
 static double exponent(const struct bead_equation_spec *spec, unsigned subset, double x, double *slope)
 {
     double sum = 0;
@@ -91,7 +91,8 @@ static double sum_of_solitons(const struct bead_equation_spec *spec, double x)
     return sum;
 }
 
-double bead_kdv_start(const struct bead_equation_spec *spec, double x)
+/* u at time 0 and place x of the domain; pulses and solitons with their images in the neighbouring periods. */
+static double start_at(const struct bead_equation_spec *spec, double x)
 {
     double sum = 0;
     if (spec->start == BEAD_START_COSINE)
@@ -110,7 +111,7 @@ double bead_kdv_start(const struct bead_equation_spec *spec, double x)
 double bead_kdv_highest(const struct bead_equation_spec *spec)
 {
     double sum = 0;
-    if (spec->start != BEAD_START_SOLITONS) /* no soliton is higher than twice the range of the start */
+    if (spec->start != BEAD_START_SOLITONS) /* no soliton becomes higher than twice the range of the start */
         return (spec->start == BEAD_START_COSINE ? 3 : 2) * fabs(spec->amplitude);
     for (size_t i = 0; i < spec->soliton_count; i++)
         sum = fmax(sum, fabs(bead_kdv_soliton_amplitude(spec, spec->solitons[i].speed)));
@@ -133,7 +134,7 @@ size_t bead_kdv_points(const struct bead_equation_spec *spec, double accuracy)
 {
     if (spec->points)
         return spec->points;
-    /* The spectrum of sech^2(s x) falls as (k / s) exp(-pi k / (2 s)); as much again of digits for its other factors. */
+    /* The spectrum of sech^2(s x) falls as (k / s) exp(-pi k / (2 s)); 5 allows for the other factors. */
     double digits = bead_log(1 / accuracy) + 5;
     double modes = 2 / (double)bead_wide_pi * bead_kdv_sharpest(spec) * digits * spec->length / (2 * (double)bead_wide_pi);
     if (spec->start == BEAD_START_COSINE)
@@ -144,11 +145,11 @@ size_t bead_kdv_points(const struct bead_equation_spec *spec, double accuracy)
 
 /* ---- steps ---- */
 
-/* Steps are compared with their halves this often; their lengths are the longest by powers of sqrt(1/2), so that they change
- * seldom. An error grows with the time after it was made (a wave of wrong speed runs away), hence the margin. */
+/* Steps are compared with two halves once in COMPARE_EVERY. Their lengths are the longest times powers of sqrt(1/2), so that they
+ * change rarely. An error grows with time (a wave with a wrong speed runs away), hence the margin. */
 enum { COMPARE_EVERY = 16 };
 static const double notch = 0.70710678118654752, margin = 3, rounding = 4e-15, last_sliver = 1e-9;
-/* Limits beyond which the numbers mean nothing. */
+/* Limits beyond which the results mean nothing. */
 static const double momentum_limit = 0.01, tail_limit = 0.02, tail_by_accuracy = 1000;
 
 /* N(u) = -(a / 2) i k (u^2)_k */
@@ -218,13 +219,13 @@ static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead
     return BEAD_OK;
 }
 
-/* Returns the part of the integral of u^2 that the modes kept do not have. */
+/* Set the start; returns the part of the integral of u^2 that is not in the modes kept. */
 static double kdv_solver_begin(struct bead_kdv *kdv)
 {
     const struct bead_equation_spec *spec = kdv->spec;
     struct bead_spectral *s = &kdv->spectral;
     for (size_t i = 0; i < s->points; i++)
-        s->grid[i] = bead_kdv_start(spec, spec->low + spec->length * (double)i / (double)s->points);
+        s->grid[i] = start_at(spec, spec->low + spec->length * (double)i / (double)s->points);
     double whole = 0, kept = 0;
     for (size_t i = 0; i < s->points; i++)
         whole += s->grid[i] * s->grid[i] / (double)s->points;
@@ -251,7 +252,7 @@ static double sum_of_squares(const struct bead_kdv *kdv)
     return sum;
 }
 
-/* The largest of the highest eighth of the modes, by the largest of all. */
+/* The largest of the highest eighth of the modes, relative to the largest of all. */
 static double tail_of(const struct bead_kdv *kdv)
 {
     double most = 0, high = 0;
@@ -264,8 +265,8 @@ static double tail_of(const struct bead_kdv *kdv)
     return most > 0 ? sqrt(high / most) : 0;
 }
 
-/* All errors together meet the accuracy if each step makes no more than its share by time. No step is longer than the time in which
- * the nonlinearity could turn the phase of the shortest waves by one. */
+/* The errors of all steps together meet the accuracy if each step makes no more than its share, by time. No step is longer than the
+ * time in which the nonlinearity could turn the phase of the shortest waves by 1 rad. */
 static void choose_step(struct bead_kdv *kdv, const struct bead_motion_settings *settings)
 {
     const struct bead_equation_spec *spec = kdv->spec;
@@ -284,7 +285,7 @@ static enum bead_error kdv_solver_check(struct bead_kdv *kdv, struct bead_messag
     if (!(change <= momentum_limit))
         return bead_fail(
             msg, BEAD_ERROR_NUMBERS,
-            "at %.6g the integral of u^2 is off by %.3g of itself: steps of %.3g are too long or a grid of %zu points too "
+            "at %.6g the integral of u^2 has a relative error of %.3g: steps of %.3g are too long, or a grid of %zu points is too "
             "coarse",
             kdv->end.t, change, kdv->h, kdv->spectral.points);
     kdv->tail = fmax(kdv->tail, tail_of(kdv));
@@ -292,8 +293,7 @@ static enum bead_error kdv_solver_check(struct bead_kdv *kdv, struct bead_messag
         return BEAD_OK;
     return bead_fail(
         msg, BEAD_ERROR_NUMBERS,
-        "at %.6g the shortest waves that a grid of %zu points has are %.2g of the longest, more than %.2g: it needs more "
-        "points",
+        "at %.6g the shortest waves on a grid of %zu points reach %.2g of the longest, more than %.2g: it needs more points",
         kdv->end.t, kdv->spectral.points, kdv->tail, kdv->tail_limit);
 }
 
@@ -333,7 +333,7 @@ static void copy(const struct bead_kdv *kdv, const struct bead_complex *from, st
     memcpy(to, from, (kdv->spectral.modes + 1) * sizeof *from);
 }
 
-/* The relative error of a step of h from start; its result is left in `one`. */
+/* The relative error of a step of h from start; leaves its result in `one`. */
 static double compare(struct bead_kdv *kdv)
 {
     double error = 0, most = 0;
@@ -351,7 +351,7 @@ static double compare(struct bead_kdv *kdv)
     return most > 0 ? 16. / 15 * sqrt(error / most) : 0;
 }
 
-/* Change the length of steps until the error of one is within its bound, but not sixteen times below it. */
+/* Shorten steps until the error is within its bound; lengthen them if the longer step's error would be well below it. */
 static void adapt(struct bead_kdv *kdv)
 {
     double spare = notch * notch * notch * notch * 0.5;
@@ -362,7 +362,7 @@ static void adapt(struct bead_kdv *kdv)
             continue;
         }
         if (error < spare * allowed && kdv->h < 0.9 * kdv->longest)
-            use_step(kdv, kdv->h / notch); /* this one too: the error of longer steps follows from the order */
+            use_step(kdv, kdv->h / notch); /* without another comparison: the order tells the error of longer steps */
         return;
     }
 }
@@ -377,7 +377,7 @@ enum bead_error bead_kdv_step(struct bead_kdv *kdv, struct bead_message *msg)
     if (!kdv->fixed && kdv->steps % COMPARE_EVERY == 0)
         adapt(kdv);
     kdv->end.t = t + kdv->h;
-    if (kdv->end.t > kdv->end_of_run - last_sliver * kdv->h) { /* the last */
+    if (kdv->end.t > kdv->end_of_run - last_sliver * kdv->h) { /* the last step */
         kdv->end.t = kdv->end_of_run;
         rows(kdv, kdv->end.t - t, kdv->other_rows);
         with = kdv->other_rows;
@@ -387,6 +387,15 @@ enum bead_error bead_kdv_step(struct bead_kdv *kdv, struct bead_message *msg)
     slope(kdv, kdv->end.u, kdv->end.slope);
     kdv->steps++;
     return kdv_solver_check(kdv, msg);
+}
+
+const double *bead_kdv_grid(const struct bead_kdv *kdv, const struct bead_complex *modes)
+{
+    struct bead_spectral scratch = kdv->spectral;
+    bead_spectral_to_grid(&scratch, modes);
+    for (size_t i = 0; i < scratch.points; i++)
+        scratch.grid[i] += kdv->mean;
+    return scratch.grid;
 }
 
 void bead_kdv_values(struct bead_kdv *kdv, double t)
@@ -399,7 +408,5 @@ void bead_kdv_values(struct bead_kdv *kdv, double t)
         move(kdv, kdv->other_rows, kdv->start.u, kdv->one);
         u = kdv->one;
     }
-    bead_spectral_to_grid(&kdv->spectral, u);
-    for (size_t i = 0; i < kdv->spectral.points; i++)
-        kdv->spectral.grid[i] += kdv->mean;
+    bead_kdv_grid(kdv, u);
 }

@@ -22,12 +22,12 @@ struct bead_motion {
     double *memory;
 };
 
-/* ---- what it means ---- */
+/* ---- meaning ---- */
 
 static const enum bead_field fields[] = {BEAD_FIELD_STRAIN, BEAD_FIELD_VELOCITY, BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_ENERGY,
                                          BEAD_FIELD_COUNT};
 
-static const struct bead_field_info *field(const struct bead_equation_spec *spec, enum bead_field field)
+static const struct bead_field_info *field(enum bead_field field)
 {
     static const struct bead_field_info infos[] = {
         [BEAD_FIELD_DISPLACEMENT] = {"displacement", "", "displacement u", 0},
@@ -35,13 +35,13 @@ static const struct bead_field_info *field(const struct bead_equation_spec *spec
         [BEAD_FIELD_STRAIN] = {"strain", "", "strain", 0},
         [BEAD_FIELD_ENERGY] = {"energy", "", "energy density", 0},
     };
-    (void)spec;
     return &infos[field];
 }
 
 /* "u_tt = 4 (1 + 0.5 u_x) u_xx", with subscripts. */
-static void describe(const struct bead_equation_spec *spec, char *text, size_t size)
+static void describe(const struct bead_chain_spec *chain, char *text, size_t size)
 {
+    const struct bead_equation_spec *spec = &chain->equation;
     char square[32] = "", factor[64] = "";
     if (spec->speed != 1)
         snprintf(square, sizeof square, "%.4g ", spec->speed * spec->speed);
@@ -64,9 +64,10 @@ static const char *shock_check(const struct bead_equation_spec *spec, const char
     return NULL;
 }
 
-/* An error of the accuracy in a wave, by the order of the method, until it breaks. */
-static size_t points(const struct bead_equation_spec *spec, double accuracy)
+/* As many cells for a wave as its accuracy until it breaks requires, by the order of the method. */
+static size_t count_cells(const struct bead_chain_spec *chain, double accuracy)
 {
+    const struct bead_equation_spec *spec = &chain->equation;
     const double in_a_wave = 64, least = 64, most = 1 << 17;
     if (spec->points)
         return spec->points;
@@ -74,23 +75,23 @@ static size_t points(const struct bead_equation_spec *spec, double accuracy)
     return (size_t)fmin(fmax(ceil(waves * in_a_wave * bead_pow(accuracy, -0.2)), least), most);
 }
 
-/* Values are means over the cells, shown at their middles. */
-static void places(const struct bead_equation_spec *spec, size_t cells, double *first, double *spacing)
+/* Values are means over the cells, shown at their centres. */
+static void places(const struct bead_chain_spec *chain, size_t cells, double *first, double *spacing)
 {
-    *spacing = spec->length / (double)cells;
-    *first = spec->low + 0.5 * *spacing;
+    *spacing = chain->equation.length / (double)cells;
+    *first = chain->equation.low + 0.5 * *spacing;
 }
 
 /* ---- motion ---- */
 
-/* Part of the time in which waves cross a cell. From 0.65 on steps leave ripples of their own behind a shock, 0.1 % of its height
- * at 0.8; what is left at 0.6 is that of short steps. */
+/* Step, relative to the time in which waves cross a cell. From 0.65 on steps cause ripples behind a shock, 0.1 % of its height at
+ * 0.8; the ripples at 0.6 are those of short steps. */
 static const double courant = 0.6, courant_limit = 1, last_sliver = 1e-9;
 
-/* Part of the energy that a smooth wave may lose: one that breaks has then lost some 5 % too much soon after. */
+/* Part of the energy that a smooth wave may lose: soon after breaking, it will then have lost about 5 % too much. */
 static const double loss_limit = 2e-3;
 
-/* INFINITY or NaN where the equation is no longer hyperbolic. */
+/* INFINITY or NaN if the equation is no longer hyperbolic. */
 static double fastest(const struct bead_motion *m, const struct bead_shock_state *s)
 {
     double most = 0, least = INFINITY;
@@ -129,14 +130,14 @@ static void shock_destroy(struct bead_motion *m)
 static enum bead_error allocate(struct bead_motion *m, struct bead_message *msg)
 {
     size_t n = m->cells, ghosts = n + 2 * BEAD_SHOCK_GHOSTS;
-    double *next = m->memory = calloc(12 * n + 4 * ghosts + 2 * (n + 4) + n + 3, sizeof(double));
+    double *next = m->memory = calloc(12 * n + 6 * ghosts + n + 3, sizeof(double));
     if (!next)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu cells", n);
     struct bead_shock_state *const states[] = {&m->start, &m->end, &m->stage};
     for (size_t i = 0; i < 3; i++, next += 4 * n)
         *states[i] = (struct bead_shock_state){0, next, next + n, next + 2 * n, next + 3 * n};
     m->work = next;
-    m->faces = next + 4 * ghosts + 2 * (n + 4);
+    m->faces = next + 6 * ghosts;
     return BEAD_OK;
 }
 
@@ -145,7 +146,7 @@ static double longest(const struct bead_motion *m, const struct bead_shock_state
     return m->settings.step > 0 ? m->settings.step : courant * m->dx / fastest(m, s);
 }
 
-/* Displacements of the faces, but for a constant: what the mean displacement is then. */
+/* Find the displacements of the faces, up to a constant; returns their mean. */
 static double find_faces(const struct bead_motion *m, const double *r)
 {
     double u = 0, sum = 0;
@@ -191,7 +192,7 @@ static enum bead_error shock_create(const struct bead_motion_settings *settings,
     return err;
 }
 
-/* Waves cross two cells or a five-hundredth of the domain in this time. */
+/* The resolution: waves cross two cells or a five-hundredth of the domain. */
 static void pace(const struct bead_motion *m, struct bead_pace *pace)
 {
     double resolution = fmax(2 * m->dx, 0.002 * m->settings.spec->length) / fastest(m, &m->end);
@@ -253,7 +254,7 @@ static void between(struct bead_motion *m, double t)
     }
 }
 
-/* At the middles of the cells from the faces; their mean moves with the mean velocity, which is conserved. */
+/* Displacements of the centres of cells, from those of faces; their mean moves with the mean velocity, which is conserved. */
 static void displacements(const struct bead_motion *m, double t, double *u)
 {
     double shift = m->mean_displacement + m->mean_velocity * t - find_faces(m, m->stage.r);
@@ -264,9 +265,8 @@ static void displacements(const struct bead_motion *m, double t, double *u)
 }
 
 static enum bead_error shock_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
-                                    struct bead_message *msg)
+                                    struct bead_message *)
 {
-    (void)msg;
     size_t bytes = m->cells * sizeof(double);
     between(m, t);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_STRAIN))
@@ -289,7 +289,7 @@ static uint64_t evaluations(const struct bead_motion *m)
 
 static const double *state(const struct bead_motion *m, size_t *count)
 {
-    *count = 2 * m->cells; /* v stands behind r */
+    *count = 2 * m->cells; /* v follows r */
     return m->end.r;
 }
 
@@ -304,19 +304,7 @@ static size_t measures(const struct bead_motion *m, struct bead_measure *to, siz
     return bead_shock_measures(&m->watch, &m->end, to, room);
 }
 
-const struct bead_equation bead_equation_shock = {
-    .system =
-        {
-            .name = "shock",
-            .help = "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2); the ripples in "
-                    "the 20 points "
-                    "behind a shock, up to 0.1 % of its height, are the scheme's (WENO of fifth order)",
-            .fields = fields,
-            .field = field,
-            .describe = describe,
-            .points = points,
-            .places = places,
-        },
+static const struct bead_equation equation = {
     .check = shock_check,
     .create = shock_create,
     .destroy = shock_destroy,
@@ -328,4 +316,24 @@ const struct bead_equation bead_equation_shock = {
     .state = state,
     .energy = energy,
     .measures = measures,
+};
+
+const struct bead_system bead_system_shock = {
+    .name = "shock",
+    .help =
+        "u_tt = speed^2 u_xx (1 + epsilon u_x) on a ring: waves that break (the thesis's Appendix 2); the ripples in the 20 points "
+        "behind a shock, up to 0.1 % of its height, are made by the scheme (WENO of fifth order)",
+    .label = "shock",
+    .points = "points",
+    .axis = "x",
+    .axis_unit = "",
+    .time_unit = "",
+    .names_fields = true,
+    .equation = &equation,
+    .fields = fields,
+    .field = field,
+    .field_signed = bead_equation_field_signed,
+    .describe = describe,
+    .count = count_cells,
+    .places = places,
 };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The breaking wave on a grid: its start, and the rates of change that shock.c steps with. */
+/* The breaking wave on a grid: its start, and its rates of change. */
 #include "sim/equation/shock_law.h"
 
 #include <string.h>
@@ -32,7 +32,7 @@ static int direction(const struct bead_equation_spec *spec)
 
 void bead_shock_start(const struct bead_equation_spec *spec, size_t cells, double *r, double *v)
 {
-    /* Gauss's rule of three points: exact to the sixth order, one more than the solver. */
+    /* Gauss's rule with three points, of the sixth order, one more than the solver. */
     static const double node[] = {-0.38729833462074170, 0, 0.38729833462074170}, weight[] = {5. / 18, 8. / 18, 5. / 18};
     double dx = spec->length / (double)cells;
     for (size_t i = 0; i < cells; i++) {
@@ -58,15 +58,15 @@ double bead_shock_smooth(const struct bead_equation_spec *spec, double dx)
  * Finite volumes: WENO of fifth order for the characteristic variables, and Rusanov's flux.
  *
  * R. Borges, M. Carmona, B. Costa, W. S. Don, J. Comput. Phys. 227, 3191 (2008) for the weights (WENO-Z); V. V. Rusanov, USSR
- * Comput. Math. Math. Phys. 1 (2), 304 (1962) for the flux. Roe's, which takes no more viscosity than it must, leaves ripples
- * behind a shock (T. W. Roberts, J. Comput. Phys. 90, 141 (1990)); a quarter more than the largest speed beside the face leaves a
- * third of them; more than that smears the shock and costs energy. */
+ * Comput. Math. Math. Phys. 1 (2), 304 (1962) for the flux. Roe's flux, which has the least viscosity, leaves
+ * ripples behind a shock (T. W. Roberts, J. Comput. Phys. 90, 141 (1990)). A viscosity a quarter above the largest speed beside the
+ * face leaves a third of them; more smears the shock and costs energy. */
 static const double viscosity = 1.25;
 
-/* The value at the right face of the cell c from means of five cells. `smooth`: of squares of differences, those below count as
- * smooth. It is needed as in a simple wave the other variable has an extremum everywhere, and extrema cost WENO its order
- * (W.-S. Don, R. Borges, J. Comput. Phys. 250, 347 (2013)). */
-static inline double weno(double smooth, double a, double b, double c, double d, double e)
+/* The value at the right face of cell c from the means of five cells. Squares of differences below `smooth` count as smooth: in a
+ * simple wave the other variable has an extremum everywhere, and at extrema WENO would lose its order (W.-S. Don, R. Borges, J.
+ * Comput. Phys. 250, 347 (2013)). */
+static inline __attribute__((always_inline)) double weno(double smooth, double a, double b, double c, double d, double e)
 {
     double p0 = (2 * a - 7 * b + 11 * c) * (1. / 6), p1 = (-b + 5 * c + 2 * d) * (1. / 6), p2 = (2 * c + 5 * d - e) * (1. / 6);
     double s0 = a - 2 * b + c, s1 = b - 2 * c + d, s2 = c - 2 * d + e;
@@ -88,21 +88,22 @@ static void copy_with_ghosts(size_t n, const double *from, double *to)
     }
 }
 
-static inline double larger(double a, double b)
+static inline __attribute__((always_inline)) double larger(double a, double b)
 {
     return a > b ? a : b;
 }
 
 /* The largest speed of four strains. */
-static inline double fastest(const struct bead_equation_spec *spec, double a, double b, double c, double d)
+static inline __attribute__((always_inline)) double fastest(const struct bead_equation_spec *spec, double a, double b, double c,
+                                                            double d)
 {
-    const double sign = spec->epsilon < 0 ? -1 : 1; /* stiffer under strain, or softer */
+    const double sign = spec->epsilon < 0 ? -1 : 1; /* strain stiffens, or softens */
     return bead_shock_speed(spec, sign * larger(larger(sign * a, sign * b), larger(sign * c, sign * d)));
 }
 
 /* Fluxes of r and v through the right face of the cell at r[2], v[2] of six. */
-static inline void flux(const struct bead_equation_spec *spec, double smooth, const double *r, const double *v, double *flux_r,
-                        double *flux_v)
+static inline __attribute__((always_inline)) void flux(const struct bead_equation_spec *spec, double smooth, const double *r,
+                                                       const double *v, double *flux_r, double *flux_v)
 {
     double a = bead_shock_speed(spec, 0.5 * (r[2] + r[3])), right[6], left[6];
     for (int i = 0; i < 6; i++) {
@@ -120,6 +121,14 @@ static inline void flux(const struct bead_equation_spec *spec, double smooth, co
     *flux_v = -0.5 * (bead_shock_stress(spec, rl) + bead_shock_stress(spec, rr)) - 0.5 * speed * (vr - vl);
 }
 
+/* Apart from the rates, so that the compiler knows that nothing overlaps, and works on whole vectors of faces. */
+static void fluxes(const struct bead_equation_spec *spec, double smooth, size_t n, const double *restrict r,
+                   const double *restrict v, double *restrict flux_r, double *restrict flux_v)
+{
+    for (size_t i = 0; i < n; i++) /* face right of cell i - 1 */
+        flux(spec, smooth, r + i, v + i, &flux_r[i], &flux_v[i]);
+}
+
 void bead_shock_rates(const struct bead_equation_spec *spec, size_t n, double dx, double smooth, const double *r, const double *v,
                       double *r_rate, double *v_rate, double *work)
 {
@@ -127,8 +136,7 @@ void bead_shock_rates(const struct bead_equation_spec *spec, size_t n, double dx
     double *rg = work, *vg = work + all, *fr = work + 2 * all, *fv = work + 3 * all;
     copy_with_ghosts(n, r, rg);
     copy_with_ghosts(n, v, vg);
-    for (size_t i = 0; i < n; i++) /* face right of cell i - 1 */
-        flux(spec, smooth, rg + i, vg + i, &fr[i], &fv[i]);
+    fluxes(spec, smooth, n, rg, vg, fr, fv);
     fr[n] = fr[0];
     fv[n] = fv[0];
     for (size_t i = 0; i < n; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions on a ring as Fourier series. The equations on a ring (KdV) take derivatives and products with them. */
+/* Functions on a ring as Fourier series, for derivatives and products in equations on a ring (KdV). */
 #include "sim/equation/spectral.h"
 
 #include <stdlib.h>

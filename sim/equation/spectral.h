@@ -2,10 +2,9 @@
 /* Real functions on a ring as their Fourier series: u(x_i) = sum over |j| <= modes of c_j exp(2 pi i j m / points), where only
  * c_0 .. c_modes are stored, as c_-j is the conjugate of c_j.
  *
- * 3 modes < points (Orszag's two-thirds rule, J. Atmos. Sci. 28, 1074 (1971)): squares taken on the grid have no aliases among the
- * modes kept, and integrals of cubes are exact. */
-#ifndef BEADREEL_SIM_EQUATION_SPECTRAL_H
-#define BEADREEL_SIM_EQUATION_SPECTRAL_H
+ * 3 modes < points (Orszag's two-thirds rule, J. Atmos. Sci. 28, 1074 (1971)): squares computed on the grid have no aliases among
+ * the modes kept, and integrals of cubes are exact. */
+#pragma once
 
 #include <stddef.h>
 
@@ -24,11 +23,9 @@ BEAD_CHECK enum bead_error bead_spectral_create(size_t points, struct bead_spect
 void bead_spectral_destroy(struct bead_spectral *spectral);
 /* c[0..modes] -> grid. */
 void bead_spectral_to_grid(struct bead_spectral *spectral, const struct bead_complex *c);
-/* grid -> c[0..modes]; the grid is spoilt. */
+/* grid -> c[0..modes]; overwrites the grid. */
 void bead_spectral_to_modes(struct bead_spectral *spectral, struct bead_complex *c);
 /* Value, and first and second derivative by the phase 2 pi x / length, of the series at a phase between grid points. */
 void bead_spectral_at(const struct bead_complex *c, size_t modes, double phase, double value[3]);
-/* The smallest even number >= n without prime factors above 5: transforms of such lengths are fast. */
+/* The smallest even number >= n without prime factors above 5, for which transforms are fast. */
 size_t bead_spectral_length(size_t n);
-
-#endif

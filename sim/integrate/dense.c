@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Times this close to an end of the step, as a fraction of it, are that end. */
+/* Times this close to an end of the step, in units of its length, count as that end. */
 static const double same_time = 1e-9;
 
 enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dense *dense, struct bead_message *msg)
@@ -20,18 +20,18 @@ enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dens
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", s->beads);
     dense->jerk[0] = dense->memory;
     dense->jerk[1] = dense->memory + s->beads + padding;
-    dense->rate = dense->memory + 2 * (s->beads + padding); /* 0 stands before it */
-    return bead_branch_points_create(s->chain, &dense->points, msg);
+    dense->rate = dense->memory + 2 * (s->beads + padding); /* the element before it is 0 */
+    return bead_between_create(s, &dense->between, msg);
 }
 
 void bead_dense_destroy(struct bead_dense *dense)
 {
     free(dense->memory);
-    bead_branch_points_destroy(&dense->points);
+    bead_between_destroy(dense->between);
     *dense = (struct bead_dense){0};
 }
 
-/* d/dt of the accelerations: those of the forces' rates. */
+/* Time derivatives of the accelerations, from the rates of the forces. */
 static void find_jerks(const struct bead_dense *dense, const struct bead_stepper *s, const struct bead_state *state, double *jerk)
 {
     const size_t n = s->active;
@@ -53,7 +53,7 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     double *spare = dense->jerk[0];
     dense->jerk[0] = dense->jerk[1];
     dense->jerk[1] = spare;
-    const bool back = dense->step == s->steps + 1; /* over stored steps: their start was that of the one behind */
+    const bool back = dense->step == s->steps + 1; /* over recorded steps: this one ends where the one before began */
     if (dense->step + 1 != s->steps || s->steps == 1)
         find_jerks(dense, s, &s->start, dense->jerk[0]);
     if (!back)
@@ -61,20 +61,16 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     dense->step = s->steps;
 }
 
-/* Branch points that may spoil a velocity by less than this part of what contact events may are left alone, and those that are
- * further outside, in steps. */
-static const double minor = 0.125, reach = 2;
-
-static void update_points(struct bead_dense *dense, const struct bead_stepper *s)
+static void update_between(struct bead_dense *dense, const struct bead_stepper *s)
 {
-    if (dense->points_step == s->steps)
+    if (dense->between_step == s->steps)
         return;
-    bead_branch_points_find(&dense->points, s, (struct bead_part){0, s->active}, reach, minor * s->event_tolerance);
-    dense->points_step = s->steps;
+    bead_between_find(dense->between, s, (struct bead_part){0, s->active}, s->event_tolerance);
+    dense->between_step = s->steps;
 }
 
-/* Weights of the end states' derivatives in the interpolant at x, of u0, v0, a0, j0, u1, v1, a1, j1; those of u0 (v0) in the
- * displacement (velocity) less the 1 that the base of the sum brings. */
+/* Weights of the derivatives u0, v0, a0, j0, u1, v1, a1, j1 at both ends in the interpolant at x; the weight of u0 (v0) in the
+ * displacement (velocity) is less by 1, which is the base of the sum. */
 enum { U0, V0, A0, J0, U1, V1, A1, J1, WEIGHTS };
 
 static void quintic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
@@ -88,7 +84,7 @@ static void quintic(double x, double h, double value[WEIGHTS], double rate[WEIGH
     memcpy(rate, v, sizeof v);
 }
 
-/* Those of velocities where they are asked for (rate is not NULL). */
+/* rate NULL: no velocities. */
 static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHTS])
 {
     const double h2 = h * h, h3 = h2 * h, x2 = x * x, x3 = x2 * x, x4 = x2 * x2, y = 1 - x, y2 = y * y, y3 = y2 * y, y4 = y2 * y2;
@@ -104,8 +100,8 @@ static void septic(double x, double h, double value[WEIGHTS], double rate[WEIGHT
     memcpy(rate, v, sizeof v);
 }
 
-static void combine_part(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
-                         const double *base, struct bead_part part, double *y)
+static void combine(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS], const double *base,
+                    struct bead_part part, double *y)
 {
     const size_t from = part.from;
     const double *all[WEIGHTS] = {s->start.u, s->start.v, s->start.a, dense->jerk[0],
@@ -122,12 +118,6 @@ static void combine_part(const struct bead_dense *dense, const struct bead_stepp
     s->kernels->combine(part.to - from, y + from, base + from, weight[V0], s->start.v + from, count, coefficient, term);
 }
 
-static void combine_state(const struct bead_dense *dense, const struct bead_stepper *s, const double weight[WEIGHTS],
-                          const double *base, double *y)
-{
-    combine_part(dense, s, weight, base, (struct bead_part){0, s->active}, y);
-}
-
 void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *s, double x, struct bead_part part, double *u)
 {
     double value[WEIGHTS];
@@ -138,11 +128,12 @@ void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper
     }
     update_jerks(dense, s);
     septic(x, s->h, value, NULL);
-    combine_part(dense, s, value, s->start.u, part, u);
+    combine(dense, s, value, s->start.u, part, u);
 }
 
 void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, double t, double *u, double *v)
 {
+    const struct bead_part all = {0, s->active};
     double h = s->h, x = h > 0 ? (t - s->t0) / h : 1, value[WEIGHTS], rate[WEIGHTS];
     if (x >= 1 - same_time || x <= same_time) {
         const struct bead_state *end = x <= same_time ? &s->start : &s->end;
@@ -153,17 +144,12 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, do
     if (dense->septic)
         update_jerks(dense, s);
     (dense->septic ? septic : quintic)(x, h, value, rate);
-    combine_state(dense, s, value, s->start.u, u);
-    combine_state(dense, s, rate, s->start.v, v);
+    combine(dense, s, value, s->start.u, all, u);
+    combine(dense, s, rate, s->start.v, all, v);
     if (!dense->septic)
         return;
-    update_points(dense, s);
-    bead_branch_points_correct(&dense->points, s, x, (struct bead_part){0, s->active}, u, v);
-}
-
-static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
-{
-    return s->chain->static_compression[k] + (state->u[k] - state->u[k + 1]);
+    update_between(dense, s);
+    bead_between_correct(dense->between, s, x, all, u, v);
 }
 
 double bead_dense_force_rate(const struct bead_stepper *s, const struct bead_state *state, size_t k)
@@ -171,7 +157,7 @@ double bead_dense_force_rate(const struct bead_stepper *s, const struct bead_sta
     double a = s->table.stiffness[k];
     if (!(a > 0))
         return 0;
-    return s->chain->law->stiffness(a, s->table.law, compression(s, state, k)) * (state->v[k] - state->v[k + 1]);
+    return s->chain->law->stiffness(a, s->table.law, bead_stepper_compression(s, state, k)) * (state->v[k] - state->v[k + 1]);
 }
 
 /* u''' of bead j; the wall (j = beads) does not move. */
@@ -186,7 +172,7 @@ static double jerk(const struct bead_stepper *s, const struct bead_state *state,
 static void derivatives(const struct bead_stepper *s, const struct bead_state *state, const double *a, size_t k, double out[4])
 {
     const double h = s->h;
-    out[0] = compression(s, state, k);
+    out[0] = bead_stepper_compression(s, state, k);
     out[1] = h * (state->v[k] - state->v[k + 1]);
     out[2] = h * h * (a[k] - a[k + 1]);
     out[3] = h * h * h * (jerk(s, state, k) - jerk(s, state, k + 1));

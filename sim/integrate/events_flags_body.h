@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by kernels_body.h: which contacts open or close, see events.h. Lanes are contacts. */
+/* Included by kernels_body.h: finds the contacts that open or close, see events.h. Lanes are contacts. */
 #include <math.h>
 
 #include "sim/integrate/events_patch.h"
 
-/* Compressions at both ends of the step, and what their rates alone would change them by within it. */
+/* Compressions at both ends of the step, and their rates times its length. */
 struct event_ends {
     lanes d0, r0, d1, r1;
 };
 
-/* Of contacts k and the following, which are kept. */
+/* Finds and keeps those of contacts k, k + 1, ... */
 static inline struct event_ends keep_ends(const struct bead_patch_source *s, const struct bead_event_flags *flags, size_t k)
 {
     const lanes d = load_lanes(s->static_compression + k);
@@ -24,12 +24,12 @@ static inline struct event_ends keep_ends(const struct bead_patch_source *s, con
 }
 
 /* Keeps the ends of contacts 0..n. Lists those before n that may have a branch point in the step or within limits->reach steps
- * outside: that the faster rate could take one there, and is not too slow to matter. What is at rest and just touching, d = r = 0,
- * has none. Returns how many. */
+ * outside, because the faster rate could reach it and is not too slow to matter. Contacts at rest that just touch, d = r = 0, have
+ * none. Returns their number. */
 static size_t list_near(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
                         const struct bead_event_flags *flags)
 {
-    /* What dips to zero within the step is below half its rate at both ends. */
+    /* A compression that dips to zero within the step is less than half its rate at both ends. */
     const double near = limits->reach > 0.5 ? limits->reach : 0.5;
     const lanes slow = (lanes){0} + limits->slow;
     const struct bead_patch_source here = *source;
@@ -54,7 +54,8 @@ static inline lanes force_power(const struct bead_patch_rule *rule, lanes r)
     return r;
 }
 
-/* Loss of velocity, in units of A h/m, by the branch point that compression d and rate r, away from zero, point to outside. */
+/* Error of a velocity, in units of A h/m, from the branch point outside to which compression d and rate r, away from zero, point.
+ */
 static inline lanes loss_outside(const struct bead_event_limits *limits, lanes d, lanes r)
 {
     const lanes zero = {0};
@@ -62,11 +63,11 @@ static inline lanes loss_outside(const struct bead_event_limits *limits, lanes d
     if (!any_lane(counts))
         return zero;
     r = choose(counts, r, zero + 1);
-    const lanes x = choose(counts, d / r, zero), near = 1 + x * (1 / BEAD_EFFECT_DECAY), far = (1 + 0.5 * x) * (1 + 0.5 * x);
-    return choose(counts, force_power(limits->rule, r) * (BEAD_EFFECT_OUTSIDE / (near * near * near * far * far)), zero);
+    const lanes x = choose(counts, d / r, zero), near = 1 + x * (1 / limits->decay), far = (1 + 0.5 * x) * (1 + 0.5 * x);
+    return choose(counts, force_power(limits->rule, r) * (limits->outside / (near * near * near * far * far)), zero);
 }
 
-/* What the listed contacts can do to a velocity, m/s; LANES of them. */
+/* Largest effect of LANES listed contacts on a velocity, m/s. */
 static inline lanes weigh_events(const struct bead_event_flags *flags, const struct bead_event_limits *limits, double h,
                                  const size_t *contact)
 {
@@ -79,7 +80,7 @@ static inline lanes weigh_events(const struct bead_event_flags *flags, const str
     const lanes unit = h * gather_lanes(limits->hardness, contact);
     const lanes most = force_power(limits->rule, larger_lanes(magnitude(p), magnitude(q))) * unit;
     const lanes effect = choose(inside, BEAD_EFFECT_INSIDE * most, zero);
-    const lane_masks outside = closed & ~dips & (BEAD_EFFECT_OUTSIDE * most > limits->tolerance);
+    const lane_masks outside = closed & ~dips & (limits->outside * most > limits->tolerance);
     if (!any_lane(outside))
         return effect;
     return choose(outside, larger_lanes(loss_outside(limits, a, p), loss_outside(limits, b, -q)) * unit, effect);
@@ -106,8 +107,8 @@ static size_t flag_events(size_t n, const struct bead_patch_source *source, cons
     return count;
 }
 
-/* A rate counts when it falls again: that of a contact which the front is just reaching is not yet known. Rates that have grown by
- * less than `much` keep their weight. */
+/* A rate counts once it falls: the final rate of a contact that the front is just reaching is still unknown. Rates that have grown
+ * by less than `much` keep their weight. */
 static bool weigh_speeds(size_t n, const double *v, const struct bead_event_speeds *speeds)
 {
     const struct bead_event_speeds s = *speeds;

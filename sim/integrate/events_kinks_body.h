@@ -4,30 +4,30 @@
 
 #include "sim/integrate/events_kinks.h"
 
-/* The series of g is of use where its coefficients, in units of the step, stay below this: not where the contact grazes. */
+/* The series of g is accurate if its coefficients, in units of the step, are below this: not if the contact grazes. */
 static const float kink_bend = 2;
-/* How the kink bends the quintic is left out where it can change a velocity by less than half the tolerance: this part of the
+/* The bending of the quintic by the kink is ignored if it changes a velocity by less than half the tolerance: this part of the
  * correction, times h^2 A sqrt(rho)/m. */
 static const float kink_bent = 0.02f;
 /* A zero of the quintic is found when the next step to it is shorter than this. */
 static const float kink_found = 1e-3f;
-/* Parts of a correction that are left undone: by second orders, times q^2; by the end of the series, times the third power of its
- * bend; by all the rest. */
+/* Remaining errors as parts of a correction: of second order, times q^2; from the end of the series, times the third power of its
+ * bend; all others. */
 static const float kink_second = 0.0005f, kink_series = 0.002f, kink_rest = 1e-4f;
 
 /* All lengths are in units of the change of the kink's compression within the step. */
 
-/* d and d', and where the kink is d'', of contacts k - 1, k, k + 1 at one end of the step. */
+/* d and d' of contacts k - 1, k, k + 1, and d'' of contact k, at one end of the step. */
 struct kink_end {
     floats d[3], rate[3], bend;
 };
 
-/* Where and how a force sets in or ends. */
+/* The beginning or the end of a force. */
 struct kink_shape {
-    floats tau, sign, closes; /* x = sign (s - tau); closes: 1 where it does, else 0 */
+    floats tau, sign, closes; /* x = sign (s - tau); closes: 1 if it closes, 0 if it opens */
     floats rho, e1, e2;
     floats bend;        /* of the compression, in units of rho */
-    floats full, late;  /* of a contact that opens: integrals of g over all x > 0, and of (tau - x) g; else 0 */
+    floats full, late;  /* if the contact opens: integrals of g over all x > 0, and of (tau - x) g; else 0 */
     floats once, twice; /* integrals over the step of g and (1 - s) g */
 };
 
@@ -78,8 +78,8 @@ static inline floats kink_curve(const floats c[6], floats s)
     return c[2] + s * (3 * c[3] + s * (6 * c[4] + s * (10 * c[5])));
 }
 
-/* Zero of the quintic between 0 and 1: where the cubic s(d) through both ends has it or, where the rate changes its sign on the
- * way, the tangent at the end beyond which it does not; then two steps of Newton's method. */
+/* Zero of the quintic between 0 and 1. Starts at that of the cubic s(d) through both ends or, if the rate changes its sign in
+ * between, at that of the tangent at the end with the right sign; then two steps of Newton's method. */
 static inline floats kink_root(const floats c[6], const struct kink_end *end0, const struct kink_end *end1)
 {
     const floats span = end1->d[1] - end0->d[1], y = -end0->d[1] / span, z = 1 - y;
@@ -98,7 +98,7 @@ static inline floats kink_force(const struct kink_shape *k, floats x)
     return x * root_floats(x) * (1 + x * (k->e1 + x * k->e2));
 }
 
-/* From the quintic's slope, half its second and a sixth of its third derivative at tau. Returns where it is a kink. */
+/* Finds shapes from the quintic's slope, half its second and a sixth of its third derivative at tau. Returns which are kinks. */
 static inline float_masks shape_kink(struct kink_shape *k, floats tau, floats q1, floats q2, floats q3)
 {
     const floats zero = {0};
@@ -106,7 +106,7 @@ static inline float_masks shape_kink(struct kink_shape *k, floats tau, floats q1
     floats bend = q2 / k->rho, turn = k->sign * q3 / k->rho;
     const float_masks good =
         (tau > 0) & (tau < 1) & (k->rho > 0) & (magnitude_floats(bend) < kink_bend) & (magnitude_floats(turn) < kink_bend);
-    /* The others go along with numbers that do no harm. */
+    /* the others get harmless numbers */
     bend = choose_floats(good, bend, zero);
     turn = choose_floats(good, turn, zero);
     k->rho = choose_floats(good, k->rho, zero);
@@ -124,7 +124,7 @@ static inline float_masks shape_kink(struct kink_shape *k, floats tau, floats q1
     return good;
 }
 
-/* g at the stages, and its integral over x twice. */
+/* g and its double integral over x at the stages. */
 static inline void spread_kink(const struct bead_kink_method *t, const struct kink_shape *k, floats *g, floats *twice)
 {
     for (size_t i = 0; i < BEAD_KINK_STAGES; i++) {
@@ -142,8 +142,8 @@ static inline floats kink_sum(const float *weight, const floats *x)
     return sum;
 }
 
-/* The kink bends the quintic: what it should have been at tau, less what it is, times `scale`. d: value, slope, half the second
- * derivative. `twice`, `once`: what the method has for the kink's moment and impulse. */
+/* The kink bends the quintic: finds the error of its value, slope and half second derivative at tau, times `scale`. `twice`,
+ * `once`: the method's moment and impulse of the kink. */
 static inline void unbend(const struct kink_shape *k, floats scale, floats once, floats twice, floats d[3])
 {
     const floats zero = {0};
@@ -154,7 +154,7 @@ static inline void unbend(const struct kink_shape *k, floats scale, floats once,
     d[2] = -scale * kink_curve(c, k->tau);
 }
 
-/* Stiffnesses are wanted in few digits only: from the cubics through both ends. */
+/* Cubics through both ends, sufficient for stiffnesses. */
 static inline void kink_cubics(const struct kink_end *end0, const struct kink_end *end1, floats c[3][4])
 {
     for (size_t j = 0; j < 3; j++) {
@@ -166,8 +166,8 @@ static inline void kink_cubics(const struct kink_end *end0, const struct kink_en
     }
 }
 
-/* A kink of known shape: what its stages do to the three contacts, and q. spring: h^2/m times 3/2 A of each, of its one bead that
- * is the kink's as well (k - 1, k + 1), or of both (k). */
+/* Adds the effect of the stages of a kink on its three contacts; returns q. spring: h^2/m times 3/2 A of each contact, 1/m of the
+ * bead that it shares with the kink (k - 1, k + 1), or of both beads (k). */
 static floats sum_stages(const struct bead_kink_method *t, const struct kink_shape *shape, const floats *g, const floats *twice,
                          floats cubic[3][4], const floats spring[3], floats impulse[3], floats moment[3])
 {
@@ -191,7 +191,7 @@ static floats sum_stages(const struct bead_kink_method *t, const struct kink_sha
     return most;
 }
 
-/* Whether a contact opens or closes, with a rate at one end of the step at least that says so. */
+/* Contacts that open or close, with a rate at one end of the step at least that agrees. */
 static inline float_masks simple_kinks(const struct kink_end *end0, const struct kink_end *end1)
 {
     const float_masks closed0 = end0->d[1] > 0, closed1 = end1->d[1] > 0;
@@ -199,7 +199,7 @@ static inline float_masks simple_kinks(const struct kink_end *end0, const struct
     return (closed0 & ~closed1 & opening) | (~closed0 & closed1 & closing);
 }
 
-/* What kinks are computed from. */
+/* Input data of kinks. */
 struct kink_facts {
     lanes unit[2]; /* N s: h A span^{3/2} */
     struct kink_end end0, end1;
@@ -231,14 +231,14 @@ static inline void gather_facts(const struct bead_patch_source *source, const st
     gather_end(contact, flags->d1, flags->r1, source->a1, scale, square, &facts->end1);
 }
 
-/* Finds the kinks' shapes; returns which are kinks. `unknown`: part of each correction that stays undone for not knowing more. */
+/* Finds the kinks' shapes; returns which are kinks. `unknown`: uncertainty of the shapes as a part of each correction. */
 static inline float_masks find_shapes(const struct kink_facts *facts, const struct bead_kink_method *t, float tolerance,
                                       struct kink_shape *shape, floats *unknown)
 {
     const floats zero = {0}, one = zero + 1;
     const struct kink_end *end0 = &facts->end0, *end1 = &facts->end1;
     floats c[6], bent[3] = {zero, zero, zero}, g[BEAD_KINK_STAGES], twice[BEAD_KINK_STAGES];
-    /* Where the quintic has it ... */
+    /* tau of the quintic */
     kink_quintic(end0->d[1], end0->rate[1], end0->bend, end1->d[1], end1->rate[1], end1->bend, c);
     shape->sign = choose_floats(end0->d[1] > 0, -one, one);
     shape->closes = choose_floats(end0->d[1] > 0, zero, one);
@@ -246,7 +246,7 @@ static inline float_masks find_shapes(const struct kink_facts *facts, const stru
     const floats q3 = c[3] + tau * (4 * c[4] + tau * (10 * c[5]));
     float_masks good =
         simple_kinks(end0, end1) & shape_kink(shape, tau, q1, q2, q3) & (magnitude_floats(q0) < kink_found * magnitude_floats(q1));
-    /* ... and where it is. */
+    /* tau without the bending */
     const floats strength = (1 / 1.5f) * (facts->spring[1] * root_floats(shape->rho)), bends = kink_bent * strength;
     const float_masks bending = bends * facts->effect > 0.5f * tolerance;
     if (any_float(bending)) {
@@ -292,7 +292,7 @@ static void correct_some(const struct bead_patch_source *source, const struct be
 static void correct_kinks(const struct bead_patch_source *source, const struct bead_kink_method *method, size_t count,
                           struct bead_event_flags *flags, double tolerance, struct bead_kinks *kinks)
 {
-    /* Numbers for the lanes behind the last. */
+    /* fill the last vector */
     for (size_t i = count; i % FLOATS != 0; i++) {
         flags->contact[i] = flags->contact[count - 1];
         flags->effect[i] = flags->effect[count - 1];

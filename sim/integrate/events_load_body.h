@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by kernels_body.h: the patches around contacts that open or close; see events.h. Lanes are contacts. */
+/* Included by kernels_body.h: loads the patches around contacts that open or close, see events.h. Lanes are contacts. */
 #include "sim/integrate/events_patch.h"
 
-/* Quintic Hermite: what the cubic and higher terms have to add at the end to d, d', d'' are e, e1, e2. */
+/* Quintic Hermite: e, e1, e2 are the contributions of the cubic and higher terms to d, d', d'' at the end. */
 static inline void load_quintics(struct bead_patch *patch, size_t k, const lanes d0[3], const lanes d1[3])
 {
     double *const *array = patch->array;
@@ -26,7 +26,7 @@ static inline lanes step_of(const double *x, ptrdiff_t k)
     return load_lanes(x + k) - load_lanes(x + k + 1);
 }
 
-/* All contacts of the patch; what the last vector loads beyond them is never used. */
+/* Loads all contacts of the patch; elements of the last vector beyond them are never used. */
 static void load_patch(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch)
 {
     const double h = source->h, square = h * h;

@@ -1,50 +1,67 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of the contact-event correction share, see events.h. */
-#ifndef BEADREEL_SIM_INTEGRATE_EVENTS_PRIVATE_H
-#define BEADREEL_SIM_INTEGRATE_EVENTS_PRIVATE_H
+/* Declarations shared by the files of the contact-event correction: see events.h. */
+#pragma once
 
 #include "sim/integrate/events.h"
 #include "sim/integrate/events_kinks.h"
 #include "sim/integrate/events_patch.h"
 #include "sim/integrate/stepper.h"
 
-/* Elements before and behind the constants of the contacts: vectors may begin one before the first and end behind the last. */
+/* Elements before and after the constants of the contacts: vectors may begin one before the first and end after the last. */
 enum { BEAD_EVENTS_MARGIN = 16, BEAD_EVENTS_LANES = 8 };
-/* Contacts whose compressions are kept at a time: a multiple of 8, few enough for the cache. */
-enum { BEAD_EVENTS_BLOCK = 1024 };
-/* A branch point further outside the step than this does no harm that doubles can hold. */
+/* Maxima for a patch: flagged contacts, with whose square the cost grows, so longer patches are cut and lose a little accuracy;
+ * contacts integrated again on each side of a flagged one; all contacts. */
+enum { BEAD_PATCH_FLAGGED = 64, BEAD_PATCH_WIDTH = 1, BEAD_PATCH_MOST = BEAD_PATCH_FLAGGED * (2 * BEAD_PATCH_WIDTH + 1) };
+/* Steps outside the step, beyond which the effect of a branch point is below the precision of a double. */
 #define BEAD_EVENTS_REACH 2.0
+
+/* Takes an integrated piece of a patch. */
+typedef void bead_patch_keeper(void *keeper, struct bead_events *events, const struct bead_patch_piece *piece);
 
 struct bead_events {
     struct bead_patch_rule rule;
-    /* Constants of the contacts, 0 in the margins but for "contact -1", the constant force on the striker. */
-    double *constants, *stiffness, *static_compression, *static_force, *inverse_mass, *hardness;
+    /* Constants of the contacts; 0 in the margins, except "contact -1", the constant force on the striker. */
+    double *stiffness, *static_compression, *static_force, *inverse_mass, *hardness;
     struct bead_event_speeds speeds;
-    struct bead_event_flags flags; /* d0 to r1: of one block of contacts only */
-    double *block;
-    size_t flagged_count, flag_room;
-    bool kinks_known; /* method and law are those that kinks are known for */
+    struct bead_event_flags flags;
+    size_t flagged_count;
+    bool kinks_known; /* for this method and law */
     struct bead_kink_method method;
-    struct bead_kinks kinks; /* those of the flagged contacts */
+    struct bead_kinks kinks; /* of the flagged contacts */
     struct bead_patch patch;
+    size_t patch_first; /* first contact of the patch */
     struct bead_patch_source source;
-    struct bead_patch_branch *branch; /* in order of s */
-    size_t branch_room, branch_count;
-    /* Bounds over the chain: of A/m times the weights, and of the rate of a compression that the energy allows, m/s (0: not known).
-     */
+    struct bead_patch_branch branch[BEAD_PATCH_FLAGGED * BEAD_BRANCHES_MAX]; /* in order of s */
+    size_t branch_count;
+    /* Bounds over the chain: of A/m times the weights, and of the rate of a compression at this energy, m/s (0: unknown). */
     double hardest, fastest;
     double unit; /* m/s: the striker's velocity */
     struct bead_event_limits limits;
-    double limits_h; /* s: length of the longest steps that they are for */
-    bool failed;
+    double limits_h;         /* s: the longest steps for which they hold */
+    bead_patch_keeper *keep; /* called for every piece; NULL: none */
+    void *keeper;
+    double *memory;
 };
 
-/* Room for `count` elements of `size` bytes in an array that keeps what it has. */
-bool bead_events_grow(void **array, size_t *room, size_t count, size_t size);
-/* Bounds of the chain, before the first step. */
+/* Finds the bounds of the chain, before the first step. */
 void bead_events_bound(struct bead_events *events, const struct bead_stepper *stepper);
-/* The contacts that the step just made, which `source` describes, has to be corrected for, and their kinks. False: memory is short.
- */
-bool bead_events_flag(struct bead_events *events, const struct bead_stepper *stepper);
+/* Flags the contacts of the last step, described by `source`, that need a correction, and finds their kinks. */
+void bead_events_flag(struct bead_events *events, const struct bead_stepper *stepper, double tolerance);
 
-#endif
+/* Allocates a patch for a chain of this many beads. False: out of memory. */
+bool bead_patch_make(struct bead_patch *patch, size_t beads);
+/* The largest weight of some contacts. */
+double bead_patch_weight(const struct bead_events *events, const size_t *flagged, size_t count);
+/* Contacts first..last of the chain, of which some are flagged. */
+struct bead_patch_contacts {
+    size_t first, last;
+    const size_t *flagged;
+    size_t count;
+};
+/* Integrates them over the step described by `source`, from 0 to `until`, with the frozen contacts on either side. False: no branch
+ * point. */
+bool bead_patch_integrate(struct bead_events *events, const struct bead_stepper *stepper,
+                          const struct bead_patch_contacts *contacts, double until);
+/* Integrates all patches of the last step that touch a part of the beads, and hands their pieces to `keep`; corrects nothing. */
+void bead_events_walk(struct bead_events *events, const struct bead_stepper *stepper, struct bead_part part, double tolerance,
+                      bead_patch_keeper *keep, void *keeper);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Quadrature on the pieces of a step that events_body.h integrates again: the nodes and their matrices, and how nodes are placed
- * where a piece begins or ends at, or near, a branch point. */
+/* Quadrature on the pieces of a step that events_body.h integrates again: the nodes and their matrices, and their places in a piece
+ * that begins or ends at or near a branch point. */
 #include <math.h>
 
 #include "sim/integrate/events_patch.h"
 
-/* Gauss-Legendre quadrature with 8 nodes on [0, 1], and integrals of the polynomial through values at its nodes: with l_j
- * Lagrange's polynomial of node j, matrices are stored [j][i] (a column is added to the sums at all nodes at once).
- * Computed with 60 digits and rounded. */
+/* Gauss-Legendre quadrature with 8 nodes on [0, 1], and integrals of the polynomial through values at its nodes: with l_j the
+ * Lagrange polynomial of node j, the matrix is stored [j][i], to add to the sums at all nodes at once. Computed with 60 digits and
+ * rounded. */
 
 /* x_i and w_i */
 alignas(64) const
@@ -38,76 +38,15 @@ alignas(64) const double bead_gauss_once[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES] = {
      0.0020267321462752487, -0.004145053622366191, 0.025307134072594065},
 };
 
-/* of (x_i - x) l_j */
-alignas(64) const double bead_gauss_twice[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES] = {
-    {0.0002702895538470183, 0.0040848961272347386, 0.011030086400629477, 0.019642878076842042, 0.02895614639182163,
-     0.03759343108712518, 0.04446959385008129, 0.048600567171647485},
-    {-0.00012289605373574448, 0.0012684809852964005, 0.014881263537637591, 0.03417608165167977, 0.054440598680335316,
-     0.07353987404618616, 0.08856000787837501, 0.09769176404699884},
-    {8.55985920374622e-05, -0.00027156145763898744, 0.002513248910165054, 0.026492341275761222, 0.05573579630019418,
-     0.08235854770219818, 0.10374062375426317, 0.116501824540406},
-    {-6.126975607164622e-05, 0.00013585362121329618, -0.0003898964837218867, 0.0033553879580989344, 0.03284781110052108,
-     0.06443749196065414, 0.08878779769732051, 0.10374470589319375},
-    {4.212378385117269e-05, -7.889786819600683e-05, 0.00015477874580865534, -0.0004165739709686782, 0.0033553879580989344,
-     0.03062843165963383, 0.05573816411524004, 0.07037692728178116},
-    {-2.6255351437572855e-05, 4.497922232441004e-05, -7.295710528908259e-05, 0.00013387728767063538, -0.000337244519202489,
-     0.002513248910165054, 0.020992578266812507, 0.034182173676393784},
-    {1.3322290855634125e-05, -2.174980240909897e-05, 3.1884966802087384e-05, -4.8376548248616196e-05, 8.32991994795986e-05,
-     -0.0001925050637624412, 0.0012684809852964005, 0.008973788021623363},
-    {-3.8011222230405997e-06, 6.0643480981435055e-06, -8.472217056088418e-06, 1.1757153690596471e-05, -1.710097889745123e-05,
-     2.7621410940214127e-05, -5.594266465264238e-05, 0.0002702895538470183},
-};
-
-/* of (x_i - x) (x_i + 3 x) l_j */
-alignas(64) const double bead_gauss_twice_mixed[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES] = {
-    {1.0342631789112455e-05, 0.0006721042311832284, 0.0032631737724368283, 0.009193834427299373, 0.01886258775620968,
-     0.030903714621768143, 0.04261084355184509, 0.05051937882618289},
-    {-4.20606389529595e-06, 0.00047253985936734775, 0.008102986863999392, 0.024364516800685385, 0.048805143299362516,
-     0.07855727173634662, 0.10652391668578101, 0.12558382020671754},
-    {2.9072812772282494e-06, -0.00014847378611783236, 0.0023283048606666246, 0.029692232072016534, 0.07266831154064164,
-     0.12137840390654497, 0.16709840179564608, 0.19704346942863515},
-    {-2.076281271696618e-06, 9.02562180550188e-05, -0.0004997348670839669, 0.005453408804119064, 0.059643817384030816,
-     0.12814720238700616, 0.1884226338953988, 0.2288305329737006},
-    {1.4261138369546982e-06, -5.812137561060805e-05, 0.00024114884597506873, -0.0008831837083523568, 0.007968143028276675,
-     0.07766212748996827, 0.14910511259462503, 0.19383514263291815},
-    {-8.884647869528288e-07, 3.509313068153903e-05, -0.00012765008723502916, 0.0003397789612190768, -0.0009925016180281122,
-     0.007724690779993592, 0.06682321294050264, 0.11178221776395451},
-    {4.507077681870836e-07, -1.7517388506943655e-05, 5.9635531677450277e-05, -0.00013742611953580002, 0.0002864808690975707,
-     -0.0006994960855947601, 0.0046013840818182545, 0.032944251610027},
-    {-1.285814083228972e-07, 4.9600081246172805e-06, -1.637694319607908e-05, 3.5416099050002014e-05, -6.435854546192751e-05,
-     0.00011283259107503305, -0.0002282392668157913, 0.0010708155835989607},
-};
-
-/* of 2 x (x_i^2 - x^2) l_j */
-alignas(64) const double bead_gauss_twice_square[BEAD_GAUSS_NODES][BEAD_GAUSS_NODES] = {
-    {9.729777778976451e-08, 2.3471783479989676e-05, 0.00010422078778765323, 0.00034349942021855053, 0.000699053843780985,
-     0.0011623754301673778, 0.00163600523439491, 0.0019151381415085707},
-    {-3.250321343601162e-08, 3.801124349636345e-05, 0.0010542379435893028, 0.0035123782206510105, 0.007688162088721108,
-     0.012946933477706974, 0.01795803492867726, 0.021538579443393692},
-    {2.2149350323881835e-08, -1.2992312922458389e-05, 0.0005125632520651798, 0.008168288038964218, 0.021902193173691978,
-     0.03903630082650912, 0.05598315472389807, 0.06720415420193937},
-    {-1.5751534767746648e-08, 8.203592676046374e-06, -0.0001313802300124684, 0.002166829482174602, 0.0268433264406537,
-     0.061675489825016035, 0.0946104688165472, 0.11773761465652134},
-    {1.0799778410809847e-08, -5.374134024708771e-06, 6.910260417356719e-05, -0.00041928958023970816, 0.004681563706332212,
-     0.049029107089027205, 0.09841896623014032, 0.1307879270185804},
-    {-6.72227950197416e-09, 3.273300049462982e-06, -3.8248359783625476e-05, 0.00017742680035287662, -0.0006850126625567938,
-     0.005908949171392146, 0.053082337398423704, 0.09099487462503096},
-    {3.4085648055735996e-09, -1.6414648265863337e-06, 1.8297742775895916e-05, -7.548802082683222e-05, 0.000217068822029804,
-     -0.0006134650142507994, 0.00416685546594727, 0.030218092803327018},
-    {-9.72212111311073e-10, 4.657873970649099e-07, -5.081659447428091e-06, 1.9924772209690707e-05, -5.1061149345908115e-05,
-     0.00010707576728327168, -0.0002292183278921636, 0.0010605702495876381},
-};
-
-enum { POWER_MAX = 5 };
-/* People write an exponent as 1.4, which is not 7/5 to the last bit. */
+/* An exponent given as 1.4 differs from 7/5 in the last bit. */
 static const double same_exponent = 1e-9;
 
-struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const struct bead_law_spec *spec)
+struct bead_patch_rule bead_patch_rule_make(const struct bead_law_spec *spec, double exponent)
 {
-    struct bead_patch_rule rule = {2, law->exponent(spec), law, spec, law->hertz};
-    /* The smallest m that makes m p whole. Where none does, x^{m p + m - 1}, the integrand's first term, has with m = 4 enough
-     * derivatives that 8 nodes do not feel the rest. */
-    for (rule.power = 1; rule.power <= POWER_MAX; rule.power++) {
+    struct bead_patch_rule rule = {2, exponent, spec->row, spec, spec->row->hertz};
+    /* The smallest m that makes m p whole. If there is none, m = 4 gives x^{m p + m - 1}, the first term of the integrand, enough
+     * derivatives for 8 nodes. */
+    for (rule.power = 1; rule.power <= BEAD_POWER_MAX; rule.power++) {
         double product = rule.power * rule.exponent;
         if (fabs(product - round(product)) < same_exponent)
             return rule;
@@ -116,44 +55,21 @@ struct bead_patch_rule bead_patch_rule_make(const struct bead_law *law, const st
     return rule;
 }
 
-static double raise(double x, int power)
-{
-    double y = x;
-    for (int i = 1; i < power; i++)
-        y *= x;
-    return y;
-}
-
 static double root(double x, int power)
 {
     return power == 1 ? x : power == 2 ? sqrt(x) : pow(x, 1.0 / power);
 }
 
-void bead_patch_place_nodes(int power, double tau, const double ends[2], struct bead_patch_nodes *nodes)
+struct bead_patch_piece bead_patch_piece_make(int power, const double *tau, double from, double to)
 {
-    const double sign = ends[0] + ends[1] >= 2 * tau ? 1 : -1;
-    const double a = root(fmax(sign * (ends[0] - tau), 0), power), b = root(fmax(sign * (ends[1] - tau), 0), power) - a;
-    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
-        double x = a + b * bead_gauss_node[i];
-        nodes->s[i] = tau + sign * raise(x, power);
-        nodes->rate[i] = sign * (power * b * (power > 1 ? raise(x, power - 1) : 1));
-    }
+    const int m = tau ? power : 1;
+    const double at = tau ? *tau : from, sign = from + to >= 2 * at ? 1 : -1;
+    const double a = root(fmax(sign * (from - at), 0), m), b = root(fmax(sign * (to - at), 0), m) - a;
+    return (struct bead_patch_piece){from, to, at, sign, a, b, m};
 }
 
-void bead_patch_place_power(int power, double tau, struct bead_patch_piece *piece)
+double bead_patch_find(const struct bead_patch_piece *piece, double s)
 {
-    struct bead_patch_nodes nodes;
-    bead_patch_place_nodes(power, tau, (const double[2]){piece->from, piece->to}, &nodes);
-    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
-        piece->s[i] = nodes.s[i];
-        piece->weight[i] = nodes.rate[i] * bead_gauss_weight[i];
-    }
-    for (size_t j = 0; j < BEAD_GAUSS_NODES; j++) {
-        for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
-            double sum = 0;
-            for (size_t l = 0; l < BEAD_GAUSS_NODES; l++)
-                sum += bead_gauss_once[l][i] * nodes.rate[l] * bead_gauss_once[j][l];
-            piece->twice[j][i] = sum * nodes.rate[j];
-        }
-    }
+    const double x = root(fmax(piece->sign * (s - piece->tau), 0), piece->power);
+    return piece->b != 0 ? (x - piece->a) / piece->b : 0;
 }

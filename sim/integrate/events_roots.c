@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the branch points of one contact, where its compression crosses zero or nearly does, for the patches of events.c. */
+/* Finds the branch points of one contact, where its compression crosses zero or nearly does. */
 #include <math.h>
 
 #include "sim/integrate/events_patch.h"
 
-/* An error e of a branch point, in steps, leaves one of order e^{5/2} in the impulse. Newton's method squares it: when it has moved
- * by less than this it is there. */
+/* An error e of a branch point, in steps, causes one of order e^{5/2} in the impulse. Newton's method squares it, and has converged
+ * when it moves by less than this. */
 static const double root_close = 1e-4;
 enum { ITERATIONS = 60, SAMPLES = 8 };
 
@@ -21,7 +21,7 @@ static double second(const double c[6], double s)
     return 2 * c[2] + s * (6 * c[3] + s * (12 * c[4] + s * (20 * c[5])));
 }
 
-/* Zero of f between a and b, where its signs differ (fa at a): Newton's method, halving where that leaves the bracket. */
+/* Zero of f between a and b, at which its signs differ (fa at a): Newton's method, with bisection where that leaves the bracket. */
 static double find_zero(const double c[6], polynomial f, polynomial slope, double a, double b, double fa, double guess)
 {
     double s = guess;
@@ -52,11 +52,11 @@ static double root_between(const double c[6], double a, double b, double fa, dou
 static void add(struct bead_patch_branch *branch, size_t *count, double s, bool before, bool after)
 {
     if (*count < BEAD_BRANCHES_MAX)
-        branch[(*count)++] = (struct bead_patch_branch){s, before, after};
+        branch[(*count)++] = (struct bead_patch_branch){.s = s, .before = before, .after = after};
 }
 
-/* Where d, closed and moving away from zero at an end of the step, comes from: the nearest zero of d - rate x + curve x^2, x steps
- * outside. Where there is none the contact has grazed; then the minimum, between two complex branch points. */
+/* The zero outside, x steps away, from which d moves towards a closed end of the step: the nearest of d - rate x + curve x^2.
+ * Without one the contact has grazed: the minimum, between two complex branch points. */
 static bool outside(double d, double rate, double curve, double reach, double *x)
 {
     if (!(rate > 0 && d < reach * rate))

@@ -1,68 +1,49 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the kernels of the best instruction set, and has the scalar ones: laws without a vector kernel, damping, Appendix 4. */
+/* Chooses the kernels of the best instruction set, and has the scalar ones: for laws without a vector kernel, damping, Appendix 4.
+ */
 #include "sim/integrate/kernels.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "beadreel/law.h"
 #include "sim/base/elementary.h"
+#include "sim/base/instruction_set.h"
 
 extern const struct bead_kernels bead_kernels_portable;
-
-static bool always(void)
-{
-    return true;
-}
-
 #ifdef __x86_64__
 extern const struct bead_kernels bead_kernels_sse2, bead_kernels_avx2, bead_kernels_avx512;
-
-static bool has_avx2(void)
-{
-    return __builtin_cpu_supports("avx2");
-}
-
-static bool has_avx512(void)
-{
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-}
 #endif
 
-/* Best first. */
-static const struct {
-    const struct bead_kernels *kernels;
-    bool (*usable)(void);
-} sets[] = {
+/* best first */
+static const struct bead_kernels *const sets[] = {
 #ifdef __x86_64__
-    {&bead_kernels_avx512, has_avx512},
-    {&bead_kernels_avx2, has_avx2},
-    {&bead_kernels_sse2, always},
+    &bead_kernels_avx512,
+    &bead_kernels_avx2,
+    &bead_kernels_sse2,
 #endif
-    {&bead_kernels_portable, always},
+    &bead_kernels_portable,
 };
 
 const struct bead_kernels *bead_kernels_find(const char *name)
 {
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
-        if ((!name || strcmp(name, sets[i].kernels->name) == 0) && sets[i].usable())
-            return sets[i].kernels;
+        if ((!name || strcmp(name, sets[i]->name) == 0) && bead_instruction_set_here(sets[i]->name))
+            return sets[i];
     }
     return NULL;
 }
 
-void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+void bead_force_general(size_t n, const struct bead_contact_table *table, const double *u, const double *, double *f)
 {
     const struct bead_law *law = table->law->row;
-    (void)v;
     for (size_t k = 0; k < n; k++) {
         double d = table->static_compression[k] + (u[k] - u[k + 1]);
         f[k] = law->force(table->stiffness[k], table->law, d) - table->static_force[k];
     }
 }
 
-/* gamma sgn(D) |D|^a in a closed contact, D the relative velocity: pairwise, so momentum is kept. Beads do not
- * stick: where damping would pull, the contact is without force. */
+/* gamma sgn(D) |D|^a in a closed contact, with D the relative velocity: pairwise, so momentum is conserved. Beads do not stick: if
+ * damping would pull, the contact has no force. */
 void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
 {
     const struct bead_law *law = table->law->row;
@@ -80,9 +61,8 @@ void bead_force_damped(size_t n, const struct bead_contact_table *table, const d
     }
 }
 
-void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+void bead_force_printed(size_t n, const struct bead_contact_table *table, const double *u, const double *, double *f)
 {
-    (void)v;
     for (size_t k = 0; k < n; k++) {
         double d = table->static_compression[k] + (u[k] - u[k + 1]);
         f[k] = (d > 0 ? table->stiffness[k] * bead_three_halves(d) : 0) - table->static_force[k];

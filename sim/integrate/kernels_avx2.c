@@ -13,9 +13,9 @@ void bead_correct_few_kinks(const struct bead_patch_source *source, const struct
     correct_kinks(source, method, count, flags, tolerance, kinks);
 }
 
-void bead_integrate_few(double from, double to, const double *tau, const struct bead_patch_rule *rule, size_t sweeps,
+void bead_integrate_few(const struct bead_patch_piece *piece, const struct bead_patch_rule *rule, size_t sweeps,
                         struct bead_patch *patch)
 {
-    integrate_piece(from, to, tau, rule, sweeps, patch);
+    integrate_piece(piece, rule, sweeps, patch);
 }
 #endif

@@ -12,28 +12,15 @@ static inline double hertz_alone(double stiffness, double d)
     return stiffness * (d * sqrt(d));
 }
 
-/* Where the last vector begins; it goes once more over some of the one before it. */
+/* The start of a vector; the last one overlaps with the one before. */
 static inline size_t vector_at(size_t k, size_t n)
 {
     return k + LANES <= n ? k : n - LANES;
 }
 
-static void hertz(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
-{
-    const double *a = table->stiffness;
-    (void)v;
-    for (size_t k = 0; n < LANES && k < n; k++)
-        f[k] = hertz_alone(a[k], u[k] - u[k + 1]);
-    for (size_t i = 0; n >= LANES && i < n; i += LANES) {
-        const size_t k = vector_at(i, n);
-        store_lanes(f + k, hertz_of(load_lanes(a + k), load_lanes(u + k) - load_lanes(u + k + 1)));
-    }
-}
-
-static void hertz_static(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
+static void hertz(size_t n, const struct bead_contact_table *table, const double *u, const double *, double *f)
 {
     const double *a = table->stiffness, *d0 = table->static_compression, *f0 = table->static_force;
-    (void)v;
     for (size_t k = 0; n < LANES && k < n; k++)
         f[k] = hertz_alone(a[k], d0[k] + (u[k] - u[k + 1])) - f0[k];
     for (size_t i = 0; n >= LANES && i < n; i += LANES) {
@@ -43,8 +30,8 @@ static void hertz_static(size_t n, const struct bead_contact_table *table, const
     }
 }
 
-/* Forces of a vector of contacts, their stiffnesses (NULL: not asked for) and the accelerations of the beads before them; returns
- * the forces. `before`: of the vector before this one. */
+/* Forces of a vector of contacts, their stiffnesses (NULL: not wanted) and the accelerations of the beads before them; returns the
+ * forces. `before`: the forces of the vector before. */
 static inline __attribute__((always_inline)) lanes move(const double *a, const double *w, const double *u, double *f,
                                                         double *stiffness, double *out, size_t k, lanes before, bool instruction)
 {
@@ -57,7 +44,7 @@ static inline __attribute__((always_inline)) lanes move(const double *a, const d
     return now;
 }
 
-/* One root in ROOTS is left to the slow instruction, which runs while the others are computed. */
+/* One root in ROOTS is computed by the slow instruction, in parallel with the others. */
 static void hertz_move(size_t n, const struct bead_contact_table *table, const double *u, const double *w, double *f, double *out)
 {
     const double *a = table->stiffness;
@@ -103,7 +90,7 @@ static void hertz_stiffness(size_t n, const struct bead_contact_table *table, co
     }
 }
 
-/* The largest of a vector, and 0. */
+/* The largest element of a vector, or 0. */
 static inline double largest_of(lanes x)
 {
     double most = 0;
@@ -252,8 +239,8 @@ static void move_springs(size_t n, double scale, const double *r, const struct b
     }
 }
 
-/* Between its ends a rate r bends away from them by at most h |r'| / 2 of either; a compression outgrows both of its ends by less
- * than its fastest rate would take it. */
+/* Within a step a rate r deviates from its ends by at most h |r'| / 2 of either, and a compression exceeds both ends by less than h
+ * times its fastest rate. */
 static bool turns(size_t n, const struct bead_step_ends *ends, const double *least, unsigned char *mark, unsigned char *high)
 {
     const double half = 0.5 * ends->h;
@@ -285,7 +272,7 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 
 #include "sim/integrate/events_flags_body.h"
 #include "sim/integrate/events_load_body.h"
-/* For few numbers shorter vectors are faster: long ones wait for their roots, and are not full. */
+/* Shorter vectors are faster for few numbers: long ones wait for their roots, and are not full. */
 #ifdef KERNELS_OF_FEW
 #define correct_kinks   bead_correct_few_kinks
 #define integrate_piece bead_integrate_few
@@ -294,14 +281,7 @@ static bool turns(size_t n, const struct bead_step_ends *ends, const double *lea
 #include "sim/integrate/events_kinks_body.h"
 #endif
 
-const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME,    KERNELS_DESCRIPTION,
-                                           hertz,           hertz_static,
-                                           hertz_move,      hertz_all,
-                                           hertz_stiffness, circles,
-                                           accelerations,   rk4_sum,
-                                           combine,         largest,
-                                           springs,         add_springs,
-                                           move_springs,    turns,
-                                           flag_events,     weigh_speeds,
-                                           load_patch,      correct_kinks,
-                                           integrate_piece};
+const struct bead_kernels KERNELS_TABLE = {KERNELS_NAME,  KERNELS_DESCRIPTION, hertz,   hertz_move,  hertz_all,    hertz_stiffness,
+                                           circles,       accelerations,       rk4_sum, combine,     largest,      springs,
+                                           add_springs,   move_springs,        turns,   flag_events, weigh_speeds, load_patch,
+                                           correct_kinks, integrate_piece};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Included by kernels_body.h: vectors as wide as the instruction set has them, in GCC's and Clang's vector types. With
- * KERNELS_PORTABLE nothing else is used: 128 bits are what most processors have. */
+/* Included by kernels_body.h: vectors of the instruction set's width, in GCC's and Clang's vector types. KERNELS_PORTABLE uses
+ * nothing else, with 128 bits as in most processors. */
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -62,7 +62,7 @@ typedef int64_t lane_masks __attribute__((vector_size(8 * LANES)));
 typedef signed char lane_bytes __attribute__((vector_size(LANES), may_alias, aligned(1)));
 typedef double lanes_anywhere __attribute__((vector_size(8 * LANES), aligned(8), may_alias));
 
-/* For numbers that need only 7 digits: a vector holds twice as many, and roots and quotients are faster. */
+/* Single precision, for numbers that need only 7 digits: a vector holds twice as many, and roots and quotients are faster. */
 enum { FLOATS = 2 * LANES };
 typedef float floats __attribute__((vector_size(8 * LANES)));
 typedef float floats_anywhere __attribute__((vector_size(8 * LANES), aligned(4), may_alias));
@@ -144,14 +144,14 @@ static inline unsigned less_bits(lanes x, lanes y)
 #endif
 }
 
-/* k, k + 1, ... of the lanes whose bits are set, one behind the other; whole vectors are written. Returns how many. */
+/* Packs the numbers k, k + 1, ... of lanes whose bits are set; writes whole vectors. Returns their count. */
 static inline size_t pack_numbers(unsigned bits, size_t k, size_t *out)
 {
 #if LANES == 8
     const __m512i number = _mm512_add_epi64(_mm512_set1_epi64((long long)k), _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0));
     _mm512_storeu_si512(out, _mm512_maskz_compress_epi64((__mmask8)bits, number));
 #elif LANES == 4
-    /* A byte for each lane that is set, the lowest first. */
+    /* a byte for each lane that is set, the lowest first */
     static const uint32_t lane[16] = {0, 0,     1,     0x100,   2,     0x200,   0x201,   0x20100,
                                       3, 0x300, 0x301, 0x30100, 0x302, 0x30200, 0x30201, 0x3020100};
     const __m256i number = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128((int)lane[bits]));
@@ -210,9 +210,9 @@ static inline bool any_float(float_masks x)
 }
 
 #if LANES == 8
-/* The square root, rounded correctly as the instruction's is but three times as fast: an estimate, two Newton steps for it and its
- * inverse, and the remainder x - g^2, exact in a fused multiply-add (P. Markstein, IBM J. Res. Dev. 34 (1990) 111). Zeros stay
- * zeros. Where the remainder might underflow, or x is not finite, the instruction does it. */
+/* The square root, correctly rounded like the instruction's but three times as fast: an estimate, two Newton steps for it and its
+ * inverse, and the remainder x - g^2, exact in a fused multiply-add (P. Markstein, IBM J. Res. Dev. 34 (1990) 111). Zeros remain
+ * zeros. If the remainder might underflow, or x is not finite, the instruction is used. */
 static inline lanes root_of(lanes x)
 {
     const __m512i low = _mm512_set1_epi64(0x0800000000000000), span = _mm512_set1_epi64(0x7000000000000000);
@@ -235,7 +235,7 @@ static inline lanes root_of(lanes x)
 }
 #endif
 
-/* A d_+^{3/2}, of many in a row */
+/* A d_+^{3/2} for long loops. */
 static inline lanes hertz_of(lanes stiffness, lanes d)
 {
     d = positive_part(d);

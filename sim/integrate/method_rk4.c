@@ -10,7 +10,7 @@ void bead_step_rk4(struct bead_stepper *s, double h)
     const double half = 0.5 * h;
     size_t n = s->active;
 
-    /* The bead behind these is at rest; between steps others work here. */
+    /* The bead after these is at rest; other code uses this memory between steps. */
     v2[n] = v3[n] = v4[n] = 0;
     k->combine(n, s->y, from->u, half, from->v, 0, NULL, NULL);
     k->combine(n, v2, from->v, half, from->a, 0, NULL, NULL);
@@ -18,7 +18,7 @@ void bead_step_rk4(struct bead_stepper *s, double h)
 
     k->combine(n, s->y, from->u, half, v2, 0, NULL, NULL);
     k->combine(n, v3, from->v, half, a2, 0, NULL, NULL);
-    /* end.a is free until the end: the third stage's accelerations. */
+    /* end.a is free until the end: accelerations of the third stage */
     bead_stepper_evaluate(s, s->y, v3, f, to->a);
 
     k->combine(n, s->y, from->u, h, v3, 0, NULL, NULL);
@@ -26,7 +26,7 @@ void bead_step_rk4(struct bead_stepper *s, double h)
     const double *const sum_v[] = {from->v, v2, v3, v4};
     k->rk4_sum(n, to->u, from->u, h, sum_v);
 
-    /* v2 is not needed any more: the fourth stage's accelerations. */
+    /* v2 is free by now: accelerations of the fourth stage */
     bead_stepper_evaluate(s, s->y, v4, f, v2);
     const double *const sum_a[] = {from->a, a2, to->a, v2};
     k->rk4_sum(n, to->v, from->v, h, sum_a);

@@ -6,20 +6,12 @@
 static const double verlet[] = {0.5, 1, 0.5};
 
 /* Omelyan, Mryglod, Folk 2002 (Comput. Phys. Commun. 146, 188): the constants of their Eqs. 20 (position) and 21 (velocity). */
-#define XI     0.1786178958448091
-#define LAMBDA -0.2123418310626054
-#define CHI    -0.06626458266981849
-static const double pefrl[] = {XI, (1 - 2 * LAMBDA) / 2, CHI, LAMBDA, 1 - 2 * (CHI + XI), LAMBDA, CHI, (1 - 2 * LAMBDA) / 2, XI};
-#undef XI
-#undef LAMBDA
-#undef CHI
-#define XI     0.1644986515575760
-#define LAMBDA -0.02094333910398989
-#define CHI    1.235692651138917
-static const double vefrl[] = {XI, (1 - 2 * LAMBDA) / 2, CHI, LAMBDA, 1 - 2 * (CHI + XI), LAMBDA, CHI, (1 - 2 * LAMBDA) / 2, XI};
-#undef XI
-#undef LAMBDA
-#undef CHI
+#define FOREST_RUTH(xi, lambda, chi)                                                                             \
+    {                                                                                                            \
+        xi, (1 - 2 * (lambda)) / 2, chi, lambda, 1 - 2 * ((chi) + (xi)), lambda, chi, (1 - 2 * (lambda)) / 2, xi \
+    }
+static const double pefrl[] = FOREST_RUTH(0.1786178958448091, -0.2123418310626054, -0.06626458266981849);
+static const double vefrl[] = FOREST_RUTH(0.1644986515575760, -0.02094333910398989, 1.235692651138917);
 
 #define ROW(first, array)                          \
     {                                              \
@@ -33,7 +25,7 @@ void bead_step_composition(struct bead_stepper *s, double h)
 {
     const struct bead_composition *c = s->method->composition;
     const double *u = s->start.u, *v = s->start.v;
-    bool kick = c->kick_first, fresh = true; /* fresh: a is that of u */
+    bool kick = c->kick_first, fresh = true; /* fresh: a belongs to u */
     const double *a = s->start.a;
     for (size_t i = 0; i < c->count; i++, kick = !kick) {
         if (!kick) {

@@ -38,7 +38,7 @@ double bead_polynomial_slope(const struct bead_polynomial *p, double x)
 double bead_find_root(bead_function f, const void *context, double f0, double f1)
 {
     double low = 0, high = 1;
-    int kept = 0; /* the end that stayed last time, -1 low, +1 high: its value is halved when it stays again */
+    int kept = 0; /* the end that did not move last time, -1 low, +1 high: its value is halved if it does not move again */
     for (int i = 0; i < 60 && high - low > 1e-15; i++) {
         double x = f1 == f0 ? 0.5 : low - f0 * (high - low) / (f1 - f0);
         if (!(x > low && x < high) || i % 8 == 7)

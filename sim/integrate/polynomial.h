@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Polynomials over a step, and zeros within it. */
-#ifndef BEADREEL_SIM_INTEGRATE_POLYNOMIAL_H
-#define BEADREEL_SIM_INTEGRATE_POLYNOMIAL_H
+#pragma once
 
 /* A polynomial in 0 <= x <= 1 over the step: sum c_i x^i. */
 struct bead_polynomial {
@@ -16,5 +15,3 @@ double bead_polynomial_slope(const struct bead_polynomial *p, double x);
 /* A zero of `f` between 0 and 1, where f(0) and f(1) have different signs, to rounding (Illinois's false position). */
 typedef double (*bead_function)(const void *context, double x);
 double bead_find_root(bead_function f, const void *context, double f0, double f1);
-
-#endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Coefficients of Runge-Kutta-Nystrom methods: the nearest doubles to the published rationals; where the rational is short it
- * stands in the comment of its row. tests/sim/test_accuracy.c measures their orders. */
+/* Coefficients of Runge-Kutta-Nystrom methods: the nearest doubles to the published rationals, with the rational in a
+ * comment if it is short. tests/sim/test_accuracy.c measures their orders. */
 #include "sim/integrate/tableau.h"
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 235): RKN6(4)6FM, order 6 with embedded 4. */
@@ -27,14 +27,6 @@ static const double rkn6_bp[6] = {
     -0.6950375431479306, /* -78125/112404 */
     0.08333333333333333, /* 1/12 */
 };
-static const double rkn6_be[6] = {
-    0.061929785247432305, /* 165817/2677500 */
-    -0.11435655172413793, /* -165817/1450000 */
-    0.06787830409356725,  /* 1160719/17100000 */
-    0.07896047619047619,  /* 165817/2100000 */
-    -0.09441201380733781, /* -331634/3512625 */
-    0,
-};
 static const double rkn6_bpe[6] = {
     0.061929785247432305, /* 165817/2677500 */
     -0.12706283524904213, /* -165817/1305000 */
@@ -51,7 +43,7 @@ static const double rkn6_a[6][6] = {
     {0.11450768253968253, -0.10692622222222223, 0.23313422222222221, -0.00951568253968254, 0, 0},
     {0.07049486461251167, 0.04310344827586207, 0.2814327485380117, 0.3273809523809524, -0.22241201380733783, 0},
 };
-const struct bead_tableau bead_tableau_rkn6 = {6, true, rkn6_c, &rkn6_a[0][0], rkn6_b, rkn6_bp, rkn6_be, rkn6_bpe};
+const struct bead_tableau bead_tableau_rkn6 = {6, true, rkn6_c, &rkn6_a[0][0], rkn6_b, rkn6_bp, rkn6_bpe};
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 423): RKN8(6)9FM, order 8 with embedded 6, 8 evaluations a step. */
 static const double rkn8_c[9] = {
@@ -85,17 +77,6 @@ static const double rkn8_bp[9] = {
     0.028092718568909044, /* 223/7938 */
     0,
 };
-static const double rkn8_be[9] = {
-    -0.044557986852984274, /* -544307/12215700 */
-    0,
-    0.10965442077101599,  /* 544307/4963840 */
-    -0.14620589436135464, /* -544307/3722880 */
-    0.1315853049252192,   /* 1632921/12409600 */
-    -0.06265966901200913, /* -544307/8686720 */
-    0.012183824530112887, /* 544307/44674560 */
-    0,
-    0,
-};
 static const double rkn8_bpe[9] = {
     -0.044557986852984274, /* -544307/12215700 */
     0,
@@ -121,7 +102,7 @@ static const double rkn8_a[9][9] = {
     {0.028092718568909044, 0, 0.1457093253968254, 0.1529431216931217, 0.09151785714285714, 0.06554705215419501, 0.01618992504409171,
      0, 0},
 };
-const struct bead_tableau bead_tableau_rkn8 = {9, true, rkn8_c, &rkn8_a[0][0], rkn8_b, rkn8_bp, rkn8_be, rkn8_bpe};
+const struct bead_tableau bead_tableau_rkn8 = {9, true, rkn8_c, &rkn8_a[0][0], rkn8_b, rkn8_bp, rkn8_bpe};
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 423): RKN12(10)17M, order 12 with embedded 10. */
 static const double rkn12_c[17] = {
@@ -181,25 +162,6 @@ static const double rkn12_bp[17] = {
     -0.009155189630077963, /* -113178587/12362232960 */
     0.025,                 /* 1/40 */
 };
-static const double rkn12_be[17] = {
-    -0.004880833389821577, /* -256837111/52621569000 */
-    0,
-    0,
-    0,
-    0,
-    0,
-    0.014038126584857338,
-    -0.11947921920803832,
-    0.20440246507662121, /* 8218787552/40208847525 */
-    -0.1322681492223791,
-    0.11053069299761689, /* 513674222/4647344625 */
-    -0.07975385787102851,
-    0.011224330486437457,
-    -0.004671596801593694,
-    0.0008580413473282841,
-    0,
-    0,
-};
 static const double rkn12_bpe[17] = {
     -0.004880833389821577, /* -256837111/52621569000 */
     0,
@@ -254,4 +216,4 @@ static const double rkn12_a[17][17] = {
      -48.95128052584765, 38.297096034337926, -10.58738133697598, 2.4332304376226275, -1.0453406042575444, 0.0717732095086726,
      0.0021622109708082783, 0.007009595759602514, 0, 0},
 };
-const struct bead_tableau bead_tableau_rkn12 = {17, false, rkn12_c, &rkn12_a[0][0], rkn12_b, rkn12_bp, rkn12_be, rkn12_bpe};
+const struct bead_tableau bead_tableau_rkn12 = {17, false, rkn12_c, &rkn12_a[0][0], rkn12_b, rkn12_bp, rkn12_bpe};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Holds the state of one chain and moves it on by a method: forces, window, events. Runs drive it. */
+/* Holds the state of one chain and advances it by a method: forces, window, events. Runs drive it. */
 #include "sim/integrate/stepper.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include "sim/integrate/subnormals.h"
 #include "sim/integrate/tableau.h"
 
-/* Elements before and behind each array: f[-1], u[n], and whole vectors for the aligned ends. */
+/* Elements before and after each array: f[-1], u[n], and whole vectors for the aligned ends. */
 enum { MARGIN = 16, ALIGN = 64, VECTOR = 8 };
 
 static size_t padded(size_t beads)
@@ -24,7 +24,7 @@ static size_t stage_count(const struct bead_method *method)
     return method->tableau ? method->tableau->stages : 1;
 }
 
-/* Take the next array from the one block of memory. */
+/* Takes the next array from the block of memory. */
 static double *take(double **at, size_t beads)
 {
     double *array = *at + MARGIN;
@@ -36,7 +36,7 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
 {
     size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 5 + 2;
     size_t bytes;
-    /* calloc gets untouched zero pages from the system; those of beads that the wave never reaches cost nothing. */
+    /* calloc maps zero pages, which use no memory until touched: beads that the wave never reaches cost nothing. */
     if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the state of %zu beads", s->beads);
     double *at = (double *)(((uintptr_t)s->memory + ALIGN - 1) / ALIGN * ALIGN);
@@ -82,14 +82,14 @@ static bead_force_kernel choose_force(const struct bead_chain *chain, const stru
         return bead_force_printed;
     if (!chain->law->hertz)
         return bead_force_general;
-    return has_static(chain) ? kernels->hertz_static : kernels->hertz;
+    return kernels->hertz;
 }
 
-/* Beads that one step may move: those in motion, and one more per evaluation of the force. */
+/* Opens the window to all beads that one step may move: those in motion, and one more per evaluation of the force. */
 static void open_window(struct bead_stepper *s, const struct bead_state *from)
 {
     size_t reach = (size_t)s->method->info.evaluations + 2, last = s->active;
-    /* The old window opened further than the wave went. */
+    /* the wave may have stopped short of the old window's end */
     while (last > 1 && from->u[last - 1] == 0 && from->v[last - 1] == 0)
         last--;
     last = s->full ? s->beads : last + reach;
@@ -113,6 +113,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->beads = chain->beads;
     s->full = full;
     s->force = choose_force(chain, kernels);
+    s->fused = s->force == kernels->hertz && !has_static(chain);
     bool printed = s->force == bead_force_printed;
     s->accelerate = printed ? bead_accelerations_printed : kernels->accelerations;
     s->table = (struct bead_contact_table){.static_compression = chain->static_compression,
@@ -138,7 +139,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->end.v[0] = chain->spec->striker_velocity;
     s->active = 1;
     open_window(s, &s->end);
-    if (s->closed) /* all beads touch; the same ahead of the window */
+    if (s->closed) /* all beads touch, ahead of the window too */
         memset(s->closed, 1, s->beads);
     bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
     *stepper = s;
@@ -170,13 +171,29 @@ enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_st
     b->t1 = s->t0;
     if (b->closed)
         memcpy(b->closed, s->was_closed, s->active);
+    bead_stepper_drop(b, s->first);
     return BEAD_OK;
+}
+
+void bead_stepper_drop(struct bead_stepper *s, size_t first)
+{
+    first = first / VECTOR * VECTOR;
+    if (first <= s->first)
+        return;
+    s->first = first;
+    ((double *)s->table.stiffness)[first - 1] = 0; /* our own copy */
+    s->start.f[first - 1] = s->end.f[first - 1] = 0;
+    for (size_t i = 0; i < stage_count(s->method); i++)
+        s->stage_f[i][first - 1] = 0;
+    s->end.a[first] = -s->end.f[first] * s->inverse_mass[first];
+    if (s->events)
+        bead_events_open(s->events, first - 1);
 }
 
 void bead_stepper_evaluate(struct bead_stepper *s, const double *u, const double *v, double *f, double *a)
 {
-    bead_stepper_evaluate_part(s, u, v, f, a, (struct bead_part){0, s->span});
-    s->evaluations += s->active;
+    bead_stepper_evaluate_part(s, u, v, f, a, (struct bead_part){s->first, s->span});
+    s->evaluations += s->active - s->first;
 }
 
 void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, const double *v, double *f, double *a,
@@ -185,7 +202,7 @@ void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, c
     const size_t from = part.from;
     struct bead_contact_table table = s->table;
     table.stiffness += from;
-    if (s->force == s->kernels->hertz) {
+    if (s->fused) {
         s->kernels->hertz_move(part.to - from, &table, u + from, s->inverse_mass + from, f + from, a + from);
         return;
     }
@@ -204,7 +221,7 @@ void bead_stepper_advance(struct bead_stepper *s, double t1)
     bead_stepper_advance_by(s, t1 - s->t1, t1);
 }
 
-/* A step in which a contact closes or opens is repeated up to that moment; the next begins with the new state and force. */
+/* Repeats a step in which a contact closes or opens up to that moment; the next begins with the new state and force. */
 static void end_at_closing(struct bead_stepper *s)
 {
     struct bead_damped_contact first = bead_damped_contacts_first(s);
@@ -219,7 +236,7 @@ static void end_at_closing(struct bead_stepper *s)
     if (first.at < 1)
         s->closed[first.contact] = other;
     if (memcmp(s->was_closed, s->closed, s->active) == 0)
-        return; /* the method's last forces are these */
+        return; /* the method's last forces remain valid */
     memcpy(s->before_a, s->end.a, s->active * sizeof *s->before_a);
     s->last_a = s->before_a;
     bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
@@ -234,8 +251,8 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
     s->t1 = t1;
     s->h = h;
     open_window(s, &s->start);
-    /* Ahead of the front displacements fall doubly exponentially: flush them to zero below 1e-308 rather than compute slowly with
-     * subnormal numbers. The caller's flags are restored afterwards. */
+    /* Displacements decrease doubly exponentially ahead of the front: those below 1e-308 are flushed to zero, because computing
+     * with subnormal numbers is slow. The caller's flags are restored afterwards. */
     const uint64_t flags = flush_subnormals();
     s->method->step(s, h);
     s->last_a = s->end.a;
@@ -262,7 +279,7 @@ double bead_stepper_energy(const struct bead_stepper *s, const struct bead_state
 {
     const struct bead_chain *c = s->chain;
     double energy = -c->striker_force * state->u[0];
-    for (size_t j = 0; j < s->active; j++) {
+    for (size_t j = s->first; j < s->active; j++) {
         double d0 = c->static_compression[j], d = d0 + (state->u[j] - state->u[j + 1]);
         energy += 0.5 * c->mass[j] * (state->v[j] * state->v[j]);
         if (c->stiffness[j] > 0)
@@ -275,7 +292,7 @@ double bead_stepper_energy(const struct bead_stepper *s, const struct bead_state
 double bead_stepper_momentum(const struct bead_stepper *s, const struct bead_state *state)
 {
     double momentum = 0;
-    for (size_t j = 0; j < s->active; j++)
+    for (size_t j = s->first; j < s->active; j++)
         momentum += s->chain->mass[j] * state->v[j];
     return momentum;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Subnormal numbers taken for zeros, in what is read and in what is written, by the processor that this is compiled for. */
-#ifndef BEADREEL_SIM_INTEGRATE_SUBNORMALS_H
-#define BEADREEL_SIM_INTEGRATE_SUBNORMALS_H
+/* Makes the processor treat subnormal numbers as zeros, in operands and in results. */
+#pragma once
 
 #include <stdint.h>
 
@@ -20,7 +19,7 @@ static inline void set_arithmetic_flags(uint64_t flags)
     _mm_setcsr((unsigned)flags);
 }
 #elif defined __aarch64__
-/* FPCR.FZ, which does both. */
+/* FPCR.FZ, for both. */
 #define FLUSH_FLAGS (1 << 24)
 
 static inline uint64_t arithmetic_flags(void)
@@ -35,15 +34,13 @@ static inline void set_arithmetic_flags(uint64_t flags)
     __asm__ volatile("msr fpcr, %0" : : "r"(flags) : "memory");
 }
 #else
-#error "how this processor flushes subnormal numbers to zero is not known: results would have other bits"
+#error "no way known to flush subnormal numbers to zero on this processor: results would differ in their bits"
 #endif
 
-/* Returns the flags of before, for set_arithmetic_flags. */
+/* Returns the previous flags, for set_arithmetic_flags. */
 static inline uint64_t flush_subnormals(void)
 {
     const uint64_t before = arithmetic_flags();
     set_arithmetic_flags(before | FLUSH_FLAGS);
     return before;
 }
-
-#endif

@@ -1,27 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures of a run: takes samples, feeds pulses, trace and participation, and reads the rows at the end. */
-#include "beadreel/measure.h"
+/* The measures of a run: feeds its samples to the pulses, the trace and the striker, and keeps the state at the arrival. */
+#include "sim/output/measure.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/participation.h"
 #include "sim/output/measure_private.h"
+#include "sim/output/participation.h"
 
 enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures, struct bead_message *msg)
 {
     size_t beads = bead_chain_beads(chain);
     struct bead_measures *m = *measures = calloc(1, sizeof *m);
-    if (m) {
-        m->u = calloc(beads, sizeof *m->u);
-        m->v = calloc(beads, sizeof *m->v);
-    }
-    if (!m || !m->u || !m->v) {
-        bead_measures_destroy(m);
+    if (!m || !(m->u = calloc(2 * beads, sizeof *m->u))) {
+        free(m);
         *measures = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the measures of %zu beads", beads);
     }
+    m->v = m->u + beads;
     m->chain = chain;
     m->places = bead_places_find(chain);
     m->time = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
@@ -42,11 +39,10 @@ void bead_measures_destroy(struct bead_measures *measures)
     bead_pulses_destroy(measures->pulses);
     bead_trace_free(&measures->trace);
     free(measures->u);
-    free(measures->v);
     free(measures);
 }
 
-/* The front reaches the end as the last contact's force exceeds this part of the largest so far. */
+/* The front has arrived when the last contact's force exceeds this part of the largest so far. */
 static const double front_part = 1e-4;
 
 static bool at_end(const struct bead_measures *m, const struct bead_sample *sample)

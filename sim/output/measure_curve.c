@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* Bisections that leave nothing of an interval of length 2 but rounding. */
+/* Bisections that reduce an interval of length 2 to rounding errors. */
 enum { BISECTIONS = 54 };
 
 struct bead_curve bead_curve_through(const double *values, size_t count)
@@ -37,7 +37,8 @@ static double curve_slope(const struct bead_curve *curve, double x)
     return slope;
 }
 
-double bead_curve_crossing(const struct bead_curve *curve, double value, double low, double high)
+/* The place between low and high at which the curve crosses `value`; at the two ends it is on different sides of it. */
+static double curve_crossing(const struct bead_curve *curve, double value, double low, double high)
 {
     double sign = bead_curve_value(curve, low) - value >= 0 ? 1 : -1;
     for (int i = 0; i < BISECTIONS; i++) {
@@ -62,7 +63,7 @@ double bead_curve_maximum(const struct bead_curve *curve, double low, double hig
     return 0.5 * (low + high);
 }
 
-/* First of the samples that a curve about index `at` goes through, and how many there are. */
+/* First of the samples for a curve around index `at`, and their number. */
 static size_t window(size_t count, size_t at, size_t *points)
 {
     *points = count < BEAD_CURVE_POINTS ? count : BEAD_CURVE_POINTS;
@@ -81,7 +82,7 @@ double bead_samples_maximum(const double *values, size_t count, double *largest)
     size_t first = window(count, at, &points);
     struct bead_curve curve = bead_curve_through(values + first, points);
     double x = bead_curve_maximum(&curve, (double)(at - 1 - first), (double)(at + 1 - first)), value = bead_curve_value(&curve, x);
-    if (value >= *largest) /* else something has a kink close by */
+    if (value >= *largest) /* else a kink is close by */
         *largest = value;
     return value >= values[at] ? (double)first + x : (double)at;
 }
@@ -93,7 +94,7 @@ double bead_samples_crossing(const double *values, size_t count, size_t from, in
         if (values[i] >= level && values[next] < level) {
             size_t first = window(count, low, &points);
             struct bead_curve curve = bead_curve_through(values + first, points);
-            return (double)first + bead_curve_crossing(&curve, level, (double)(low - first), (double)(low + 1 - first));
+            return (double)first + curve_crossing(&curve, level, (double)(low - first), (double)(low + 1 - first));
         }
         i = next;
     }

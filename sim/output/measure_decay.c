@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fits the decay of the leading force where the transient of the strike is over: see measure_decay.h. */
-#include "sim/output/measure_decay.h"
+/* Fits the decay of the leading force, after the transient of the strike. */
+#include "sim/output/measure_private.h"
 
 #include <math.h>
 
 #include "sim/base/elementary.h"
 
-/* Contacts at the strike and at the end of the chain, and whole cells more at the end, that do not count; fewest means of a fit. */
+/* Contacts left out at both ends of the chain, whole cells left out besides at the far end, and the fewest means of a fit. */
 enum { MARGIN = 5, MARGIN_CELLS = 2, FEWEST = 8 };
 /* Standard errors that a rate must exceed. */
 static const double sure = 2;
 
-/* Beads of the cell that most beads belong to. */
+/* Length, in beads, of the cell that most beads belong to. */
 static size_t usual_cell(const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
@@ -26,7 +26,7 @@ static size_t usual_cell(const struct bead_chain *chain)
     return cell;
 }
 
-/* Logarithm of the mean force of the `cell` contacts from k on; not finite where one of them has none. */
+/* Logarithm of the mean force of the `cell` contacts from k on; not finite if one of them has no pulse. */
 static double cell_force(const struct bead_measures *m, size_t k, size_t cell)
 {
     double sum = 0;
@@ -35,7 +35,7 @@ static double cell_force(const struct bead_measures *m, size_t k, size_t cell)
     return bead_log(sum / (double)cell);
 }
 
-/* A line through points that come one by one; sums about the means so far lose no digits. */
+/* A least-squares line through points added one by one; sums about the running means lose no digits. */
 struct line {
     double n, x, y, xx, xy, yy;
 };
@@ -74,9 +74,8 @@ static struct line fit(const struct cells *c, size_t from, size_t to)
     return line;
 }
 
-/* The beginning that leaves the smallest standard error: a transient adds more to it than its points are worth (the marginal
- * standard error rule of White, Simulation 69, 323 (1997), here of a slope), and as there at most half of the points are left out.
- */
+/* The beginning that leaves the smallest standard error: points in the transient increase it by more than their number reduces it
+ * (the marginal standard error rule of White, Simulation 69, 323 (1997), applied to a slope). */
 static size_t find_beginning(const struct cells *c, size_t *count)
 {
     const size_t all = c->end > c->first ? (c->end - c->first + c->cell - 1) / c->cell : 0;
@@ -98,7 +97,7 @@ static size_t find_beginning(const struct cells *c, size_t *count)
     return best;
 }
 
-/* Forces go as the energy to some power below one: an error of the energy that grows along the way looks like a decay. */
+/* Forces are proportional to a power of the energy below one: an energy error that grows with time looks like a decay. */
 static double energy_part(const struct bead_outcome *outcome, size_t contacts)
 {
     return outcome && isfinite(outcome->energy_error) ? outcome->energy_error / (double)contacts : 0;
@@ -111,7 +110,7 @@ struct bead_decay_found bead_decay_find(const struct bead_measures *m, const str
     struct bead_decay_found found = {.rate = NAN, .error = NAN};
     size_t count = 0;
     c.end = links + 1 > margin ? links + 1 - margin : 0;
-    /* As in that rule at most half is left out, and no defect: what a force loses there is no transient. */
+    /* Following White, leave out at most half of the contacts, and no defect: a force lost at a defect is not a transient. */
     const size_t head = bead_places_head(m->chain, c.cell), half = c.first + (c.end > c.first ? c.end - c.first : 0) / 2;
     const bool regular = head + 1 >= bead_chain_beads(m->chain);
     c.latest = head < half ? head : half;
@@ -123,8 +122,7 @@ struct bead_decay_found bead_decay_find(const struct bead_measures *m, const str
     const struct line near = fit(&c, found.first, middle), far = fit(&c, middle, c.end);
     found.last = found.first + (c.end - 1 - found.first) / c.cell * c.cell + c.cell - 1;
     found.rate = -whole.xy / whole.xx;
-    /* Both halves scatter about the rate where there is disorder; where there is none they differ by what is left of the transient.
-     */
+    /* With disorder both halves scatter about the rate; without it they differ by the rest of the transient. */
     const double halves = fabs(near.xy / near.xx - far.xy / far.xx);
     found.error = fmax(sure * standard_error(&whole), regular ? halves : 0.5 * halves);
     found.error = fmax(found.error, energy_part(outcome, found.last - found.first));

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds where along a chain to measure: see measure_place.h. */
+/* Finds the places to measure along a chain: see measure_place.h. */
 #include "sim/output/measure_place.h"
 
-/* Contacts between the probe and the end of the chain, where there is room for them. */
+/* Contacts between the probe and the end of a long chain. */
 enum { MARGIN = 20 };
-/* Cells that make a stretch regular; that lie between a measurement and what disturbs it. */
+/* Cells that make a stretch regular; cells between a measurement and a disturbance. */
 enum { FEWEST_CELLS = 3, APART = 3 };
 
 static bool same(const struct bead_chain *chain, size_t a, size_t b)
@@ -16,10 +16,8 @@ static bool same(const struct bead_chain *chain, size_t a, size_t b)
 static size_t tail_of(const struct bead_chain *chain, size_t period)
 {
     size_t first = bead_chain_beads(chain) - 1;
-    for (; first > 1; first--) {
-        if (first - 1 + period < bead_chain_beads(chain) && !same(chain, first - 1, first - 1 + period))
-            break;
-    }
+    while (first > 1 && (first - 1 + period >= bead_chain_beads(chain) || same(chain, first - 1, first - 1 + period)))
+        first--;
     return first;
 }
 
@@ -31,7 +29,7 @@ size_t bead_places_head(const struct bead_chain *chain, size_t period)
     return last;
 }
 
-/* Are the cells that begin at beads a and b the same, wherever one begins? */
+/* Do the cells at beads a and b hold the same beads, up to a cyclic shift? */
 static bool same_cell(const struct bead_chain *chain, size_t a, size_t b, size_t period)
 {
     for (size_t shift = 0; shift < period; shift++) {
@@ -47,7 +45,7 @@ static bool same_cell(const struct bead_chain *chain, size_t a, size_t b, size_t
 static void find_defect(struct bead_places *places, const struct bead_chain *chain)
 {
     size_t cell = places->cell, head = bead_places_head(chain, cell), last = bead_chain_beads(chain) - 1;
-    size_t room = APART * cell + 2; /* the pulse is some two beads long at each side */
+    size_t room = APART * cell + 2; /* the pulse extends about two beads to each side */
     if (head >= last || head < cell * FEWEST_CELLS || !same_cell(chain, 1, places->regular_from, cell))
         return;
     if (head < 2 * room + cell || places->probe < places->regular_from + room)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the pulses in every contact's force, see measure_pulses.h; measures of speed, decay and walls follow from them. */
+/* Finds the pulses in every contact's force, see measure_pulses.h; measures of speed, decay and walls use them. */
 #include "sim/output/measure_pulses.h"
 
 #include <math.h>
@@ -8,9 +8,9 @@
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
 
-/* A pulse ends where the force falls to this part of its maximum, or of the next one's. */
+/* A pulse ends when the force falls to this part of its maximum, or of the next pulse's. */
 static const double valley = 0.1;
-/* Maxima below this part of the largest force, or of a contact's first pulse, are no pulses. */
+/* Maxima below this part of the largest force, or of a contact's first pulse, are not pulses. */
 static const double least = 1e-4, least_follower = 5e-3;
 
 enum { CENTRE = BEAD_CURVE_POINTS / 2, LAST = BEAD_CURVE_POINTS - 1 };
@@ -63,7 +63,7 @@ static void column(const struct bead_pulses *p, size_t contact, double values[BE
         values[i] = p->row[i][contact];
 }
 
-/* Fronts fall off doubly exponentially: their logarithms are what is smooth. */
+/* Fronts fall off doubly exponentially, so interpolate their logarithms, which are smooth. */
 static void look_ahead(struct bead_pulses *p, double x)
 {
     for (size_t n = 1; n <= BEAD_PULSES_AHEAD; n++) {
@@ -82,7 +82,7 @@ static void look_ahead(struct bead_pulses *p, double x)
     }
 }
 
-/* Could a maximum of about this force change the record of a contact? Behind the front most cannot. */
+/* Could a maximum of about this force change the record of a contact? Most of those behind the front cannot. */
 static bool matters(const struct bead_pulses *p, size_t contact, double force)
 {
     const struct bead_track *track = &p->track[contact];
@@ -122,7 +122,7 @@ static void note(struct bead_pulses *p, size_t contact, struct bead_pulse found,
         look_ahead(p, x);
 }
 
-/* The contact has a maximum about row `at`. */
+/* The contact has a maximum near row `at`. */
 static void found_maximum(struct bead_pulses *p, size_t contact, size_t at)
 {
     double values[BEAD_CURVE_POINTS];
@@ -140,7 +140,7 @@ static void found_maximum(struct bead_pulses *p, size_t contact, size_t at)
 
 static void look_at(struct bead_pulses *p, size_t k, size_t at)
 {
-    /* Between samples a maximum is that much higher, at most. */
+    /* Between samples a maximum is higher by this factor, at most. */
     static const double higher = 1.1;
     const double before = p->row[at - 1][k], here = p->row[at][k], after = p->row[at < LAST ? at + 1 : LAST][k];
     p->low[k] = here < p->low[k] ? here : p->low[k];
@@ -148,7 +148,7 @@ static void look_at(struct bead_pulses *p, size_t k, size_t at)
         found_maximum(p, k, at);
 }
 
-/* Maxima about row `at`, the last contact's first: it may be the wall's, which ends the time of the pulses. */
+/* Looks for maxima near row `at`. The last contact comes first: if it is the wall's, its maximum ends the time of the pulses. */
 static void look(struct bead_pulses *p, size_t moving, size_t at)
 {
     if (moving > 0 && moving == p->contacts)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pulses: maxima of every contact's force, found as samples come in; the force must fall between two of them. */
-#ifndef BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
-#define BEADREEL_SIM_OUTPUT_MEASURE_PULSES_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,9 +16,9 @@ struct bead_pulse {
 };
 
 struct bead_track {
-    struct bead_pulse pulse[BEAD_PULSES]; /* in the order of time, none from behind the wall's reflection */
+    struct bead_pulse pulse[BEAD_PULSES]; /* in order of time; none after the reflection at the wall */
     size_t count;
-    struct bead_pulse late; /* largest since the wall was struck; force 0: none */
+    struct bead_pulse late; /* largest since the wave reached the wall; force 0: none */
 };
 
 struct bead_pulses {
@@ -29,8 +28,8 @@ struct bead_pulses {
     double time, spacing;                    /* s, of the last sample; between samples */
     bool ended;
     double record;                   /* N, largest so far */
-    double struck;                   /* s: first maximum of the wall's contact; NaN: none so far */
-    double ahead[BEAD_PULSES_AHEAD]; /* forces 1, 2, ... contacts ahead as the probe's first pulse is highest; NaN */
+    double struck;                   /* s: first maximum at the wall; NaN: none so far */
+    double ahead[BEAD_PULSES_AHEAD]; /* forces 1, 2, ... contacts ahead at the maximum of the probe's first pulse; NaN: unknown */
     double *low;                     /* [contacts] N, least force since the last pulse */
     struct bead_track *track;        /* [contacts] */
 };
@@ -40,9 +39,7 @@ BEAD_CHECK enum bead_error bead_pulses_create(const struct bead_chain *chain, si
                                               struct bead_message *msg);
 void bead_pulses_destroy(struct bead_pulses *pulses);
 void bead_pulses_feed(struct bead_pulses *pulses, const struct bead_sample *sample);
-/* After the last sample: the maxima up to it, which have fewer samples behind them. Does nothing when called again. */
+/* After the last sample: finds the maxima near it, which have fewer samples after them. Does nothing when called again. */
 void bead_pulses_end(struct bead_pulses *pulses);
-/* The first pulse of a contact; force NaN where there is none. */
+/* The first pulse of a contact; force and time NaN if it has none. */
 struct bead_pulse bead_pulses_first(const struct bead_pulses *pulses, size_t contact);
-
-#endif

@@ -5,11 +5,10 @@
 #include <string.h>
 
 #include "beadreel/law.h"
-#include "beadreel/participation.h"
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
-#include "sim/output/measure_decay.h"
 #include "sim/output/measure_private.h"
+#include "sim/output/participation.h"
 #include "sim/output/sink_grid.h"
 
 enum { NOTE = sizeof((struct bead_measure *)0)->note };
@@ -19,26 +18,24 @@ struct reading {
     const struct bead_outcome *outcome; /* may be NULL */
     struct bead_pulse_found pulse;
     struct bead_decay_found decay;
-    char *note; /* [NOTE], of the row that is being read: what its function has to say */
+    char *note; /* [NOTE] for the row being read, filled in by its function */
 };
 
 /* ---- the chain ---- */
 
-static double magnetism(const struct reading *r, int n)
+static double magnetism(const struct reading *r, int)
 {
-    (void)n;
     return *bead_chain_spins(r->m->chain) ? bead_chain_magnetism(r->m->chain) : NAN;
 }
 
-static double arrival(const struct reading *r, int n)
+static double arrival(const struct reading *r, int)
 {
-    (void)n;
     return r->outcome ? r->outcome->front_arrival : NAN;
 }
 
 /* ---- the front ---- */
 
-/* Over the second half up to the probe; cell by cell where that is regular. `per_second`: in beads. */
+/* Over the second half up to the probe; cell by cell if the chain is regular there. `per_second`: in beads. */
 static double front_speed(const struct reading *r, int per_second)
 {
     const struct bead_places *places = &r->m->places;
@@ -53,26 +50,14 @@ static double front_speed(const struct reading *r, int per_second)
     return per_second ? beads : speed;
 }
 
-static double local_speed(const struct reading *r, int n)
-{
-    (void)n;
-    return r->pulse.speed;
-}
-
 /* ---- the leading pulse ---- */
 
-#define OF_PULSE(member)                                         \
-    static double pulse_##member(const struct reading *r, int n) \
-    {                                                            \
-        (void)n;                                                 \
-        return r->pulse.member;                                  \
-    }
-OF_PULSE(force)
-OF_PULSE(bead_force)
-OF_PULSE(velocity)
-OF_PULSE(compression)
-OF_PULSE(energy)
-OF_PULSE(momentum)
+static double of_pulse(const struct reading *r, int offset)
+{
+    double value;
+    memcpy(&value, (const char *)&r->pulse + offset, sizeof value);
+    return value;
+}
 
 static double force_width(const struct reading *r, int level)
 {
@@ -84,20 +69,18 @@ static double velocity_width(const struct reading *r, int level)
     return r->pulse.velocity_time[level] * r->pulse.beads_per_second;
 }
 
-static double energy_ratio(const struct reading *r, int n)
+static double energy_ratio(const struct reading *r, int)
 {
-    (void)n;
     return r->pulse.potential > 0 ? r->pulse.kinetic / r->pulse.potential : NAN;
 }
 
-static double energy_part(const struct reading *r, int n)
+static double energy_part(const struct reading *r, int)
 {
-    (void)n;
     double input = bead_chain_energy(r->m->chain);
     return input > 0 ? r->pulse.energy / input : NAN;
 }
 
-/* Of the compressions of equal contacts. */
+/* A ratio of compressions. */
 static double ahead(const struct reading *r, int n)
 {
     const struct bead_measures *m = r->m;
@@ -111,7 +94,7 @@ static double ahead(const struct reading *r, int n)
     return law->compression(a[contact], spec, force) / law->compression(a[probe], spec, first);
 }
 
-/* Taken where the pulse has come furthest, so that it has separated from those ahead of it. */
+/* Measured as far along the chain as the pulse has travelled, where it has separated from the pulses ahead of it. */
 static double follower(const struct reading *r, int n)
 {
     const struct bead_pulses *p = r->m->pulses;
@@ -122,9 +105,9 @@ static double follower(const struct reading *r, int n)
     return NAN;
 }
 
-/* ---- participation: (sum e)^2 / sum e^2, at the end and as the front arrives ---- */
+/* ---- participation: (sum e)^2 / sum e^2, at the end and when the front arrives ---- */
 
-/* Where no run tells the state, that of a sample stands in for it. */
+/* Without a state from the run, the nearest sample is used: the note gives its time. */
 static void note_time(const struct reading *r, double time)
 {
     bead_time_text(time, "s", r->note + snprintf(r->note, NOTE, "at "), NOTE - 3);
@@ -147,9 +130,8 @@ static double force_of(const struct bead_measures *m, const double *u, size_t k)
     return spec->row->force(bead_chain_stiffness(m->chain)[k], spec, compression) - bead_chain_static_force(m->chain)[k];
 }
 
-static double force_participation(const struct reading *r, int n)
+static double force_participation(const struct reading *r, int)
 {
-    (void)n;
     const struct bead_measures *m = r->m;
     const struct bead_moment end = final(r);
     double sum = 0, squares = 0;
@@ -161,22 +143,20 @@ static double force_participation(const struct reading *r, int n)
     return squares > 0 ? sum * sum / squares : NAN;
 }
 
-static double energy_participation(const struct reading *r, int n)
+static double energy_participation(const struct reading *r, int)
 {
-    (void)n;
     const struct bead_moment end = final(r);
     return bead_chain_participation(r->m->chain, end.displacement, end.velocity);
 }
 
-static double clean_index(const struct reading *r, int n)
+static double clean_index(const struct reading *r, int)
 {
-    (void)n;
     const struct bead_measures *m = r->m;
     const struct bead_moment *arrived = r->outcome && r->outcome->arrived.displacement ? &r->outcome->arrived : NULL;
     double found = arrived ? bead_chain_participation(m->chain, arrived->displacement, arrived->velocity) : m->arrived;
     if (!arrived)
         note_time(r, m->arrived_time);
-    /* The samples of a run that ends at the front's arrival do too. */
+    /* In a run that ends at the front's arrival the last sample may be just before it. */
     if (isnan(found) && r->outcome && r->outcome->front_arrival <= m->time + 1.5 * m->pulses->spacing)
         found = energy_participation(r, 0);
     return bead_clean_index(bead_chain_beads(m->chain), found, m->clean);
@@ -184,9 +164,8 @@ static double clean_index(const struct reading *r, int n)
 
 /* ---- decay, defects, walls ---- */
 
-static double decay_rate(const struct reading *r, int n)
+static double decay_rate(const struct reading *r, int)
 {
-    (void)n;
     if (!isnan(r->decay.rate) && !r->decay.seen)
         snprintf(r->note, NOTE, "none seen");
     return r->decay.seen ? r->decay.rate : NAN;
@@ -232,89 +211,87 @@ static double at_wall(const struct reading *r, int reflected)
 
 /* ---- the striker ---- */
 
-static bool one_sided(const struct reading *r)
+static double strike_compression(const struct reading *r, int)
 {
-    return bead_chain_spec(r->m->chain)->law.row->one_sided;
-}
-
-static double strike_compression(const struct reading *r, int n)
-{
-    (void)n;
     return r->m->strike.largest > 0 ? r->m->strike.largest : NAN;
 }
 
-static double strike_time(const struct reading *r, int n)
+static double strike_time(const struct reading *r, int)
 {
-    (void)n;
-    return one_sided(r) ? r->m->strike.opened : NAN;
+    return bead_chain_spec(r->m->chain)->law.row->one_sided ? r->m->strike.opened : NAN;
 }
 
 /* After the striker has separated. */
-static double striker_velocity(const struct reading *r, int n)
+static double striker_velocity(const struct reading *r, int)
 {
-    (void)n;
     return isnan(r->m->strike.opened) ? NAN : r->m->strike.velocity;
 }
 
+#define PULSE(member) of_pulse, offsetof(struct bead_pulse_found, member)
 /* Widths are in beads: times at the probe, multiplied by the speed of the pulse there. */
 static const struct row {
     struct bead_measure_info info;
-    double (*value)(const struct reading *reading, int n); /* NaN: this run has none, but for what is noted */
+    double (*value)(const struct reading *reading, int n); /* NaN: this run has none; the note may say why */
     int n;
 } rows[] = {
     {{"magnetism", "", "M = |N_up - N_down| / (N_up + N_down); thesis, Eq. 15"}, magnetism, 0},
-    {{"front arrival", "s", "when the force of the last contact exceeds 1e-4 of the largest so far"}, arrival, 0},
+    {{"front arrival", "s", "first time at which the force of the last contact exceeds 1e-4 of the largest so far"}, arrival, 0},
     {{"front speed", "m/s", "least squares of the times of the first maxima over the second half of the chain"}, front_speed, 0},
-    {{"front speed in beads", "1/s", "the same in beads per second"}, front_speed, 1},
-    {{"local front speed", "m/s", "the same over two cells on each side of the probe, or ten beads where there are no cells"},
-     local_speed,
-     0},
-    {{"peak contact force", "N", "of the leading pulse above the static force, the largest in the probe's cell"}, pulse_force, 0},
-    {{"peak bead force", "N", "mean of a bead's two contacts, above their static force"}, pulse_bead_force, 0},
-    {{"peak velocity", "m/s", "of a bead"}, pulse_velocity, 0},
-    {{"peak compression", "m", "of a contact"}, pulse_compression, 0},
+    {{"front speed in beads", "1/s", "the same, in beads per second"}, front_speed, 1},
+    {{"local front speed", "m/s", "the same, over two cells on each side of the probe, or ten beads where no cells repeat"},
+     PULSE(speed)},
+    {{"peak contact force", "N", "of the leading pulse above the static force, the largest in the probe's cell"}, PULSE(force)},
+    {{"peak bead force", "N", "mean of a bead's two contacts, above their static force"}, PULSE(bead_force)},
+    {{"peak velocity", "m/s", "of a bead"}, PULSE(velocity)},
+    {{"peak compression", "m", "of a contact"}, PULSE(compression)},
     {{"force width", "beads", "of the contact force, at half its maximum"}, force_width, 0},
     {{"force width at 1 %", "beads", "where it falls to a hundredth"}, force_width, 1},
     {{"velocity width", "beads", "at half its maximum"}, velocity_width, 0},
     {{"velocity width at 1 %", "beads", "where it falls to a hundredth"}, velocity_width, 1},
-    {{"compression 1 bead ahead", "", "of the centre, as a fraction of the peak compression"}, ahead, 1},
-    {{"compression 2 beads ahead", "", "the same two beads ahead"}, ahead, 2},
-    {{"compression 3 beads ahead", "", "the same three beads ahead"}, ahead, 3},
-    {{"compression 4 beads ahead", "", "the same four beads ahead"}, ahead, 4},
-    {{"pulse energy", "J", "integral of force times velocity behind the probe"}, pulse_energy, 0},
-    {{"pulse momentum", "kg m/s", "integral of the force in the probe"}, pulse_momentum, 0},
+    {{"compression 1 bead ahead", "",
+      "compression there when the pulse is centred at the probe, as a fraction of the peak compression"},
+     ahead,
+     1},
+    {{"compression 2 beads ahead", "", "the same, two beads ahead"}, ahead, 2},
+    {{"compression 3 beads ahead", "", "the same, three beads ahead"}, ahead, 3},
+    {{"compression 4 beads ahead", "", "the same, four beads ahead"}, ahead, 4},
+    {{"pulse energy", "J", "integral of force times velocity behind the probe"}, PULSE(energy)},
+    {{"pulse momentum", "kg m/s", "integral of the force in the probe"}, PULSE(momentum)},
     {{"pulse part of energy", "", "pulse energy / the striker's"}, energy_part, 0},
     {{"kinetic / potential", "", "energies of one cell, integrated over the pulse; 5/4 for Hertz's law"}, energy_ratio, 0},
-    {{"second pulse", "", "peak force of the second pulse / of the leading one, where it has come furthest"}, follower, 1},
+    {{"second pulse", "", "peak force of the second pulse / of the leading one, as far along the chain as it has travelled"},
+     follower,
+     1},
     {{"third pulse", "", "the same for the next pulse"}, follower, 2},
     {{"fourth pulse", "", "the same for the next pulse"}, follower, 3},
     {{"fifth pulse", "", "the same for the next pulse"}, follower, 4},
     {{"sixth pulse", "", "the same for the next pulse"}, follower, 5},
     {{"participation of forces", "contacts", "(sum f)^2 / sum f^2 of the contact forces at the end"}, force_participation, 0},
     {{"participation of energies", "beads", "(sum e)^2 / sum e^2 of the beads' energies at the end"}, energy_participation, 0},
-    {{"clean index", "", "1: as few beads share the energy as in the clean wave; 0: all do; when the front arrives"},
+    {{"clean index", "",
+      "when the front arrives: 1 if as few beads share the energy as in the clean wave, 0 if all share it equally"},
      clean_index,
      0},
     {{"decay rate", "1/bead",
-      "-d ln F / d bead of the leading force: line through means of whole cells, begun where its error is smallest, so that "
-      "the striker's transient is over; or `none seen`, where it is below its error"},
+      "-d ln F / d bead of the leading force: line through means of whole cells, begun where its error is smallest, that is, "
+      "after the striker's transient; `none seen` if the rate is below its error"},
      decay_rate,
      0},
     {{"decay rate error", "1/bead",
-      "two standard errors, or half the difference between both halves of the fit, or what the error of "
-      "the energy explains: whichever is larger"},
+      "the largest of: two standard errors, half the difference between both halves of the fit, the decay that the error of "
+      "the energy explains"},
      decay_error,
      0},
     {{"decay fit begins", "", "first contact of the fit"}, decay_first, 0},
     {{"decay fit ends", "", "last contact of the fit"}, decay_last, 0},
     {{"decay length", "beads", "1 / decay rate"}, decay_length, 0},
-    {{"force past defect", "", "leading force of a cell at the probe / of a cell before all irregular ones"}, past_defect, 0},
-    {{"energy past defect", "", "the same to the power 5/3, 1 + 1/n for forces ~ d^n"}, past_defect, 1},
+    {{"force past defect", "", "leading force of a cell at the probe / of a cell before the first irregular one"}, past_defect, 0},
+    {{"energy past defect", "", "the same to the power 1 + 1/n for forces ~ d^n (5/3 for Hertz's law)"}, past_defect, 1},
     {{"force at wall", "", "first maximum at the wall / leading force at the probe"}, at_wall, 0},
     {{"reflected force", "", "largest force at the probe after the wall's first maximum / leading force there"}, at_wall, 1},
-    {{"striker's compression", "m", "the largest of its contact, until it lets go"}, strike_compression, 0},
-    {{"striker's contact time", "s", "until it lets go for the first time"}, strike_time, 0},
-    {{"striker's velocity", "m/s", "at the end, if it has let go; negative after a rebound"}, striker_velocity, 0},
+    {{"striker's compression", "m", "largest compression of its contact, until that opens"}, strike_compression, 0},
+    {{"striker's contact time", "s", "time until its contact first opens"}, strike_time, 0},
+    {{"striker's velocity", "m/s", "at the end, if its contact has opened; negative after a rebound"}, striker_velocity, 0},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Records what happens at the probe and at the striker, sample by sample, for measure_rows.c. */
+/* Records the motion at the probe and at the striker, sample by sample, for measure_rows.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,12 +7,12 @@
 #include "beadreel/law.h"
 #include "sim/output/measure_private.h"
 
-/* The trace begins where the probe's force exceeds this part of the largest so far, and lasts for this many times the rise of the
- * pulse after the last contact's maximum. */
+/* The trace begins when the probe's force exceeds this part of the largest so far. It ends this many rise times of the pulse after
+ * the maximum of the cell's last contact. */
 static const double begin_part = 1e-10, tail_rises = 3;
-/* Behind its maximum a pulse ends with the first minimum below this part of it. */
+/* A pulse ends with the first minimum below this part of its maximum. */
 static const double end_part = 0.05;
-/* Contacts at each side of the probe for the local speed, where nothing repeats itself. */
+/* Contacts on each side of the probe for the local speed, if no cell repeats there. */
 enum { IRREGULAR = 10 };
 
 void bead_trace_free(struct bead_trace *trace)
@@ -42,7 +42,7 @@ static enum bead_error grow(struct bead_trace *t, struct bead_message *msg)
     return BEAD_OK;
 }
 
-/* Contacts from the probe on that the trace has: the cell's, and one more where there is one. */
+/* Number of contacts in the trace, from the probe on: those of the cell and, if the chain has it, the next. */
 static size_t trace_contacts(const struct bead_measures *m)
 {
     size_t there = bead_chain_contacts(m->chain) - m->places.probe, wanted = m->places.cell + 1;
@@ -89,7 +89,7 @@ static size_t pulse_end(const struct bead_trace *t, size_t i, double peak, doubl
     return at < t->count ? at + 1 : t->count;
 }
 
-/* s between the crossings of `part` of the maximum nearest to it. */
+/* s between the two crossings of `part` of the maximum that are nearest to it. */
 static double width(const double *values, size_t count, double spacing, double part)
 {
     double largest;
@@ -113,8 +113,8 @@ static double potential(const struct bead_measures *m, size_t i, size_t sample)
     return law->energy(a, spec, d0 + d) - law->energy(a, spec, d0) - bead_chain_static_force(m->chain)[contact] * d;
 }
 
-/* Integrals over the pulse: what goes through the probe, and what is in one cell. Sums of smooth humps that begin and end at
- * nothing are as exact as the samples. */
+/* Integrals over the pulse, through the probe and over one cell. For a smooth pulse that begins and ends at zero the plain sum is
+ * as exact as the samples. */
 static void integrate(const struct bead_measures *m, size_t i, size_t end, struct bead_pulse_found *found)
 {
     const struct bead_trace *t = &m->trace;
@@ -181,7 +181,7 @@ void bead_front_speed(const struct bead_measures *m, size_t first, size_t last, 
     const double *position = bead_chain_position(m->chain), *radius = bead_chain_radius(m->chain);
     double n = 0, k0 = 0, t0 = 0, x0 = 0, tt = 0, tk = 0, tx = 0;
     last = last < m->places.links ? last : m->places.links - 1;
-    for (int pass = 0; pass < 2; pass++) { /* subtract the means first: sums of squares then lose no digits */
+    for (int pass = 0; pass < 2; pass++) { /* the means first: with these subtracted, sums of squares lose no digits */
         for (size_t k = first; k <= last; k += step) {
             double t = bead_pulses_first(m->pulses, k).time, x = position[k] + radius[k];
             if (isnan(t))
@@ -209,25 +209,23 @@ void bead_front_speed(const struct bead_measures *m, size_t first, size_t last, 
 
 struct bead_pulse_found bead_trace_read(const struct bead_measures *m)
 {
-    struct bead_pulse_found found = {.force = NAN};
+    struct bead_pulse_found found = {0};
     size_t probe = m->places.probe, cell = m->places.cell;
     bool there = m->trace.count > BEAD_CURVE_POINTS;
     for (size_t i = 0; i < cell; i++)
         there = there && !isnan(bead_pulses_first(m->pulses, probe + i).force);
-    if (there) {
-        found = (struct bead_pulse_found){.force = 0};
-        for (size_t i = 0; i < cell; i++)
-            read_contact(m, i, &found);
-        size_t around = m->places.regular ? 2 * cell : IRREGULAR;
-        bead_front_speed(m, probe > around ? probe - around : 0, probe + around, cell, 2, &found.beads_per_second, &found.speed);
-        if (!(found.beads_per_second > 0))
-            found.beads_per_second = found.speed = NAN;
-        return found;
-    }
-    return (struct bead_pulse_found){NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN, NAN, NAN, NAN};
+    if (!there)
+        return (struct bead_pulse_found){NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN, NAN, NAN, NAN};
+    for (size_t i = 0; i < cell; i++)
+        read_contact(m, i, &found);
+    size_t around = m->places.regular ? 2 * cell : IRREGULAR;
+    bead_front_speed(m, probe > around ? probe - around : 0, probe + around, cell, 2, &found.beads_per_second, &found.speed);
+    if (!(found.beads_per_second > 0))
+        found.beads_per_second = found.speed = NAN;
+    return found;
 }
 
-/* Where a cubic is 0 before x = 0, in steps: d and r are its values and its slopes, per step, at 0 and 1. */
+/* The zero of a cubic before x = 0, in steps; d and r are its values and its slopes, per step, at 0 and 1. */
 static double zero_before(const double d[2], const double r[2])
 {
     double third = r[0] + r[1] - 2 * (d[1] - d[0]), second = d[1] - d[0] - r[0] - third, x = -d[0] / r[0];
@@ -236,7 +234,8 @@ static double zero_before(const double d[2], const double r[2])
     return x;
 }
 
-/* When the contact opened, from the samples behind: before them the force's branch point lies, and the motion is less smooth. */
+/* The time at which the contact opened, from later samples only: at the opening the force has a branch point, and the motion is
+ * less smooth before it. */
 static void find_opening(struct bead_strike *s, double time, double step, double d, double rate)
 {
     bool first = isnan(s->opened);

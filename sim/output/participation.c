@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The participation of beads in the wave, relative to the clean wave, for which it runs a chain of equal cells. */
-#include "beadreel/participation.h"
+/* The participation of beads in the wave, relative to the clean wave, which is found by running a chain of equal cells. */
+#include "sim/output/participation.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,9 +8,9 @@
 
 #include "sim/chain/chain_data.h"
 #include "sim/output/measure_place.h"
-#include "sim/run/run.h"
+#include "sim/run/play.h"
 
-/* Accuracy of the clean wave, and the passage times that it may take. */
+/* Accuracy of the clean wave, and the passage times after which it is given up. */
 static const double accuracy = 1e-6, patience = 100;
 
 static double compression(const struct bead_chain *chain, const double *u, size_t k)
@@ -51,7 +51,7 @@ static bool same_cell(const struct bead_segment *a, const struct bead_segment *b
     return a->cell_beads == b->cell_beads && memcmp(a->cell, b->cell, a->cell_beads * sizeof *a->cell) == 0;
 }
 
-/* The segment whose cell most beads belong to, here and elsewhere. */
+/* The segment whose cell most beads belong to, in all segments together. */
 static const struct bead_segment *usual_segment(const struct bead_chain_spec *spec)
 {
     const struct bead_segment *usual = &spec->segments[0];
@@ -68,7 +68,7 @@ static const struct bead_segment *usual_segment(const struct bead_chain_spec *sp
     return usual;
 }
 
-/* Are most cells of this kind reversed? */
+/* Are most cells like that of `usual` reversed? */
 static bool mostly_down(const struct bead_chain *chain, const struct bead_segment *usual)
 {
     const char *spin = chain->spins;
@@ -83,7 +83,7 @@ static bool mostly_down(const struct bead_chain *chain, const struct bead_segmen
     return down > up;
 }
 
-/* The beads of the clean chain's cell into `cell`, which has room for the largest; returns how many. */
+/* Put the beads of the clean chain's cell into `cell`, which has room for the largest; return their number. */
 static size_t find_cell(const struct bead_chain *chain, size_t *cell)
 {
     struct bead_places places = bead_places_find(chain);
@@ -98,35 +98,28 @@ static size_t find_cell(const struct bead_chain *chain, size_t *cell)
     return usual->cell_beads;
 }
 
-/* Until the front arrives, or patience ends. */
-static enum bead_error pass(struct bead_run *run, const struct bead_chain *chain, struct bead_message *msg)
-{
-    const double limit = patience * bead_chain_passage(chain, bead_chain_energy(chain));
-    enum bead_error err = BEAD_OK;
-    while (!err && isnan(bead_run_arrival(run)) && bead_run_time(run) < limit)
-        err = bead_run_step(run, msg);
-    return err;
-}
-
 static enum bead_error participation_measure(const struct bead_chain *chain, double *clean, struct bead_message *msg)
 {
     struct bead_simulate asked = chain->scene->simulate;
     asked.step = 0;
     asked.accuracy = accuracy;
-    const struct bead_run_settings settings = {
-        .chain = chain, .simulate = &asked, .kernels = bead_kernels_find(NULL), .end = INFINITY, .passage = BEAD_PASSAGE_OF_FRONT};
-    const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
-    struct bead_run *run = NULL;
-    struct bead_sample sample = {0};
-    enum bead_error err = bead_run_create(&settings, &run, msg);
+    struct bead_consumer consumer = {.needs = {.states = true}};
+    const struct bead_play play = {.chains = &chain,
+                                   .chain_count = 1,
+                                   .simulate = &asked,
+                                   .kernels = bead_kernels_find(NULL),
+                                   .consumers = &consumer,
+                                   .consumer_count = 1,
+                                   .end = INFINITY,
+                                   .needed = INFINITY,
+                                   .passage = BEAD_PASSAGE_OF_FRONT,
+                                   .patience = patience,
+                                   .threads = 1};
+    struct bead_played played;
+    enum bead_error err = bead_play(&play, &played, msg);
     if (!err)
-        err = pass(run, chain, msg);
-    if (!err && !isnan(bead_run_arrival(run))) {
-        err = bead_run_sample(run, bead_run_arrival(run), fields, (struct bead_span){0, chain->beads - 1}, &sample, msg);
-        if (!err)
-            *clean = bead_chain_participation(chain, sample.field[BEAD_FIELD_DISPLACEMENT], sample.field[BEAD_FIELD_VELOCITY]);
-    }
-    bead_run_destroy(run);
+        *clean = bead_chain_participation(chain, played.outcomes[0].arrived.displacement, played.outcomes[0].arrived.velocity);
+    bead_played_free(&played);
     return err;
 }
 
@@ -134,7 +127,7 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
 {
     size_t most = BEAD_PLACE_PERIOD;
     *clean = NAN;
-    if (chain->system || chain->spec->segment_count == 0 || !(bead_chain_energy(chain) > 0))
+    if (chain->spec->segment_count == 0 || !(bead_chain_energy(chain) > 0))
         return BEAD_OK;
     for (size_t s = 0; s < chain->spec->segment_count; s++)
         most = chain->spec->segments[s].cell_beads > most ? chain->spec->segments[s].cell_beads : most;
@@ -142,7 +135,7 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
     if (!cell)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a cell of %zu beads", most);
     const size_t beads = find_cell(chain, cell), all = chain->beads - 1 < BEAD_ORDER_BEADS ? chain->beads - 1 : BEAD_ORDER_BEADS;
-    /* The same chain, but of equal cells. */
+    /* The chain, but of equal cells. */
     struct bead_segment segment = {.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};
     struct bead_chain_spec spec = *chain->spec;
     struct bead_chain *made = NULL;
@@ -154,5 +147,5 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
         err = participation_measure(made, clean, &why);
     bead_chain_destroy(made);
     free(cell);
-    return err == BEAD_ERROR_MEMORY ? bead_fail(msg, err, "%s", why.text) : BEAD_OK; /* else there is no clean wave */
+    return err == BEAD_ERROR_MEMORY ? bead_fail(msg, err, "%s", why.text) : BEAD_OK; /* other errors: no clean wave */
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Collects the profiles of a field at given times, for tables and plots. */
-#include "beadreel/profile_times.h"
+#include "sim/output/profile_times.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -69,7 +69,7 @@ static enum bead_error reserve(struct bead_profile_times *m, struct bead_message
     return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
 }
 
-/* Do all times lie on this grid? */
+/* Are all times on this grid? */
 static bool hits(const struct bead_output *output, double start, double every)
 {
     for (size_t i = 0; i < output->curves.profile_time_count; i++) {
@@ -108,9 +108,8 @@ enum bead_error bead_profile_times_create(const struct bead_output *output, cons
 {
     *made = NULL;
     double last = output->curves.profile_times[output->curves.profile_time_count - 1];
-    if (last > context->end * (1 + 1e-9)) /* of a run that ends when the front arrives */
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: at: goes to %g, but the run ends at %g", context->scene->file,
-                         output->place.line, output->place.column, last, context->end);
+    if (last > context->end * (1 + 1e-9)) /* possible if the run ends when the front arrives */
+        return bead_output_wrong(output, msg, "at: the last time is %g, but the run ends at %g", last, context->end);
     struct bead_profile_times *m = calloc(1, sizeof *m);
     if (!m)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
@@ -136,7 +135,7 @@ struct bead_needs bead_profile_times_needs(const struct bead_profile_times *m)
                                .why = m->why};
 }
 
-/* The first sample after the time: interpolate linearly from the last one before. */
+/* The first sample after the moment: interpolate linearly between it and the last one before. */
 static void complete(struct profile *p, const struct bead_sample *sample, const double *values, size_t count, double moment)
 {
     double weight = fmin(1, fmax(0, (moment - p->time) / (sample->time - p->time)));

@@ -14,10 +14,10 @@ double bead_round_down(double x)
     return exponent < 0 ? round / unit : round * unit;
 }
 
-/* More samples than this are a mistake, however large the disk. */
+/* More samples than this are a mistake on any disk. */
 static const double most_samples = 1e10;
 
-/* Move a grid to the times of `native`. */
+/* Move a grid onto the times of `native`. */
 static void snap(const struct bead_grid *native, double every, struct bead_grid *grid)
 {
     double multiple = every > 0 ? fmax(1, round(every / native->every)) : 1;
@@ -30,23 +30,19 @@ static void snap(const struct bead_grid *native, double every, struct bead_grid 
 enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_run_context *context, struct bead_grid *grid,
                                struct bead_message *msg)
 {
-    const char *file = context->scene->file;
-    struct bead_place place = output->place;
     double resolution = context->resolution > 0 && isfinite(context->resolution) ? context->resolution : 1e-6;
     grid->start = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
     grid->end = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
     grid->every = output->shown.every > 0 ? output->shown.every : bead_round_down(resolution);
     if (!(grid->start >= 0) || !(grid->end >= grid->start))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: starts at %g, but the run ends at %g", file, place.line,
-                         place.column, grid->start, grid->end);
+        return bead_output_wrong(output, msg, "time: starts at %g, but the run ends at %g", grid->start, grid->end);
     if (context->native.every > 0)
         snap(&context->native, output->shown.every, grid);
     if (!((grid->end - grid->start) / grid->every < most_samples))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: every: %g gives %.3g samples, at most %g are allowed", file,
-                         place.line, place.column, grid->every, (grid->end - grid->start) / grid->every, most_samples);
+        return bead_output_wrong(output, msg, "every: %g gives %.3g samples; at most %g are allowed", grid->every,
+                                 (grid->end - grid->start) / grid->every, most_samples);
     if (bead_grid_count(grid) == 0)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: time: there are no samples from %g to %g", file, place.line,
-                         place.column, grid->start, grid->end);
+        return bead_output_wrong(output, msg, "time: there are no samples from %g to %g", grid->start, grid->end);
     return BEAD_OK;
 }
 

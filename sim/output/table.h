@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The insides of the table sink, shared by table.c and the table_*.c, one for each kind of table. */
-#ifndef BEADREEL_SIM_OUTPUT_TABLE_H
-#define BEADREEL_SIM_OUTPUT_TABLE_H
+/* The insides of the table sink, shared by table.c and the table_*.c below it, one for each kind of table. */
+#pragma once
 
 #include <locale.h>
 #include <stdio.h>
 
-#include "beadreel/measure.h"
-#include "beadreel/profile_times.h"
 #include "beadreel/sink.h"
+#include "sim/output/measure.h"
+#include "sim/output/profile_times.h"
 
 struct column {
     size_t chain, bead;
@@ -27,47 +26,45 @@ struct bead_sink {
     locale_t locale;        /* "C": a decimal point, whatever the user's language */
     struct column *columns; /* sensors, chain by chain */
     size_t column_count, next_chain, next_sample;
-    struct bead_measures **measures;    /* [chains], of those that measures are made for */
+    struct bead_measures **measures;    /* [chains]; NULL for a chain without measures */
     struct bead_profile_times *moments; /* of profiles */
     uint64_t rows;
     bool open, finished;
 };
 
-/* What can be shown: its needs and how it is written. */
+/* A kind of table: its needs and how it is written. The sink asks for samples at the times of its grid, if it has one, and for the
+ * run until the last of them. */
 struct table {
     const char *why;
     enum bead_error (*prepare)(struct bead_sink *sink, struct bead_message *msg); /* may be NULL */
-    void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);
+    void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);        /* further needs; may be NULL */
     void (*header)(struct bead_sink *sink);
     enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg); /* may be NULL */
     void (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes);                                      /* may be NULL */
-    enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg); /* as the run begins; may be NULL */
+    enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg); /* when the run begins; may be NULL */
+    double accuracy;                                                            /* see bead_sink_type; 0: any will do */
 };
 
-/* A text, in quotes where it has a comma, a quote or a line break. */
+/* A text, in quotes if it contains a comma, a quote or a line break. */
 void bead_table_text(FILE *file, const char *text);
-/* ",a,b" for the numbers a and b: the fewest digits that read back as the same. */
+/* ",a,b" for the numbers a and b, with the fewest digits that read back as the same double. */
 void bead_table_numbers(FILE *file, size_t count, const double *numbers);
 
-/* A line of the columns' names behind that of the time, and one of their values. */
-void bead_table_columns(struct bead_sink *sink, const char *time);
-void bead_table_row(struct bead_sink *sink, double time);
-
-/* `show: measures` */
-extern const struct table bead_table_measures;
-/* `show: energy` */
-extern const struct table bead_table_energy;
-/* `show: modes` */
-extern const struct table bead_table_modes;
-/* `show: profiles` */
-extern const struct table bead_table_profiles;
-/* `show: chain` */
-extern const struct table bead_table_chain;
-/* `show: sensitivities` */
-extern const struct table bead_table_sensitivities;
-/* The name of a chain as a column of its own, where there are several. */
+/* The name of a chain and a comma, if there are several chains. */
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain);
-/* "chain/what", or "what" where there is one chain only; NULL: no memory. */
-char *bead_table_column(const struct bead_sink *sink, size_t chain, const char *what);
+/* "time_s", or "time" if times have no unit. */
+void bead_table_time_header(const struct bead_sink *sink);
 
-#endif
+/* Tables with a row for each time. Adds a column, "chain/what", or "what" for a single chain. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t chain, size_t bead, const char *what,
+                                                 struct bead_message *msg);
+/* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */
+BEAD_CHECK enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg);
+void bead_table_columns_header(struct bead_sink *sink);
+/* Call this once the columns have the values of a sample. The row is written after the last chain, so that a stopped run leaves no
+ * incomplete row. */
+void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample);
+
+/* One for each word of `show`. */
+extern const struct table bead_table_sensors, bead_table_contact_peaks, bead_table_bead_peaks, bead_table_measures,
+    bead_table_energy, bead_table_modes, bead_table_profiles, bead_table_chain, bead_table_sensitivities;

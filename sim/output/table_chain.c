@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of chains as they are at rest: a row for each bead, with the contact behind it. Nothing is computed for them. */
+/* Tables of chains at rest: a row for each bead, with the contact to its right. They need no run. */
 #include "sim/output/table.h"
-
-static void chain_needs(const struct bead_sink *sink, struct bead_needs *needs)
-{
-    (void)sink;
-    needs->until = 0;
-}
 
 static void chain_header(struct bead_sink *sink)
 {
@@ -44,14 +38,12 @@ static void write_bead(struct bead_sink *sink, size_t index, size_t bead)
     sink->rows++;
 }
 
-static void chain_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+static void chain_end(struct bead_sink *sink, const struct bead_outcome *)
 {
-    (void)outcomes;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
         for (size_t i = 0; i < bead_chain_beads(sink->context.chains[c]); i++)
             write_bead(sink, c, i);
     }
 }
 
-const struct table bead_table_chain = {
-    .why = "beads and contacts as in the scene", .needs = chain_needs, .header = chain_header, .end = chain_end};
+const struct table bead_table_chain = {.why = "beads and contacts as in the scene", .header = chain_header, .end = chain_end};

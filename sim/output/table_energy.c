@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of the energy budget: where the energy is at each time, and what has left. */
-#include <stdlib.h>
-
-#include "sim/output/sink_grid.h"
+/* Tables of the energy budget: the energy in each form at each time, and the energy dissipated. */
 #include "sim/output/table.h"
 
 enum { PARTS = 6 };
@@ -10,48 +7,33 @@ static const char *const names[PARTS] = {"kinetic_J", "contacts_J", "wall_J", "g
 
 static enum bead_error energy_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    const size_t chains = sink->context.chain_count;
-    char every[32];
-    sink->columns = calloc(chains * PARTS, sizeof *sink->columns);
-    for (size_t i = 0; sink->columns && i < chains * PARTS; i++) {
-        char *name = bead_table_column(sink, i / PARTS, names[i % PARTS]);
-        if (!name)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-        sink->columns[sink->column_count++] = (struct column){i / PARTS, 0, name, 0};
-    }
-    if (!sink->columns)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-    enum bead_error err = bead_sink_grid(sink->output, &sink->context, &sink->grid, msg);
-    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
-    snprintf(sink->why, sizeof sink->why, "the energy budget at %zu times every %s", bead_grid_count(&sink->grid), every);
-    return err;
+    enum bead_error error = BEAD_OK;
+    for (size_t i = 0; i < sink->context.chain_count * PARTS && !error; i++)
+        error = bead_table_add_column(sink, i / PARTS, 0, names[i % PARTS], msg);
+    return error ? error : bead_table_choose_times(sink, "the energy budget", msg);
 }
 
-static void energy_needs(const struct bead_sink *sink, struct bead_needs *needs)
+static void energy_needs(const struct bead_sink *, struct bead_needs *needs)
 {
     needs->fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
-    needs->grid = sink->grid;
-    needs->until = sink->grid.end;
     needs->budget = true;
 }
 
-static void energy_header(struct bead_sink *sink)
-{
-    bead_table_columns(sink, "time_s");
-}
-
-static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *)
 {
     const struct bead_budget *b = sample->budget;
-    (void)msg;
     const double total = b->kinetic + b->contacts + b->wall + b->gravity + b->dissipated,
                  part[PARTS] = {b->kinetic, b->contacts, b->wall, b->gravity, b->dissipated, total};
     for (size_t i = 0; i < PARTS; i++)
         sink->columns[sample->chain * PARTS + i].value = part[i];
-    if (sample->chain + 1 == sink->context.chain_count)
-        bead_table_row(sink, sample->time);
+    bead_table_end_sample(sink, sample);
     return BEAD_OK;
 }
 
-const struct table bead_table_energy = {
-    .why = "the energy budget", .prepare = energy_prepare, .needs = energy_needs, .header = energy_header, .sample = energy_sample};
+/* The accuracy: the sum is constant to this part of the input. */
+const struct table bead_table_energy = {.accuracy = 1e-10,
+                                        .why = "the energy budget",
+                                        .prepare = energy_prepare,
+                                        .needs = energy_needs,
+                                        .header = bead_table_columns_header,
+                                        .sample = energy_sample};

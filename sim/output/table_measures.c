@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/chain/system.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
 
@@ -10,10 +11,10 @@ enum { MOST_MEASURES = 128 };
 
 static bool of_beads(const struct bead_chain *chain)
 {
-    return bead_chain_spec(chain)->equation.name == NULL;
+    return bead_chain_spec(chain)->system->has_contacts;
 }
 
-/* The last sample is the end: what has come until then is measured until then. */
+/* Make the last sample the end of the run, so that measures include all of it. */
 static void end_with_run(struct bead_grid *grid)
 {
     const double length = grid->end - grid->start, parts = ceil(length / grid->every * (1 - 1e-9));
@@ -41,17 +42,16 @@ static enum bead_error measures_prepare(struct bead_sink *sink, struct bead_mess
 
 static void measures_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    needs->until = INFINITY;
-    if (!(sink->grid.every > 0))
+    if (!(sink->grid.every > 0)) {
+        needs->until = INFINITY;
         return;
+    }
     needs->fields = BEAD_MEASURE_FIELDS;
-    needs->grid = sink->grid;
-    needs->until = sink->grid.end;
     needs->beads = (struct bead_span){0, SIZE_MAX};
     needs->states = true;
 }
 
-/* They look along the chain, and simulate the clean wave. */
+/* Not earlier: creating measures simulates the clean wave. */
 static enum bead_error measures_begin(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t count = sink->context.chain_count;
@@ -79,10 +79,7 @@ static enum bead_error measures_sample(struct bead_sink *sink, const struct bead
 
 static void write_row(struct bead_sink *sink, size_t chain, const struct bead_measure *measure)
 {
-    if (sink->context.chain_count > 1) {
-        bead_table_text(sink->file, bead_chain_name(sink->context.chains[chain]));
-        fputc(',', sink->file);
-    }
+    bead_table_chain_name(sink, chain);
     bead_table_text(sink->file, measure->name);
     bead_table_numbers(sink->file, 1, &measure->value);
     fprintf(sink->file, ",%s,%s\n", measure->unit, measure->note);

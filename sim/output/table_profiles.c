@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of profiles: a row for each time and place. */
-#include "beadreel/profile_times.h"
 #include "sim/base/number.h"
+#include "sim/chain/system.h"
+#include "sim/output/profile_times.h"
 #include "sim/output/table.h"
 
 static enum bead_error profiles_prepare(struct bead_sink *sink, struct bead_message *msg)
@@ -21,11 +22,11 @@ static void profiles_header(struct bead_sink *sink)
 {
     const struct bead_chain *chain = sink->context.chains[0];
     const struct bead_field_info *field = bead_chain_field(chain, sink->output->shown.field);
-    /* For equations, the letter or word for the unknown. */
-    const char *column = bead_chain_spec(chain)->equation.name ? field->title : field->name;
-    const char *time = bead_chain_time_unit(chain);
-    fprintf(sink->file, "%stime%s%s,%s,%s%s%s\n", sink->context.chain_count > 1 ? "chain," : "", *time ? "_" : "", time,
-            bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "", field->unit);
+    const char *column = bead_chain_spec(chain)->system->names_fields ? field->title : field->name;
+    fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
+    bead_table_time_header(sink);
+    fprintf(sink->file, ",%s,%s%s%s\n", bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "",
+            field->unit);
 }
 
 static enum bead_error profiles_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -33,18 +34,14 @@ static enum bead_error profiles_sample(struct bead_sink *sink, const struct bead
     return bead_profile_times_feed(sink->moments, sample, msg);
 }
 
-static void profiles_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+static void profiles_end(struct bead_sink *sink, const struct bead_outcome *)
 {
-    (void)outcomes;
     for (size_t c = 0; c < sink->context.chain_count; c++) {
         const double *places = bead_profile_times_places(sink->moments, c);
         for (size_t m = 0; m < sink->output->curves.profile_time_count; m++) {
             const double *values = bead_profile_times_profile(sink->moments, c, m);
             for (size_t i = 0; i < bead_profile_times_values(sink->moments, c); i++) {
-                if (sink->context.chain_count > 1) {
-                    bead_table_text(sink->file, bead_chain_name(sink->context.chains[c]));
-                    fputc(',', sink->file);
-                }
+                bead_table_chain_name(sink, c);
                 bead_write_number(sink->file, sink->output->curves.profile_times[m]);
                 bead_table_numbers(sink->file, 2, (const double[]){places[i], values[i]});
                 fputc('\n', sink->file);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of the derivatives of peak forces: a row for each of the contacts asked for and each bead. */
+/* Tables of the derivatives of peak forces: a row for each bead and each contact asked for. */
 #include <math.h>
 
 #include "sim/base/number.h"
@@ -21,10 +21,10 @@ static void sensitivities_header(struct bead_sink *sink)
             sink->context.chain_count > 1 ? "chain," : "");
 }
 
-/* The striker's velocity is one of bead 0. */
+/* The derivative by the striker's velocity is in the row of bead 0. */
 static void write_contact(struct bead_sink *sink, size_t chain, const struct bead_peak *peak, const struct bead_sensitivity *s)
 {
-    char force[BEAD_NUMBER_ROOM], time[BEAD_NUMBER_ROOM]; /* the same in all rows: writing numbers takes its time */
+    char force[BEAD_NUMBER_ROOM], time[BEAD_NUMBER_ROOM]; /* the same in all rows: converting numbers is slow */
     bead_number_text(force, peak->value);
     bead_number_text(time, peak->time);
     for (size_t j = 0; j < bead_chain_beads(sink->context.chains[chain]); j++) {

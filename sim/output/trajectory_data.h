@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The insides of an open trajectory, shared by trajectory_open.c and trajectory_read.c. */
-#ifndef BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
-#define BEADREEL_SIM_OUTPUT_TRAJECTORY_DATA_H
+#pragma once
 
 #include "beadreel/trajectory.h"
 #include "sim/base/h5.h"
@@ -12,15 +11,14 @@ struct bead_source {
     hid_t value; /* -1: not stored */
     size_t columns;
     double *block;   /* [block_rows][columns] */
-    size_t first;    /* sample that the block begins with */
+    size_t first;    /* first sample in the block */
     size_t held;     /* samples in the block */
-    double *scratch; /* one chain, all its beads: 0 where not stored */
+    double *scratch; /* all beads of one chain: 0 where not stored */
 };
 
 struct bead_trajectory {
     struct bead_h5 h5;
     char *path;
-    char *text; /* of the scene, as stored */
     struct bead_scene *scene;
     struct bead_chain **chains;
     size_t chain_count;
@@ -30,8 +28,8 @@ struct bead_trajectory {
     struct bead_grid grid;
     size_t samples;
     unsigned fields;  /* stored */
-    unsigned derived; /* found from displacements */
-    double *forces;   /* derived: contact forces, then bead forces, of the longest chain */
+    unsigned derived; /* computed from displacements */
+    double *forces;   /* derived ones: contact forces, then bead forces, with room for the longest chain */
     bool complete;
     double end;
     struct bead_source sources[BEAD_SERIES_COUNT];
@@ -44,11 +42,10 @@ enum bead_error bead_trajectory_no_memory(struct bead_trajectory *trajectory);
 /* Beads of the longest chain, at least 1. */
 size_t bead_trajectory_longest(const struct bead_trajectory *trajectory);
 
-/* Opening in two steps, for callers whose settings depend on the stored scene: first the file and its scene as stored, then the
- * rest, for the scene with settings. For a sweep's file, *trajectory is NULL without an error. If either step fails, close the
- * trajectory. Errors: as bead_trajectory_open. */
-BEAD_CHECK enum bead_error bead_trajectory_begin(const char *path, struct bead_trajectory **trajectory, struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, const char *const *settings,
-                                                  size_t setting_count, struct bead_message *msg);
-
-#endif
+/* Opening in two steps, for callers whose overrides depend on the stored scene: first the file and its scene as stored, then the
+ * rest, for the scene as `changed` (taken in any case; NULL: as stored). For a sweep's file, *trajectory is NULL without an error.
+ * If either step fails, close the trajectory. Errors: as bead_trajectory_open. */
+BEAD_CHECK enum bead_error bead_trajectory_begin(const char *path, const struct bead_own *own, struct bead_trajectory **trajectory,
+                                                 struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, struct bead_scene *changed,
+                                                  struct bead_message *msg);

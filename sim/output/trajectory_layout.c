@@ -25,11 +25,23 @@ void bead_trajectory_rows(const struct bead_chain *const *chains, size_t count, 
 {
     *beads = *contacts = 0;
     for (size_t c = 0; c < count; c++) {
-        rows[c] = (struct bead_chain_rows){*beads,    span.first, bead_span_rows(&span, bead_chain_beads(chains[c])),
-                                           *contacts, span.first, bead_span_rows(&span, bead_chain_contacts(chains[c]))};
-        *beads += rows[c].beads;
-        *contacts += rows[c].contacts;
+        rows[c].beads = (struct bead_rows){*beads, span.first, bead_span_rows(&span, bead_chain_beads(chains[c]))};
+        rows[c].contacts = (struct bead_rows){*contacts, span.first, bead_span_rows(&span, bead_chain_contacts(chains[c]))};
+        *beads += rows[c].beads.count;
+        *contacts += rows[c].contacts.count;
     }
+}
+
+const struct bead_rows *bead_rows_of(const struct bead_chain_rows *rows, bool contacts)
+{
+    return contacts ? &rows->contacts : &rows->beads;
+}
+
+size_t bead_trajectory_chunk_rows(size_t beads, size_t contacts)
+{
+    const size_t most_rows = 256, most_bytes = 8 << 20;
+    const size_t rows = most_bytes / (sizeof(double) * (beads > contacts ? beads : contacts));
+    return rows > most_rows ? most_rows : rows < 1 ? 1 : rows;
 }
 
 const struct bead_outcome_column bead_outcome_columns[] = {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opens a trajectory. The file is not trusted: everything is checked against the scene that it stores. */
+/* Opens a trajectory. The file is not trusted: all data are checked against the scene that it stores. */
 #include "sim/output/trajectory_data.h"
 
 #include <math.h>
@@ -7,12 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
+#include "sim/chain/chain_data.h"
+#include "sim/chain/system.h"
 #include "sim/output/file_kinds.h"
 
 static const size_t longest_scene = 64 << 20; /* bytes */
-static const size_t most_block_rows = 256;
-static const size_t most_block_bytes = 8 << 20;
 
 enum bead_error bead_trajectory_no_memory(struct bead_trajectory *t)
 {
@@ -53,7 +53,6 @@ void bead_trajectory_close(struct bead_trajectory *t)
     free(t->forces);
     free(t->outcomes);
     free(t->methods);
-    free(t->text);
     free(t->path);
     free(t);
 }
@@ -68,7 +67,7 @@ static unsigned parse_fields(struct bead_trajectory *t, char *names)
         while (f < BEAD_FIELD_COUNT && strcmp(name, bead_field_info(f)->name) != 0)
             f++;
         if (f == BEAD_FIELD_COUNT)
-            bead_h5_fail(&t->h5, false, "holds a field of an unknown kind");
+            bead_h5_fail(&t->h5, false, "holds an unknown field");
         else
             fields |= BEAD_FIELD_BIT(f);
     }
@@ -99,15 +98,15 @@ static enum bead_error read_summary(struct bead_trajectory *t)
     return h5->error;
 }
 
-static enum bead_error read_scene(struct bead_trajectory *t, const char *const *settings, size_t setting_count)
+static enum bead_error read_scene(struct bead_trajectory *t, const struct bead_own *own)
 {
-    if (!t->text)
-        t->text = bead_h5_read_text(&t->h5, BEAD_PROFILE_GROUP "/scene", longest_scene);
-    if (!t->text)
+    char *text = bead_h5_read_text(&t->h5, BEAD_PROFILE_GROUP "/scene", longest_scene);
+    if (!text)
         return t->h5.error;
-    bead_scene_free(t->scene);
-    t->scene = NULL;
-    return bead_scene_parse(t->path, t->text, strlen(t->text), settings, setting_count, &t->scene, t->h5.msg);
+    enum bead_error error =
+        bead_scene_parse(t->path, text, strlen(text), &(struct bead_overrides){.own = own}, &t->scene, t->h5.msg);
+    free(text);
+    return error;
 }
 
 static enum bead_error rebuild(struct bead_trajectory *t)
@@ -127,20 +126,21 @@ static enum bead_error rebuild(struct bead_trajectory *t)
     return t->beads > 0 ? BEAD_OK : bead_h5_fail(&t->h5, false, "holds no bead of its scene");
 }
 
-/* The stored beads must be those of the scene: materials may have changed since the run. */
+/* Check the stored beads against those of the scene: materials may have changed since the run. */
 static enum bead_error check_beads(struct bead_trajectory *t, const char *name, const double *(*values)(const struct bead_chain *))
 {
     double *stored = t->h5.error ? NULL : calloc(t->beads, sizeof *stored);
     if (!stored)
         return bead_trajectory_no_memory(t);
-    bead_h5_read_doubles(&t->h5, name, stored, t->beads);
+    bead_h5_read_numbers(&t->h5, name, BEAD_H5_DOUBLE, stored, sizeof *stored, t->beads);
     for (size_t c = 0; !t->h5.error && c < t->chain_count; c++) {
-        const double *wanted = values(t->chains[c]) + t->rows[c].first_bead, *found = stored + t->rows[c].first_row;
-        for (size_t i = 0; i < t->rows[c].beads; i++) {
+        const struct bead_rows *beads = &t->rows[c].beads;
+        const double *wanted = values(t->chains[c]) + beads->first, *found = stored + beads->row;
+        for (size_t i = 0; i < beads->count; i++) {
             if (fabs(found[i] - wanted[i]) <= 1e-12 * fabs(wanted[i]))
                 continue;
-            bead_h5_fail(&t->h5, false, "%s of bead %zu is %g, but its scene and today's materials give %g", name,
-                         t->rows[c].first_bead + i, found[i], wanted[i]);
+            bead_h5_fail(&t->h5, false, "%s of bead %zu is %g, but its scene and today's materials give %g", name, beads->first + i,
+                         found[i], wanted[i]);
             break;
         }
     }
@@ -150,7 +150,7 @@ static enum bead_error check_beads(struct bead_trajectory *t, const char *name, 
 
 static enum bead_error open_sources(struct bead_trajectory *t)
 {
-    size_t widest = t->beads > t->contacts ? t->beads : t->contacts, rows;
+    size_t rows;
     t->samples = SIZE_MAX;
     for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
         if (!bead_series[id].stored || !(t->fields & BEAD_FIELD_BIT(bead_series[id].field)))
@@ -166,12 +166,11 @@ static enum bead_error open_sources(struct bead_trajectory *t)
             return t->h5.error;
         t->samples = rows < t->samples ? rows : t->samples;
     }
-    t->block_rows = most_block_bytes / (sizeof(double) * widest);
-    t->block_rows = t->block_rows > most_block_rows ? most_block_rows : t->block_rows < 1 ? 1 : t->block_rows;
+    t->block_rows = bead_trajectory_chunk_rows(t->beads, t->contacts);
     return BEAD_OK;
 }
 
-/* The times must be those of the grid. Datasets of a killed run may differ in length; the shortest counts. */
+/* Check the times against the grid. Datasets of a killed run may differ in length: the shortest counts. */
 static enum bead_error check_times(struct bead_trajectory *t)
 {
     double times[1024];
@@ -197,43 +196,32 @@ static enum bead_error check_times(struct bead_trajectory *t)
 
 static enum bead_error read_outcomes(struct bead_trajectory *t)
 {
-    size_t n = t->chain_count;
-    bool there = bead_h5_has(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations"); /* the last to be written */
-    double *values = calloc(n, sizeof *values);
-    int64_t *counts = calloc(n, sizeof *counts);
-    for (size_t i = 0; values && i < bead_outcome_column_count; i++) {
+    struct bead_outcome *all = t->outcomes;
+    const size_t n = t->chain_count, size = sizeof *all;
+    const bool there = bead_h5_has(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations"); /* written last */
+    for (size_t i = 0; i < bead_outcome_column_count; i++) {
+        const size_t offset = bead_outcome_columns[i].offset;
         char name[128];
         snprintf(name, sizeof name, "%s/outcome/%s", BEAD_PROFILE_GROUP, bead_outcome_columns[i].name);
-        bool known = there && bead_h5_has(&t->h5, name);
-        if (known)
-            bead_h5_read_doubles(&t->h5, name, values, n);
-        for (size_t c = 0; c < n; c++) {
-            double value = known ? values[c] : NAN;
-            memcpy((char *)&t->outcomes[c] + bead_outcome_columns[i].offset, &value, sizeof value);
-        }
+        for (size_t c = 0; c < n; c++)
+            memcpy((char *)&all[c] + offset, &(double){NAN}, sizeof(double));
+        if (there && bead_h5_has(&t->h5, name))
+            bead_h5_read_numbers(&t->h5, name, BEAD_H5_DOUBLE, (char *)all + offset, size, n);
     }
-    if (there)
+    if (there) {
         bead_h5_read_texts(&t->h5, BEAD_PROFILE_GROUP "/outcome/method", t->methods, n);
-    if (there && counts)
-        bead_h5_read_ints(&t->h5, BEAD_PROFILE_GROUP "/outcome/steps", counts, n);
-    for (size_t c = 0; counts && c < n; c++)
-        t->outcomes[c].steps = (uint64_t)counts[c];
-    if (there && counts)
-        bead_h5_read_ints(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations", counts, n);
-    for (size_t c = 0; counts && c < n; c++) {
-        t->outcomes[c].evaluations = (uint64_t)counts[c];
-        t->outcomes[c].method = t->methods[c].text;
+        bead_h5_read_numbers(&t->h5, BEAD_PROFILE_GROUP "/outcome/steps", BEAD_H5_INT, &all->steps, size, n);
+        bead_h5_read_numbers(&t->h5, BEAD_PROFILE_GROUP "/outcome/evaluations", BEAD_H5_INT, &all->evaluations, size, n);
     }
-    bool lacking = !values || !counts;
-    free(values);
-    free(counts);
-    return lacking ? bead_trajectory_no_memory(t) : t->h5.error;
+    for (size_t c = 0; c < n; c++)
+        all[c].method = t->methods[c].text;
+    return t->h5.error;
 }
 
 static enum bead_error load(struct bead_trajectory *t)
 {
     enum bead_error error = rebuild(t);
-    const bool beads = !error && !t->scene->chains[0].equation.name;
+    const bool beads = !error && t->scene->chains[0].system->has_contacts;
     if (beads)
         error = check_beads(t, "/particles/chain/mass", bead_chain_mass);
     if (beads && !error)
@@ -247,16 +235,14 @@ static enum bead_error load(struct bead_trajectory *t)
     return error ? error : read_outcomes(t);
 }
 
-/* Forces follow from the displacements of all beads, unless they depend on velocities too. */
+/* Forces can be computed from the displacements of all beads, unless they depend on velocities, too. */
 static unsigned derivable(const struct bead_trajectory *t)
 {
     const unsigned forces = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
     bool possible =
         t->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && t->span.first == 0 && t->span.last >= bead_trajectory_longest(t) - 1;
-    for (size_t c = 0; c < t->chain_count; c++) {
-        const struct bead_chain_spec *spec = bead_chain_spec(t->chains[c]);
-        possible = possible && !(spec->damping_coefficient > 0) && !spec->equation.name;
-    }
+    for (size_t c = 0; c < t->chain_count; c++)
+        possible = possible && bead_chain_forces_follow(t->chains[c]);
     return possible ? forces & ~t->fields : 0;
 }
 
@@ -268,7 +254,7 @@ static bool is_sweep(struct bead_trajectory *t)
     return strcmp(kind, BEAD_SWEEP_KIND) == 0;
 }
 
-/* Read the file up to its scene. `sweep` is set for a sweep's file, of which nothing more is read. */
+/* Read the file up to its scene. `sweep` is set for a sweep's file, of which nothing else is read. */
 static enum bead_error open_file(struct bead_trajectory *t, const char *path, bool *sweep, struct bead_message *msg)
 {
     t->h5.file = -1;
@@ -284,7 +270,8 @@ static enum bead_error open_file(struct bead_trajectory *t, const char *path, bo
     return t->h5.error;
 }
 
-enum bead_error bead_trajectory_begin(const char *path, struct bead_trajectory **trajectory, struct bead_message *msg)
+enum bead_error bead_trajectory_begin(const char *path, const struct bead_own *own, struct bead_trajectory **trajectory,
+                                      struct bead_message *msg)
 {
     bool sweep = false;
     struct bead_trajectory *t = *trajectory = calloc(1, sizeof *t);
@@ -292,7 +279,7 @@ enum bead_error bead_trajectory_begin(const char *path, struct bead_trajectory *
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory to read it", path);
     enum bead_error error = open_file(t, path, &sweep, msg);
     if (!error && !sweep)
-        error = read_scene(t, NULL, 0);
+        error = read_scene(t, own);
     t->h5.msg = NULL;
     if (sweep) {
         bead_trajectory_close(t);
@@ -301,36 +288,34 @@ enum bead_error bead_trajectory_begin(const char *path, struct bead_trajectory *
     return error;
 }
 
-enum bead_error bead_trajectory_settle(struct bead_trajectory *t, const char *const *settings, size_t setting_count,
-                                       struct bead_message *msg)
+enum bead_error bead_trajectory_settle(struct bead_trajectory *t, struct bead_scene *changed, struct bead_message *msg)
 {
     t->h5.msg = msg;
-    enum bead_error error = setting_count > 0 || !t->scene ? read_scene(t, settings, setting_count) : BEAD_OK;
-    if (!error)
-        error = load(t);
+    if (changed) {
+        bead_scene_free(t->scene);
+        t->scene = changed;
+    }
+    enum bead_error error = load(t);
     if (!error)
         t->derived = derivable(t);
     t->h5.msg = NULL;
     return error;
 }
 
-enum bead_error bead_trajectory_open(const char *path, const char *const *settings, size_t setting_count,
-                                     struct bead_trajectory **trajectory, struct bead_message *msg)
+enum bead_error bead_trajectory_open(const char *path, const struct bead_overrides *overrides, struct bead_trajectory **trajectory,
+                                     struct bead_message *msg)
 {
-    bool sweep = false;
-    *trajectory = NULL;
-    struct bead_trajectory *t = calloc(1, sizeof *t);
-    if (!t)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory to read it", path);
-    enum bead_error error = open_file(t, path, &sweep, msg);
-    if (!error && sweep)
-        error = bead_h5_fail(&t->h5, false, "is a sweep's file, not a trajectory");
+    struct bead_scene *changed = NULL;
+    enum bead_error error = bead_trajectory_begin(path, overrides ? overrides->own : NULL, trajectory, msg);
+    if (!error && !*trajectory)
+        return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: is a sweep's file, not a trajectory", path);
+    if (!error && overrides)
+        error = bead_scene_change((*trajectory)->scene, overrides, &changed, msg);
     if (!error)
-        error = bead_trajectory_settle(t, settings, setting_count, msg);
-    t->h5.msg = NULL;
-    if (error)
-        bead_trajectory_close(t);
-    else
-        *trajectory = t;
+        error = bead_trajectory_settle(*trajectory, changed, msg);
+    if (error) {
+        bead_trajectory_close(*trajectory);
+        *trajectory = NULL;
+    }
     return error;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes everything in a trajectory but its samples, see trajectory_layout.h; trajectory_write.c calls it. */
+/* Writes all of a trajectory but its samples, see trajectory_layout.h. */
 #include "sim/output/trajectory_sink.h"
 
 #include <math.h>
@@ -12,55 +12,57 @@
 
 bool bead_trajectory_wants(const struct bead_sink *sink, enum bead_series_id id)
 {
-    const struct bead_system *system = sink->context.chains[0]->system;
     if (!(sink->fields & BEAD_FIELD_BIT(bead_series[id].field)))
         return false;
-    if (id == BEAD_SERIES_POSITION) /* an unknown that is called displacement need not move anything along the chain */
-        return !system || system->beads;
-    /* A net force needs both contacts; a trajectory that is drawn again may hold bead forces only. */
+    if (id == BEAD_SERIES_POSITION) /* an equation's displacement need not be a motion along the chain */
+        return sink->context.chains[0]->spec->system->has_masses;
+    /* A net force needs both contacts; a replayed trajectory may hold bead forces only. */
     if (id == BEAD_SERIES_NET_FORCE && sink->context.native.every > 0)
         return (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)) != 0;
     return true;
 }
 
-/* Of series and constants that have a unit where there are beads. */
+/* Units of series and constants: "1" if numbers have no units. */
 static const char *units_of(const struct bead_sink *sink, const char *units)
 {
-    return bead_chain_spec(sink->context.chains[0])->equation.name ? "1" : units;
+    return *bead_chain_time_unit(sink->context.chains[0]) ? units : "1";
 }
 
-/* Values of all chains' stored beads, or contacts, one after the other; to be freed. */
-static double *gather(struct bead_sink *sink, const double *(*values)(const struct bead_chain *), bool of_contacts)
+/* Zeroed memory for an array; NULL after a failure, of this or before. */
+static void *take(struct bead_sink *sink, size_t count, size_t size)
 {
-    size_t total = of_contacts ? sink->contacts : sink->beads;
-    double *all = calloc(total ? total : 1, sizeof *all);
-    if (!all) {
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu numbers", sink->part, total);
+    if (sink->h5.error)
         return NULL;
-    }
-    for (size_t c = 0; c < sink->context.chain_count; c++) {
-        const struct bead_chain_rows *r = &sink->rows[c];
-        const double *from = values(sink->context.chains[c]);
-        if (of_contacts && r->contacts)
-            memcpy(all + r->first_contact_row, from + r->first_contact, r->contacts * sizeof *all);
-        else if (!of_contacts && r->beads)
-            memcpy(all + r->first_row, from + r->first_bead, r->beads * sizeof *all);
-    }
-    return all;
+    void *taken = calloc(count ? count : 1, size);
+    if (!taken)
+        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu numbers", sink->part, count);
+    return taken;
+}
+
+/* Write numbers along the axis of beads, or contacts. */
+static void write_along(struct bead_sink *sink, const char *name, const char *units, enum bead_h5_type type, bool of_contacts,
+                        const void *values)
+{
+    bead_h5_write_numbers(&sink->h5, sink->h5.file, name, units, of_contacts ? sink->contact_scale : sink->bead_scale, type, values,
+                          sizeof(double), of_contacts ? sink->contacts : sink->beads);
 }
 
 static void write_constant(struct bead_sink *sink, const char *name, const char *units,
                            const double *(*values)(const struct bead_chain *), bool of_contacts)
 {
-    double *all = sink->h5.error ? NULL : gather(sink, values, of_contacts);
+    double *all = take(sink, of_contacts ? sink->contacts : sink->beads, sizeof *all);
+    for (size_t c = 0; all && c < sink->context.chain_count; c++) {
+        const struct bead_rows *rows = bead_rows_of(&sink->rows[c], of_contacts);
+        if (rows->count)
+            memcpy(all + rows->row, values(sink->context.chains[c]) + rows->first, rows->count * sizeof *all);
+    }
     if (all)
-        bead_h5_write_doubles(&sink->h5, sink->h5.file, name, units, of_contacts ? sink->contact_scale : sink->bead_scale, all,
-                              of_contacts ? sink->contacts : sink->beads);
+        write_along(sink, name, units, BEAD_H5_DOUBLE, of_contacts, all);
     free(all);
 }
 
-/* The unit of the contacts' coefficients. UDUNITS-2 knows no fractional powers and reads "m-1.5" as 0.5 m-1; it refuses this
- * spelling, as it should where it cannot convert. */
+/* The unit of the contacts' coefficients. UDUNITS-2 knows no fractional powers and reads "m-1.5" as 0.5 m-1; it rejects the
+ * spelling used here, which is better than a wrong conversion. */
 static void coefficient_unit(const struct bead_sink *sink, char *unit, size_t size)
 {
     double power = 0;
@@ -88,57 +90,42 @@ static void write_stiffness(struct bead_sink *sink)
     write_constant(sink, "/contacts/stiffness", units_of(sink, unit), bead_chain_stiffness, true);
 }
 
-/* Integers that tell the rows of an axis apart. */
-static int64_t number_of(const struct bead_sink *sink, size_t chain, size_t index, size_t before)
+/* Integers that label the rows of an axis. */
+static int64_t number_of(const struct bead_sink *, size_t, size_t index, size_t)
 {
-    (void)sink, (void)chain, (void)before;
     return (int64_t)index;
 }
-static int64_t chain_of(const struct bead_sink *sink, size_t chain, size_t index, size_t before)
+static int64_t chain_of(const struct bead_sink *, size_t chain, size_t, size_t)
 {
-    (void)sink, (void)index, (void)before;
     return (int64_t)chain;
 }
-static int64_t identity_of(const struct bead_sink *sink, size_t chain, size_t index, size_t before)
+static int64_t identity_of(const struct bead_sink *, size_t, size_t index, size_t before)
 {
-    (void)sink, (void)chain;
     return (int64_t)(before + index);
 }
-static int64_t species_of(const struct bead_sink *sink, size_t chain, size_t index, size_t before)
+static int64_t species_of(const struct bead_sink *sink, size_t chain, size_t index, size_t)
 {
-    (void)before;
     return (int64_t)bead_chain_material(sink->context.chains[chain])[index];
 }
 
 typedef int64_t (*label_function)(const struct bead_sink *, size_t chain, size_t index, size_t before);
 
-static int64_t *labels(struct bead_sink *sink, label_function label, bool of_contacts)
-{
-    size_t total = of_contacts ? sink->contacts : sink->beads, before = 0;
-    int64_t *all = sink->h5.error ? NULL : calloc(total ? total : 1, sizeof *all);
-    if (!all && !sink->h5.error)
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu numbers", sink->part, total);
-    for (size_t c = 0; all && c < sink->context.chain_count; c++) {
-        const struct bead_chain_rows *r = &sink->rows[c];
-        size_t count = of_contacts ? r->contacts : r->beads, first = of_contacts ? r->first_contact : r->first_bead;
-        int64_t *to = all + (of_contacts ? r->first_contact_row : r->first_row);
-        for (size_t i = 0; i < count; i++)
-            to[i] = label(sink, c, first + i, before);
-        before += bead_chain_beads(sink->context.chains[c]);
-    }
-    return all;
-}
-
 static void write_labels(struct bead_sink *sink, const char *name, label_function label, bool of_contacts)
 {
-    int64_t *all = labels(sink, label, of_contacts);
+    size_t before = 0;
+    int64_t *all = take(sink, of_contacts ? sink->contacts : sink->beads, sizeof *all);
+    for (size_t c = 0; all && c < sink->context.chain_count; c++) {
+        const struct bead_rows *rows = bead_rows_of(&sink->rows[c], of_contacts);
+        for (size_t i = 0; i < rows->count; i++)
+            all[rows->row + i] = label(sink, c, rows->first + i, before);
+        before += bead_chain_beads(sink->context.chains[c]);
+    }
     if (all)
-        bead_h5_write_ints(&sink->h5, sink->h5.file, name, of_contacts ? sink->contact_scale : sink->bead_scale, all,
-                           of_contacts ? sink->contacts : sink->beads);
+        write_along(sink, name, NULL, BEAD_H5_INT, of_contacts, all);
     free(all);
 }
 
-/* The axis of beads, or contacts, with their numbers within their chains. */
+/* The axis of beads, or contacts, labelled with their numbers within their chains. */
 static hid_t make_axis(struct bead_sink *sink, const char *path, const char *name, bool of_contacts)
 {
     write_labels(sink, path, number_of, of_contacts);
@@ -154,21 +141,20 @@ static void lay_out_axes(struct bead_sink *sink)
     bead_h5_attach(h5, sink->step, 0, sink->time);
     sink->bead_scale = make_axis(sink, "/particles/chain/bead", "bead", false);
     static const char *const axes[] = {"x", "y", "z"};
-    bead_h5_write_texts(h5, h5->file, "/particles/chain/spatial", -1, axes, 3);
+    bead_h5_write_texts(h5, h5->file, "/particles/chain/spatial", axes, sizeof *axes, 3);
     sink->spatial_scale = bead_h5_open_scale(h5, h5->file, "/particles/chain/spatial", "spatial");
     if (bead_trajectory_wants(sink, BEAD_SERIES_CONTACT_FORCE))
         sink->contact_scale = make_axis(sink, "/contacts/contact", "contact", true);
 }
 
-/* Equations name their own fields. */
 static const char *long_name(const struct bead_sink *sink, const struct bead_series_info *info)
 {
     const struct bead_chain *chain = sink->context.chains[0];
-    return bead_chain_spec(chain)->equation.name && info->stored ? bead_chain_field(chain, info->field)->title : info->title;
+    return bead_chain_spec(chain)->system->names_fields && info->stored ? bead_chain_field(chain, info->field)->title : info->title;
 }
 
-/* What NeXus calls a plot: H5Web and silx draw the group. Beads of several chains are numbered through, as their own numbers begin
- * again with each chain. */
+/* Make the group a NeXus plot, which H5Web and silx draw. The axis of several chains has no scale: the numbers of beads begin again
+ * with each chain. */
 static void describe_plot(struct bead_sink *sink, const struct bead_series_info *info, hid_t group)
 {
     const bool several = sink->context.chain_count > 1;
@@ -209,8 +195,7 @@ static void put_default(struct bead_sink *sink, const char *path, const char *cl
     bead_h5_close(&sink->h5, &group);
 }
 
-/* NeXus: from the root, each group names the one to follow to the plot that is shown first. The field that tells most comes first.
- */
+/* NeXus: from the root on, each group names the next on the way to the default plot. The most informative field is preferred. */
 static void write_nexus(struct bead_sink *sink)
 {
     static const enum bead_series_id order[] = {BEAD_SERIES_BEAD_FORCE,   BEAD_SERIES_STRAIN, BEAD_SERIES_VELOCITY,
@@ -250,7 +235,7 @@ static void write_h5md(struct bead_sink *sink)
     bead_h5_close(h5, &group);
 }
 
-/* Names of the fields asked for, separated by blanks. */
+/* The names of the fields, separated by blanks. */
 static void field_names(unsigned fields, char *text, size_t size)
 {
     size_t used = 0;
@@ -278,7 +263,7 @@ static void write_summary(struct bead_sink *sink)
     bead_h5_put_text(h5, group, "fields", names);
     bead_h5_put_double(h5, group, "start", sink->grid.start);
     bead_h5_put_double(h5, group, "every", sink->grid.every);
-    /* A run that ends when the front arrives may not know its end yet. */
+    /* If the run ends when the front arrives, the end may be unknown yet. */
     bead_h5_put_double(h5, group, "end", sink->context.end < INFINITY ? sink->context.end : sink->grid.end);
     bead_h5_put_ints(h5, group, "first_bead", &first, 0);
     bead_h5_put_ints(h5, group, "last_bead", &last, 0);
@@ -287,20 +272,6 @@ static void write_summary(struct bead_sink *sink)
     bead_h5_put_double(h5, group, "accuracy", scene->simulate.accuracy);
     bead_h5_write_text(h5, group, "scene", scene->text);
     bead_h5_close(h5, &group);
-}
-
-/* A member of each of an array of structures, gathered: doubles at `offset` of `size` bytes each. */
-static void write_member(struct bead_sink *sink, hid_t group, const char *name, const char *units, const void *array, size_t size,
-                         size_t count, size_t offset)
-{
-    double *values = sink->h5.error ? NULL : calloc(count ? count : 1, sizeof *values);
-    if (!values && !sink->h5.error)
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %s", sink->part, name);
-    for (size_t i = 0; values && i < count; i++)
-        memcpy(&values[i], (const char *)array + i * size + offset, sizeof *values);
-    if (values)
-        bead_h5_write_doubles(&sink->h5, group, name, units, -1, values, count);
-    free(values);
 }
 
 static void write_materials(struct bead_sink *sink)
@@ -314,56 +285,45 @@ static void write_materials(struct bead_sink *sink)
         {"red", "1", offsetof(struct bead_material, colour[0])},    {"green", "1", offsetof(struct bead_material, colour[1])},
         {"blue", "1", offsetof(struct bead_material, colour[2])},
     };
-    const struct bead_scene *scene = sink->context.scene;
-    size_t count = scene->material_count;
-    const char **names = calloc(count ? count : 1, sizeof *names);
-    if (!names) {
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu names", sink->part, count);
-        return;
-    }
-    for (size_t i = 0; i < count; i++)
-        names[i] = scene->materials[i].name;
+    const struct bead_material *first = sink->context.scene->materials;
+    const size_t size = sizeof *first, count = sink->context.scene->material_count;
     hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, BEAD_PROFILE_GROUP "/materials");
-    bead_h5_write_texts(&sink->h5, group, "name", -1, names, count);
+    bead_h5_write_texts(&sink->h5, group, "name", (const char *const *)&first->name, size, count);
     for (size_t i = 0; i < sizeof members / sizeof *members; i++)
-        write_member(sink, group, members[i].name, members[i].units, scene->materials, sizeof *scene->materials, count,
-                     members[i].offset);
+        bead_h5_write_numbers(&sink->h5, group, members[i].name, members[i].units, -1, BEAD_H5_DOUBLE,
+                              (const char *)first + members[i].offset, size, count);
     bead_h5_close(&sink->h5, &group);
-    free(names);
 }
 
-/* Names and radii by species, in the order of first appearance: VMD wants one row for each species there is. */
+/* Names and radii by species, in order of appearance: VMD wants one row for each species in use. */
 static void write_vmd(struct bead_sink *sink)
 {
     const struct bead_scene *scene = sink->context.scene;
-    size_t most = scene->material_count ? scene->material_count : 1, count = 0;
-    int64_t *species = labels(sink, species_of, false), *index = calloc(most, sizeof *index);
-    const char **names = calloc(most, sizeof *names);
-    double *radius = calloc(most, sizeof *radius);
-    bool *seen = calloc(most, sizeof *seen);
-    if (species && index && names && radius && seen) {
-        for (size_t i = 0; i < sink->beads; i++) {
-            size_t m = (size_t)species[i];
-            if (seen[m])
-                continue;
-            seen[m] = true;
-            index[count] = (int64_t)m;
-            names[count] = scene->materials[m].name;
-            radius[count++] = scene->materials[m].radius;
+    struct species {
+        int64_t index;
+        const char *name;
+        double radius;
+    } *all = take(sink, scene->material_count, sizeof *all);
+    bool *seen = take(sink, scene->material_count, sizeof *seen);
+    size_t count = 0;
+    for (size_t c = 0; all && seen && c < sink->context.chain_count; c++) {
+        const size_t *material = bead_chain_material(sink->context.chains[c]) + sink->rows[c].beads.first;
+        for (size_t i = 0; i < sink->rows[c].beads.count; i++) {
+            if (!seen[material[i]])
+                all[count++] = (struct species){(int64_t)material[i], scene->materials[material[i]].name,
+                                                scene->materials[material[i]].radius};
+            seen[material[i]] = true;
         }
-        hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, "/parameters/vmd_structure");
-        bead_h5_write_ints(&sink->h5, group, "indexOfSpecies", -1, index, count);
-        bead_h5_write_texts(&sink->h5, group, "name", -1, names, count);
-        bead_h5_write_texts(&sink->h5, group, "type", -1, names, count);
-        bead_h5_write_doubles(&sink->h5, group, "radius", "m", -1, radius, count);
-        bead_h5_close(&sink->h5, &group);
-    } else if (!sink->h5.error) {
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for the materials", sink->part);
     }
-    free(species);
-    free(index);
-    free(names);
-    free(radius);
+    if (all && seen) {
+        hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, "/parameters/vmd_structure");
+        bead_h5_write_numbers(&sink->h5, group, "indexOfSpecies", NULL, -1, BEAD_H5_INT, &all->index, sizeof *all, count);
+        bead_h5_write_texts(&sink->h5, group, "name", &all->name, sizeof *all, count);
+        bead_h5_write_texts(&sink->h5, group, "type", &all->name, sizeof *all, count);
+        bead_h5_write_numbers(&sink->h5, group, "radius", "m", -1, BEAD_H5_DOUBLE, &all->radius, sizeof *all, count);
+        bead_h5_close(&sink->h5, &group);
+    }
+    free(all);
     free(seen);
 }
 
@@ -373,41 +333,34 @@ static void write_chains(struct bead_sink *sink)
         const char *name;
         size_t offset;
     } members[] = {
-        {"first_row", offsetof(struct bead_chain_rows, first_row)},
-        {"beads", offsetof(struct bead_chain_rows, beads)},
-        {"first_bead", offsetof(struct bead_chain_rows, first_bead)},
-        {"first_contact_row", offsetof(struct bead_chain_rows, first_contact_row)},
-        {"contacts", offsetof(struct bead_chain_rows, contacts)},
+        {"first_row", offsetof(struct bead_chain_rows, beads.row)},
+        {"beads", offsetof(struct bead_chain_rows, beads.count)},
+        {"first_bead", offsetof(struct bead_chain_rows, beads.first)},
+        {"first_contact_row", offsetof(struct bead_chain_rows, contacts.row)},
+        {"contacts", offsetof(struct bead_chain_rows, contacts.count)},
     };
-    size_t count = sink->context.chain_count;
-    const char **texts = calloc(count, sizeof *texts);
-    int64_t *numbers = calloc(count, sizeof *numbers);
-    if (texts && numbers) {
-        hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, BEAD_PROFILE_GROUP "/chains");
-        for (size_t c = 0; c < count; c++)
-            texts[c] = bead_chain_name(sink->context.chains[c]);
-        bead_h5_write_texts(&sink->h5, group, "name", -1, texts, count);
-        for (size_t c = 0; c < count; c++)
-            texts[c] = bead_chain_spins(sink->context.chains[c]);
-        bead_h5_write_texts(&sink->h5, group, "spins", -1, texts, count);
-        for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
-            for (size_t c = 0; c < count; c++)
-                numbers[c] = (int64_t) * (const size_t *)((const char *)&sink->rows[c] + members[i].offset);
-            bead_h5_write_ints(&sink->h5, group, members[i].name, -1, numbers, count);
-        }
-        bead_h5_close(&sink->h5, &group);
-    } else if (!sink->h5.error) {
-        sink->h5.error = bead_fail(sink->h5.msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu chains", sink->part, count);
+    _Static_assert(sizeof(size_t) == sizeof(int64_t), "numbers of rows are written as they are");
+    const size_t count = sink->context.chain_count;
+    const char **texts = take(sink, 2 * count, sizeof *texts);
+    for (size_t c = 0; texts && c < count; c++) {
+        texts[2 * c] = bead_chain_name(sink->context.chains[c]);
+        texts[2 * c + 1] = bead_chain_spins(sink->context.chains[c]);
     }
+    hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, BEAD_PROFILE_GROUP "/chains");
+    bead_h5_write_texts(&sink->h5, group, "name", texts, 2 * sizeof *texts, count);
+    bead_h5_write_texts(&sink->h5, group, "spins", texts + 1, 2 * sizeof *texts, count);
+    for (size_t i = 0; i < sizeof members / sizeof *members; i++)
+        bead_h5_write_numbers(&sink->h5, group, members[i].name, NULL, -1, BEAD_H5_INT,
+                              (const char *)sink->rows + members[i].offset, sizeof *sink->rows, count);
+    bead_h5_close(&sink->h5, &group);
     free(texts);
-    free(numbers);
 }
 
 void bead_trajectory_lay_out(struct bead_sink *sink)
 {
     write_h5md(sink);
     lay_out_axes(sink);
-    const bool beads = !bead_chain_spec(sink->context.chains[0])->equation.name; /* else no materials, radii, forces */
+    const bool beads = bead_chain_spec(sink->context.chains[0])->system->has_contacts;
     if (beads)
         write_labels(sink, "/particles/chain/species", species_of, false);
     write_labels(sink, "/particles/chain/id", identity_of, false);
@@ -437,29 +390,17 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
 void bead_trajectory_write_outcome(struct bead_sink *sink, const struct bead_outcome *outcomes, bool complete)
 {
     struct bead_h5 *h5 = &sink->h5;
-    size_t count = sink->context.chain_count;
-    const char **methods = calloc(count, sizeof *methods);
-    int64_t *numbers = calloc(2 * count, sizeof *numbers);
-    if (!methods || !numbers)
-        h5->error =
-            h5->error ? h5->error : bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %zu chains", sink->part, count);
-    if (outcomes && !h5->error) {
+    const size_t count = sink->context.chain_count, size = sizeof *outcomes;
+    if (outcomes) {
         hid_t group = bead_h5_make_group(h5, h5->file, BEAD_PROFILE_GROUP "/outcome");
         for (size_t i = 0; i < bead_outcome_column_count; i++)
-            write_member(sink, group, bead_outcome_columns[i].name, units_of(sink, bead_outcome_columns[i].units), outcomes,
-                         sizeof *outcomes, count, bead_outcome_columns[i].offset);
-        for (size_t c = 0; c < count; c++) {
-            methods[c] = outcomes[c].method ? outcomes[c].method : "";
-            numbers[c] = (int64_t)outcomes[c].steps;
-            numbers[count + c] = (int64_t)outcomes[c].evaluations;
-        }
-        bead_h5_write_texts(h5, group, "method", -1, methods, count);
-        bead_h5_write_ints(h5, group, "steps", -1, numbers, count);
-        bead_h5_write_ints(h5, group, "evaluations", -1, numbers + count, count);
+            bead_h5_write_numbers(h5, group, bead_outcome_columns[i].name, units_of(sink, bead_outcome_columns[i].units), -1,
+                                  BEAD_H5_DOUBLE, (const char *)outcomes + bead_outcome_columns[i].offset, size, count);
+        bead_h5_write_texts(h5, group, "method", &outcomes->method, size, count);
+        bead_h5_write_numbers(h5, group, "steps", NULL, -1, BEAD_H5_INT, &outcomes->steps, size, count);
+        bead_h5_write_numbers(h5, group, "evaluations", NULL, -1, BEAD_H5_INT, &outcomes->evaluations, size, count);
         bead_h5_close(h5, &group);
     }
-    free(methods);
-    free(numbers);
     hid_t summary = bead_h5_open_group(h5, BEAD_PROFILE_GROUP);
     bead_h5_set_int(h5, summary, "complete", complete);
     bead_h5_close(h5, &summary);

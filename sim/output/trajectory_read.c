@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads the samples of an open trajectory in blocks, as the session replays it. */
+/* Reads the samples of an open trajectory in blocks, for replays. */
 #include "sim/output/trajectory_data.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/base/large.h"
-#include "sim/integrate/derive.h"
+#include "sim/base/memory.h"
+#include "sim/chain/chain_data.h"
 
 const struct bead_scene *bead_trajectory_scene(const struct bead_trajectory *t)
 {
@@ -55,7 +55,7 @@ enum bead_error bead_trajectory_outcome(const struct bead_trajectory *t, size_t 
     return BEAD_OK;
 }
 
-/* A number that is not finite has all bits of the exponent set: adding one there carries into the sign. */
+/* In a number that is not finite all bits of the exponent are set: adding one to it carries into the sign. */
 static bool all_finite(const double *values, size_t count)
 {
     const uint64_t exponent = (uint64_t)0x7ff << 52, one = (uint64_t)1 << 52;
@@ -67,7 +67,7 @@ static bool all_finite(const double *values, size_t count)
     return !(carries >> 63);
 }
 
-/* Make the block hold sample `index`. */
+/* Read the block that holds sample `index`, unless it is there. */
 static enum bead_error read_ahead(struct bead_trajectory *t, struct bead_source *source, size_t index)
 {
     if (source->held && index >= source->first && index - source->first < source->held)
@@ -90,24 +90,20 @@ static enum bead_error read_ahead(struct bead_trajectory *t, struct bead_source 
     return BEAD_OK;
 }
 
-/* One chain's values of a sample by bead or contact number; borrowed from the block if all are stored. */
+/* Values of a sample for one chain, by bead or contact number; borrowed from the block if all are stored. */
 static const double *values_of(struct bead_trajectory *t, enum bead_series_id id, size_t index, size_t chain)
 {
     struct bead_source *source = &t->sources[id];
-    const struct bead_chain_rows *r = &t->rows[chain];
-    bool contacts = bead_series[id].of_contacts;
-    size_t row = contacts ? r->first_contact_row : r->first_row, first = contacts ? r->first_contact : r->first_bead;
-    size_t count = contacts ? r->contacts : r->beads;
+    const bool contacts = bead_series[id].of_contacts;
+    const struct bead_rows *rows = bead_rows_of(&t->rows[chain], contacts);
     size_t all = contacts ? bead_chain_contacts(t->chains[chain]) : bead_chain_beads(t->chains[chain]);
-    const double *values = source->block + (index - source->first) * source->columns + row;
-    if (count == all)
+    const double *values = source->block + (index - source->first) * source->columns + rows->row;
+    if (rows->count == all)
         return values;
-    if (!source->scratch) {
-        if (!(source->scratch = calloc(bead_trajectory_longest(t), sizeof *source->scratch)))
-            return NULL;
-    }
-    if (count)
-        memcpy(source->scratch + first, values, count * sizeof *values);
+    if (!source->scratch && !(source->scratch = calloc(bead_trajectory_longest(t), sizeof *source->scratch)))
+        return NULL;
+    if (rows->count)
+        memcpy(source->scratch + rows->first, values, rows->count * sizeof *values);
     return source->scratch;
 }
 
@@ -132,7 +128,7 @@ enum bead_error bead_trajectory_read(struct bead_trajectory *t, size_t index, si
     if (index >= t->samples || chain >= t->chain_count)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: there is no sample %zu of chain %zu", t->path, index, chain);
     if (fields & ~(t->fields | t->derived))
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: does not have all requested fields", t->path);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: not all requested fields are stored", t->path);
     t->h5.msg = msg;
     t->h5.error = BEAD_OK;
     sample->time = bead_grid_time(&t->grid, index);

@@ -1,36 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink of `trajectory:` outputs: samples into growing datasets, whole chunks at a time, flushed often enough that a
  * killed run loses about a second. */
-#include "sim/output/trajectory_xdmf.h"
+#include "sim/output/trajectory_sink.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/file.h"
 #include "beadreel/trajectory.h"
+#include "sim/base/clock.h"
+#include "sim/base/file.h"
 #include "sim/chain/chain_data.h"
 #include "sim/output/data_sinks.h"
 #include "sim/output/sink_grid.h"
 
-static const size_t most_chunk_rows = 256;
-static const size_t most_chunk_bytes = 8 << 20;
 static const double flush_every = 1; /* s */
+
+static void close_file(struct bead_sink *sink)
+{
+    hid_t *objects[] = {&sink->time, &sink->step, &sink->bead_scale, &sink->contact_scale, &sink->spatial_scale};
+    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++)
+        bead_h5_close(&sink->h5, objects[i]);
+    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
+        bead_h5_close(&sink->h5, &sink->series[i].value);
+    bead_h5_shut(&sink->h5);
+}
 
 static void trajectory_destroy(struct bead_sink *sink)
 {
     if (!sink)
         return;
     sink->h5.msg = NULL;
-    hid_t *objects[] = {&sink->time, &sink->step, &sink->bead_scale, &sink->contact_scale, &sink->spatial_scale};
-    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++)
-        bead_h5_close(&sink->h5, objects[i]);
-    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++) {
-        bead_h5_close(&sink->h5, &sink->series[i].value);
+    close_file(sink);
+    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
         free(sink->series[i].buffer);
-    }
-    bead_h5_shut(&sink->h5);
     if (sink->open && !sink->closed)
         bead_file_discard(sink->part);
     bead_file_release(sink->claim, sink->closed);
@@ -46,11 +50,10 @@ static void trajectory_destroy(struct bead_sink *sink)
 
 static enum bead_error no_rows(const struct bead_sink *sink, const char *what, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: beads: no %s from %zu on", sink->context.scene->file,
-                     sink->output->place.line, sink->output->place.column, what, sink->output->shown.beads.first);
+    return bead_output_wrong(sink->output, msg, "beads: no %s from %zu on", what, sink->output->shown.beads.first);
 }
 
-/* Lengths of the axes, samples a chunk, and a few words for the plan. */
+/* Find the lengths of the axes, the samples in a chunk, and the line for the plan. */
 static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_message *msg)
 {
     bead_trajectory_rows(sink->context.chains, sink->context.chain_count, sink->output->shown.beads, sink->rows, &sink->beads,
@@ -59,12 +62,7 @@ static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_me
         return no_rows(sink, "chain has beads", msg);
     if (sink->contacts == 0 && (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
         return no_rows(sink, "chain has contacts", msg);
-    size_t widest = sink->beads > sink->contacts ? sink->beads : sink->contacts;
-    sink->chunk_rows = most_chunk_bytes / (sizeof(double) * widest);
-    if (sink->chunk_rows > most_chunk_rows)
-        sink->chunk_rows = most_chunk_rows;
-    if (sink->chunk_rows < 1)
-        sink->chunk_rows = 1;
+    sink->chunk_rows = bead_trajectory_chunk_rows(sink->beads, sink->contacts);
     char every[32];
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     int fields = __builtin_popcount(sink->fields);
@@ -138,7 +136,7 @@ static enum bead_error reserve(struct bead_sink *sink, struct bead_message *msg)
     return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory for samples of %zu beads", sink->path, sink->beads);
 }
 
-/* Chains stand in rows below each other, two diameters of the largest bead apart. */
+/* Draw chains below each other, two diameters of the largest bead apart. */
 static void place_rows(struct bead_sink *sink)
 {
     if (!sink->shift)
@@ -149,13 +147,12 @@ static void place_rows(struct bead_sink *sink)
             largest = fmax(largest, bead_chain_radius(sink->context.chains[c])[j]);
     for (size_t row = 0; row < sink->chunk_rows; row++)
         for (size_t c = 0; c < sink->context.chain_count; c++)
-            for (size_t i = 0; i < sink->rows[c].beads; i++)
-                sink->shift[row * sink->beads + sink->rows[c].first_row + i] = -4 * largest * (double)c;
+            for (size_t i = 0; i < sink->rows[c].beads.count; i++)
+                sink->shift[row * sink->beads + sink->rows[c].beads.row + i] = -4 * largest * (double)c;
 }
 
-static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
+static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_range, struct bead_message *msg)
 {
-    (void)range;
     enum bead_error error = reserve(sink, msg);
     if (error)
         return error;
@@ -170,56 +167,27 @@ static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_rang
     sink->open = true;
     bead_trajectory_lay_out(sink);
     bead_h5_flush(&sink->h5);
-    clock_gettime(CLOCK_MONOTONIC, &sink->flushed);
+    sink->flushed = bead_clock();
     sink->h5.msg = NULL;
     return sink->h5.error;
 }
 
-/* A row of one chain, from a sample. */
+/* The source of one chain's row: a sample. */
 struct cell {
     const struct bead_chain *chain;
     const struct bead_chain_rows *rows;
     const struct bead_sample *sample;
 };
-typedef void (*fill_function)(const struct cell *cell, double *row);
 
-static void copy_beads(const struct cell *cell, enum bead_field field, double *row)
-{
-    memcpy(row, cell->sample->field[field] + cell->rows->first_bead, cell->rows->beads * sizeof *row);
-}
-static void fill_displacement(const struct cell *cell, double *row)
-{
-    copy_beads(cell, BEAD_FIELD_DISPLACEMENT, row);
-}
-static void fill_velocity(const struct cell *cell, double *row)
-{
-    copy_beads(cell, BEAD_FIELD_VELOCITY, row);
-}
-static void fill_bead_force(const struct cell *cell, double *row)
-{
-    copy_beads(cell, BEAD_FIELD_FORCE, row);
-}
-static void fill_energy(const struct cell *cell, double *row)
-{
-    copy_beads(cell, BEAD_FIELD_ENERGY, row);
-}
-static void fill_strain(const struct cell *cell, double *row)
-{
-    copy_beads(cell, BEAD_FIELD_STRAIN, row);
-}
-static void fill_contact_force(const struct cell *cell, double *row)
-{
-    memcpy(row, cell->sample->field[BEAD_FIELD_CONTACT_FORCE] + cell->rows->first_contact, cell->rows->contacts * sizeof *row);
-}
 static void fill_position(const struct cell *cell, double *row)
 {
-    const double *rest = bead_chain_position(cell->chain) + cell->rows->first_bead;
-    const double *u = cell->sample->field[BEAD_FIELD_DISPLACEMENT] + cell->rows->first_bead;
-    for (size_t i = 0; i < cell->rows->beads; i++)
-        row[i] = rest[i] + u[i];
+    const struct bead_rows *beads = &cell->rows->beads;
+    const double *rest = bead_chain_position(cell->chain), *u = cell->sample->field[BEAD_FIELD_DISPLACEMENT];
+    for (size_t i = 0; i < beads->count; i++)
+        row[i] = rest[beads->first + i] + u[beads->first + i];
 }
 
-/* Contact force k beyond its static part; left of the striker, the constant force on it. Each static part is balanced. */
+/* The force in contact k less its static part, which is balanced; k = -1: the constant force on the striker. */
 static double unbalanced(const struct bead_chain *chain, const double *force, size_t k_plus_1)
 {
     if (k_plus_1 == 0)
@@ -230,25 +198,28 @@ static double unbalanced(const struct bead_chain *chain, const double *force, si
 static void fill_net_force(const struct cell *cell, double *row)
 {
     const double *force = cell->sample->field[BEAD_FIELD_CONTACT_FORCE];
-    size_t j = cell->rows->first_bead;
+    size_t j = cell->rows->beads.first;
     double left = unbalanced(cell->chain, force, j);
-    for (size_t i = 0; i < cell->rows->beads; i++, j++) {
+    for (size_t i = 0; i < cell->rows->beads.count; i++, j++) {
         double right = unbalanced(cell->chain, force, j + 1);
         row[i] = left - right;
         left = right;
     }
 }
 
-static const fill_function fill[BEAD_SERIES_COUNT] = {
-    [BEAD_SERIES_DISPLACEMENT] = fill_displacement,
-    [BEAD_SERIES_POSITION] = fill_position,
-    [BEAD_SERIES_VELOCITY] = fill_velocity,
-    [BEAD_SERIES_BEAD_FORCE] = fill_bead_force,
-    [BEAD_SERIES_NET_FORCE] = fill_net_force,
-    [BEAD_SERIES_CONTACT_FORCE] = fill_contact_force,
-    [BEAD_SERIES_ENERGY] = fill_energy,
-    [BEAD_SERIES_STRAIN] = fill_strain,
-};
+/* Series that are not a field of the sample. */
+static void (*const derived[BEAD_SERIES_COUNT])(const struct cell *cell, double *row) = {
+    [BEAD_SERIES_POSITION] = fill_position, [BEAD_SERIES_NET_FORCE] = fill_net_force};
+
+static void fill(const struct cell *cell, enum bead_series_id id, double *row)
+{
+    const struct bead_series_info *info = &bead_series[id];
+    const struct bead_rows *rows = bead_rows_of(cell->rows, info->of_contacts);
+    if (derived[id])
+        derived[id](cell, row);
+    else
+        memcpy(row, cell->sample->field[info->field] + rows->first, rows->count * sizeof *row);
+}
 
 /* A failed run must not leave a file that looks complete. */
 static void check_finite(struct bead_sink *sink, enum bead_series_id id)
@@ -263,7 +234,7 @@ static void check_finite(struct bead_sink *sink, enum bead_series_id id)
     }
 }
 
-/* Samples complete but not yet in the file. Values go before times: a file cut off here has no time without values. */
+/* Write the complete samples that are not in the file yet. Values first: a file cut off here has no time without values. */
 static void write_pending(struct bead_sink *sink)
 {
     struct bead_h5 *h5 = &sink->h5;
@@ -288,30 +259,26 @@ static void write_pending(struct bead_sink *sink)
         sink->chunk_first += sink->chunk_rows;
         sink->filled = sink->written = 0;
     }
-    clock_gettime(CLOCK_MONOTONIC, &sink->flushed);
+    sink->flushed = bead_clock();
 }
 
 static bool flush_is_due(const struct bead_sink *sink)
 {
-    struct timespec now;
-    if (sink->filled == sink->chunk_rows)
-        return true;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - sink->flushed.tv_sec) + 1e-9 * (double)(now.tv_nsec - sink->flushed.tv_nsec) >= flush_every;
+    return sink->filled == sink->chunk_rows || bead_clock() - sink->flushed >= flush_every;
 }
 
 static enum bead_error trajectory_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     size_t number = sink->chunk_first + sink->filled;
     if (sample->chain != sink->next_chain || sample->index != number)
-        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu came out of order", sink->path, sample->index,
+        return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu arrived out of order", sink->path, sample->index,
                          sample->chain);
     struct cell cell = {sink->context.chains[sample->chain], &sink->rows[sample->chain], sample};
     for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
         const struct bead_series *series = &sink->series[id];
-        size_t offset = bead_series[id].of_contacts ? cell.rows->first_contact_row : cell.rows->first_row;
-        if (series->buffer && (bead_series[id].of_contacts ? cell.rows->contacts : cell.rows->beads) > 0)
-            fill[id](&cell, series->buffer + sink->filled * series->columns + offset);
+        const struct bead_rows *rows = bead_rows_of(cell.rows, bead_series[id].of_contacts);
+        if (series->buffer && rows->count > 0)
+            fill(&cell, id, series->buffer + sink->filled * series->columns + rows->row);
     }
     if (++sink->next_chain < sink->context.chain_count)
         return BEAD_OK;
@@ -326,19 +293,14 @@ static enum bead_error trajectory_sample(struct bead_sink *sink, const struct be
     return sink->h5.error;
 }
 
-/* Write what is pending and what is known of the run, and close the file. */
+/* Write the pending samples and the outcome, and close the file. */
 static enum bead_error trajectory_stop(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     sink->h5.msg = msg;
     write_pending(sink);
     bool complete = sink->chunk_first + sink->filled == bead_grid_count(&sink->grid);
     bead_trajectory_write_outcome(sink, outcomes, complete);
-    hid_t *objects[] = {&sink->time, &sink->step, &sink->bead_scale, &sink->contact_scale, &sink->spatial_scale};
-    for (size_t i = 0; i < sizeof objects / sizeof *objects; i++)
-        bead_h5_close(&sink->h5, objects[i]);
-    for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
-        bead_h5_close(&sink->h5, &sink->series[i].value);
-    bead_h5_shut(&sink->h5);
+    close_file(sink);
     sink->h5.msg = NULL;
     sink->closed = !sink->h5.error;
     return sink->h5.error;
@@ -351,7 +313,7 @@ static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_
         return err;
     sink->finished = true; /* a failing commit removes the part itself */
     err = bead_file_commit(sink->part, sink->path, msg);
-    bead_file_release(sink->claim, false); /* HDF5 locks what it reads */
+    bead_file_release(sink->claim, false); /* HDF5 locks files that it reads */
     sink->claim = NULL;
     return err || !sink->xdmf ? err : bead_trajectory_write_xdmf(sink, msg);
 }

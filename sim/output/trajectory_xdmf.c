@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes the XDMF file beside a trajectory: one grid of points a sample, whose numbers stay in the HDF5 file. In XDMF 2: VTK's
- * reader of XDMF 3 (9.1) knows no slabs of datasets written as items, and that of XDMF 2 none written as paths. */
-#include "sim/output/trajectory_xdmf.h"
+/* Writes the XDMF file beside a trajectory: a grid of points for each sample, whose numbers stay in the HDF5 file. The format is
+ * XDMF 2 with slabs of datasets written as items: VTK's reader of XDMF 3 (9.1) cannot read these, nor that of XDMF 2 slabs written
+ * as paths. */
+#include "sim/output/trajectory_sink.h"
 
 #include <string.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
+#include "sim/chain/system.h"
 
 struct xdmf {
     FILE *out;
     const struct bead_sink *sink;
-    const char *data; /* name of the HDF5 file, seen from the XDMF file */
+    const char *data; /* name of the HDF5 file, relative to the XDMF file */
     size_t samples;
 };
 
@@ -37,7 +39,7 @@ static const char *last_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* All of a dataset; `size`: its lengths. */
+/* A whole dataset; `size`: its lengths. */
 static void put_dataset(const struct xdmf *x, const char *size, const char *path)
 {
     fprintf(x->out, "<DataItem Dimensions=\"%s\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">", size);
@@ -97,23 +99,22 @@ static void put_grid(const struct xdmf *x, size_t sample)
         put_sample(x, &bead_series[id], sample);
         fputs("</Attribute>\n", x->out);
     }
-    if (!bead_chain_spec(x->sink->context.chains[0])->equation.name)
+    if (bead_chain_spec(x->sink->context.chains[0])->system->has_contacts)
         put_constants(x);
     fputs("</Grid>\n", x->out);
 }
 
-static enum bead_error fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error fill(void *context, FILE *file, const char *, struct bead_message *)
 {
     const struct bead_sink *sink = context;
     const struct xdmf x = {file, sink, last_name(sink->path), sink->chunk_first + sink->filled};
-    (void)part, (void)msg;
     fputs("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\"><Domain>\n",
           file);
     fputs("<Grid Name=\"chain\" GridType=\"Collection\" CollectionType=\"Temporal\">\n", file);
     for (size_t sample = 0; sample < x.samples; sample++)
         put_grid(&x, sample);
     fputs("</Grid>\n</Domain></Xdmf>\n", file);
-    return BEAD_OK; /* whoever opened the file looks at its errors */
+    return BEAD_OK; /* the caller checks the FILE for errors */
 }
 
 enum bead_error bead_trajectory_write_xdmf(struct bead_sink *sink, struct bead_message *msg)

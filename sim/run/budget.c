@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Adds up energies and integrates what damping takes: see budget.h.
+/* Adds up energies and integrates the loss to damping: see budget.h.
  *
- * The force f of a contact takes from the beads the power f D, with D the rate of its compression, and the elastic force e gives
- * back e D: (f - e) D is lost. That is gamma |D|^(a+1) in a closed contact. Where damping would pull, the contact is without force,
- * and what is left of its elastic energy is lost as it comes apart. Both are smooth within a step, as steps end where contacts
- * close or open; between its ends compressions are the polynomials that samples are taken from. */
+ * The force f of a contact takes the power f D from the beads, with D the rate of its compression, and the elastic force e stores
+ * e D: (f - e) D is lost. That is gamma |D|^(a+1) in a closed contact. If damping would pull, the contact has no force, and the
+ * rest of its elastic energy is lost as it opens. Both are smooth within a step, because steps end where contacts close or open;
+ * compressions within it are the polynomials used for samples. */
 #include "sim/run/budget.h"
 
 #include <math.h>
@@ -12,34 +12,30 @@
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/dense.h"
 
-/* Gauss's rule on 0..1: exact to the eleventh power. */
+/* Gauss-Legendre quadrature on 0..1, exact up to degree 11. */
 enum { NODES = 6 };
 static const double node[NODES] = {0.033765242898423975, 0.16939530676686776, 0.38069040695840156,
                                    0.61930959304159844,  0.83060469323313224, 0.96623475710157603},
                     weight[NODES] = {0.085662246189585178, 0.18038078652406930, 0.23395696728634552,
                                      0.23395696728634552,  0.18038078652406930, 0.085662246189585178};
 
-static double compression(const struct bead_stepper *s, const struct bead_state *state, size_t k)
-{
-    return s->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
-}
-
 static double power(const struct bead_stepper *s, size_t k, double d, double rate)
 {
     return (bead_damped_contacts_within(s, k, d, rate) - s->chain->law->force(s->table.stiffness[k], s->table.law, d)) * rate;
 }
 
-/* Nothing moves here, or nothing touches. */
+/* True if the beads of contact k move alike, or do not touch. */
 static bool idle(const struct bead_stepper *s, size_t k)
 {
     const bool still = s->start.v[k] == s->start.v[k + 1] && s->end.v[k] == s->end.v[k + 1];
-    const bool open = s->was_closed && !s->was_closed[k] && compression(s, &s->start, k) <= 0 && compression(s, &s->end, k) <= 0;
+    const bool open = s->was_closed && !s->was_closed[k] && bead_stepper_compression(s, &s->start, k) <= 0 &&
+                      bead_stepper_compression(s, &s->end, k) <= 0;
     return still || open;
 }
 
 double bead_dissipation(const struct bead_stepper *s)
 {
-    const size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const size_t n = bead_stepper_contacts(s);
     double sum = 0;
     for (size_t k = 0; k < n && bead_stepper_damped(s); k++) {
         if (idle(s, k))
@@ -51,9 +47,9 @@ double bead_dissipation(const struct bead_stepper *s)
     return sum * s->h;
 }
 
-/* Contacts are counted above their static state, with what holds the precompression, whose work their compression is; gravity as
- * the potential energy of the beads on their slope: contact k carries the weight of those above it, but for the striker's, which
- * the static state does not know. */
+/* Energy of a contact relative to its static state, including the work of the force that holds the precompression. Gravity is the
+ * potential energy of the beads on their slope: contact k carries the weight of those above it, except that of the striker, which
+ * the static state leaves out. */
 static void add_contact(const struct bead_stepper *s, const struct bead_state *state, size_t k, struct bead_budget *budget)
 {
     const struct bead_chain *c = s->chain;
@@ -88,7 +84,7 @@ enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double 
         return BEAD_OK;
     }
     enum bead_error err = bead_stepper_branch(s, &part, msg);
-    while (!err && part->t1 < t) { /* more than once where damped contacts change */
+    while (!err && part->t1 < t) { /* repeated if damped contacts close or open */
         bead_stepper_advance(part, t);
         dissipated += bead_dissipation(part);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs of equations: steps a motion, samples it, and reports its outcome. The counterpart of run.c. */
+/* Runs equations: steps a motion, samples it and reports its outcome. The counterpart of run.c. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,17 +14,15 @@ struct bead_run {
     const struct bead_equation *equation;
     struct bead_motion *motion;
     double *value[BEAD_FIELD_COUNT], *memory;
-    double energy_start, energy_error, start; /* start: of the last step */
+    double energy_start, energy_error, start; /* start: s, of the last step */
     uint64_t steps, hash;
-    double step;
-    const char *method;
+    struct bead_pace pace;
     struct bead_measure measures[MOST_MEASURES];
-    size_t measure_count;
 };
 
 static const struct bead_equation *equation_of(const struct bead_chain *chain)
 {
-    return bead_equation_find(chain->spec->equation.name);
+    return chain->spec->system->equation;
 }
 
 static struct bead_motion_settings settings_of(const struct bead_chain *chain, const struct bead_simulate *asked,
@@ -39,7 +37,7 @@ static struct bead_motion_settings settings_of(const struct bead_chain *chain, c
                                          .end = asked->until};
 }
 
-/* Errors carry the file and the chain. */
+/* Error messages name the file and the chain. */
 static enum bead_error create_motion(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
                                      struct bead_motion **motion, struct bead_message *msg)
 {
@@ -78,7 +76,6 @@ static void equation_run_destroy(struct bead_run *run)
 static enum bead_error equation_run_create(const struct bead_run_settings *settings, struct bead_run **made,
                                            struct bead_message *msg)
 {
-    struct bead_pace pace;
     size_t n = settings->chain->beads;
     *made = NULL;
     struct bead_run *run = calloc(1, sizeof *run);
@@ -95,9 +92,7 @@ static enum bead_error equation_run_create(const struct bead_run_settings *setti
         equation_run_destroy(run);
         return err;
     }
-    run->equation->pace(run->motion, &pace);
-    run->method = pace.method;
-    run->step = pace.step;
+    run->equation->pace(run->motion, &run->pace);
     run->energy_start = run->equation->energy(run->motion);
     *made = run;
     return BEAD_OK;
@@ -108,13 +103,12 @@ static double time_of(const struct bead_run *run)
     return run->equation->time(run->motion);
 }
 
-static double never_over(const struct bead_run *run)
+static double never_over(const struct bead_run *)
 {
-    (void)run;
     return NAN;
 }
 
-/* A hash of every bit of the state. */
+/* Hashes every bit of the state. */
 static void hash_state(struct bead_run *run)
 {
     size_t count = 0;
@@ -147,11 +141,11 @@ static enum bead_error equation_run_step(struct bead_run *run, struct bead_messa
 static enum bead_error equation_run_sample(struct bead_run *run, double t, unsigned fields, struct bead_span span,
                                            struct bead_sample *sample, struct bead_message *msg)
 {
-    (void)span; /* all points: an equation has no front with points at rest ahead of it */
+    (void)span; /* all points: equations have no front with points at rest ahead of it */
     if (!(t >= run->start && t <= time_of(run)))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g lies outside the step from %.9g to %.9g", t, run->start,
                          time_of(run));
-    fields &= bead_system_fields(&run->settings.chain->spec->equation);
+    fields &= bead_chain_fields(run->settings.chain);
     enum bead_error err = run->equation->sample(run->motion, t, fields, run->value, msg);
     sample->time = t;
     sample->active = run->settings.chain->beads;
@@ -160,21 +154,21 @@ static enum bead_error equation_run_sample(struct bead_run *run, double t, unsig
     return err;
 }
 
-static uint64_t evaluations(const struct bead_run *run)
+static struct bead_run_work work(const struct bead_run *run)
 {
-    return run->equation->evaluations ? run->equation->evaluations(run->motion) : 0;
+    const uint64_t evaluations = run->equation->evaluations ? run->equation->evaluations(run->motion) : 0;
+    return (struct bead_run_work){run->steps, evaluations, run->hash};
 }
 
 static void equation_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
 {
-    size_t count = run->equation->measures(run->motion, run->measures, MOST_MEASURES);
-    run->measure_count = count < MOST_MEASURES ? count : MOST_MEASURES;
+    const size_t count = run->equation->measures(run->motion, run->measures, MOST_MEASURES);
     *outcome = (struct bead_outcome){.end = end,
                                      .front_arrival = NAN,
-                                     .method = run->method,
-                                     .step = run->step,
+                                     .method = run->pace.method,
+                                     .step = run->pace.step,
                                      .steps = run->steps,
-                                     .evaluations = evaluations(run),
+                                     .evaluations = work(run).evaluations,
                                      .energy_start = run->energy_start,
                                      .energy_end = run->equation->energy(run->motion),
                                      .momentum_start = NAN,
@@ -183,17 +177,7 @@ static void equation_run_finish(struct bead_run *run, double end, struct bead_ou
                                      .embedded_error = NAN,
                                      .event_error = NAN,
                                      .measures = run->measures,
-                                     .measure_count = run->measure_count};
-}
-
-static uint64_t steps(const struct bead_run *run)
-{
-    return run->steps;
-}
-
-static uint64_t hash(const struct bead_run *run)
-{
-    return run->hash;
+                                     .measure_count = count < MOST_MEASURES ? count : MOST_MEASURES};
 }
 
 const struct bead_run_kind bead_run_of_equation = {
@@ -204,8 +188,6 @@ const struct bead_run_kind bead_run_of_equation = {
     .step = equation_run_step,
     .sample = equation_run_sample,
     .finish = equation_run_finish,
-    .evaluations = evaluations,
-    .steps = steps,
-    .hash = hash,
+    .work = work,
     .pace = pace,
 };

@@ -33,7 +33,7 @@ double bead_force_curve_value(const struct bead_force_curve *curve, double x)
     return curve->part * force;
 }
 
-/* By differences: the rate of the damping has no closed form that is better. */
+/* Differences: no closed form of the damping's rate is more accurate. */
 static double damped_rate(const struct bead_force_curve *curve, double x)
 {
     const double near = 1e-4, from = fmax(x - near, 0), to = fmin(x + near, 1);
@@ -49,7 +49,7 @@ double bead_force_curve_rate(const struct bead_force_curve *curve, double x)
     double rate = 0;
     if (bead_stepper_damped(curve->stepper))
         return damped_rate(curve, x);
-    /* For a single contact the sign is that of d', even where its force vanishes. */
+    /* For a single contact, d' gives the sign even if its force vanishes. */
     if (curve->count == 1)
         return bead_polynomial_slope(&curve->compression[0], x);
     for (size_t i = 0; i < curve->count; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Follows the front of the wave and finds when it reaches the end of the chain. */
+/* Follows the front of the wave and finds the time when it reaches the end of the chain. */
 #include "sim/run/front.h"
 
 #include <math.h>
@@ -7,14 +7,14 @@
 #include "sim/run/force_curve.h"
 
 static const double part = 1e-4;
-/* The front grows doubly exponentially, which no polynomial over a whole step follows: the step in which it arrives is repeated in
- * SUBSTEPS parts, then the part in which it arrives in turn, REFINEMENTS times. */
+/* The front grows doubly exponentially, so no polynomial over a whole step fits it: the step in which it arrives is repeated in
+ * SUBSTEPS parts, then the part in which it arrives, REFINEMENTS times in all. */
 enum { SUBSTEPS = 8, REFINEMENTS = 3 };
 
-/* A force at the end of a step below this part of the largest so far was no new record within the step either. */
+/* A force at the end of a step below this part of the record set no new record within the step either. */
 static const double near_record = 0.5;
 
-/* The maximum of contact k's force within the step just made, less the static part; 0 where it has none. */
+/* The maximum of contact k's force within the last step, without the static part; 0 if the force does not turn. */
 static double peak_within(const struct bead_stepper *s, size_t k)
 {
     const struct bead_force_curve curve = bead_force_curve_of(s, k, false);
@@ -28,12 +28,12 @@ static double peak_within(const struct bead_stepper *s, size_t k)
 /* Only the contact that was strongest at one end of the step can set a new record. */
 static void update_record(struct bead_front *front, const struct bead_stepper *s, size_t n)
 {
-    double force = s->kernels->largest(n, s->end.f);
-    if (s->steps == 1) /* with damping the striker's impact is a jump, and often never surpassed */
+    double force = s->kernels->largest(n - s->first, s->end.f + s->first);
+    if (s->steps == 1) /* with damping, the force jumps at the striker's impact, often higher than ever again */
         front->largest_force = s->kernels->largest(n, s->start.f);
     if (!(force > near_record * front->largest_force))
         return;
-    size_t strongest = 0;
+    size_t strongest = s->first;
     while (strongest + 1 < n && s->end.f[strongest] != force)
         strongest++;
     front->largest_force =
@@ -41,7 +41,7 @@ static void update_record(struct bead_front *front, const struct bead_stepper *s
     front->strongest = strongest;
 }
 
-/* Where the last contact's force exceeds `force`: without damping, where its compression exceeds that of this force. */
+/* The threshold of the last contact's force and, used without damping, of its compression. */
 struct threshold {
     struct bead_force_curve curve;
     double force, compression; /* N, m */
@@ -55,7 +55,7 @@ static double above(const void *context, double x)
     return bead_polynomial_value(&t->curve.compression[0], x) - t->compression;
 }
 
-/* Time within the step just made, after which the last contact's force exceeds `level`. */
+/* Time in the last step from which the last contact's force exceeds `level`. */
 static double crossing(const struct bead_stepper *s, double level)
 {
     const struct bead_chain *c = s->chain;
@@ -68,14 +68,14 @@ static double crossing(const struct bead_stepper *s, double level)
     return s->t0 + x * s->h;
 }
 
-/* Whether the front arrives within SUBSTEPS steps of length h; the last one made is then the one in which it does. */
+/* Makes up to SUBSTEPS steps of length h; returns true after the one in which the front arrives. */
 static bool arrives(struct bead_stepper *fine, double h, double level)
 {
     const size_t last = fine->chain->contacts - 1;
     const double from = fine->t1;
     for (int i = 1; i <= SUBSTEPS; i++) {
         const double to = from + i * h;
-        for (double length = h; fine->t1 < to; length = to - fine->t1) { /* with damping steps end where contacts close */
+        for (double length = h; fine->t1 < to; length = to - fine->t1) { /* with damping, steps end where contacts close */
             bead_stepper_advance_by(fine, length, to);
             if (fine->end.f[last] > level)
                 return true;
@@ -103,12 +103,11 @@ static enum bead_error refine(const struct bead_stepper *s, double level, double
 
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)
 {
-    const struct bead_chain *c = s->chain;
+    const size_t last = s->chain->contacts - 1;
     if (!isnan(front->arrival))
         return BEAD_OK;
-    size_t last = c->contacts - 1, n = s->active < c->contacts ? s->active : c->contacts;
-    update_record(front, s, n);
-    double level = part * front->largest_force;
+    update_record(front, s, bead_stepper_contacts(s));
+    const double level = part * front->largest_force;
     if (last >= s->active || !(s->end.f[last] > level))
         return BEAD_OK;
     return refine(s, level, &front->arrival, msg);

@@ -1,19 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Front: when the wave reaches the end of the chain. */
-#ifndef BEADREEL_SIM_RUN_FRONT_H
-#define BEADREEL_SIM_RUN_FRONT_H
+/* Front: the time when the wave reaches the end of the chain. */
+#pragma once
 
 #include "sim/integrate/stepper.h"
 
-/* The front has arrived when the last contact's force first exceeds 1e-4 of the largest contact force so far; forces less their
- * static part count. */
+/* The front has arrived when the last contact's force first exceeds 1e-4 of the largest contact force so far, both without their
+ * static part. */
 struct bead_front {
     double arrival;       /* s; NaN before */
-    double largest_force; /* N, of all contacts so far, also between the ends of steps */
+    double largest_force; /* N, of all contacts so far, including maxima within steps */
     size_t strongest;     /* contact with the largest force at the end of the last step */
 };
 
-/* Look at the step just made. Errors: MEMORY. */
+/* Follows the last step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *stepper, struct bead_message *msg);
-
-#endif

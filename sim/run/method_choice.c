@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses method and step for a chain, from its scene, forces and energy; the plan tells why. */
+/* Chooses method and step for a chain from its scene, forces and energy, and gives the reason for the plan. */
 #include "sim/run/method_choice.h"
 
 #include <math.h>
@@ -7,26 +7,27 @@
 
 #include "sim/base/wide.h"
 #include "sim/chain/contact_walk.h"
+#include "sim/chain/law_beginning.h"
 #include "sim/integrate/stepper.h"
 
-/* The accuracy that the theta in a method's row stands for. */
+/* The accuracy for which a method's row gives theta. */
 static const double row_accuracy = 1e-6;
-/* From this accuracy on, contact events need no correction: shorter steps without it cost less (tests/bench). */
+/* From this accuracy on, shorter steps without correction of contact events cost less (tests/bench). */
 static const double low_accuracy = 1.5e-4;
-/* Where contacts cannot open, forces are smooth. Peaks are better than asked then (tests/bench); what bounds these steps is the
- * energy of the fastest vibrations over many periods (tests/stress). Only far from opening: the branch point spoils much before it
- * is reached. */
+/* If contacts cannot open, forces are smooth and peaks are more accurate than requested (tests/bench); the energy of the fastest
+ * vibrations over many periods limits the steps (tests/stress). Only far from opening: the branch point does damage long before a
+ * contact reaches it. */
 static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
 
-/* With damping steps follow the state, which takes shorter ones than a bound for the whole run. */
+/* With damping, steps follow the state, and must be shorter than with a bound for the whole run. */
 static const double damped_part = 0.7;
-/* Where the damping's exponent a is below 1 its force has an infinite slope at every turn of a contact, which leaves the order 1 +
- * a. Steps are those of other damping at this accuracy. */
+/* Damping with an exponent a below 1 has an infinite slope whenever a contact turns, which reduces the order to 1 + a. At this
+ * accuracy steps are as long as with other damping. */
 static const double steep_accuracy = 1e-3;
 
-/* Errors add up on the way along a chain, and grow behind the front where it is disordered: with contacts that open, chains of more
- * than `usual_beads` are stepped for an accuracy smaller by this power of their length, up to about as many beads as the longest
- * have that peaks were compared for (tests/stress/stress_accuracy.c). */
+/* Errors add up along a chain, and grow behind the front if it is disordered: if contacts open, chains of more than `usual_beads`
+ * are stepped for an accuracy smaller by this power of their length, up to about the longest chains whose peaks were compared
+ * (tests/stress/stress_accuracy.c). */
 static const double usual_beads = 70, most_beads = 600, length_power = 1.2;
 
 static double share_of(const struct bead_chain *chain)
@@ -42,7 +43,7 @@ static double opening_energy(const struct bead_contact_walk *w)
     return w->static_force * w->static_compression - law->row->energy(w->stiffness, law, w->static_compression);
 }
 
-/* No contact can hold more energy above the static state than the striker brings. */
+/* No contact can store more energy above the static state than the striker brings. */
 static bool never_opens(const struct bead_chain *chain)
 {
     const double v = chain->spec->striker_velocity, energy = 0.5 * chain->striker_mass * v * v;
@@ -64,51 +65,46 @@ static void allow_for_damping(const struct bead_chain *chain, struct bead_method
     choice->order = order;
 }
 
-/* The method that `auto` picks, and why. */
-static const char *automatic(const struct bead_chain *chain, double share, double accuracy, const char **why)
+struct reason {
+    const char *method, *why;
+};
+
+/* The method that `auto` picks. */
+static struct reason automatic(const struct bead_chain *chain, double share, double accuracy)
 {
-    if (chain->spec->damping_coefficient > 0) {
-        *why = "damping: forces follow velocities";
-        return "rk4";
-    }
-    if (!chain->law->one_sided) {
-        *why = "contacts pull as well as push: nothing opens";
-        return "rkn8-plain";
-    }
-    if (never_opens(chain)) {
-        *why = "the energy cannot open any contact";
-        return "rkn8-plain";
-    }
-    if (share * accuracy >= low_accuracy) {
-        *why = "the requested accuracy is low: contact events need no correction";
-        return "rkn8-plain";
-    }
-    if (!chain->law->exponent) {
-        *why = "contact events cannot be corrected: the law is not a power of the compression";
-        return "rkn8-plain";
-    }
-    *why = "contacts open and close";
-    return "rkn8";
+    if (chain->spec->damping_coefficient > 0)
+        return (struct reason){"rk4", "damping: forces depend on velocities"};
+    if (!chain->law->one_sided)
+        return (struct reason){"rkn8-plain", "contacts pull as well as push: nothing opens"};
+    if (never_opens(chain))
+        return (struct reason){"rkn8-plain", "the energy cannot open any contact"};
+    if (share * accuracy >= low_accuracy)
+        return (struct reason){"rkn8-plain", "the requested accuracy is low: contact events need no correction"};
+    if (isnan(bead_chain_exponent(chain)))
+        return (struct reason){"rkn8-plain",
+                               "contact events cannot be corrected: the law's force does not begin as a power of the compression"};
+    return (struct reason){"rkn8", "contacts open and close"};
 }
 
 enum bead_error bead_choose_method(const struct bead_chain *chain, const struct bead_simulate *asked,
                                    struct bead_method_choice *choice, struct bead_message *msg)
 {
-    const char *file = chain->scene->file, *why = "as asked";
     const bool any = strcmp(asked->method, "auto") == 0;
     const double share = share_of(chain);
-    const char *name = any ? automatic(chain, share, asked->accuracy, &why) : asked->method;
+    const struct reason reason = any ? automatic(chain, share, asked->accuracy) : (struct reason){asked->method, "as asked"};
+    const char *file = chain->scene->file, *name = reason.method;
     const struct bead_method *method = bead_method_row(name);
     if (!method)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
     if (chain->spec->damping_coefficient > 0 && !method->info.damping)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
-    if (method->events && chain->law->one_sided && !chain->law->exponent)
+    if (method->events && chain->law->one_sided && isnan(bead_chain_exponent(chain)))
         return bead_fail(msg, BEAD_ERROR_SCENE,
                          "%s: simulate.method: `%s` corrects contact events, which law `%s` does not allow; use rkn8-plain or auto",
                          file, name, chain->law->name);
-    *choice = (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, why};
+    *choice =
+        (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, reason.why};
     if (chain->spec->damping_coefficient > 0)
         allow_for_damping(chain, choice);
     if (method->events && chain->law->one_sided)
@@ -120,7 +116,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
         choice->order = smooth_order;
         choice->cap = smooth_cap;
     } else if (!chain->law->one_sided) {
-        /* Steps of the corrected method, whose errors are those of smooth forces as well. */
+        /* Steps of the corrected method, whose errors are also those of smooth forces. */
         const struct bead_method_info *corrected = &bead_method_row("rkn8")->info;
         choice->theta = corrected->theta;
         choice->order = corrected->theta_order;

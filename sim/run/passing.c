@@ -6,12 +6,12 @@
 
 #include "sim/run/force_curve.h"
 
-/* A pulse is over below this part of its maximum, or at a minimum below the other. */
+/* A pulse is over below the first part of its maximum, or at a minimum below the second. */
 static const double over = 0.05, parted = 0.5;
-/* Until the maximum exceeds this part of the largest force in the chain, the pulse has not come. */
+/* The pulse has not arrived until the maximum exceeds this part of the largest force in the chain. */
 static const double come = 1e-3;
 
-/* Contacts that the front would pass while a force may keep the run going. */
+/* A force may prolong the run by the time in which the front passes this many contacts. */
 static const double patience = 40;
 
 void bead_passing_begin(struct bead_passing *p, const struct bead_chain *chain)
@@ -28,11 +28,11 @@ void bead_passing_begin(struct bead_passing *p, const struct bead_chain *chain)
     *sensor = (struct bead_passing_place){{last - 1, last}, last < chain->contacts ? 2 : 1, 0, NAN};
 }
 
-/* A place within the step just made; forces are less `level`. */
+/* The forces of a place over the last step. */
 struct stretch {
     const struct bead_passing_place *place;
     struct bead_force_curve both, single[2]; /* of the place, and of each of its contacts */
-    double level;
+    double level;                            /* N: subtracted from forces */
 };
 
 static double force_at(const void *context, double x)
@@ -44,14 +44,14 @@ static double force_at(const void *context, double x)
     return force;
 }
 
-/* Where in the step the force falls below its level; 1 where it does not. */
+/* The x at which the force falls below its level; 1 if it does not. */
 static double find_fall(const struct stretch *p)
 {
     double at0 = force_at(p, 0), at1 = force_at(p, 1);
     return at0 <= 0 ? 0 : at1 >= 0 ? 1 : bead_find_root(force_at, p, at0, at1);
 }
 
-/* What the step has of the pulse: the larger of its maximum, if it has one, and the force at its end. */
+/* The larger of the force at the end of the step and its maximum within it, if any. */
 static double largest_within(const struct stretch *p, double rate0, double rate1)
 {
     const double end = force_at(p, 1);
@@ -59,7 +59,7 @@ static double largest_within(const struct stretch *p, double rate0, double rate1
     return rate0 > 0 && rate1 < 0 ? fmax(force_at(p, bead_curve_part_turn(&whole, rate0, rate1)), end) : end;
 }
 
-/* Where it has a minimum that parts pulses; NaN: nowhere. */
+/* The x of a minimum that separates pulses; NaN: none. */
 static double find_minimum(const struct stretch *p, double rate0, double rate1)
 {
     const int parts = rate0 < 0 && rate1 > 0 ? 1 : BEAD_CURVE_PARTS;

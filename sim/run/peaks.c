@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the largest force of every contact or bead during a run, between steps as well: see peaks.h. */
+/* Finds the largest force of every contact or bead during a run: see peaks.h. */
 #include "sim/run/peaks.h"
 
 #include <math.h>
@@ -13,31 +13,31 @@
 /* Maxima this close to the best so far, relatively, are refined. */
 static const double close_call = 1e-3;
 
-/* Vectors go beyond the last bead. */
+/* Vectors extend beyond the last bead. */
 enum { PADDING = 16 };
-/* least is lower by this part, for rounding. */
+/* Allowance for rounding in `least`, relative. */
 static const double least_part = 1e-9;
 
 struct bead_peaks {
     bool of_beads;
-    size_t first, count; /* first..count-1 are looked at */
+    size_t first, count; /* first..count-1 are searched */
     struct bead_peak *best;
     unsigned char *mark; /* [beads]: has a maximum in this step */
     unsigned char *high; /* [beads]: contacts that may be compressed beyond `least` in this step; NULL: not needed */
     bool *late;          /* [beads]: was still rising at the limit */
-    double *least;       /* [beads]: compressions beyond the static one, m, that a higher maximum takes */
+    double *least;       /* [beads]: compressions beyond the static one, m, required for a higher maximum */
 };
 
-/* Before anything moves: the static force, from the start; time NaN where there is none. */
+/* The static force, at time 0; time NaN if there is none. */
 static struct bead_peak static_peak(const struct bead_chain *chain, bool of_beads, size_t i)
 {
     const double *still = chain->static_force, here = i < chain->contacts ? still[i] : 0;
     const double force = of_beads ? 0.5 * ((i > 0 ? still[i - 1] : 0) + here) : here;
-    return (struct bead_peak){force, force > 0 ? 0 : NAN, false};
+    return (struct bead_peak){.value = force, .time = force > 0 ? 0 : NAN};
 }
 
-/* The compression of contact k beyond the static one, m, that a higher maximum takes, or a little less. No bead has a higher force
- * before one of its contacts has one. */
+/* A lower bound of the compression of contact k beyond the static one, m, at a higher maximum. A bead has a higher force only if
+ * one of its contacts has. */
 static double least_of(const struct bead_peaks *p, const struct bead_chain *chain, size_t k)
 {
     const double here = p->best[k].value, best = p->of_beads && k + 1 < chain->beads ? fmin(here, p->best[k + 1].value) : here;
@@ -90,13 +90,13 @@ const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
     return peaks->best;
 }
 
-/* Of a force within the step. */
+/* A maximum within the step. */
 struct maximum {
     double x, value;
 };
 
-/* Where contacts open or close nearby within the step, d'' has kinks that the septic smooths over: compressions and their rates at
- * x from the forces themselves, then the vertex of the parabola through them. */
+/* If contacts nearby open or close within the step, d'' has kinks that the septic smooths out: takes compressions and their rates
+ * at x from the forces themselves, then the vertex of the parabola through them. */
 static void sharpen(const struct bead_stepper *s, const struct bead_force_curve *curve, struct maximum *most)
 {
     const double near = 1e-3, x = most->x,
@@ -128,8 +128,8 @@ static void sharpen(const struct bead_stepper *s, const struct bead_force_curve 
     *most = (struct maximum){fmin(fmax(x - rate / bend, 0), 1), curve->part * force};
 }
 
-/* An upper bound of the force within the step: no compression exceeds both ends by more than its fastest rate allows. Behind the
- * front this rules out nearly all maxima. */
+/* An upper bound of the force within the step: no compression exceeds both ends by more than its fastest rate allows. Rules out
+ * nearly all maxima behind the front. */
 static double force_bound(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
 {
     const struct bead_chain *c = s->chain;
@@ -142,7 +142,7 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
     return p->of_beads ? 0.5 * force : force;
 }
 
-/* The maximum within a part of the step that the force rises into and falls out of. */
+/* The maximum within a part of the step at whose start the force rises and at whose end it falls. */
 static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_curve_part *part,
                          double rate0, double rate1, double limit)
 {
@@ -153,21 +153,21 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
     double time = s->t0 + most.x * s->h;
     if (!(time <= limit && most.value > p->best[index].value))
         return;
-    p->best[index] = (struct bead_peak){most.value, time, false};
+    p->best[index] = (struct bead_peak){.value = most.value, .time = time};
     for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < s->chain->contacts; k++)
         p->least[k] = least_of(p, s->chain, k);
 }
 
-/* With damping the force may be largest as the contact closes. */
+/* With damping, the force may be largest at the moment when the contact closes. */
 static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_force_curve *curve,
                       double limit)
 {
     double value = bead_force_curve_value(curve, 0);
     if (s->t0 <= limit && value > p->best[index].value && bead_force_curve_rate(curve, 0) <= 0)
-        p->best[index] = (struct bead_peak){value, s->t0, false};
+        p->best[index] = (struct bead_peak){.value = value, .time = s->t0};
 }
 
-/* A bead's force, of two contacts, may have more than one maximum within a step. */
+/* The force of a bead, the sum of two contacts, may have more than one maximum within a step. */
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     if (!bead_stepper_damped(s) && force_bound(p, s, index) < p->best[index].value)
@@ -186,8 +186,7 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
     }
 }
 
-/* Still rising at the limit, and higher than any maximum before: the largest force so far is that at the limit, and it is marked
- * as open. */
+/* A force still rising at the limit, and higher than any maximum before: the peak is its value at the limit, marked as open. */
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     struct bead_peak *best = &p->best[index];
@@ -196,10 +195,10 @@ static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     double x = (limit - s->t0) / s->h, value = bead_force_curve_value(&curve, x);
     if (bead_force_curve_rate(&curve, x) > 0 && value > best->value)
-        *best = (struct bead_peak){value, limit, true};
+        *best = (struct bead_peak){.value = value, .time = limit, .open = true};
 }
 
-/* Contacts of the first to before bead or contact n. */
+/* Marks the contacts that belong to beads or contacts first..n-1. */
 static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
     const struct bead_state *start = &s->start, *end = &s->end;
@@ -208,7 +207,7 @@ static bool mark_contacts(struct bead_peaks *p, const struct bead_stepper *s, si
     return s->kernels->turns((n < contacts ? n : contacts) - k, &ends, p->least + k, p->mark + k, p->high ? p->high + k : NULL);
 }
 
-/* The rate of bead j's force in a state, N/s, and that of both contact forces' magnitudes. */
+/* The rate of a bead's force in a state, N/s, and the mean magnitude of the rates of its contacts. */
 struct bead_slope {
     double rate, swing;
 };
@@ -225,14 +224,14 @@ static double bead_force(const struct bead_stepper *s, const struct bead_state *
     return 0.5 * ((j > 0 ? state->f[j - 1] + still[j - 1] : 0) + (j < s->chain->contacts ? state->f[j] + still[j] : 0));
 }
 
-/* d2/dt2 of that force, N/s^2. */
+/* Second time derivative of the force of bead j, N/s^2. */
 static double bead_bend(const struct bead_stepper *s, const struct bead_state *state, size_t j)
 {
     const double near = 1e-4;
     double bend = 0;
     for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < s->chain->contacts; k++) {
         const double a = s->chain->stiffness[k], rate = state->v[k] - state->v[k + 1];
-        const double d = s->table.static_compression[k] + (state->u[k] - state->u[k + 1]), change = near * fabs(d);
+        const double d = bead_stepper_compression(s, state, k), change = near * fabs(d);
         double (*stiffness)(double, const struct bead_law_spec *, double) = s->chain->law->stiffness;
         bend += stiffness(a, s->table.law, d) * (state->a[k] - state->a[k + 1]);
         if (change > 0)
@@ -242,19 +241,20 @@ static double bead_bend(const struct bead_stepper *s, const struct bead_state *s
     return 0.5 * bend;
 }
 
-/* A bead's force changes little while that of one contact rises as the other falls: it may come back to a new maximum within the
- * step, falling (or rising) at both ends. At one of them it bends the other way then, by enough. */
+/* A bead's force changes little while one contact force rises as the other falls: it may reach a new maximum within the step
+ * although it falls (or rises) at both ends. At one of them it then bends enough in the other direction. */
 static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, struct bead_slope at0,
                       struct bead_slope at1)
 {
     const double most = s->h * (at0.swing > at1.swing ? at0.swing : at1.swing), best = p->best[j].value;
-    if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* to and fro at the fastest rate */
+    if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* up and down at the fastest rate */
         return false;
     const double sign = at0.rate > 0 ? 1 : -1, half = 0.5 * sign * s->h;
     return sign * at0.rate < -half * bead_bend(s, &s->start, j) || sign * at1.rate < half * bead_bend(s, &s->end, j);
 }
 
-/* A bead's force may turn where its rate changes sign, or where one of its contacts turns there and back, or where both change. */
+/* A bead's force may turn if its rate changes sign, if one of its contact forces turns, or if they change in opposite directions.
+ */
 static bool may_turn(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, bool contact_turns)
 {
     if (force_bound(p, s, j) < p->best[j].value)
@@ -262,7 +262,7 @@ static bool may_turn(const struct bead_peaks *p, const struct bead_stepper *s, s
     const struct bead_slope at0 = slope_of(s, &s->start, j), at1 = slope_of(s, &s->end, j);
     if (contact_turns || (at0.rate > 0 && at1.rate <= 0))
         return true;
-    /* Where neither contact turns and both rise, or both fall, so does their sum. */
+    /* If neither contact force turns and both rise, or both fall, so does their sum. */
     const bool alike = at0.swing == fabs(at0.rate) && at1.swing == fabs(at1.rate) && (at0.rate > 0) == (at1.rate > 0);
     return !alike && may_swing(p, s, j, at0, at1);
 }
@@ -284,7 +284,7 @@ static bool mark_beads(struct bead_peaks *p, const struct bead_stepper *s, size_
     return any;
 }
 
-/* The forces that were still rising at the limit: their first pulse is theirs to the end. */
+/* Follows the forces that were still rising at the limit to the end of their first pulse. */
 static void follow_late(struct bead_peaks *p, const struct bead_stepper *s, size_t n, double over)
 {
     for (size_t i = p->first; s->t0 <= over && i < n; i++) {
@@ -296,6 +296,15 @@ static void follow_late(struct bead_peaks *p, const struct bead_stepper *s, size
     }
 }
 
+/* Marks the peaks that forces at the end of the step exceed, long after the first pulse. */
+static void find_exceeded(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
+{
+    for (size_t i = p->first; i < n; i++) {
+        const double force = p->of_beads ? bead_force(s, &s->end, i) : s->end.f[i] + s->chain->static_force[i];
+        p->best[i].exceeded |= !p->best[i].open && force > p->best[i].value;
+    }
+}
+
 void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit, double over)
 {
     size_t n = s->active < p->count ? s->active : p->count;
@@ -303,13 +312,13 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
         return;
     if (s->t0 > limit) {
         follow_late(p, s, n, over);
+        if (s->t1 <= over)
+            find_exceeded(p, s, n);
         return;
     }
-    if (bead_stepper_damped(s)) {
-        for (size_t i = p->first; i < n; i++)
-            find_peak(p, s, i, limit);
-    }
-    bool any = bead_stepper_damped(s) ? false : p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n);
+    if (bead_stepper_damped(s))
+        memset(p->mark, 1, n);
+    const bool any = bead_stepper_damped(s) || (p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n));
     const unsigned char *mark = p->mark + p->first, *end = p->mark + n;
     for (; any && (mark = memchr(mark, 1, (size_t)(end - mark))); mark++)
         find_peak(p, s, (size_t)(mark - p->mark), limit);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs one chain: steps under control of energy and accuracy, samples, peaks and front. Sessions and sweeps call it. */
+/* Runs one chain: steps under control of energy and accuracy, samples, peaks and front. play.c steps it. */
 #include "sim/run/run.h"
 
 #include <math.h>
@@ -10,28 +10,27 @@
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/stepper.h"
+#include "sim/run/behind.h"
 #include "sim/run/budget.h"
-#include "sim/run/estimate.h"
 #include "sim/run/front.h"
 #include "sim/run/passing.h"
 #include "sim/run/peaks.h"
 #include "sim/run/step_control.h"
 
-/* What one contact that opens or closes may spoil of a velocity, of the accuracy asked times the striker's. */
+/* Largest error of a velocity from one contact that opens or closes, in units of accuracy times striker velocity. */
 static const double event_part = 0.25;
-/* Steps between looks at how fast the contacts are, which say what may be left undone of each: so few that none turns between two
- * of them unseen. */
+/* Steps between updates of the contacts' speeds, which set the tolerance of their events: few enough that no contact turns unseen
+ * in between. */
 enum { WEIGH_EVERY = 2 };
-/* Energy is checked at least this often, in steps, and before a sample is delivered; and how far it may be off, as a part of the
- * input. */
+/* Steps between checks of the energy, and after which it is checked before a sample; its largest error relative to the input. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
 static const double energy_limit = 1e-2;
-/* Small steps in a stiff spring lose a little energy each; in units of the accuracy asked, so much may go before steps become
- * shorter, and twice what has gone before they do again. */
+/* Each small step in a stiff spring loses a little energy. Steps become shorter when this multiple of the requested accuracy is
+ * lost, and again whenever the loss has doubled. */
 static const double drift_part = 2;
 /* A step that would miss the end of the run by no more than this part of itself ends there. */
 static const double last_sliver = 1e-6;
-/* Where damping asks for steps below this part of the usual ones, a run would not end in reasonable time. */
+/* If damping requires steps below this part of the usual length, the run would take unreasonably long. */
 static const double shortest = 1e-3;
 
 struct bead_run {
@@ -42,15 +41,16 @@ struct bead_run {
     struct bead_dense dense;
     struct bead_front front;
     struct bead_passing passing;
-    double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: energy that counts as 1 */
+    struct bead_behind behind;
+    double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: J, unit of energy errors */
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
-    double *arrived, *final;   /* [2][beads] u, v as the front arrives and at the end; NULL: not asked for */
+    double *arrived, *final;   /* [2][beads] u, v when the front arrives and at the end; NULL: not requested */
     double lost[2];            /* J, to damping until the start and the end of the step */
     struct bead_budget budget; /* of the last sample */
-    double drift_bound;        /* of the energy's error: where it is passed steps become shorter */
-    uint64_t checked;          /* step that energy was looked at last */
+    double drift_bound;        /* of the energy error: beyond it steps become shorter */
+    uint64_t checked;          /* step of the last energy check */
     uint64_t hash;
 };
 
@@ -68,10 +68,10 @@ static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
         run->field[i] = at;
     if (!run->settings.states)
         return BEAD_OK;
-    run->arrived = calloc(2 * beads, sizeof *run->arrived);
-    run->final = calloc(2 * beads, sizeof *run->final);
-    if (!run->arrived || !run->final)
+    run->arrived = calloc(4 * beads, sizeof *run->arrived);
+    if (!run->arrived)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for two states of %zu beads", beads);
+    run->final = run->arrived + 2 * beads;
     return BEAD_OK;
 }
 
@@ -88,7 +88,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         bead_passing_begin(&r->passing, settings->chain);
     const double tolerance_factor = settings->tolerance_factor > 0 ? settings->tolerance_factor : 1;
     const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
-    enum bead_error err = bead_run_comparison_stepping(settings->chain, settings->simulate, tolerance_factor, &r->stepping, msg);
+    enum bead_error err = bead_run_stepping(settings->chain, settings->simulate, tolerance_factor, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
     if (!err)
@@ -105,6 +105,9 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     }
     if (!(settings->simulate->step > 0))
         r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
+    if (settings->passage == BEAD_PASSAGE_OF_FRONT && settings->peak_span && !bead_behind_refusal(settings->chain) &&
+        r->stepping.method->tableau)
+        r->behind = (struct bead_behind){.widening = settings->widening, .target = settings->peak_span->first};
     r->control = bead_step_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->drift_bound = drift_part * tolerance_factor * settings->simulate->accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
@@ -123,8 +126,7 @@ void bead_run_destroy(struct bead_run *run)
     bead_dense_destroy(&run->dense);
     bead_stepper_destroy(run->stepper);
     free(run->state_memory);
-    free(run->arrived);
-    free(run->final);
+    free(run->arrived); /* and run->final */
     free(run);
 }
 
@@ -143,27 +145,22 @@ double bead_run_arrival(const struct bead_run *run)
     return run->front.arrival;
 }
 
+bool bead_run_cut_short(const struct bead_run *run)
+{
+    return run->behind.reached;
+}
+
 double bead_run_over(const struct bead_run *run)
 {
     return run->settings.passage == BEAD_PASSAGE_OF_FRONT ? run->front.arrival : run->passing.time;
 }
 
-uint64_t bead_run_evaluations(const struct bead_run *run)
+struct bead_run_work bead_run_work(const struct bead_run *run)
 {
-    return run->stepper->evaluations;
+    return (struct bead_run_work){run->stepper->steps, run->stepper->evaluations, run->hash};
 }
 
-uint64_t bead_run_steps(const struct bead_run *run)
-{
-    return run->stepper->steps;
-}
-
-uint64_t bead_run_hash(const struct bead_run *run)
-{
-    return run->hash;
-}
-
-/* A hash of every bit of the state but of beads at rest: the same with and without window. */
+/* Hashes every bit of the state except zeros, that is beads at rest: equal with and without a window. */
 static void hash_state(struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
@@ -172,7 +169,7 @@ static void hash_state(struct bead_run *run)
         memcpy(&word[0], &s->end.u[j], sizeof word[0]);
         memcpy(&word[1], &s->end.v[j], sizeof word[1]);
         for (int i = 0; i < 2; i++) {
-            if (word[i] << 1 == 0) /* zero of either sign */
+            if (word[i] << 1 == 0) /* zero, with either sign */
                 continue;
             uint64_t h = (word[i] ^ (s->steps * 0x9e3779b97f4a7c15u)) + (2 * j + (uint64_t)i) * 0xc2b2ae3d27d4eb4fu;
             h = (h ^ (h >> 31)) * 0xbf58476d1ce4e5b9u;
@@ -181,7 +178,7 @@ static void hash_state(struct bead_run *run)
     }
 }
 
-/* Of the energy, as a part of what was put in; damping may take from it. */
+/* Energy error relative to the input; a loss to damping is no error. */
 static double energy_off(const struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
@@ -191,19 +188,20 @@ static double energy_off(const struct bead_run *run)
     return run->input > 0 ? fabs(change) / run->input : fabs(change);
 }
 
-/* A contact whose force no longer opposes its compression, or its extension: no step is short enough for that. Contacts: none. */
+/* A contact whose force no longer opposes its compression or extension, which no step length helps; the number of contacts if there
+ * is none. */
 static size_t collapsed(const struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
     for (size_t k = 0; k < s->chain->contacts; k++) {
-        const double d = s->table.static_compression[k] + (s->end.u[k] - s->end.u[k + 1]);
+        const double d = bead_stepper_compression(s, &s->end, k);
         if (d * s->chain->law->force(s->chain->stiffness[k], s->table.law, d) < 0)
             return k;
     }
     return s->chain->contacts;
 }
 
-/* If the energy runs away, the numbers mean nothing. */
+/* If the energy diverges, the results are meaningless. */
 static enum bead_error check_energy(struct bead_run *run, double error, struct bead_message *msg)
 {
     const struct bead_stepper *s = run->stepper;
@@ -215,7 +213,7 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
         return bead_fail(
             msg, BEAD_ERROR_NUMBERS,
             "chain%s%s: by %.6g s the spring of contact %zu has collapsed: beyond a compression of 1 / alpha the force of "
-            "`%s` pulls ever harder; no accuracy helps, but a smaller alpha or a slower striker",
+            "`%s` attracts more and more; give a smaller alpha or a slower striker (a smaller accuracy does not help)",
             *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, gone, s->chain->law->name);
     const char *name = bead_chain_name(s->chain), *advice = run->stepping.variable ? "give a smaller simulate.accuracy"
                                                                                    : "give a shorter simulate.step or leave it out";
@@ -225,7 +223,13 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
         *name ? " " : "", name, s->t1, error, s->h, s->method->info.name, advice);
 }
 
-/* At fixed steps only, so that the errors reported do not depend on the outputs. */
+/* Before a state leaves the run. */
+static enum bead_error check_state(struct bead_run *run, struct bead_message *msg)
+{
+    return run->stepper->steps >= run->checked + CHECK_SAMPLES ? check_energy(run, energy_off(run), msg) : BEAD_OK;
+}
+
+/* Errors are recorded at fixed steps, so that the reported ones do not depend on the outputs. */
 static bool is_noted(const struct bead_run *run)
 {
     return run->stepper->steps % CHECK_EVERY == 0 || run->stepper->t1 >= run->settings.end;
@@ -234,7 +238,7 @@ static bool is_noted(const struct bead_run *run)
 static void keep_errors(struct bead_run *run, double energy)
 {
     run->energy_error = fmax(run->energy_error, energy);
-    run->embedded_error = fmax(run->embedded_error, bead_estimate_embedded(run->stepper));
+    run->embedded_error = fmax(run->embedded_error, bead_nystrom_error(run->stepper));
 }
 
 static enum bead_error note_errors(struct bead_run *run, struct bead_message *msg)
@@ -260,7 +264,7 @@ static double next_step(struct bead_run *run)
     return bead_stepper_damped(s) ? bead_step_control_damped(s, run->stepping.accuracy, h) : h;
 }
 
-/* One step of the length chosen, or a shorter one that ends where the run does. */
+/* Makes one step of the chosen length, or a shorter one that ends with the run. */
 static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
@@ -271,20 +275,20 @@ static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
                          "strong for these masses; give a smaller chain.damping.coefficient",
                          *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, h);
     double t = (double)(s->steps + 1) * h;
-    if (run->stepping.variable || bead_stepper_damped(s)) /* with damping steps end where contacts close */
+    if (run->stepping.variable || bead_stepper_damped(s)) /* with damping, steps end where contacts close */
         t = s->t1 + h;
-    /* Where the passage ends the run the steps keep their length: they must not depend on whether it was known before. */
+    /* If the passage ends the run, steps keep their length: they must not depend on whether the end was known in advance. */
     double end = run->settings.passage ? INFINITY : run->settings.end;
     if (t > end + last_sliver * h && s->t1 < end)
         bead_stepper_advance(s, end);
     else if (t > end - last_sliver * h && s->t1 < end)
-        bead_stepper_advance_by(s, h, end); /* the same but for rounding */
+        bead_stepper_advance_by(s, h, end); /* equal except for rounding */
     else
         bead_stepper_advance_by(s, h, t);
     return BEAD_OK;
 }
 
-/* Displacements, then velocities, at time t of the step just made. */
+/* Stores displacements, then velocities, at time t in the last step. */
 static void keep_state(struct bead_run *run, double t, double *kept)
 {
     const size_t beads = run->stepper->beads;
@@ -293,7 +297,8 @@ static void keep_state(struct bead_run *run, double t, double *kept)
     memcpy(kept + beads, run->v, beads * sizeof *kept);
 }
 
-/* Where a passage ends the run, peaks count until the front's arrival; those of forces that still rise then, until it is over. */
+/* If a passage ends the run, peaks count until the front arrives; forces that are still rising then are followed until it is over.
+ */
 static void look_for_peaks(struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
@@ -310,14 +315,31 @@ static void look_for_peaks(struct bead_run *run)
         bead_peaks_step(run->bead_peaks, s, limit, over);
 }
 
+/* True if a wanted peak lies in the last step. */
+static bool has_peak(const struct bead_run *run)
+{
+    const struct bead_span *span = run->settings.peak_span;
+    const struct bead_peak *found = bead_run_bead_peaks(run);
+    for (size_t j = span->first; found && j <= span->last && j < run->stepper->active; j++) {
+        if (found[j].time >= run->stepper->t0)
+            return true;
+    }
+    return false;
+}
+
+/* Drops beads that no longer matter, with their energy. */
+static void drop_behind(struct bead_run *run)
+{
+    if (run->behind.widening > 0)
+        run->energy_start -= bead_behind_step(&run->behind, run->stepper, run->front.largest_force, has_peak(run));
+}
+
 enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
     enum bead_error err = advance(run, msg);
     if (err)
         return err;
-    if (bead_events_failed(s->events))
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
     run->event_error = fmax(run->event_error, s->event_change);
     if (run->settings.record) {
         enum bead_error kept = bead_record_add(run->settings.record, s, msg);
@@ -328,18 +350,23 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     err = bead_front_watch(&run->front, s, msg);
     if (err)
         return err;
-    if (run->arrived && coming && !isnan(run->front.arrival))
+    if (run->arrived && coming && !isnan(run->front.arrival)) {
         keep_state(run, run->front.arrival, run->arrived);
+        err = check_state(run, msg);
+    }
+    if (err)
+        return err;
     run->lost[0] = run->lost[1];
     if (run->settings.budget)
         run->lost[1] += bead_dissipation(s);
     look_for_peaks(run);
+    drop_behind(run);
     if (run->settings.hash)
         hash_state(run);
     return is_noted(run) ? note_errors(run, msg) : BEAD_OK;
 }
 
-/* Forces of contacts first..last of the interpolated state, with their static part. */
+/* Forces of contacts first..last in the interpolated state, including their static part. */
 static void sample_forces(struct bead_run *run, size_t first, size_t last)
 {
     const struct bead_stepper *s = run->stepper;
@@ -376,7 +403,7 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     const struct bead_chain *c = s->chain;
     if (!(t >= s->t0 && t <= s->t1))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g s lies outside the step from %.9g to %.9g s", t, s->t0, s->t1);
-    enum bead_error err = s->steps >= run->checked + CHECK_SAMPLES ? check_energy(run, energy_off(run), msg) : BEAD_OK;
+    enum bead_error err = check_state(run, msg);
     if (err)
         return err;
     size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
@@ -387,12 +414,14 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
         if (err)
             return err;
     }
-    /* Beads under static compression carry force even at rest: all count as active. */
+    /* Beads under static compression carry a force even at rest, so all are active. */
     sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;
     if (last >= sample->active)
-        last = sample->active - 1; /* at rest behind: zeros since the start */
+        last = sample->active - 1; /* the others are at rest: still zero */
     first = first < last ? first : last;
     bead_dense_state(&run->dense, s, t, run->u, run->v);
+    if (bead_between_failed(run->dense.between))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");
     if (fields & (BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
         sample_forces(run, first > 0 ? first - 1 : 0, last);
     const double *f = run->field[BEAD_FIELD_CONTACT_FORCE];

@@ -5,14 +5,14 @@
 #include "sim/chain/chain_data.h"
 #include "sim/integrate/stepper.h"
 
-/* Samples this often, in units of 1/omega, show every oscillation. */
+/* A sampling interval in units of 1/omega that shows every oscillation. */
 static const double resolving = 0.25;
 
 static enum bead_error pace_of_beads(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
                                      struct bead_pace *pace, struct bead_message *msg)
 {
     struct bead_stepping stepping;
-    enum bead_error err = bead_run_comparison_stepping(chain, asked, tolerance_factor > 0 ? tolerance_factor : 1, &stepping, msg);
+    enum bead_error err = bead_run_stepping(chain, asked, tolerance_factor, &stepping, msg);
     if (!err)
         *pace = (struct bead_pace){stepping.method->info.name, stepping.step, resolving / stepping.omega, stepping.variable,
                                    stepping.why};
@@ -27,27 +27,18 @@ static const struct bead_run_kind of_beads = {
     .step = bead_run_step,
     .sample = bead_run_sample,
     .finish = bead_run_finish,
-    .evaluations = bead_run_evaluations,
-    .steps = bead_run_steps,
-    .hash = bead_run_hash,
+    .work = bead_run_work,
     .pace = pace_of_beads,
 };
 
 const struct bead_run_kind *bead_run_kind_of(const struct bead_chain *chain)
 {
-    return chain->system ? &bead_run_of_equation : &of_beads;
-}
-
-double bead_run_tolerance_factor_of(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked)
-{
-    if (!chains[0]->system)
-        return bead_run_tolerance_factor(chains, count, asked);
-    return asked->step > 0 ? 0.5 : 10;
+    return chain->spec->system->has_contacts ? &of_beads : &bead_run_of_equation;
 }
 
 enum bead_error bead_runner_create(const struct bead_run_settings *settings, struct bead_runner *runner, struct bead_message *msg)
 {
-    runner->kind = bead_run_kind_of(settings->chain);
+    *runner = (struct bead_runner){bead_run_kind_of(settings->chain), NULL, settings->chain};
     return runner->kind->create(settings, &runner->run, msg);
 }
 
@@ -55,5 +46,5 @@ void bead_runner_destroy(struct bead_runner *runner)
 {
     if (runner->kind && runner->run)
         runner->kind->destroy(runner->run);
-    *runner = (struct bead_runner){NULL, NULL};
+    *runner = (struct bead_runner){NULL, NULL, NULL};
 }

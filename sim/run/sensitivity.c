@@ -9,19 +9,19 @@
 #include "sim/adjoint/adjoint.h"
 #include "sim/base/stop.h"
 #include "sim/chain/chain_data.h"
-#include "sim/run/run.h"
+#include "sim/run/play.h"
 
-/* How much care is taken: with the run whose states are kept, of which derivatives ask more than peaks, and on the way back. Of
- * deviations two or three digits are wanted. */
+/* Accuracy of the recorded run, which must be higher for derivatives than for peaks, and care on the way back. Deviations need two
+ * or three digits. */
 struct care {
     double accuracy;
     struct bead_adjoint_care back;
 };
 static const struct care for_sensitivities = {2e-9, {1e-15, 1.6e-2}}, for_deviations = {1e-5, {1e-12, INFINITY}};
-/* So many peaks go back together. */
+/* Peaks that share a sweep. */
 enum { TOGETHER = 64 };
 
-/* The chain's steps up to one behind the time `until`. */
+/* Records the chain's steps, up to the first one that ends after `until` and one more. */
 static enum bead_error record_run(const struct bead_sensitivity_run *with, double accuracy, double until,
                                   struct bead_record *record, struct bead_message *msg)
 {
@@ -36,14 +36,13 @@ static enum bead_error record_run(const struct bead_sensitivity_run *with, doubl
                                                .end = INFINITY,
                                                .passage = BEAD_PASSAGE_OF_FRONT,
                                                .record = record};
-    struct bead_run *run = NULL;
-    enum bead_error err = bead_run_create(&settings, &run, msg);
-    while (!err && !(bead_run_time(run) > until))
-        err = bead_stop_is_asked(with->stop) ? bead_fail(msg, BEAD_ERROR_STOPPED, "stopped before the sensitivities were found")
-                                             : bead_run_step(run, msg);
-    if (!err)
-        err = bead_run_step(run, msg);
-    bead_run_destroy(run);
+    struct bead_runner runner;
+    enum bead_error err = bead_runner_create(&settings, &runner, msg);
+    for (int behind = 0; !err && behind < 2; behind++) {
+        const struct bead_way way = {.until = nextafter(fmax(until, bead_run_time(runner.run)), INFINITY), .stop = with->stop};
+        err = bead_play_run(&runner, &way, msg);
+    }
+    bead_runner_destroy(&runner);
     return err;
 }
 
@@ -60,7 +59,7 @@ static struct bead_adjoint adjoint_of(const struct bead_chain *chain, const stru
     return adjoint;
 }
 
-/* Arrays of the derivatives: three that stay, three on the way. */
+/* Allocates three arrays of results and three for the sweep. */
 static enum bead_error allocate(const struct bead_chain *chain, const struct bead_sensitive *of, struct bead_adjoint *adjoint,
                                 struct bead_sensitivity *found, struct bead_message *msg)
 {
@@ -88,7 +87,7 @@ static void convert(const struct bead_chain *chain, const struct bead_adjoint *a
 static void forget(const struct bead_chain *chain, struct bead_sensitivity *found)
 {
     for (size_t i = 0; i < 3 * chain->beads; i++)
-        found->mass[i] = NAN; /* and the two arrays behind it */
+        found->mass[i] = NAN; /* and the two arrays after it */
     found->velocity = found->wall_modulus = NAN;
 }
 
@@ -130,7 +129,7 @@ static enum bead_error find_all(const struct bead_sensitivity_run *with, const s
     struct bead_record record = {0};
     double until = 0;
     for (size_t i = 0; i < count; i++)
-        until = fmax(until, peaks[i].peak->time); /* fmax leaves NaN out */
+        until = fmax(until, peaks[i].peak->time); /* fmax ignores NaN */
     enum bead_error err = count > 0 ? record_run(with, accuracy, until, &record, msg) : BEAD_OK;
     for (size_t i = 0; !err && i < count; i += TOGETHER) {
         const size_t block = count - i < TOGETHER ? count - i : TOGETHER;
@@ -151,7 +150,7 @@ static enum bead_error find_all(const struct bead_sensitivity_run *with, const s
 static void keep(const struct receiver *r, size_t first, size_t count, struct bead_sensitivity *found)
 {
     memcpy(r->found + first, found, count * sizeof *found);
-    memset(found, 0, count * sizeof *found); /* their arrays are the receiver's now */
+    memset(found, 0, count * sizeof *found); /* the receiver owns their arrays now */
 }
 
 enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
@@ -161,7 +160,7 @@ enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *with,
     return find_all(with, peaks, count, &(struct receiver){keep, &for_sensitivities, with->chain, found, NULL}, msg);
 }
 
-/* With the density kept, m goes with R^3. */
+/* At constant density m is proportional to R^3. */
 static double deviation_of(const struct bead_chain *c, const struct bead_sensitivity *s)
 {
     const struct bead_material *materials = c->scene->materials;

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensitivities: the derivatives of peak forces by the mass, radius and modulus of every bead, and by the striker's velocity.
  *
- * The chain is run once more, with steps of its own, and its states are kept; each peak then takes one sweep back over them
+ * The chain is run again, with other steps, and its states are recorded; each peak then takes one sweep backwards over them
  * (adjoint.h). */
-#ifndef BEADREEL_SIM_RUN_SENSITIVITY_H
-#define BEADREEL_SIM_RUN_SENSITIVITY_H
+#pragma once
 
 #include <signal.h>
 #include <stdbool.h>
@@ -13,36 +12,32 @@
 #include "beadreel/sink.h"
 #include "sim/integrate/kernels.h"
 
-/* Whose: the force of a contact, or of a bead, at the time of its peak. */
+/* A peak: the force of a contact, or of a bead, at its time. */
 struct bead_sensitive {
     bool of_bead;
     size_t index;
     const struct bead_peak *peak;
 };
 
-/* The contacts meant where none are named: both of each bead with a sensor; without sensors the last whose force has had a maximum,
- * or the last of all. Into list[2 sensors + 1], rising; returns how many. */
+/* The default contacts: both of each bead with a sensor; without sensors the last one whose force has had a maximum, or the last of
+ * all. Fills list[2 sensors + 1] in ascending order and returns the count. */
 size_t bead_sensitive_contacts(const struct bead_chain *chain, const struct bead_peak *peaks, size_t *list);
 
-/* What they are found with. */
 struct bead_sensitivity_run {
     const struct bead_chain *chain;
     const struct bead_kernels *kernels;
-    const volatile sig_atomic_t *stop; /* NULL: nobody stops it */
-    double accuracy;                   /* asked for; what is found here may take more, or less */
-    bool passage;                      /* the run has ended by itself, at no time that is given */
+    const volatile sig_atomic_t *stop; /* NULL: never stopped */
+    double accuracy;                   /* requested; derivatives may need a smaller one */
+    bool passage;                      /* the passage ended the run */
 };
 
-/* Derivatives of all these peaks, each with arrays of its own (bead_sensitivity_free). A peak that the chain has at rest, and one
- * that is the force at the end of the run, where it still rises, have the derivatives of the force at that time; of the latter
- * there are none (NaN) where the front's arrival has ended the run, for that has another time in another chain. Errors: MEMORY,
- * NUMBERS, STOPPED. */
+/* Derivatives of all these peaks, each with its own arrays (bead_sensitivity_free). A peak of the chain at rest, and one that is
+ * the force at the end of the run, still rising, have the derivatives of the force at that time; the latter has none (NaN) if the
+ * front's arrival ended the run, because that time differs from chain to chain. Errors: MEMORY, NUMBERS, STOPPED. */
 BEAD_CHECK enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *run, const struct bead_sensitive *peaks,
                                                    size_t count, struct bead_sensitivity *found, struct bead_message *msg);
-/* Standard deviations of all these peaks, N, to first order: beads of a material with tolerances differ from one another, each on
- * its own, in radius, with the mass that follows from the density, and in modulus; so does a wall, in modulus. Errors: as above. */
+/* Standard deviations of all these peaks, N, to first order: beads of a material with tolerances vary independently in radius, with
+ * the mass that follows from the density, and in modulus; a wall varies in modulus. Errors: as above. */
 BEAD_CHECK enum bead_error bead_deviations_find(const struct bead_sensitivity_run *run, const struct bead_sensitive *peaks,
                                                 size_t count, double *deviation, struct bead_message *msg);
 void bead_sensitivity_free(struct bead_sensitivity *sensitivity);
-
-#endif

@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the length of the next step from the stiffest contacts, see step_control.h. */
+/* Chooses the length of the next step from the stiffest contacts: see step_control.h. */
 #include "sim/run/step_control.h"
 
 #include <math.h>
 #include <stdint.h>
 
-/* Steps between estimates of omega, which look as far ahead. */
+/* Steps between estimates of omega, each of which looks this far ahead. */
 enum { EVERY = 4 };
-/* Half way to the next, an estimate that allows no more than this part of the step is heeded: a light bead that was struck since
- * then may have made a contact hard. */
+/* An estimate half way to the next one counts only if it allows less than this part of the step: a light bead that has been struck
+ * since may have made a contact stiff. */
 enum { BETWEEN = EVERY / 2 };
 static const double surprise = 0.7;
+/* Steps that would grow by more than this factor must look further ahead. */
 static const double much = 1.1;
-/* No step is longer than this many times the first. */
+/* Longest step in units of the first. */
 static const double growth = 4;
+
 static double stiffness(const struct bead_stepper *s, size_t k, double d)
 {
     double a = s->table.stiffness[k];
@@ -21,15 +23,14 @@ static double stiffness(const struct bead_stepper *s, size_t k, double d)
     return s->chain->law->one_sided ? here : fmax(here, s->chain->law->stiffness(a, s->table.law, -d));
 }
 
-/* The stiffness expected of contact k: at its present compression, or at the one that its rate leads to within `ahead` seconds. */
+/* Expected stiffness of contact k: at its present compression, or at the one that its rate leads to within `ahead` seconds. */
 static double expected(const struct bead_stepper *s, size_t k, const double *v, double ahead)
 {
-    const struct bead_state *now = &s->end;
-    double rate = v[k] - v[k + 1], d = s->table.static_compression[k] + (now->u[k] - now->u[k + 1]);
+    const double rate = v[k] - v[k + 1], d = bead_stepper_compression(s, &s->end, k);
     return stiffness(s, k, d + (rate > 0 ? ahead * rate : 0));
 }
 
-/* Gershgorin's circles of contacts 0..n-1, omega^2; see bead_chain_omega. */
+/* Bound of omega^2 from the Gershgorin circles of contacts 0..n-1; see bead_chain_omega. */
 static double circles(const struct bead_stepper *s, size_t n, const double *v, double ahead, bool at_rest)
 {
     const double *w = s->chain->inverse_mass, *d0 = s->table.static_compression;
@@ -47,25 +48,31 @@ static double circles(const struct bead_stepper *s, size_t n, const double *v, d
     return worst;
 }
 
-/* The same of coefficients k, with vectors. */
+/* This bound from stiffnesses k, with vectors. */
 static double circles_of(const struct bead_stepper *s, size_t n, const double *k)
 {
     const double *w = s->chain->inverse_mass;
     const size_t inner = n < s->beads ? n : s->beads - 1;
-    const double worst = s->kernels->circles(inner, k, w);
+    const double worst = s->kernels->circles(inner - s->first, k + s->first, w + s->first);
     if (inner == n)
         return worst;
-    /* The wall's contact. */
+    /* the wall's contact */
     return fmax(worst, k[inner] * w[inner] + k[inner - 1] * w[inner]);
 }
 
-/* The same for Hertz's law, with vectors; works in stepper->w[0], which Nystrom methods leave alone. */
+/* This bound for Hertz's law; uses stepper->w[0], which Nystrom methods leave alone. */
 static double hertz_circles(const struct bead_stepper *s, size_t n, const double *v, double ahead)
 {
-    const size_t contacts = s->chain->contacts, known = n < contacts ? n + 1 : contacts;
-    s->kernels->hertz_stiffness(known, &s->table, s->end.u, v, ahead, s->w[0]);
-    s->w[0][known] = 0;
-    return circles_of(s, n, s->w[0]);
+    const size_t contacts = s->chain->contacts, known = n < contacts ? n + 1 : contacts, o = s->first;
+    struct bead_contact_table table = s->table;
+    double *k = s->w[0];
+    table.stiffness += o;
+    table.static_compression += o;
+    s->kernels->hertz_stiffness(known - o, &table, s->end.u + o, v + o, ahead, k + o);
+    k[known] = 0;
+    if (o > 0)
+        k[o - 1] = 0;
+    return circles_of(s, n, k);
 }
 
 struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
@@ -74,23 +81,23 @@ struct bead_step_control bead_step_control_start(const struct bead_stepper *s, d
     return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), growth * first, first};
 }
 
-/* The step that the stiffnesses expected of velocities v allow, if steps of length h are made until the next check. */
+/* Longest step that the stiffnesses expected from velocities v allow, if steps until the next check have length h. */
 static double allowed(const struct bead_step_control *control, const struct bead_stepper *s, const double *v, double h)
 {
-    size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const size_t n = bead_stepper_contacts(s);
     const double ahead = EVERY * h;
     double worst = s->chain->law->hertz ? hertz_circles(s, n, v, ahead) : circles(s, n, v, ahead, false);
     double omega = fmax(sqrt(worst), control->static_omega);
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
 }
 
-/* The same where beads turn back: the accelerations close contacts that are open or opening now, and make them hard before the next
- * check. Of what they would do to the compressions if they stayed so long as they are, half. */
+/* This bound if beads turn back: accelerations close contacts that are open or opening, and make them stiff before the next check.
+ * Takes half the change of the compressions that constant accelerations would cause. */
 static double allowed_with_turns(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
     const double part = 0.5, ahead = EVERY * h;
     double *v = s->w[1];
-    for (size_t j = 0; j <= s->active && j <= s->beads; j++)
+    for (size_t j = s->first; j <= s->active && j <= s->beads; j++)
         v[j] = s->end.v[j] + part * (0.5 * ahead) * s->end.a[j];
     return allowed(control, s, v, h);
 }
@@ -102,21 +109,19 @@ double bead_step_control_next(struct bead_step_control *control, const struct be
     double h = allowed(control, s, s->end.v, control->h);
     if (s->steps % EVERY != 0)
         return control->h = h < surprise * control->h ? h : control->h;
-    /* Much longer steps must look further ahead. */
     if (h > much * control->h)
         h = fmax(control->h, fmin(allowed(control, s, s->end.v, h), allowed_with_turns(control, s, h)));
     control->h = h;
     return h;
 }
 
-/* Damping makes velocities decay within 1/rate. A step in units of that, at which Runge-Kutta 4 keeps this accuracy; and the most.
- */
+/* Damping makes velocities decay within 1/rate. Runge-Kutta 4 has this accuracy with steps of theta/rate, at most cap/rate. */
 static const double damped_theta = 0.06, damped_accuracy = 1e-6, damped_cap = 0.5;
 
-/* Bound of the rates in the state at the end of the step: gamma a |D|^(a-1) of each closed contact, as a stiffness over a mass. */
+/* Bound of the decay rates at the end of the step: gamma a |D|^(a-1) of each closed contact takes the place of a stiffness. */
 static double damping_rate(const struct bead_stepper *s)
 {
-    const size_t n = s->active < s->chain->contacts ? s->active : s->chain->contacts;
+    const size_t n = bead_stepper_contacts(s);
     const double a = s->table.damping_exponent;
     double *k = s->w[0];
     for (size_t i = 0; i < n; i++) {
@@ -130,7 +135,7 @@ static double damping_rate(const struct bead_stepper *s)
 
 double bead_step_control_damped(const struct bead_stepper *s, double accuracy, double h)
 {
-    /* Below 1, rates are without bound where beads move alike, but what they do is not. */
+    /* Below 1, rates are unbounded where beads move alike, but their effect is not. */
     if (s->table.damping_exponent < 1)
         return h;
     const double part = accuracy / damped_accuracy, power = part > 1 ? 0.25 : 0.4;
@@ -138,7 +143,7 @@ double bead_step_control_damped(const struct bead_stepper *s, double accuracy, d
     return rate * h > theta ? theta / rate : h;
 }
 
-/* Of an order-8 method's drift this leaves a 25th. */
+/* Reduces the drift of a method of order 8 by a factor of 25. */
 static const double shortening = 0.7;
 
 void bead_step_control_shorten(struct bead_step_control *control)

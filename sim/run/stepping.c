@@ -1,32 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The method and the steps of a run, from what its scene asks: see run.h. */
+/* Chooses the method and the steps of a run from the settings of its scene: see run.h. */
 #include <math.h>
 #include <stdio.h>
 
 #include "sim/base/wide.h"
+#include "sim/chain/system.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/method_choice.h"
 #include "sim/run/run.h"
 
-enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked, struct bead_stepping *stepping,
-                                  struct bead_message *msg)
-{
-    return bead_run_comparison_stepping(chain, asked, 1, stepping, msg);
-}
+/* Tolerance of a comparison run relative to the run, or its step if that is fixed: coarser, which is cheap, or finer if no coarser
+ * run would follow the motion. */
+static const double coarser_tolerance = 10, finer_tolerance = 0.1, longer_step = 2, shorter_step = 0.5;
 
 double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked)
 {
-    bool fixed = asked->step > 0, room = true;
-    for (size_t i = 0; i < count; i++) {
+    const bool fixed = asked->step > 0;
+    bool room = chains[0]->spec->system->has_contacts || !fixed;
+    for (size_t i = 0; chains[0]->spec->system->has_contacts && i < count; i++) {
         struct bead_method_choice choice;
         struct bead_message msg;
         double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
         if (bead_choose_method(chains[i], asked, &choice, &msg))
             continue; /* the run itself says why */
-        room = room && (fixed ? 2 * asked->step * omega <= choice.method->info.theta_max
-                              : bead_method_theta(&choice, 10 * asked->accuracy) < choice.cap);
+        room = room && (fixed ? longer_step * asked->step * omega <= choice.method->info.theta_max
+                              : bead_method_theta(&choice, coarser_tolerance * asked->accuracy) < choice.cap);
     }
-    return fixed ? (room ? 2 : 0.5) : (room ? 10 : 0.1);
+    if (fixed)
+        return room ? longer_step : shorter_step;
+    return room ? coarser_tolerance : finer_tolerance;
 }
 
 double bead_run_effective_factor(const struct bead_chain *chain, const struct bead_simulate *asked, double factor)
@@ -38,14 +40,15 @@ double bead_run_effective_factor(const struct bead_chain *chain, const struct be
     return fmin(factor, bead_pow(choice.cap / bead_method_theta(&choice, asked->accuracy), choice.order));
 }
 
-enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,
-                                             double tolerance_factor, struct bead_stepping *stepping, struct bead_message *msg)
+enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
+                                  struct bead_stepping *stepping, struct bead_message *msg)
 {
     struct bead_method_choice choice;
     const char *file = chain->scene->file;
     enum bead_error err = bead_choose_method(chain, asked, &choice, msg);
     if (err)
         return err;
+    tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
     const struct bead_method_info *method = &choice.method->info;
     double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = tolerance_factor * asked->step;
     double theta = bead_method_theta(&choice, tolerance_factor * asked->accuracy);
@@ -56,7 +59,7 @@ enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, con
                                        .accuracy = choice.share * tolerance_factor * asked->accuracy,
                                        .variable = !(step > 0) && (method->variable || chain->spec->damping_coefficient > 0),
                                        .why = choice.why};
-    /* The bound is generous: a step is hopeless only when it exceeds the limit twice over. */
+    /* omega is a generous bound: only steps of more than twice the limit are certainly unstable. */
     if (step * omega > 2 * method->theta_max)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
                          step, method->name, method->theta_max / omega);
@@ -65,7 +68,7 @@ enum bead_error bead_run_comparison_stepping(const struct bead_chain *chain, con
     return BEAD_OK;
 }
 
-/* Peaks that are expected to be off by more than this are worth a warning. */
+/* Expected relative errors of peaks above this are worth a warning. */
 static const double poor = 1e-4;
 
 struct bead_long_step bead_run_long_step(const struct bead_chain *chain, const struct bead_simulate *asked)
@@ -79,7 +82,7 @@ struct bead_long_step bead_run_long_step(const struct bead_chain *chain, const s
         return step;
     snprintf(step.text, sizeof step.text,
              "%s: simulate.step: steps of %.3g us are too long: for peak forces to %.3g `%s` takes at most %.2g us here; "
-             "leave `step` out, or look at the uncertainties of the peaks",
+             "leave `step` out, or check the uncertainties of the peaks",
              chain->scene->file, 1e6 * asked->step, asked->accuracy, choice.method->info.name,
              1e6 * bead_method_theta(&choice, asked->accuracy) / omega);
     return step;

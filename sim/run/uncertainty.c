@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Estimates the uncertainty of peaks from two runs, see uncertainty.h. */
+/* Estimates the uncertainty of peaks from two runs: see uncertainty.h. */
 #include "sim/run/uncertainty.h"
 
 #include <math.h>
 
-/* Of a peak that is as it should be: so many times its part of the difference that the comparison run may make, in units of what
- * was asked, as the two runs may agree better by chance; so many times the largest part in the chain, as they may even agree where
- * neither is right; and at most so much. With damping errors follow the tolerance. */
+/* Uncertainty in units of the requested accuracy, for peaks whose difference is within the error bound of the comparison run:
+ * `usual` times the difference over that bound, because runs may agree better by chance; `elsewhere` times the largest such ratio
+ * in the chain, because they may agree although neither is right; at most `usual_most`. With damping, errors follow the tolerance:
+ * `damped` times the ratio. */
 static const double usual = 30, elsewhere = 20, usual_most = 9.5, damped = 3;
-/* Peaks that differ by more than so many times what the comparison run may be off by answer too strongly. They are uncertain by so
- * many times their difference, this part of it from one neighbour to the next. */
+/* Peaks whose ratio exceeds `too_strong` are sensitive: uncertain by `strong` times their difference, which falls by the factor
+ * `next` from one neighbour to the next. */
 static const double too_strong = 1.5, strong = 20, next = 0.82;
-/* Rounding leaves this part of a peak. */
+/* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
-/* Difference of the two runs, relative to the peak; none behind the end of either. */
+/* Difference of the two runs, relative to the peak; 0 after the end of either. */
 static double difference(const struct bead_uncertainty_of *of, const struct bead_peak *a, const struct bead_peak *b)
 {
     if (of->end > 0 && (a->time > of->end || b->time > of->end))
@@ -23,8 +24,8 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
 
-/* The largest difference, in units of what the comparison run may be off by; what peaks that answer too strongly say of themselves
- * and their neighbours goes into their uncertainties. */
+/* Returns the largest difference in units of `allowed`, the error bound of the comparison run. Sets the uncertainties of sensitive
+ * peaks, and 0 for the others. */
 static double find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
 {
     double most = 0;
@@ -36,7 +37,7 @@ static double find_strong(const struct bead_uncertainty_of *of, const struct bea
     return most;
 }
 
-/* Contact i is beside bead i: each takes what the other has. */
+/* Contact i is beside bead i: both take the larger uncertainty. */
 static void share(const struct bead_uncertain_peaks kinds[2])
 {
     for (size_t i = 0; i < kinds[0].count && i < kinds[1].count; i++)
@@ -51,8 +52,8 @@ static void spread(double *u, size_t count)
         u[i - 1] = fmax(u[i - 1], next * u[i]);
 }
 
-/* In units of what was asked; `part`: the peak's difference in units of what the comparison run may be off by, `most`: the largest
- * one of the chain. */
+/* In units of the requested accuracy. `part`: difference of the peak over the error bound of the comparison run, `most`: the
+ * largest in the chain. */
 static double usual_uncertainty(const struct bead_uncertainty_of *of, double part, double most)
 {
     return fmax(1, of->damped ? damped * part : fmin(fmax(usual * part, elsewhere * most), usual_most));

@@ -3,18 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/scene/scene_vary.h"
+#include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"
 
-static enum bead_error read_bead(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                 void *settings);
-static enum bead_error read_cell(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                 void *settings);
-static enum bead_error read_spins(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                  void *settings);
-
-static enum bead_error read_group(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                  void *settings);
+static BEAD_OPTION_READER(read_bead);
+static BEAD_OPTION_READER(read_cell);
+static BEAD_OPTION_READER(read_spins);
+static BEAD_OPTION_READER(read_group);
 
 /* Groups copied out. */
 enum { MOST_ENTRIES = 40000 };
@@ -32,130 +27,53 @@ struct written {
 #define VALUE(what)     offsetof(struct written, variation.value[what])
 
 static const struct bead_option rows[] = {
-    {.key = "bead",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "the name of a material",
-     .help = "beads of one material",
-     .example = "large-steel",
-     .like = "text",
-     .read = read_bead},
-    {.key = "cell",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "[MATERIAL, MATERIAL, ...]",
+    {"bead", BEAD_OPTION_CUSTOM, .shape = "the name of a material", .like = "text", .read = read_bead,
+     .help = "beads of one material", .example = "large-steel"},
+    {"cell", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]", .read = read_cell,
      .help = "beads that repeat as a group: two for dimers, three for trimers, or more; `2 ptfe` is two beads of ptfe",
-     .example = "[large-steel, 2 ptfe]",
-     .like = "[text]",
-     .read = read_cell},
-    {.key = "count",
-     .type = BEAD_OPTION_COUNT,
-     .offset = SEGMENT(count),
-     .low = 1,
-     .high = BEAD_SCENE_BEADS,
-     .help = "how many beads or cells; without it 1, or the number of digits of `spins`",
-     .example = "64"},
-    {.key = "spins",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "up",
-     .shape = "up, down, random, or one digit per cell such as \"1101\"",
-     .help = "which way round each cell stands: up (1) as written, down (0) reversed",
-     .example = "random",
-     .like = "text",
-     .read = read_spins},
-    {.key = "magnetism",
-     .offset = SEGMENT(magnetism),
-     .initial = "0",
-     .low = 0,
-     .high = 1,
-     .help = "magnetism of random spins, (up - down) / all, as exactly as the count allows",
-     .example = "0.5"},
-    {.key = "seed",
-     .type = BEAD_OPTION_SEED,
-     .offset = SEGMENT(seed),
-     .initial = "0",
-     .help = "seed of random spins; the same seed gives the same spins on every machine",
-     .example = "7"},
-    {.key = "sensor",
-     .type = BEAD_OPTION_TEXT,
-     .offset = SEGMENT(sensor),
-     .help = "name of a sensor in this single bead, which records its bead force",
+     .example = "[large-steel, 2 ptfe]"},
+    {"count", BEAD_OPTION_COUNT, SEGMENT(count), .low = 1, .high = BEAD_SCENE_BEADS,
+     .help = "how many beads or cells; without it 1, or the number of digits of `spins`", .example = "64"},
+    {"spins", BEAD_OPTION_CUSTOM, .initial = "up", .shape = "up, down, random, or one digit per cell such as \"1101\"",
+     .like = "text", .read = read_spins, .help = "orientation of each cell: up (1) as written, down (0) reversed",
+     .example = "random"},
+    {"magnetism", BEAD_OPTION_NUMBER, SEGMENT(magnetism), .initial = "0", .low = 0, .high = 1,
+     .help = "magnetism of random spins, (up - down) / all, as exactly as the count allows", .example = "0.5"},
+    {"seed", BEAD_OPTION_SEED, SEGMENT(seed), .initial = "0",
+     .help = "seed of random spins; the same seed gives the same spins on every machine", .example = "7"},
+    {"sensor", BEAD_OPTION_TEXT, SEGMENT(sensor), .help = "name of a sensor in this single bead, which records its bead force",
      .example = "first"},
-    {.key = "radius",
-     .offset = VALUE(BEAD_VARIED_RADIUS),
-     .unit = "m",
-     .low = 1e-9,
-     .high = 1e3,
-     .help = "radius of these beads, instead of that of the material; the mass follows with the density",
-     .example = "3 mm"},
-    {.key = "mass",
-     .offset = VALUE(BEAD_VARIED_MASS),
-     .unit = "kg",
-     .low = 0,
-     .high = 1e9,
-     .open = BEAD_OPEN_LOW,
-     .help = "mass of each of these beads, instead of that of the material",
-     .example = "2 g"},
-    {.key = "modulus",
-     .offset = VALUE(BEAD_VARIED_MODULUS),
-     .unit = "Pa",
-     .low = 1,
-     .high = 1e15,
-     .help = "Young's modulus of these beads, instead of that of the material",
-     .example = "70 GPa"},
-    {.key = "taper",
-     .type = BEAD_OPTION_CUSTOM,
-     .offset = offsetof(struct written, variation),
-     .unit = "1",
-     .low = -1,
-     .high = 1,
-     .open = BEAD_OPEN_HIGH,
-     .shape = "from -100 % to below 100 %, or {from: RADIUS, to: RADIUS}",
-     .help =
-         "each bead is smaller than the one before by this part of its radius (larger, if negative), or the radii go from end to "
-         "end by the same factor: see chain.beads.taper",
-     .example = "5 %",
-     .like = "number|chain.beads.taper",
-     .read = bead_scene_read_taper},
-    {.key = "disorder",
-     .type = BEAD_OPTION_CUSTOM,
-     .offset = offsetof(struct written, variation),
-     .shape = "a map",
-     .help = "beads that differ at random: see chain.beads.disorder",
-     .example = "{radius: uniform 0.3..1, seed: 7}",
-     .like = "chain.beads.disorder",
-     .read = bead_scene_read_disorder},
-    {.key = "decorate",
-     .type = BEAD_OPTION_CUSTOM,
-     .offset = offsetof(struct written, decoration),
-     .shape = "the name of a material",
-     .help = "a bead of this between every two of `bead`; taper and disorder leave it as it is",
-     .example = "small-steel",
-     .like = "text",
-     .read = bead_scene_read_material},
-    {.key = "repeat",
-     .type = BEAD_OPTION_COUNT,
-     .offset = offsetof(struct written, repeat),
-     .low = 1,
-     .high = BEAD_SCENE_BEADS,
-     .help = "how many times the entries `of` follow each other; random spins are the same each time",
-     .example = "3"},
-    {.key = "of",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "a list of entries",
+    {"radius", BEAD_OPTION_NUMBER, VALUE(BEAD_VARIED_RADIUS), .unit = "m", .low = 1e-9, .high = 1e3,
+     .help = "radius of these beads, instead of that of the material; the mass follows with the density", .example = "3 mm"},
+    {"mass", BEAD_OPTION_NUMBER, VALUE(BEAD_VARIED_MASS), .unit = "kg", .low = 0, .high = 1e9, .open = BEAD_OPEN_LOW,
+     .help = "mass of each of these beads, instead of that of the material", .example = "2 g"},
+    {"modulus", BEAD_OPTION_NUMBER, VALUE(BEAD_VARIED_MODULUS), .unit = "Pa", .low = 1, .high = 1e15,
+     .help = "Young's modulus of these beads, instead of that of the material", .example = "70 GPa"},
+    {"taper", BEAD_OPTION_CUSTOM, offsetof(struct written, variation), .unit = "1", .low = -1, .high = 1, .open = BEAD_OPEN_HIGH,
+     .shape = "from -100 % to below 100 %, or {from: RADIUS, to: RADIUS}", .like = "number|chain.beads.taper",
+     .read = bead_scene_read_taper,
+     .help = "each bead is smaller than the one before by this part of its radius (larger, if negative), or the radii go from end "
+             "to end by the same factor: see chain.beads.taper",
+     .example = "5 %"},
+    {"disorder", BEAD_OPTION_MAP, offsetof(struct written, variation), .map = &bead_disorder_options,
+     .help = "beads that differ at random: see chain.beads.disorder", .example = "{radius: uniform 0.3..1, seed: 7}"},
+    {"decorate", BEAD_OPTION_CUSTOM, offsetof(struct written, decoration), .shape = "the name of a material", .like = "text",
+     .read = bead_scene_read_material, .help = "a bead of this between every two of `bead`; taper and disorder leave it as it is",
+     .example = "small-steel"},
+    {"repeat", BEAD_OPTION_COUNT, offsetof(struct written, repeat), .low = 1, .high = BEAD_SCENE_BEADS,
+     .help = "how many times the entries `of` follow each other; random spins are the same each time", .example = "3"},
+    {"of", BEAD_OPTION_CUSTOM, .shape = "a list of entries", .like = "[chain.beads]", .read = read_group,
      .help = "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, taper and disorder apply to the "
              "whole",
-     .example = "[{bead: brass, count: 5}, {cell: [large-steel, ptfe], count: 2}]",
-     .like = "[chain.beads]",
-     .read = read_group},
+     .example = "[{bead: brass, count: 5}, {cell: [large-steel, ptfe], count: 2}]"},
 };
 
 const struct bead_options bead_segment_options = {"chain.beads", "entries of the list, from left to right", BEAD_OPTIONS(rows),
                                                   NULL, NULL};
 
-static enum bead_error read_bead(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                 void *settings)
+static BEAD_OPTION_READER(read_bead)
 {
     struct bead_segment *segment = &((struct written *)settings)->segment;
-    (void)option;
     segment->cell = calloc(1, sizeof *segment->cell);
     if (!segment->cell)
         return bead_no_memory(reader);
@@ -163,19 +81,14 @@ static enum bead_error read_bead(struct bead_reader *reader, const struct bead_a
     return bead_scene_find_material(reader, at, true, segment->cell);
 }
 
-static enum bead_error read_cell(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                 void *settings)
+static BEAD_OPTION_READER(read_cell)
 {
     struct bead_segment *segment = &((struct written *)settings)->segment;
-    struct bead_at bead = bead_at_key(at->up, "bead");
-    (void)option;
-    if (bead.node != at->up->node)
-        return bead_wrong(reader, at, "is given beside `bead`; give one of them");
-    return bead_scene_read_cell(reader, at, &segment->cell, &segment->cell_beads);
+    enum bead_error err = bead_not_beside(reader, at, "bead");
+    return err ? err : bead_scene_read_cell(reader, at, &segment->cell, &segment->cell_beads);
 }
 
-static enum bead_error read_spins(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                  void *settings)
+static BEAD_OPTION_READER(read_spins)
 {
     static const struct {
         const char *word;
@@ -183,7 +96,6 @@ static enum bead_error read_spins(struct bead_reader *reader, const struct bead_
     } words[] = {{"up", BEAD_SPINS_UP}, {"down", BEAD_SPINS_DOWN}, {"random", BEAD_SPINS_RANDOM}};
     struct bead_segment *segment = &((struct written *)settings)->segment;
     const char *text = NULL;
-    char shown[64];
     enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
     if (err)
         return err;
@@ -194,7 +106,7 @@ static enum bead_error read_spins(struct bead_reader *reader, const struct bead_
         }
     }
     if (!*text || strspn(text, "01") != strlen(text))
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+        return bead_must_be(reader, at, option->shape);
     segment->spins = BEAD_SPINS_DIGITS;
     segment->digits = strdup(text);
     return segment->digits ? BEAD_OK : bead_no_memory(reader);
@@ -203,34 +115,29 @@ static enum bead_error read_spins(struct bead_reader *reader, const struct bead_
 /* Keys that only make sense together. */
 static enum bead_error check_spins(const struct bead_reader *reader, const struct bead_at *at, struct bead_segment *segment)
 {
-    static const char *const of_random[] = {"magnetism", "seed"};
-    struct bead_at where = bead_at_key(at, "spins");
-    segment->spins_given = where.node != at->node;
-    if (where.node != at->node && segment->cell_beads < 2)
-        return bead_wrong(reader, &where, "needs a `cell` of at least two beads: a single bead cannot be turned around");
-    for (size_t i = 0; i < 2 && segment->spins != BEAD_SPINS_RANDOM; i++) {
-        where = bead_at_key(at, of_random[i]);
-        if (where.node != at->node)
-            return bead_wrong(reader, &where, "belongs to `spins: random`, which is not given here");
-    }
-    return BEAD_OK;
+    static const char *const of_random[] = {"magnetism", "seed", NULL};
+    segment->spins_given = bead_given(at, "spins");
+    if (segment->spins_given && segment->cell_beads < 2)
+        return BEAD_WRONG_KEY(reader, at, "spins", "needs a `cell` of at least two beads: a single bead cannot be turned around");
+    return segment->spins == BEAD_SPINS_RANDOM
+               ? BEAD_OK
+               : bead_without(reader, at, of_random, "belongs to `spins: random`, which is not given here");
 }
 
 static enum bead_error check_count(const struct bead_reader *reader, const struct bead_at *at, struct bead_segment *segment)
 {
-    struct bead_at count = bead_at_key(at, "count"), spins = bead_at_key(at, "spins"), sensor = bead_at_key(at, "sensor");
     size_t digits = segment->digits ? strlen(segment->digits) : 1;
-    if (count.node == at->node)
+    if (!bead_given(at, "count"))
         segment->count = digits;
     else if (segment->digits && digits != segment->count)
-        return bead_wrong(reader, &spins, "has %zu digits, but `count` is %zu; must have one digit per cell", digits,
-                          segment->count);
+        return BEAD_WRONG_KEY(reader, at, "spins", "has %zu digits, but `count` is %zu; must have one digit per cell", digits,
+                              segment->count);
     if (segment->count > BEAD_SCENE_BEADS / segment->cell_beads)
-        return bead_wrong(reader, &count, "gives more than %d beads, the most that is allowed", BEAD_SCENE_BEADS);
+        return BEAD_WRONG_KEY(reader, at, "count", "gives more than %d beads, the most that is allowed", BEAD_SCENE_BEADS);
     if (segment->sensor && segment->count * segment->cell_beads != 1)
-        return bead_wrong(reader, &sensor, "must be on a single bead: without `cell` and `count`");
+        return BEAD_WRONG_KEY(reader, at, "sensor", "must be on a single bead: without `cell` and `count`");
     if (segment->sensor && !*segment->sensor)
-        return bead_wrong(reader, &sensor, "has no name; must be a word such as `first`");
+        return BEAD_WRONG_KEY(reader, at, "sensor", "has no name; must be a word such as `first`");
     return BEAD_OK;
 }
 
@@ -250,7 +157,7 @@ static enum bead_error push(const struct bead_reader *reader, struct bead_chain_
     return BEAD_OK;
 }
 
-static void free_segment(struct bead_segment *segment)
+void bead_scene_free_segment(struct bead_segment *segment)
 {
     free(segment->cell);
     free(segment->each);
@@ -278,20 +185,19 @@ static enum bead_error push_copy(const struct bead_reader *reader, struct bead_c
     const bool good = made.cell && !from->each == !made.each && !from->digits == !made.digits && !from->sensor == !made.sensor;
     enum bead_error err = good ? push(reader, chain, &made) : bead_no_memory(reader);
     if (err)
-        free_segment(&made);
+        bead_scene_free_segment(&made);
     return err;
 }
 
 /* The last segment with beads of a material between its own: cells of two, and a last bead. */
 static enum bead_error decorate(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
 {
-    struct bead_at where = bead_at_key(at, "decorate");
     struct bead_segment *all = &w->chain->segments[w->chain->segment_count - 1];
     const size_t beads = all->count;
     if (w->decoration == SIZE_MAX)
         return BEAD_OK;
     if (all->cell_beads != 1 || beads < 2)
-        return bead_wrong(reader, &where, "needs two or more of a `bead` that it can stand between");
+        return BEAD_WRONG_KEY(reader, at, "decorate", "needs two or more of a `bead`, between which it can be placed");
     enum bead_error err = push_copy(reader, w->chain, w->chain->segment_count - 1);
     if (err)
         return err;
@@ -332,26 +238,19 @@ static enum bead_error check_length(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
-/* Keys of single entries beside `of`, and the other way round. */
+/* Keys of single entries must not be given beside `of`, nor those of groups without it. */
 static enum bead_error check_group(const struct bead_reader *reader, const struct bead_at *at, bool group)
 {
-    static const char *const single[] = {"bead", "cell", "count", "spins", "magnetism", "seed", "sensor", "decorate"};
-    struct bead_at where = bead_at_key(at, "repeat");
-    if (!group && where.node != at->node)
-        return bead_wrong(reader, &where, "belongs to `of`, a list of entries; for equal beads or cells give `count`");
-    for (size_t i = 0; group && i < sizeof single / sizeof *single; i++) {
-        where = bead_at_key(at, single[i]);
-        if (where.node != at->node)
-            return bead_wrong(reader, &where, "is given beside `of`; it belongs in the entries there");
-    }
-    return BEAD_OK;
+    static const char *const of_single[] = {"bead", "cell", "count", "spins", "magnetism", "seed", "sensor", "decorate", NULL},
+                             *const of_groups[] = {"repeat", NULL};
+    return group ? bead_without(reader, at, of_single, "is given beside `of`; it belongs in the entries there")
+                 : bead_without(reader, at, of_groups, "belongs to `of`, a list of entries; for equal beads or cells give `count`");
 }
 
 static enum bead_error read_list(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain,
                                  const char *shape);
 
-static enum bead_error read_group(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                  void *settings)
+static BEAD_OPTION_READER(read_group)
 {
     struct written *w = settings;
     return read_list(reader, at, w->chain, option->shape);
@@ -362,12 +261,12 @@ static enum bead_error check_random(const struct bead_reader *reader, const stru
 {
     for (size_t i = w->first; i < w->chain->segment_count && bead_sweep_node(bead_yaml_root(reader->yaml), 0); i++) {
         if (w->chain->segments[i].spins == BEAD_SPINS_RANDOM)
-            return bead_wrong(reader, at, "holds random cells, which in a sweep must stand in `beads` itself");
+            return bead_wrong(reader, at, "holds random cells, which in a sweep must be entries of `beads` itself");
     }
     return BEAD_OK;
 }
 
-/* The group, so many times. */
+/* Copies the group as often as `repeat` says. */
 static enum bead_error repeat(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
 {
     const size_t each = w->chain->segment_count - w->first;
@@ -380,7 +279,7 @@ static enum bead_error repeat(const struct bead_reader *reader, const struct bea
     return err;
 }
 
-/* What an entry makes of its segments, which the chain has. */
+/* Applies the keys of an entry to its segments, which belong to the chain. */
 static enum bead_error finish_entry(struct bead_reader *reader, const struct bead_at *at, struct written *w, bool group)
 {
     struct bead_chain_spec *chain = w->chain;
@@ -416,7 +315,7 @@ static enum bead_error read_entry(struct bead_reader *reader, const struct bead_
     if (!err && !group)
         err = push(reader, chain, &w.segment);
     if (err || group)
-        free_segment(&w.segment);
+        bead_scene_free_segment(&w.segment);
     if (!err)
         err = finish_entry(reader, at, &w, group);
     free(w.variation.materials);
@@ -426,14 +325,13 @@ static enum bead_error read_entry(struct bead_reader *reader, const struct bead_
 static enum bead_error read_list(struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain,
                                  const char *shape)
 {
-    char shown[64];
     if (at->node->kind != BEAD_NODE_LIST)
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), shape);
+        return bead_must_be(reader, at, shape);
     if (at->node->count == 0)
         return bead_wrong(reader, at, "is an empty list: at least one bead is needed%s", at->up->up ? " behind the striker" : "");
     enum bead_error err = BEAD_OK, kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < at->node->count; i++) {
-        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        struct bead_at element = bead_at_item(at, i);
         err = read_entry(reader, &element, chain);
     }
     return kept;
@@ -457,7 +355,7 @@ static struct bead_at entry_of(const struct bead_at *at, const struct bead_segme
     return *at;
 }
 
-/* Two sensors of one name could not be told apart. */
+/* Sensors of one chain must have different names. */
 static enum bead_error check_sensors(const struct bead_reader *reader, const struct bead_at *at,
                                      const struct bead_chain_spec *chain)
 {
@@ -474,25 +372,17 @@ static enum bead_error check_sensors(const struct bead_reader *reader, const str
     for (size_t i = 1; i < count && !err; i++) {
         if (strcmp(sensors[i]->sensor, sensors[i - 1]->sensor) != 0)
             continue;
-        struct bead_at entry = entry_of(at, sensors[i]), where = bead_at_key(&entry, "sensor");
-        err = bead_wrong(reader, &where, "`%s` is the name of another sensor of this chain; names must differ", sensors[i]->sensor);
+        struct bead_at entry = entry_of(at, sensors[i]);
+        err = BEAD_WRONG_KEY(reader, &entry, "sensor", "`%s` is the name of another sensor of this chain; names must differ",
+                             sensors[i]->sensor);
     }
     free(sensors);
     return err;
 }
 
-enum bead_error bead_scene_read_segments(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                         void *settings)
+BEAD_OPTION_READER(bead_scene_read_segments)
 {
     struct bead_chain_spec *chain = settings;
     enum bead_error err = read_list(reader, at, chain, option->shape);
     return err ? err : check_sensors(reader, at, chain);
-}
-
-size_t bead_scene_count_beads(const struct bead_chain_spec *chain)
-{
-    size_t beads = 0;
-    for (size_t i = 0; i < chain->segment_count; i++)
-        beads += chain->segments[i].cell_beads * chain->segments[i].count;
-    return beads;
 }

@@ -2,40 +2,21 @@
 /* A user's own settings: where their file is, and reading it. */
 #include "sim/scene/scene_private.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum bead_error bead_text_read(const char *path, char **text, size_t *length, struct bead_message *msg)
+#include "sim/base/file.h"
+
+bool bead_colours_are_file(const char *value)
 {
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
-    size_t room = BEAD_YAML_BYTES + 1;
-    *text = malloc(room + 1);
-    enum bead_error err = *text ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
-    if (!err) {
-        errno = 0;
-        *length = fread(*text, 1, room, file);
-        (*text)[*length] = 0;
-        if (ferror(file))
-            err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
-        else if (*length == room)
-            err = bead_fail(msg, BEAD_ERROR_SCENE, "%s: is too long: at most 4 MiB are allowed", path);
-    }
-    fclose(file);
-    if (err) {
-        free(*text);
-        *text = NULL;
-    }
-    return err;
+    return *value != '#' && strpbrk(value, "./") != NULL;
 }
 
 /* ---- where it is ---- */
 
-/* `folder`: ends at `end`; relative ones are none, as the specification of these folders has it. */
+/* `folder` ends at `end`; relative folders are ignored, as their specification demands. */
 static bool look_in(const char *folder, const char *end, const char *below, char *path, size_t size)
 {
     int length = snprintf(path, size, "%.*s%s/beadreel/config.yaml", (int)(end - folder), folder, below);
@@ -60,13 +41,11 @@ bool bead_config_find(char *path, size_t size)
 
 /* ---- what it says ---- */
 
-static enum bead_error read_colormaps(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings)
+static BEAD_OPTION_READER(read_colormaps)
 {
     struct bead_config *config = settings;
-    char shown[64];
     if (at->node->kind != BEAD_NODE_MAP)
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+        return bead_must_be(reader, at, option->shape);
     config->colormaps = calloc(at->node->count / 2 + 1, sizeof *config->colormaps);
     if (!config->colormaps)
         return bead_no_memory(reader);
@@ -153,7 +132,7 @@ enum bead_error bead_config_load(const char *path, struct bead_config **config, 
         *config = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     }
-    enum bead_error err = bead_text_read(path, &text, &length, msg);
+    enum bead_error err = bead_file_read(path, BEAD_YAML_BYTES, &text, &length, msg);
     if (!err && text[strspn(text, " \t\r\n")])
         err = bead_yaml_parse(path, text, length, &reader.yaml, msg);
     if (!err && reader.yaml)

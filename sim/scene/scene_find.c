@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "beadreel/assets.h"
+#include "sim/base/assets.h"
 #include "sim/base/suggest.h"
 #include "sim/scene/scene_private.h"
 
@@ -139,17 +139,15 @@ static enum bead_error not_found(const char *name, struct bead_message *msg)
         for (size_t i = 0; i < list.count; i++)
             bead_suggest_try(&search, list.scenes[i].name);
         bead_text_show(name, shown, sizeof shown);
-        if (search.best)
-            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: no such file, and no ready scene%s", shown,
-                            bead_suggest_text(&search, near, sizeof near));
-        else
-            err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: no such file, and no ready scene; --list scenes shows those", shown);
+        bead_suggest_text(&search, near, sizeof near);
+        err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: no such file, and no ready scene%s", shown,
+                        *near ? near : "; --list scenes shows those");
     }
     bead_scene_ready_free(list.scenes, list.count);
     return err;
 }
 
-/* A name of ours: no way out of the directory of scenes. */
+/* Can it be the name of a ready scene? It must not lead out of their directory. */
 static bool may_be_ready(const char *name)
 {
     return *name && *name != '/' && *name != '.' && !strstr(name, "/.") && strlen(name) < 1000;

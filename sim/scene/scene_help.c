@@ -3,55 +3,46 @@
 #include <string.h>
 
 #include "sim/base/suggest.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/scene/scene_private.h"
 
-/* Each a table, or a family of them. */
+/* In the order of the man page: tables, and those of laws, outputs, equations and their starts. */
 static const struct {
     const struct bead_options *options;
-    const struct bead_option_family *family;
+    const struct bead_options *(*member)(size_t index);
 } all[] = {
-    {&bead_scene_options, NULL},
-    {&bead_chain_options, NULL},
-    {&bead_striker_options, NULL},
-    {&bead_segment_options, NULL},
-    {&bead_taper_options, NULL},
-    {&bead_disorder_options, NULL},
-    {NULL, &bead_law_family},
-    {&bead_damping_options, NULL},
-    {&bead_material_options, NULL},
-    {&bead_tolerance_options, NULL},
-    {&bead_simulate_options, NULL},
-    {NULL, &bead_output_family},
-    {&bead_panel_options, NULL},
-    {&bead_caption_options, NULL},
-    {&bead_speed_options, NULL},
-    {&bead_card_options, NULL},
-    {NULL, &bead_equation_family},
-    {&bead_start_mode_options, NULL},
-    {&bead_start_pulse_options, NULL},
-    {&bead_start_cosine_options, NULL},
-    {&bead_start_wave_options, NULL},
-    {&bead_start_solitons_options, NULL},
-    {&bead_soliton_options, NULL},
-    {&bead_sweep_options, NULL},
-    {&bead_sweep_measure_options, NULL},
+    {&bead_scene_options, NULL},     {&bead_chain_options, NULL},    {&bead_striker_options, NULL},
+    {&bead_segment_options, NULL},   {&bead_taper_options, NULL},    {&bead_disorder_options, NULL},
+    {NULL, bead_law_options},        {&bead_damping_options, NULL},  {&bead_material_options, NULL},
+    {&bead_tolerance_options, NULL}, {&bead_simulate_options, NULL}, {NULL, bead_output_options},
+    {&bead_panel_options, NULL},     {&bead_caption_options, NULL},  {&bead_speed_options, NULL},
+    {&bead_card_options, NULL},      {NULL, bead_equation_options},  {NULL, bead_start_options},
+    {&bead_soliton_options, NULL},   {&bead_sweep_options, NULL},    {&bead_sweep_measure_options, NULL},
 };
 
-const struct bead_options *bead_scene_section(size_t index)
+static const struct bead_options *find_table(size_t index)
 {
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        const struct bead_option_family *family = all[i].family;
-        const struct bead_options *options = family ? family->member(0) : all[i].options;
-        for (size_t k = 1; options; options = family ? family->member(k++) : NULL) {
-            if (options->name && index-- == 0)
+        const struct bead_options *options = all[i].member ? all[i].member(0) : all[i].options;
+        for (size_t k = 1; options; options = all[i].member ? all[i].member(k++) : NULL) {
+            if (index-- == 0)
                 return options;
         }
     }
     return NULL;
 }
 
-bool bead_scene_key_home(const char *key, char *text, size_t size)
+const struct bead_options *bead_scene_section(size_t index)
+{
+    const struct bead_options *options;
+    for (size_t i = 0; (options = find_table(i)); i++) {
+        if (options->name && index-- == 0)
+            return options;
+    }
+    return NULL;
+}
+
+static bool find_home(const char *key, char *text, size_t size)
 {
     static const struct {
         const char *path;
@@ -64,12 +55,14 @@ bool bead_scene_key_home(const char *key, char *text, size_t size)
     for (size_t i = 0; i < sizeof homes / sizeof *homes && !home; i++)
         home = bead_options_find(homes[i].options, key) ? homes[i].path : NULL;
     const struct bead_options *kind;
-    for (size_t i = 0; !home && (kind = bead_output_family.member(i)); i++)
+    for (size_t i = 0; !home && (kind = bead_output_options(i)); i++)
         home = bead_options_find(kind, key) ? "outputs.N." : NULL;
     if (home)
         snprintf(text, size, "%s%s", home, key);
     return home != NULL;
 }
+
+const struct bead_option_tables bead_scene_tables = {find_table, find_home};
 
 void bead_scene_help(FILE *out)
 {

@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/assets.h"
+#include "sim/base/assets.h"
 #include "sim/base/suggest.h"
 #include "sim/scene/scene_private.h"
-#include "sim/scene/scene_words.h"
 
 /* As written; a bead_material is made of it. */
 struct written {
@@ -18,109 +17,45 @@ struct written {
 };
 
 static const struct bead_option tolerance_rows[] = {
-    {.key = "radius",
-     .offset = offsetof(struct written, radius_tolerance),
-     .unit = "1",
-     .initial = "0",
-     .low = 0,
-     .high = 1,
+    {"radius", BEAD_OPTION_NUMBER, offsetof(struct written, radius_tolerance), .unit = "1", .initial = "0", .low = 0, .high = 1,
      .shape = "from 0 to 100 %",
-     .help = "standard deviation of the radius of a bead; its mass follows, with the density of the material",
-     .example = "0.1 %"},
-    {.key = "modulus",
-     .offset = offsetof(struct written, modulus_tolerance),
-     .unit = "1",
-     .initial = "0",
-     .low = 0,
-     .high = 1,
-     .shape = "from 0 to 100 %",
-     .help = "standard deviation of Young's modulus",
-     .example = "2 %"},
+     .help = "standard deviation of the radius of a bead; its mass follows, with the density of the material", .example = "0.1 %"},
+    {"modulus", BEAD_OPTION_NUMBER, offsetof(struct written, modulus_tolerance), .unit = "1", .initial = "0", .low = 0, .high = 1,
+     .shape = "from 0 to 100 %", .help = "standard deviation of Young's modulus", .example = "2 %"},
 };
 const struct bead_options bead_tolerance_options = {"materials.NAME.tolerance",
                                                     "how much beads of one material differ, each on its own; a wall counts as one",
                                                     BEAD_OPTIONS(tolerance_rows), NULL, NULL};
 
-static enum bead_error read_tolerance(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings)
-{
-    (void)option;
-    return bead_options_read(reader, at, &bead_tolerance_options, settings);
-}
-
-static enum bead_error read_colour(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                   void *settings);
+static BEAD_OPTION_READER(read_colour);
 
 static const struct bead_option rows[] = {
-    {.key = "modulus",
-     .offset = offsetof(struct written, modulus),
-     .unit = "Pa",
-     .required = true,
-     .low = 1,
-     .high = 1e15,
-     .help = "Young's modulus",
-     .example = "193 GPa"},
-    {.key = "poisson",
-     .offset = offsetof(struct written, poisson),
-     .required = true,
-     .low = -1,
-     .high = 0.5,
-     .open = BEAD_OPEN_LOW,
-     .help = "Poisson's ratio",
-     .example = "0.3"},
-    {.key = "radius",
-     .offset = offsetof(struct written, radius),
-     .unit = "m",
-     .low = 1e-9,
-     .high = 1e3,
-     .help = "radius of a bead; walls need none",
-     .example = "4.76 mm"},
-    {.key = "mass",
-     .offset = offsetof(struct written, mass),
-     .unit = "kg",
-     .low = 0,
-     .high = 1e9,
-     .open = BEAD_OPEN_LOW,
-     .help = "mass of a bead; give this or density; walls need neither",
-     .example = "3.63 g"},
-    {.key = "density",
-     .offset = offsetof(struct written, density),
-     .unit = "kg/m3",
-     .low = 0,
-     .high = 1e6,
-     .open = BEAD_OPEN_LOW,
-     .help = "density, which gives the mass with the radius",
-     .example = "7800 kg/m3"},
-    {.key = "colour",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "#9aa4b2",
-     .shape = "\"#rrggbb\"",
-     .help = "colour in pictures",
-     .example = "\"#c08040\"",
-     .like = "text",
-     .read = read_colour},
-    {.key = "label",
-     .type = BEAD_OPTION_TEXT,
-     .offset = offsetof(struct written, label),
-     .initial = "",
+    {"modulus", BEAD_OPTION_NUMBER, offsetof(struct written, modulus), .unit = "Pa", .required = true, .low = 1, .high = 1e15,
+     .help = "Young's modulus", .example = "193 GPa"},
+    {"poisson", BEAD_OPTION_NUMBER, offsetof(struct written, poisson), .required = true, .low = -1, .high = 0.5,
+     .open = BEAD_OPEN_LOW, .help = "Poisson's ratio", .example = "0.3"},
+    {"radius", BEAD_OPTION_NUMBER, offsetof(struct written, radius), .unit = "m", .low = 1e-9, .high = 1e3,
+     .help = "radius of a bead; walls need none", .example = "4.76 mm"},
+    {"mass", BEAD_OPTION_NUMBER, offsetof(struct written, mass), .unit = "kg", .low = 0, .high = 1e9, .open = BEAD_OPEN_LOW,
+     .help = "mass of a bead; give this or density; walls need neither", .example = "3.63 g"},
+    {"density", BEAD_OPTION_NUMBER, offsetof(struct written, density), .unit = "kg/m3", .low = 0, .high = 1e6,
+     .open = BEAD_OPEN_LOW, .help = "density, which gives the mass with the radius", .example = "7800 kg/m3"},
+    {"colour", BEAD_OPTION_CUSTOM, .initial = "#9aa4b2", .shape = "\"#rrggbb\"", .like = "text", .read = read_colour,
+     .help = "colour in pictures", .example = "\"#c08040\""},
+    {"label", BEAD_OPTION_TEXT, offsetof(struct written, label), .initial = "",
      .help = "what pictures call it; default: its name, as words: large steel. A wall of it has the label up to the first comma",
      .example = "\"steel, 4.76 mm\""},
-    {.key = "tolerance",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "a map",
+    {"tolerance", BEAD_OPTION_MAP, .map = &bead_tolerance_options,
      .help = "how much beads of it differ from one another, each on its own: tables of peaks of single runs then have a column "
              "`deviation_N`, the standard deviation of each peak that follows, to first order and three digits; none with damping. "
              "Those of 100 beads take as long as 25 runs, of 500 as 80; see materials.NAME.tolerance",
-     .example = "{radius: 0.1 %, modulus: 2 %}",
-     .like = "materials.NAME.tolerance",
-     .read = read_tolerance},
+     .example = "{radius: 0.1 %, modulus: 2 %}"},
 };
 
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
                                                    BEAD_OPTIONS(rows), NULL, NULL};
 
-static enum bead_error read_colour(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                   void *settings)
+static BEAD_OPTION_READER(read_colour)
 {
     struct written *written = settings;
     char shown[64];
@@ -139,31 +74,26 @@ static enum bead_error read_colour(struct bead_reader *reader, const struct bead
 
 static enum bead_error check_mass(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
 {
-    bool mass = bead_node_get(at->node, "mass", NULL), density = bead_node_get(at->node, "density", NULL);
-    bool radius = bead_node_get(at->node, "radius", NULL);
-    struct bead_at where = bead_at_key(at, mass ? "mass" : density ? "density" : "radius");
-    if (mass && density) {
-        where = bead_at_key(at, "density");
-        return bead_wrong(reader, &where, "is given beside `mass`; give one of them");
-    }
+    const bool mass = bead_given(at, "mass"), density = bead_given(at, "density"), radius = bead_given(at, "radius");
+    const char *key = mass ? "mass" : density ? "density" : "radius";
+    if (mass && density)
+        return BEAD_WRONG_KEY(reader, at, "density", "is given beside `mass`; give one of them");
     if (!radius && (mass || density))
-        return bead_wrong(reader, &where, "needs `radius`, too");
+        return BEAD_WRONG_KEY(reader, at, key, "needs `radius`, too");
     if (radius && !mass && !density)
-        return bead_wrong(reader, &where, "needs `mass` or `density`, too");
+        return BEAD_WRONG_KEY(reader, at, key, "needs `mass` or `density`, too");
     if (!radius)
         w->mass = w->radius = NAN;
     else if (density)
         w->mass = w->density * (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
-    where = bead_at_key(at, "tolerance");
     if (!radius && w->radius_tolerance > 0)
-        return bead_wrong(reader, &where, "is one of the radius, which this material does not have");
-    where = bead_at_key(at, mass ? "mass" : density ? "density" : "radius");
+        return BEAD_WRONG_KEY(reader, at, "tolerance", "is one of the radius, which this material does not have");
     if (radius && !(w->mass >= 1e-30 && w->mass <= 1e15))
-        return bead_wrong(reader, &where, "gives a mass of %.3g kg; must be from 1e-30 to 1e15 kg", w->mass);
+        return BEAD_WRONG_KEY(reader, at, key, "gives a mass of %.3g kg; must be from 1e-30 to 1e15 kg", w->mass);
     return BEAD_OK;
 }
 
-/* The material of that name, made where there is none. */
+/* The material of that name, created if it does not exist. */
 static struct bead_material *place_material(struct bead_scene *scene, const char *name)
 {
     for (size_t i = 0; i < scene->material_count; i++) {
@@ -216,13 +146,10 @@ static enum bead_error read_one(struct bead_reader *reader, const struct bead_at
     return err ? err : added;
 }
 
-enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                          void *settings)
+BEAD_OPTION_READER(bead_scene_read_materials)
 {
-    char shown[64];
-    (void)settings;
     if (at->node->kind != BEAD_NODE_MAP)
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+        return bead_must_be(reader, at, option->shape);
     enum bead_error err = BEAD_OK, kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i + 1 < at->node->count; i += 2) {
         struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
@@ -234,7 +161,7 @@ enum bead_error bead_scene_read_materials(struct bead_reader *reader, const stru
 enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
 {
     static const char file[] = "materials.yaml";
-    static const struct bead_option option = {.key = "", .shape = "a map of materials"};
+    static const struct bead_option option = {"", BEAD_OPTION_NUMBER, .shape = "a map of materials"};
     char path[4096], *text = NULL;
     size_t length = 0;
     struct bead_yaml *yaml = NULL, *scene_yaml = reader->yaml;
@@ -300,8 +227,7 @@ enum bead_error bead_scene_find_material(const struct bead_reader *reader, const
     return BEAD_OK;
 }
 
-enum bead_error bead_scene_read_material(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                         void *settings)
+BEAD_OPTION_READER(bead_scene_read_material)
 {
     return bead_scene_find_material(reader, at, true, (size_t *)(void *)((char *)settings + option->offset));
 }

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a scene takes from a user's own settings and files becomes a part of its document, so that the text that goes into
- * trajectories is whole: materials that it names, style and font of outputs that give none, the colours of files. */
+/* Copies what a scene uses of the user's own settings and files into its document, so that the text stored in trajectories is
+ * complete: materials that it names, style and font of outputs that give none, the colours of files. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "sim/scene/scene_output.h"
+#include "sim/base/file.h"
+#include "sim/kinds/outputs.h"
 #include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"
 
@@ -45,15 +46,10 @@ static bool is_ready(const struct bead_scene *scene, const char *name)
 static struct bead_node *own_materials(struct bead_yaml *yaml)
 {
     struct bead_node *root = bead_yaml_root(yaml), *map = bead_node_get(root, "materials", NULL);
-    struct bead_node *key = map ? NULL : bead_yaml_node(yaml, BEAD_NODE_SCALAR, root->place);
     if (map)
         return map;
     map = bead_yaml_node(yaml, BEAD_NODE_MAP, root->place);
-    if (!key || !map)
-        return NULL;
-    key->text = "materials";
-    key->plain = true;
-    return bead_yaml_append(yaml, root, key) && bead_yaml_append(yaml, root, map) ? map : NULL;
+    return bead_yaml_put(yaml, root, "materials", strlen("materials"), map) ? map : NULL;
 }
 
 /* A pair of the library, where the scene names it and has none of its own. */
@@ -72,11 +68,9 @@ static enum bead_error take_material(struct own *own, const struct bead_yaml *li
     if (map && (map->kind != BEAD_NODE_MAP || bead_node_get(map, key->text, NULL)))
         return BEAD_OK;
     const char *origin = bead_yaml_text(reader->yaml, file, strlen(file));
-    struct bead_node *copies[2] = {bead_yaml_copy(reader->yaml, key, key->place, origin),
-                                   bead_yaml_copy(reader->yaml, value, value->place, origin)};
+    struct bead_node *copy = origin ? bead_yaml_copy(reader->yaml, value, value->place, origin) : NULL;
     own->changed = true;
-    if (!map || !origin || !copies[0] || !copies[1] || !bead_yaml_append(reader->yaml, map, copies[0]) ||
-        !bead_yaml_append(reader->yaml, map, copies[1]))
+    if (!map || !bead_yaml_put(reader->yaml, map, key->text, strlen(key->text), copy))
         return bead_no_memory(reader);
     return BEAD_OK;
 }
@@ -88,7 +82,7 @@ static enum bead_error take_materials(struct own *own)
     struct bead_yaml *library = NULL;
     char *text = NULL;
     size_t length = 0;
-    enum bead_error err = bead_text_read(config->materials, &text, &length, &why);
+    enum bead_error err = bead_file_read(config->materials, BEAD_YAML_BYTES, &text, &length, &why);
     if (err)
         return bead_fail(msg, err == BEAD_ERROR_IO ? BEAD_ERROR_SCENE : err, "%s:%zu:%zu: materials: %.500s", config->path,
                          config->materials_place.line, config->materials_place.column, why.text);
@@ -123,23 +117,14 @@ static enum bead_error take_default(struct own *own, struct bead_node *entry, co
     const struct bead_options *options = text && entry->kind == BEAD_NODE_MAP ? options_of(own, entry) : NULL;
     if (!options || !bead_options_find(options, name) || bead_node_get(entry, name, NULL))
         return BEAD_OK;
-    struct bead_node *key = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place), *value = bead_yaml_node(yaml, BEAD_NODE_SCALAR, place);
-    const char *origin = bead_yaml_text(yaml, own->config->path, strlen(own->config->path));
+    struct bead_node *value = bead_yaml_scalar(yaml, text, strlen(text), place);
     own->changed = true;
-    if (!key || !value || !origin || !(value->text = bead_yaml_text(yaml, text, strlen(text))))
+    if (!value || !(value->origin = bead_yaml_text(yaml, own->config->path, strlen(own->config->path))))
         return bead_no_memory(own->reader);
-    key->text = name;
-    key->plain = true;
-    key->origin = value->origin = origin;
-    return bead_yaml_append(yaml, entry, key) && bead_yaml_append(yaml, entry, value) ? BEAD_OK : bead_no_memory(own->reader);
+    return bead_yaml_put(yaml, entry, name, strlen(name), value) ? BEAD_OK : bead_no_memory(own->reader);
 }
 
 /* ---- colours ---- */
-
-bool bead_colours_are_file(const char *value)
-{
-    return *value != '#' && strpbrk(value, "./") != NULL;
-}
 
 /* A row of three numbers, between them spaces, tabs or commas; false: it has no such. */
 static bool read_row(const char *line, double rgb[3])
@@ -207,7 +192,7 @@ static char *read_colours(const char *text, char *why, size_t size)
     return colours;
 }
 
-/* Files that scenes name are beside them; those of options stand where the program runs. */
+/* Names of files in scenes are relative to the scene, those in options to the working directory. */
 static char *colours_path(const struct own *own, const struct bead_node *node)
 {
     const char *scene = bead_yaml_name(own->reader->yaml, NULL), *slash = strrchr(scene, '/');
@@ -241,7 +226,7 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
         return BEAD_OK;
     }
     enum bead_error err = !path                         ? BEAD_ERROR_MEMORY
-                          : may_be_read(at->node, path) ? bead_text_read(path, &text, &length, &why)
+                          : may_be_read(at->node, path) ? bead_file_read(path, BEAD_YAML_BYTES, &text, &length, &why)
                                                         : bead_fail(&why, BEAD_ERROR_IO, "%s: is no plain file", path);
     if (err == BEAD_ERROR_IO || err == BEAD_ERROR_SCENE)
         err = bead_wrong(reader, at, "%s", why.text);

@@ -1,47 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Inside of scenes, shared by sim/scene*.c: one reader and one option table for each structure. */
-#ifndef BEADREEL_SIM_SCENE_SCENE_PRIVATE_H
-#define BEADREEL_SIM_SCENE_SCENE_PRIVATE_H
+#pragma once
 
 #include "beadreel/scene.h"
-#include "sim/scene/options.h"
+#include "sim/kinds/scene_facts.h"
+#include "sim/options/options.h"
 
-enum { BEAD_SCENE_CHAINS = 64, BEAD_SCENE_OUTPUTS = 1000, BEAD_SCENE_BEADS = 100000000 };
+enum { BEAD_SCENE_CHAINS = 64 };
 
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
-    bead_striker_options, bead_segment_options, bead_damping_options, bead_simulate_options, bead_start_mode_options,
-    bead_start_pulse_options, bead_start_cosine_options, bead_start_wave_options, bead_start_solitons_options, bead_soliton_options,
-    bead_caption_options, bead_speed_options, bead_card_options, bead_sweep_options, bead_sweep_measure_options, bead_taper_options,
-    bead_disorder_options;
-extern const struct bead_option_family bead_equation_family, bead_law_family;
-/* Table number `index` of those with a heading; NULL behind the last. */
+    bead_striker_options, bead_segment_options, bead_damping_options, bead_simulate_options, bead_soliton_options,
+    bead_sweep_options, bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
+/* The laws that have settings, the equations, and their starts: NULL behind the last. */
+const struct bead_options *bead_law_options(size_t index);
+const struct bead_options *bead_equation_options(size_t index);
+const struct bead_options *bead_start_options(size_t index);
+/* All tables of scenes, and number `index` of those with a heading; NULL behind the last. */
+extern const struct bead_option_tables bead_scene_tables;
 const struct bead_options *bead_scene_section(size_t index);
 
 /* Readers of custom options, with the signature of bead_option.read; `settings` is the structure of the row. */
-enum bead_error bead_scene_read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                          void *settings);
-enum bead_error bead_scene_read_segments(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                         void *settings);
-enum bead_error bead_scene_read_sweep(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings);
-enum bead_error bead_scene_read_sweeps(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                       void *settings);
+BEAD_OPTION_READER(bead_scene_read_materials);
+BEAD_OPTION_READER(bead_scene_read_segments);
+BEAD_OPTION_READER(bead_scene_read_sweep);
+BEAD_OPTION_READER(bead_scene_read_sweeps);
 void bead_scene_free_sweeps(struct bead_scene *scene);
-/* The sweep's groups, of the map at `at` and the random cells of its chain, which has been read. Errors: SCENE, MEMORY. */
-BEAD_CHECK enum bead_error bead_scene_read_groups(const struct bead_reader *reader, const struct bead_at *at,
-                                                  struct bead_sweep_spec *sweep);
+void bead_scene_free_segment(struct bead_segment *segment);
 /* A material's name to a size_t at the option's offset. */
-enum bead_error bead_scene_read_material(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                         void *settings);
+BEAD_OPTION_READER(bead_scene_read_material);
 
 /* Fill one structure from the map at `at`; what was filled in before a failure is freed with the scene. */
 BEAD_CHECK enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct bead_at *at,
                                                  struct bead_chain_spec *chain);
-/* The same of a chain with the key `equation`. */
+/* The chains of the scene, of beads where nothing else is said. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_make_chains(const struct bead_reader *reader, size_t count);
+/* Reads a chain with the key `equation`. */
 BEAD_CHECK enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struct bead_at *at,
                                                     struct bead_chain_spec *chain);
 BEAD_CHECK enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struct bead_at *at);
-BEAD_CHECK enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at);
 
 /* Index of a material that has a radius and a mass (`bead`), or of any. */
 BEAD_CHECK enum bead_error bead_scene_find_material(const struct bead_reader *reader, const struct bead_at *at, bool bead,
@@ -49,22 +45,13 @@ BEAD_CHECK enum bead_error bead_scene_find_material(const struct bead_reader *re
 /* Add the materials of assets/materials.yaml to the reader's scene. Errors: IO, SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader);
 
-/* Where a key belongs that stands elsewhere: "outputs.N.colormap" into `text`; false: it is in none of the large sections. */
-bool bead_scene_key_home(const char *key, char *text, size_t size);
-/* Beads of a chain without its striker. */
-size_t bead_scene_count_beads(const struct bead_chain_spec *chain);
-/* Number of the last bead, or point, of a chain; `simulate` must have been read. */
-size_t bead_scene_last_bead(const struct bead_scene *scene, size_t chain);
-/* BEAD_FIELD_BITs of the fields that all chains of the scene have. */
-unsigned bead_scene_fields(const struct bead_scene *scene);
-/* Does any chain of the scene have a sensor? */
-bool bead_scene_has_sensors(const struct bead_scene *scene);
+/* Names as people read them: "large steel" of "large-steel"; names that have spaces or capitals stay as they are. To be freed;
+ * NULL: out of memory. */
+char *bead_words_of(const char *name);
+/* Fills in the titles of chains and sweeps. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_find_words(struct bead_reader *reader);
 
 /* ---- a user's own settings and files, on their way into a scene ---- */
-
-/* The whole of a file, but no more than a scene may have: it could be a device. To be freed. Errors: IO, SCENE (too long), MEMORY.
- */
-BEAD_CHECK enum bead_error bead_text_read(const char *path, char **text, size_t *length, struct bead_message *msg);
 
 /* Is a value of `colormap` the name of a file of colours? */
 bool bead_colours_are_file(const char *value);
@@ -73,4 +60,41 @@ bool bead_colours_are_file(const char *value);
  * something. Errors: SCENE, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *config, bool *changed);
 
-#endif
+/* ---- beads that differ from their material: radius, mass and modulus of an entry of `beads`, taper, disorder ---- */
+
+enum bead_varied { BEAD_VARIED_RADIUS, BEAD_VARIED_MASS, BEAD_VARIED_MODULUS, BEAD_VARIED_COUNT };
+
+/* Random values: of their own, or factors. */
+struct bead_distribution {
+    enum { BEAD_ALWAYS, BEAD_UNIFORM, BEAD_NORMAL } kind;
+    bool absolute;
+    double low, high; /* uniform; of normal ones `high` is the standard deviation, a factor */
+};
+
+/* The keys of an entry; those not given are zero, or NaN. */
+struct bead_variation {
+    double value[BEAD_VARIED_COUNT]; /* SI; NaN: as the material has it */
+    double ratio;                    /* taper: of a radius to the one before; NaN: none */
+    double ends[2];                  /* taper: radii of the first and the last bead, m; NaN: those of the materials */
+    struct bead_distribution random[BEAD_VARIED_COUNT];
+    size_t *materials; /* to draw from, one entry for each part; own; NULL: none */
+    size_t material_count;
+    uint64_t seed;
+};
+extern const struct bead_variation bead_variation_none;
+
+/* A key of entries of `beads`, at the variation's place in their structure. */
+BEAD_OPTION_READER(bead_scene_read_taper);
+
+/* The names in a list, "large-steel" or "2 ptfe" for two of them, as materials: *materials is the caller's, of *count. Errors:
+ * SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_read_cell(struct bead_reader *reader, const struct bead_at *at, size_t **materials,
+                                                size_t *count);
+
+/* Give `count` segments, left to right, their values: of the cell where all are alike, else of each bead. Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const struct bead_at *at,
+                                                 const struct bead_variation *variation, struct bead_segment *segments,
+                                                 size_t count);
+BEAD_CHECK enum bead_error bead_scene_vary_each(const struct bead_reader *reader, const struct bead_at *at,
+                                                const struct bead_variation *variation, struct bead_segment *segments,
+                                                size_t count);

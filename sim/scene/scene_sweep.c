@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `sweep`, `sweeps`: chains that differ in the spins of their random cells, and what is measured of them. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,123 +12,57 @@ enum { SWEEPS = 64, SENSORS = 64, CONFIGURATIONS = 10000000 };
 
 #define SWEEP(member)   offsetof(struct bead_sweep_spec, member)
 #define MEASURE(member) offsetof(struct bead_sweep_measures, member)
-#define READER(name)                                                                                                    \
-    static enum bead_error name(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option, \
-                                void *settings)
 
-/* Keys that are read with the chain, those that need it (read when it is there), and the measures' own. */
-READER(skip_key);
-READER(read_measure);
-READER(read_sensors);
-READER(read_places);
+/* Keys without a reader are read with the chain, or when it is there. */
+static BEAD_OPTION_READER(read_measure);
+static BEAD_OPTION_READER(read_sensors);
+static BEAD_OPTION_READER(read_places);
 
 static const struct bead_option measure_rows[] = {
-    {.key = "peak",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "force or none",
+    {"peak", BEAD_OPTION_CUSTOM, .shape = "force or none", .like = "force|none",
      .help = "take the largest force of `beads` in the first passage, which ends when the front reaches the end of the chain",
-     .example = "force",
-     .like = "force|none",
-     .read = skip_key},
-    {.key = "beads",
-     .type = BEAD_OPTION_CUSTOM,
-     .offset = MEASURE(beads),
-     .initial = "[3, 5]",
-     .shape = "[first, last], counted from the last random bead",
-     .help = "the beads of which the largest force is taken",
-     .example = "[1, 8]",
-     .like = "[2 number]",
-     .read = read_places},
-    {.key = "sensor",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "the name of a sensor, or a list of some",
-     .help = "take the peak force at these sensors instead",
-     .example = "first",
-     .like = "text|[text]",
-     .read = read_sensors},
-    {.key = "decay",
-     .type = BEAD_OPTION_FLAG,
-     .offset = MEASURE(decay),
-     .initial = "false",
+     .example = "force"},
+    {"beads", BEAD_OPTION_CUSTOM, MEASURE(beads), .initial = "[3, 5]", .shape = "[first, last], counted from the last random bead",
+     .like = "[2 number]", .read = read_places, .help = "the beads of which the largest force is taken", .example = "[1, 8]"},
+    {"sensor", BEAD_OPTION_CUSTOM, .shape = "the name of a sensor, or a list of some", .like = "text|[text]", .read = read_sensors,
+     .help = "take the peak force at these sensors instead", .example = "first"},
+    {"decay", BEAD_OPTION_FLAG, MEASURE(decay), .initial = "false",
      .help = "also keep, for each bead, the peak force, the energy of the front at that time (of the bead and the four on either "
              "side), and force and energy at the end"},
 };
 const struct bead_options bead_sweep_measure_options = {"sweep.measure", "what is measured of each chain",
                                                         BEAD_OPTIONS(measure_rows), NULL, NULL};
 
-#define OF_CHAIN(name, of, sample, kind)                                                                              \
-    {                                                                                                                 \
-        .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .example = sample, .like = kind, \
-        .read = skip_key                                                                                              \
+#define OF_CHAIN(name, of, sample, kind)                                                                             \
+    {                                                                                                                \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .example = sample, .like = kind \
     }
 static const struct bead_option rows[] = {
-    {.key = "name",
-     .type = BEAD_OPTION_TEXT,
-     .offset = SWEEP(name),
-     .initial = "",
-     .help = "name of the sweep; required under `sweeps`",
-     .example = "long"},
-    {.key = "cells",
-     .type = BEAD_OPTION_COUNT,
-     .offset = SWEEP(asked),
-     .low = 1,
-     .high = 1000000,
+    {"name", BEAD_OPTION_TEXT, SWEEP(name), .initial = "", .help = "name of the sweep; required under `sweeps`", .example = "long"},
+    {"cells", BEAD_OPTION_COUNT, SWEEP(asked), .low = 1, .high = 1000000,
      .help = "number of cells with random spins; without it, the random cells of `chain` are drawn anew for each configuration",
      .example = "64"},
-    {.key = "fixed",
-     .type = BEAD_OPTION_COUNT,
-     .offset = SWEEP(fixed),
-     .initial = BEAD_SWEEP_FIXED,
-     .low = 0,
-     .high = 1000000,
-     .help = "how many cells follow, all up",
-     .example = "10"},
-    {.key = "cell",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "[MATERIAL, MATERIAL, ...]",
-     .help = "the beads of a cell; without it [large-steel, aluminium]",
-     .example = "[large-steel, ptfe]",
-     .like = "[text]",
-     .read = skip_key},
-    {.key = "magnetism",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "all, a number, or a list of numbers from 0 to 1",
+    {"fixed", BEAD_OPTION_COUNT, SWEEP(fixed), .initial = BEAD_SWEEP_FIXED, .low = 0, .high = 1000000,
+     .help = "how many cells follow, all up", .example = "10"},
+    {"cell", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]",
+     .help = "the beads of a cell; without it [large-steel, aluminium]", .example = "[large-steel, ptfe]"},
+    {"magnetism", BEAD_OPTION_CUSTOM, .shape = "all, a number, or a list of numbers from 0 to 1", .like = "all|number|[number]",
      .help = "M = (up - down) / all, the nearest that the number of cells allows; all: each that it allows. Without it: all with "
              "`cells`, else as each segment of `chain` has it",
-     .example = "[0, 0.5, 1]",
-     .like = "all|number|[number]",
-     .read = skip_key},
-    {.key = "configurations",
-     .type = BEAD_OPTION_COUNT,
-     .offset = SWEEP(configurations),
-     .initial = "20",
-     .low = 1,
-     .high = 1000000,
-     .help = "how many chains of each magnetism; one where all spins are the same",
-     .example = "100"},
-    {.key = "seed",
-     .type = BEAD_OPTION_SEED,
-     .offset = SWEEP(seed),
-     .initial = "0",
-     .help = "seed of all spins; the same seed gives the same spins on every machine",
-     .example = "2009"},
-    {.key = "spins",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "a list such as [\"1101\", \"0110\"], one digit per random cell",
-     .help = "the configurations, one by one, instead of magnetism",
-     .example = "[\"1101\", \"0110\"]",
-     .like = "[text]",
-     .read = skip_key},
-    {.key = "measure",
-     .type = BEAD_OPTION_CUSTOM,
-     .initial = "{}",
-     .shape = "a map",
-     .help = "see sweep.measure",
-     .example = "{sensor: first}",
-     .like = "sweep.measure",
-     .read = read_measure},
+     .example = "[0, 0.5, 1]"},
+    {"configurations", BEAD_OPTION_COUNT, SWEEP(configurations), .initial = "20", .low = 1, .high = 1000000,
+     .help = "how many chains of each magnetism; one where all spins are the same", .example = "100"},
+    {"seed", BEAD_OPTION_SEED, SWEEP(seed), .initial = "0",
+     .help = "seed of all spins; the same seed gives the same spins on every machine", .example = "2009"},
+    {"spins", BEAD_OPTION_CUSTOM, .shape = "a list such as [\"1101\", \"0110\"], one digit per random cell", .like = "[text]",
+     .help = "the configurations, one by one, instead of magnetism", .example = "[\"1101\", \"0110\"]"},
+    {"measure", BEAD_OPTION_CUSTOM, .initial = "{}", .shape = "a map", .like = "sweep.measure", .read = read_measure,
+     .help = "see sweep.measure", .example = "{sensor: first}"},
+    {"whole", BEAD_OPTION_FLAG, SWEEP(whole), .initial = "false",
+     .help = "keep all beads to the end of each run; else those too far behind the front to change the measured peaks are dropped, "
+             "which is faster"},
     OF_CHAIN("striker", "with `cells`: what strikes the chain; else as in `chain`", "{velocity: 1 m/s}", "chain.striker"),
-    OF_CHAIN("wall", "with `cells`: what stands behind the last bead", "brass", "text"),
+    OF_CHAIN("wall", "with `cells`: the wall behind the last bead", "brass", "text"),
     OF_CHAIN("law", "with `cells`: the force between two beads", "thesis-appendix", "text|chain.law"),
     OF_CHAIN("precompression", "with `cells`: static force that presses the chain together", "10 N", "number"),
     OF_CHAIN("tilt", "with `cells`: slope of the chain, with its wall at the lower end", "3.5 deg", "number"),
@@ -137,37 +72,25 @@ const struct bead_options bead_sweep_options = {
     "sweep", "many chains with random spins; `sweeps` is a list of sweeps with a `name` each, shown together", BEAD_OPTIONS(rows),
     NULL, NULL};
 
-READER(skip_key)
-{
-    (void)reader, (void)at, (void)option, (void)settings;
-    return BEAD_OK;
-}
-
-READER(read_places)
+static BEAD_OPTION_READER(read_places)
 {
     static const struct bead_option place = {.type = BEAD_OPTION_COUNT, .low = 1, .high = 1000000};
     struct bead_sweep_measures *measures = settings;
-    char shown[64];
-    if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
-    for (size_t i = 0; i < 2; i++) {
-        struct bead_at element = {at, NULL, i, at->node->items[i]};
-        double number = 0;
-        enum bead_error err = bead_read_number(reader, &element, &place, &number);
-        if (err)
-            return err;
-        measures->beads[i] = (size_t)number;
-    }
+    double beads[2] = {0, 0};
+    enum bead_error err = bead_read_pair(reader, at, &place, option->shape, beads);
+    if (err)
+        return err;
+    measures->beads[0] = (size_t)beads[0];
+    measures->beads[1] = (size_t)beads[1];
     return measures->beads[0] <= measures->beads[1]
                ? BEAD_OK
                : bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", measures->beads[0],
                             measures->beads[1]);
 }
 
-READER(read_sensors)
+static BEAD_OPTION_READER(read_sensors)
 {
     struct bead_sweep_measures *measures = settings;
-    (void)option;
     bool list = at->node->kind == BEAD_NODE_LIST;
     size_t count = list ? at->node->count : 1;
     if (count == 0 || count > SENSORS)
@@ -178,8 +101,8 @@ READER(read_sensors)
     measures->sensor_count = count;
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < count && !err; i++) {
-        struct bead_at element = {at, NULL, i, list ? at->node->items[i] : at->node};
-        err = bead_read_text(reader, list ? &element : at, &measures->sensors[i]);
+        struct bead_at element = bead_at_item(at, i);
+        err = bead_read_text(reader, &element, &measures->sensors[i]);
         for (size_t k = 0; k < i && !err; k++) {
             if (strcmp(measures->sensors[k], measures->sensors[i]) == 0)
                 err = bead_wrong(reader, &element, "`%s` is in the list twice", measures->sensors[i]);
@@ -188,50 +111,39 @@ READER(read_sensors)
     return err;
 }
 
-READER(read_measure)
+static BEAD_OPTION_READER(read_measure)
 {
     static const char *const peaks[] = {"force", "none", NULL};
     struct bead_sweep_measures *measures = &((struct bead_sweep_spec *)settings)->measures;
-    (void)option;
     enum bead_error err = bead_options_read(reader, at, &bead_sweep_measure_options, measures);
-    struct bead_at peak = bead_at_key(at, "peak"), beads = bead_at_key(at, "beads");
+    struct bead_at peak = bead_at_key(at, "peak");
     unsigned chosen = 0;
-    if (!err && peak.node != at->node)
+    if (!err && bead_given(at, "peak"))
         err = bead_read_choice(reader, &peak, peaks, &chosen);
     measures->peak = chosen == 0;
     if (!err && !measures->peak && !measures->decay)
         err = bead_wrong(reader, &peak, "leaves nothing to measure; must be force, or go with `decay: true`");
-    if (!err && measures->sensor_count > 0 && beads.node != at->node)
-        err = bead_wrong(reader, &beads, "is given beside `sensor`; give one of them");
+    if (!err && measures->sensor_count > 0 && bead_given(at, "beads"))
+        err = BEAD_WRONG_KEY(reader, at, "beads", "is given beside `sensor`; give one of them");
     return err;
 }
 
 /* ---- what needs the chain ---- */
-
-static bool has_sensor(const struct bead_chain_spec *chain, const char *name)
-{
-    for (size_t s = 0; s < chain->segment_count; s++) {
-        if (chain->segments[s].sensor && strcmp(chain->segments[s].sensor, name) == 0)
-            return true;
-    }
-    return false;
-}
 
 static enum bead_error check_measure(const struct bead_reader *reader, const struct bead_at *at,
                                      const struct bead_sweep_spec *sweep)
 {
     const struct bead_chain_spec *chain = &reader->scene->chains[sweep->chain];
     const struct bead_sweep_measures *measures = &sweep->measures;
-    struct bead_at measure = bead_at_key(at, "measure"), beads = bead_at_key(&measure, "beads"),
-                   sensor = bead_at_key(&measure, "sensor");
+    const struct bead_at measure = bead_at_key(at, "measure");
     size_t count = bead_scene_count_beads(chain), total = 0;
     for (size_t i = 0; i < measures->sensor_count; i++) {
-        if (!has_sensor(chain, measures->sensors[i]))
-            return bead_wrong(reader, &sensor, "`%s` is not a sensor of the chain", measures->sensors[i]);
+        if (!bead_chain_spec_has_sensor(chain, measures->sensors[i]))
+            return BEAD_WRONG_KEY(reader, &measure, "sensor", "`%s` is not a sensor of the chain", measures->sensors[i]);
     }
     if (measures->peak && measures->sensor_count == 0 && sweep->last + measures->beads[1] > count)
-        return bead_wrong(reader, &beads, "reaches to bead %zu; the chain ends with bead %zu", sweep->last + measures->beads[1],
-                          count);
+        return BEAD_WRONG_KEY(reader, &measure, "beads", "reaches to bead %zu; the chain ends with bead %zu",
+                              sweep->last + measures->beads[1], count);
     for (size_t g = 0; g < sweep->group_count; g++)
         total += sweep->groups[g].configurations;
     size_t values = measures->decay ? 2 * (count + 1) : 3 * (measures->sensor_count + 1);
@@ -245,13 +157,10 @@ static enum bead_error check_measure(const struct bead_reader *reader, const str
 static enum bead_error check_sweep_keys(const struct bead_reader *reader, const struct bead_at *at,
                                         const struct bead_sweep_spec *sweep)
 {
-    static const char *const with_cells[] = {"fixed", "cell", "striker", "wall", "law", "precompression", "tilt", "damping"};
-    for (size_t i = 0; i < sizeof with_cells / sizeof *with_cells && sweep->asked == 0; i++) {
-        struct bead_at where = bead_at_key(at, with_cells[i]);
-        if (where.node != at->node)
-            return bead_wrong(reader, &where, "belongs to `cells`, which is not given here; without it `chain` is swept");
-    }
-    return BEAD_OK;
+    static const char *const with_cells[] = {"fixed", "cell", "striker", "wall", "law", "precompression", "tilt", "damping", NULL};
+    return sweep->asked > 0
+               ? BEAD_OK
+               : bead_without(reader, at, with_cells, "belongs to `cells`, which is not given here; without it `chain` is swept");
 }
 
 /* The pattern, as a chain of the scene: from the keys here and those of `chain`. */
@@ -260,83 +169,221 @@ static enum bead_error read_pattern(struct bead_reader *reader, const struct bea
     const struct bead_at *top = at->up;
     while (top->up)
         top = top->up;
-    struct bead_at chain = bead_at_key(top, "chain"), beads = bead_at_key(&chain, "beads");
-    bool has_chain = chain.node != top->node;
+    struct bead_at chain = bead_at_key(top, "chain");
+    bool has_chain = bead_given(top, "chain");
     if (sweep->asked == 0 && !has_chain)
         return bead_wrong(reader, at, "has neither `cells` nor a `chain` to sweep; give one of them");
     if (sweep->asked == 0)
         return bead_scene_read_chain(reader, &chain, &reader->scene->chains[sweep->chain]);
-    if (has_chain && beads.node != chain.node)
-        return bead_wrong(reader, &beads, "are given beside `cells` of the sweep; give one of them");
+    if (has_chain && bead_given(&chain, "beads"))
+        return BEAD_WRONG_KEY(reader, &chain, "beads", "are given beside `cells` of the sweep; give one of them");
     struct bead_node *pattern = NULL;
     enum bead_error err = bead_sweep_chain_node(reader->yaml, top->node, at->node, NULL, &pattern, reader->msg);
     struct bead_at built = {at->up, at->key, at->index, pattern};
     return err ? err : bead_scene_read_chain(reader, &built, &reader->scene->chains[sweep->chain]);
 }
 
+/* ---- the configurations ---- */
+
+/* Cells of the pattern: random ones, and those that count for the magnetism besides. */
+struct cells {
+    size_t random, given, up; /* given, up: that are not random */
+};
+
+static struct cells count_cells(const struct bead_chain_spec *chain, struct bead_sweep_spec *sweep)
+{
+    struct cells cells = {0, 0, 0};
+    size_t bead = 0;
+    for (size_t s = 0; s < chain->segment_count; s++) {
+        const struct bead_segment *segment = &chain->segments[s];
+        bead += segment->count * segment->cell_beads;
+        if (segment->spins == BEAD_SPINS_RANDOM) {
+            cells.random += segment->count;
+            sweep->last = bead;
+        } else if (segment->spins_given && segment->cell_beads > 1) {
+            cells.given += segment->count;
+            cells.up += segment->spins == BEAD_SPINS_UP ? segment->count : 0;
+            for (size_t i = 0; segment->digits && i < segment->count; i++)
+                cells.up += segment->digits[i] == '1';
+        }
+    }
+    return cells;
+}
+
+static enum bead_error make_groups(const struct bead_reader *reader, struct bead_sweep_spec *sweep, size_t count)
+{
+    sweep->groups = calloc(count + 1, sizeof *sweep->groups);
+    return sweep->groups ? BEAD_OK : bead_no_memory(reader);
+}
+
+/* The group with `total` of all cells up; false: the fixed ones do not allow it. */
+static bool add_group(struct bead_sweep_spec *sweep, const struct cells *cells, size_t total)
+{
+    double all = (double)(cells->random + cells->given);
+    if (total < cells->up || total - cells->up > cells->random)
+        return false;
+    size_t up = total - cells->up;
+    bool one_way = up == 0 || up == cells->random;
+    sweep->groups[sweep->group_count++] =
+        (struct bead_sweep_group){(2 * (double)total - all) / all, up, one_way ? 1 : sweep->configurations};
+    return true;
+}
+
+static enum bead_error all_groups(const struct bead_reader *reader, struct bead_sweep_spec *sweep, const struct cells *cells)
+{
+    size_t all = cells->random + cells->given;
+    enum bead_error err = make_groups(reader, sweep, all / 2 + 1);
+    for (size_t total = (all + 1) / 2; total <= all && !err; total++)
+        add_group(sweep, cells, total);
+    return err;
+}
+
+static int by_magnetism(const void *a, const void *b)
+{
+    const struct bead_sweep_group *p = a, *q = b;
+    return (p->up > q->up) - (p->up < q->up);
+}
+
+static enum bead_error list_groups(const struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep,
+                                   const struct cells *cells)
+{
+    static const struct bead_option number = {.low = 0, .high = 1};
+    bool list = at->node->kind == BEAD_NODE_LIST;
+    size_t count = list ? at->node->count : 1, all = cells->random + cells->given;
+    if (count == 0)
+        return bead_wrong(reader, at, "is an empty list; must be all, a number, or a list of numbers from 0 to 1");
+    enum bead_error err = make_groups(reader, sweep, count);
+    for (size_t i = 0; i < count && !err; i++) {
+        const struct bead_at where = bead_at_item(at, i);
+        double magnetism = 0;
+        err = bead_read_number(reader, &where, &number, &magnetism);
+        size_t total = bead_spins_up(all, magnetism);
+        for (size_t k = 0; k < i && !err; k++) {
+            if (sweep->groups[k].up + cells->up == total)
+                err = bead_wrong(reader, &where, "gives the same magnetism as another of the list, %.6g, with %zu cells",
+                                 sweep->groups[k].magnetism, all);
+        }
+        if (!err && !add_group(sweep, cells, total))
+            err = bead_wrong(reader, &where, "is out of reach: of %zu cells %zu are fixed, %zu of these up", all, cells->given,
+                             cells->up);
+    }
+    if (!err)
+        qsort(sweep->groups, sweep->group_count, sizeof *sweep->groups, by_magnetism);
+    return err;
+}
+
+/* One group of each configuration given. */
+static enum bead_error given_groups(const struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
+{
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0)
+        return bead_must_be(reader, at, "a list such as [\"1101\", \"0110\"]");
+    enum bead_error err = bead_not_beside(reader, at, "magnetism");
+    if (!err)
+        err = make_groups(reader, sweep, at->node->count);
+    if (err || !(sweep->spins = calloc(at->node->count, sizeof *sweep->spins)))
+        return err ? err : bead_no_memory(reader);
+    for (size_t i = 0; i < at->node->count; i++) {
+        struct bead_at element = bead_at_item(at, i);
+        const char *digits = NULL;
+        err = bead_read_scalar(reader, &element, "one digit per random cell, 1 up and 0 down", &digits);
+        if (err)
+            return err;
+        if (strspn(digits, "01") != strlen(digits))
+            return bead_must_be(reader, &element, "digits 0 and 1");
+        if (strlen(digits) != sweep->cells)
+            return bead_wrong(reader, &element, "has %zu digits; must have one for each of the %zu random cells", strlen(digits),
+                              sweep->cells);
+        size_t up = 0;
+        for (size_t k = 0; k < sweep->cells; k++)
+            up += digits[k] == '1';
+        sweep->groups[sweep->group_count++] = (struct bead_sweep_group){NAN, up, 1};
+        if (!(sweep->spins[i] = strdup(digits)))
+            return bead_no_memory(reader);
+    }
+    return BEAD_OK;
+}
+
+/* Groups of one magnetism, from `magnetism` or `spins` and the random cells of the chain, which has been read. */
+static enum bead_error read_groups(const struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
+{
+    struct cells cells = count_cells(&reader->scene->chains[sweep->chain], sweep);
+    struct bead_at magnetism = bead_at_key(at, "magnetism"), spins = bead_at_key(at, "spins");
+    const bool has_magnetism = bead_given(at, "magnetism");
+    sweep->cells = cells.random;
+    if (cells.random == 0)
+        return bead_wrong(reader, at, "finds no `spins: random` to draw in `chain`; give some, or `cells`");
+    if (bead_given(at, "spins"))
+        return given_groups(reader, &spins, sweep);
+    if (!has_magnetism && sweep->asked == 0) {
+        enum bead_error err = make_groups(reader, sweep, 1);
+        if (!err)
+            sweep->groups[0] = (struct bead_sweep_group){NAN, SIZE_MAX, sweep->configurations};
+        sweep->group_count = 1;
+        sweep->own_magnetism = true;
+        return err;
+    }
+    if (!has_magnetism || (magnetism.node->kind == BEAD_NODE_SCALAR && strcmp(magnetism.node->text, "all") == 0))
+        return all_groups(reader, sweep, &cells);
+    return list_groups(reader, &magnetism, sweep, &cells);
+}
+
+/* ---- the sweep ---- */
+
 static enum bead_error read_sweep(struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     struct bead_scene *scene = reader->scene;
     struct bead_sweep_spec *sweep = &scene->sweeps[index];
-    sweep->place = at->node->place;
     sweep->chain = index;
     enum bead_error err = bead_options_read(reader, at, &bead_sweep_options, sweep);
     if (!err)
         err = check_sweep_keys(reader, at, sweep);
     if (!err)
         err = read_pattern(reader, at, sweep);
-    if (!err && scene->chains[index].equation.name)
+    if (!err && !scene->chains[index].system->has_contacts)
         err = bead_wrong(reader, at, "needs a chain of beads: an equation has no spins");
     if (!err)
-        err = bead_scene_read_groups(reader, at, sweep);
+        err = read_groups(reader, at, sweep);
     return err ? err : check_measure(reader, at, sweep);
 }
 
 static enum bead_error read_sweeps(struct bead_reader *reader, const struct bead_at *at, bool list)
 {
     struct bead_scene *scene = reader->scene;
-    struct bead_at chains = bead_at_key(at->up, "chains");
     size_t count = list ? at->node->count : 1;
-    if (chains.node != at->up->node)
-        return bead_wrong(reader, &chains, "is given beside a sweep, which has one chain: give `chain`, or `sweeps` with `cells`");
+    if (bead_given(at->up, "chains"))
+        return BEAD_WRONG_KEY(reader, at->up, "chains",
+                              "is given beside a sweep, which has one chain: give `chain`, or `sweeps` with `cells`");
     if (count == 0 || count > SWEEPS)
         return bead_wrong(reader, at, "has %zu sweeps; must have from 1 to %d", count, SWEEPS);
     scene->sweeps = calloc(count, sizeof *scene->sweeps);
-    scene->chains = calloc(count, sizeof *scene->chains);
-    if (!scene->sweeps || !scene->chains)
+    if (!scene->sweeps)
         return bead_no_memory(reader);
-    scene->sweep_count = scene->chain_count = count;
-    enum bead_error err = BEAD_OK;
+    scene->sweep_count = count;
+    enum bead_error err = bead_scene_make_chains(reader, count);
     for (size_t i = 0; i < count && !err; i++) {
-        struct bead_at element = {at, NULL, i, list ? at->node->items[i] : at->node}, name = bead_at_key(&element, "name");
-        err = read_sweep(reader, list ? &element : at, i);
+        struct bead_at element = list ? bead_at_item(at, i) : *at;
+        err = read_sweep(reader, &element, i);
         for (size_t k = 0; k < i && !err; k++) {
             if (strcmp(scene->sweeps[k].name, scene->sweeps[i].name) == 0)
-                err = bead_wrong(reader, &name, "`%s` is the name of another sweep; names must differ", scene->sweeps[i].name);
+                err = BEAD_WRONG_KEY(reader, &element, "name", "`%s` is the name of another sweep; names must differ",
+                                     scene->sweeps[i].name);
         }
         if (!err && list && !*scene->sweeps[i].name)
-            err = bead_wrong(reader, &name, "is missing: every sweep of a list needs a name");
+            err = BEAD_WRONG_KEY(reader, &element, "name", "is missing: every sweep of a list needs a name");
     }
     return err;
 }
 
-enum bead_error bead_scene_read_sweep(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings)
+BEAD_OPTION_READER(bead_scene_read_sweep)
 {
-    struct bead_at several = bead_at_key(at->up, "sweeps");
-    (void)option, (void)settings;
-    if (several.node != at->up->node)
-        return bead_wrong(reader, at, "is given beside `sweeps`; give one of them");
-    return read_sweeps(reader, at, false);
+    enum bead_error err = bead_not_beside(reader, at, "sweeps");
+    return err ? err : read_sweeps(reader, at, false);
 }
 
-enum bead_error bead_scene_read_sweeps(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                       void *settings)
+BEAD_OPTION_READER(bead_scene_read_sweeps)
 {
-    char shown[64];
-    (void)settings;
     if (at->node->kind != BEAD_NODE_LIST)
-        return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), option->shape);
+        return bead_must_be(reader, at, option->shape);
     return read_sweeps(reader, at, true);
 }
 

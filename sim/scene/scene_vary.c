@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beads that differ from their material: see scene_vary.h. Each value of its own is a material of its own, of the same name. */
-#include "sim/scene/scene_vary.h"
+/* Beads that differ from their material: see scene_private.h. Each value of its own is a material of its own, of the same name. */
+#include "sim/scene/scene_private.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ static double *value_of(struct bead_material *material, enum bead_varied what)
 
 /* ---- materials in lists ---- */
 
-/* How many beads "2 ptfe" stands for; *name is behind the number. A material may have such a name itself. */
+/* The number of beads that "2 ptfe" means; *name is set behind the number. A material may have such a name itself. */
 static size_t parts_of(const struct bead_reader *reader, const char *text, const char **name)
 {
     const size_t digits = strspn(text, "0123456789");
@@ -73,13 +73,11 @@ static enum bead_error read_parts(const struct bead_reader *reader, const struct
 
 enum bead_error bead_scene_read_cell(struct bead_reader *reader, const struct bead_at *at, size_t **materials, size_t *count)
 {
-    char shown[64];
     if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0)
-        return bead_wrong(reader, at, "is %s; must be [MATERIAL, MATERIAL, ...]",
-                          at->node->kind == BEAD_NODE_LIST ? "an empty list" : bead_node_show(at->node, shown, sizeof shown));
+        return bead_must_be(reader, at, "[MATERIAL, MATERIAL, ...]");
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < at->node->count && !err; i++) {
-        struct bead_at element = {at, NULL, i, at->node->items[i]};
+        struct bead_at element = bead_at_item(at, i);
         err = read_parts(reader, &element, materials, count);
     }
     return err;
@@ -88,30 +86,15 @@ enum bead_error bead_scene_read_cell(struct bead_reader *reader, const struct be
 /* ---- taper ---- */
 
 static const struct bead_option taper_rows[] = {
-    {.key = "from",
-     .offset = offsetof(struct bead_variation, ends[0]),
-     .unit = "m",
-     .initial = "auto",
-     .low = 1e-9,
-     .high = 1e3,
-     .word = "auto",
-     .word_value = NAN,
-     .help = "radius of the first bead; auto: that of its material",
-     .example = "4.76 mm"},
-    {.key = "to",
-     .offset = offsetof(struct bead_variation, ends[1]),
-     .unit = "m",
-     .required = true,
-     .low = 1e-9,
-     .high = 1e3,
-     .help = "radius of the last bead; those between differ by the same factor",
-     .example = "1.8 mm"},
+    {"from", BEAD_OPTION_NUMBER, offsetof(struct bead_variation, ends[0]), .unit = "m", .initial = "auto", .low = 1e-9, .high = 1e3,
+     .word = "auto", .word_value = NAN, .help = "radius of the first bead; auto: that of its material", .example = "4.76 mm"},
+    {"to", BEAD_OPTION_NUMBER, offsetof(struct bead_variation, ends[1]), .unit = "m", .required = true, .low = 1e-9, .high = 1e3,
+     .help = "radius of the last bead; those between differ by the same factor", .example = "1.8 mm"},
 };
 const struct bead_options bead_taper_options = {"chain.beads.taper", "radii from end to end; masses follow with the densities",
                                                 BEAD_OPTIONS(taper_rows), NULL, NULL};
 
-enum bead_error bead_scene_read_taper(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings)
+BEAD_OPTION_READER(bead_scene_read_taper)
 {
     struct bead_variation *v = (void *)((char *)settings + option->offset);
     struct bead_option part = *option;
@@ -126,12 +109,6 @@ enum bead_error bead_scene_read_taper(struct bead_reader *reader, const struct b
 
 /* ---- disorder ---- */
 
-static enum bead_error wrong_distribution(const struct bead_reader *reader, const struct bead_at *at, const char *shape)
-{
-    char shown[64];
-    return bead_wrong(reader, at, "is %s; must be %s", bead_node_show(at->node, shown, sizeof shown), shape);
-}
-
 /* A factor, or where that fails a value with its unit. */
 static bool read_end(const struct bead_reader *reader, const char *text, const char *unit, bool *absolute, double *value)
 {
@@ -141,8 +118,7 @@ static bool read_end(const struct bead_reader *reader, const char *text, const c
 }
 
 /* "uniform 0.3..1", "uniform 2 mm..4 mm", "normal 5 %" */
-static enum bead_error read_distribution(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                         void *settings)
+static BEAD_OPTION_READER(read_distribution)
 {
     static const double widest = 0.3;
     struct bead_distribution *d = (void *)((char *)settings + option->offset);
@@ -157,10 +133,10 @@ static enum bead_error read_distribution(struct bead_reader *reader, const struc
     if (strncmp(text, "normal ", 7) == 0) {
         *d = (struct bead_distribution){.kind = BEAD_NORMAL};
         bool good = read_end(reader, text + 7, varied[what].unit, &absolute[0], &d->high) && !absolute[0] && d->high <= widest;
-        return good ? BEAD_OK : wrong_distribution(reader, at, option->shape);
+        return good ? BEAD_OK : bead_must_be(reader, at, option->shape);
     }
     if (strncmp(text, "uniform ", 8) != 0 || !dots || strstr(dots + 2, "..") || (size_t)(dots - text - 8) >= sizeof low)
-        return wrong_distribution(reader, at, option->shape);
+        return bead_must_be(reader, at, option->shape);
     snprintf(low, sizeof low, "%.*s", (int)(dots - text - 8), text + 8);
     *d = (struct bead_distribution){.kind = BEAD_UNIFORM};
     bool good = read_end(reader, low, varied[what].unit, &absolute[0], &d->low) &&
@@ -171,14 +147,12 @@ static enum bead_error read_distribution(struct bead_reader *reader, const struc
         good = good && read_end(reader, low, varied[what].unit, &absolute[0], &d->low);
     }
     d->absolute = absolute[0];
-    return good && absolute[0] == absolute[1] && d->low <= d->high ? BEAD_OK : wrong_distribution(reader, at, option->shape);
+    return good && absolute[0] == absolute[1] && d->low <= d->high ? BEAD_OK : bead_must_be(reader, at, option->shape);
 }
 
-static enum bead_error read_materials(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                      void *settings)
+static BEAD_OPTION_READER(read_materials)
 {
     struct bead_variation *v = settings;
-    (void)option;
     return bead_scene_read_cell(reader, at, &v->materials, &v->material_count);
 }
 
@@ -193,28 +167,14 @@ static const struct bead_option disorder_rows[] = {
                "random radii; masses follow with the densities. normal: cut off at three standard deviations", "uniform 0.3..1"),
     RANDOM_ROW("mass", BEAD_VARIED_MASS, "random masses at the same radius", "normal 5 %"),
     RANDOM_ROW("modulus", BEAD_VARIED_MODULUS, "random Young's moduli", "uniform 100 GPa..193 GPa"),
-    {.key = "material",
-     .type = BEAD_OPTION_CUSTOM,
-     .shape = "[MATERIAL, MATERIAL, ...]",
+    {"material", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]", .read = read_materials,
      .help = "each bead is one of these at random, instead of its own; `3 ptfe` has three chances",
-     .example = "[large-steel, 3 ptfe]",
-     .like = "[text]",
-     .read = read_materials},
-    {.key = "seed",
-     .type = BEAD_OPTION_SEED,
-     .offset = offsetof(struct bead_variation, seed),
-     .initial = "0",
-     .help = "seed; the same seed gives the same beads on every machine",
-     .example = "7"},
+     .example = "[large-steel, 3 ptfe]"},
+    {"seed", BEAD_OPTION_SEED, offsetof(struct bead_variation, seed), .initial = "0",
+     .help = "seed; the same seed gives the same beads on every machine", .example = "7"},
 };
 const struct bead_options bead_disorder_options = {"chain.beads.disorder", "beads that differ at random, each on its own",
                                                    BEAD_OPTIONS(disorder_rows), NULL, NULL};
-
-enum bead_error bead_scene_read_disorder(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                         void *settings)
-{
-    return bead_options_read(reader, at, &bead_disorder_options, (char *)settings + option->offset);
-}
 
 /* In (0, 1); `what` and `turn` tell draws of a bead apart. */
 static double draw(const struct bead_variation *v, size_t bead, unsigned what, unsigned turn)

@@ -2,7 +2,7 @@
 /* Names as people read them in pictures: a name that is an identifier becomes words. */
 #include <string.h>
 
-#include "sim/scene/scene_words.h"
+#include "sim/scene/scene_private.h"
 
 static bool letter(char c)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opens a session: from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks. */
+/* A session's life. Opening goes from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks.
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -20,14 +21,6 @@ static enum bead_error create_chains(struct bead_session *s, struct bead_message
     for (size_t i = 0; !err && i < s->chain_count; i++)
         err = bead_chain_outline(s->scene, &s->scene->chains[i], &s->own_chains[i], msg);
     s->chains = (const struct bead_chain *const *)s->own_chains;
-    return err;
-}
-
-enum bead_error bead_session_lay(struct bead_session *s, struct bead_message *msg)
-{
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && s->own_chains && i < s->chain_count; i++)
-        err = bead_chain_lay(s->own_chains[i], msg);
     return err;
 }
 
@@ -62,67 +55,39 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     enum bead_error err = bead_session_lay(s, msg);
     if (err)
         return err;
-    struct bead_driver driver = bead_session_driver(s, "scouting the end");
-    driver.hash = false;
-    struct bead_passed passed;
-    err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
+    struct bead_play play = bead_session_play(s, "scouting the end");
+    play.hash = false;
+    play.counts = &s->counts;
+    struct bead_played played;
+    err = bead_play(&play, &played, msg);
     double end = 0, asked_end = 0;
-    for (size_t i = 0; !err && i < passed.count; i++)
-        end = fmax(end, passed.outcomes[i].end);
+    for (size_t i = 0; !err && i < played.count; i++)
+        end = fmax(end, played.outcomes[i].end);
     for (size_t i = 0; i < s->made_count; i++)
         asked_end = s->made[i].asked ? fmax(asked_end, asked_time(s->made[i].output)) : asked_end;
-    bead_passed_free(&passed);
+    bead_played_free(&played);
     s->end = fmax(end, asked_end);
     s->extended = asked_end > end;
     return err;
 }
 
-/* The scene, or where `-o` names a file, nothing but that. */
-static enum bead_error load_scene(struct bead_session *s, struct bead_message *msg)
+/* If the scene gives no accuracy, the outputs that are made may ask for one. */
+static void find_accuracy(struct bead_session *s)
 {
-    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},  {BEAD_OUTPUT_MOVIE, NULL},
-                                                  {BEAD_OUTPUT_TABLE, NULL},  {BEAD_OUTPUT_TRAJECTORY, NULL},
-                                                  {BEAD_OUTPUT_REPORT, NULL}, {BEAD_OUTPUT_KINDS, NULL}};
-    char path[4096];
-    struct bead_scene *plain = NULL;
-    struct bead_settings settings = {0};
-    enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
-    if (err)
-        return err;
-    if (!s->job.frame && !bead_session_names_file(s->job.output)) {
-        if (s->job.look_count > 0)
-            return bead_fail(msg, BEAD_ERROR_USAGE, "--%.*s: of which output? name it with -o FILE, or use --set outputs.N.%s",
-                             (int)strcspn(s->job.looks[0], "="), s->job.looks[0], s->job.looks[0]);
-        err = bead_session_settings_make(&s->job, 0, NULL, NULL, &settings, msg);
-        if (!err)
-            err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
-        bead_session_settings_free(&settings);
-        return err;
+    struct bead_simulate *simulate = &s->scene->simulate;
+    for (size_t i = 0; i < s->made_count && !simulate->accuracy_given; i++) {
+        const struct bead_made *m = &s->made[i];
+        const double wish = m->asked && m->type && m->type->accuracy ? m->type->accuracy(m->output) : 0;
+        if (!(wish > 0 && wish < simulate->accuracy))
+            continue;
+        simulate->accuracy = wish;
+        s->exacting = m->output;
     }
-    err = bead_session_load_plain(s, path, &plain, msg);
-    if (!err && s->job.frame)
-        err = bead_session_frame_settings(s, plain, &settings, msg);
-    else if (!err)
-        err = bead_session_single_settings(s, plain, plain->sweep_count > 0 ? bead_sweep_file_kinds : kinds, &settings, msg);
-    s->amid = s->job.frame != NULL;
-    if (!err)
-        err = bead_scene_load(path, settings.all, settings.count, &s->scene, msg);
-    bead_session_settings_free(&settings);
-    bead_scene_free(plain);
-    s->job.output = NULL; /* the scene says where */
-    return err;
 }
 
 static enum bead_error open_scene(struct bead_session *s, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    if (s->job.configuration) {
-        err = bead_session_load_configuration(s, msg);
-    } else if (s->job.sheet) {
-        err = bead_session_load_sheet(s, msg);
-    } else {
-        err = load_scene(s, msg);
-    }
+    enum bead_error err = bead_session_load(s, msg);
     if (err)
         return err;
     s->source = s->scene;
@@ -132,26 +97,39 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
     err = create_chains(s, msg);
     if (!err)
-        err = bead_session_find_resolution(s, msg);
-    if (!err)
         err = bead_session_list_outputs(s, msg);
-    if (!err && s->single)
-        err = bead_session_check_single(s, bead_session_single_made(s), msg);
+    if (err)
+        return err;
+    find_accuracy(s);
+    err = bead_session_find_resolution(s, msg);
     if (!err)
         err = find_end(s, msg);
     return err ? err : bead_session_create_sinks(s, msg);
 }
 
+/* Options that exclude each other, or need a file's name. */
+static enum bead_error check_job(const struct bead_job *job, struct bead_message *msg)
+{
+    if (job->configuration && job->sheet)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
+    if (job->frame && (job->configuration || job->sheet))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: has no effect with --%s", job->sheet ? "sheet" : "configuration");
+    if (job->sheet && job->parts > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: there is no part of a sheet; leave --shard out");
+    if (job->sheet && !job->output)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: say where it goes with -o FILE (png, pdf, svg)");
+    if (job->configuration && !job->output)
+        return bead_fail(msg, BEAD_ERROR_USAGE,
+                         "--configuration: say what to make of it with -o FILE (mp4, png, pdf, h5, csv, ...)");
+    return BEAD_OK;
+}
+
 /* A trajectory, a sweep's file, or a scene. */
 static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
 {
-    if (s->job.configuration && s->job.sheet)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
-    if (s->job.frame && (s->job.configuration || s->job.sheet))
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: has no effect with --%s", s->job.sheet ? "sheet" : "configuration");
     if (s->job.configuration || !bead_trajectory_is(s->job.input))
         return open_scene(s, msg);
-    enum bead_error err = bead_trajectory_begin(s->job.input, &s->trajectory, msg);
+    enum bead_error err = bead_trajectory_begin(s->job.input, s->job.own, &s->trajectory, msg);
     if (err)
         return err;
     if (!s->trajectory)
@@ -176,14 +154,10 @@ static enum bead_error begin(struct bead_session *s, const struct bead_job *give
                          "--instructions %s: this machine has no such kernels; allowed are portable and, on x86-64, sse2, avx2, "
                          "avx512",
                          job->instructions);
-    if (job->config && asprintf(&s->config, "--config=%s", job->config) < 0) {
-        s->config = NULL;
-        return bead_session_out_of_memory(msg);
-    }
-    s->job.config = s->config;
     if (!job->input)
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
-    return open_input(s, msg);
+    err = check_job(job, msg);
+    return err ? err : open_input(s, msg);
 }
 
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)
@@ -193,13 +167,22 @@ enum bead_error bead_session_open(const struct bead_job *job, struct bead_sessio
     if (!s)
         return bead_session_out_of_memory(msg);
     enum bead_error err = begin(s, job, msg);
-    if (err == BEAD_ERROR_SCENE)
-        bead_session_name_option(&s->job, msg);
     if (err)
         bead_session_close(s);
     else
         *session = s;
     return err;
+}
+
+enum bead_error bead_session_run(struct bead_session *s, struct bead_message *msg)
+{
+    if (s->begun)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: a session runs once, and this one has: open another", s->job.input);
+    s->begun = true;
+    s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
+    if (!s->results)
+        return bead_session_out_of_memory(msg);
+    return s->sweep ? bead_session_run_sweep(s, msg) : bead_session_run_single(s, msg);
 }
 
 void bead_session_close(struct bead_session *s)
@@ -215,11 +198,10 @@ void bead_session_close(struct bead_session *s)
     }
     free(s->made);
     free(s->frame_path);
-    free(s->config);
     free(s->results);
     free(s->outcomes);
     bead_session_free_sensitivities(s);
-    bead_passed_free(&s->passed);
+    bead_played_free(&s->played);
     for (size_t i = 0; s->own_chains && i < s->chain_count; i++)
         bead_chain_destroy(s->own_chains[i]);
     free(s->own_chains);

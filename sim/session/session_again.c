@@ -8,7 +8,7 @@
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
 
-/* What was computed stays as it was: settings may say how it is shown. */
+/* A stored run cannot change: settings may only say how it is shown. */
 static enum bead_error check_settings(const struct bead_session *s, struct bead_message *msg)
 {
     static const char *const shown[] = {"title", "colour", "label", "name"};
@@ -23,13 +23,13 @@ static enum bead_error check_settings(const struct bead_session *s, struct bead_
             good = good || strcmp(key, shown[k]) == 0;
         if (!good)
             return bead_fail(msg, BEAD_ERROR_USAGE,
-                             "--set:%zu:1: %s: has no effect: %s was computed without it; run the scene again", i + 1, path,
-                             s->job.input);
+                             "--set:%zu:1: %s: has no effect: %s was computed without this setting; run the scene again", i + 1,
+                             path, s->job.input);
     }
     return BEAD_OK;
 }
 
-/* A time range that is asked for is got, or an error. */
+/* A requested time range must lie within the file. */
 static enum bead_error check_time(const struct bead_session *s, const struct bead_output *output, struct bead_message *msg)
 {
     static const double rounding = 1e-9;
@@ -42,11 +42,11 @@ static enum bead_error check_time(const struct bead_session *s, const struct bea
     bead_time_text(isnan(asked[1]) ? end : asked[1], unit, to, sizeof to);
     bead_time_text(start, unit, begins, sizeof begins);
     bead_time_text(end, unit, ends, sizeof ends);
-    return bead_fail(msg, BEAD_ERROR_SCENE, "%s: time: is from %s to %s, but %s goes from %s to %s only", output->path, from, to,
-                     s->job.input, begins, ends);
+    return bead_output_wrong(output, msg, "time: is from %s to %s, but %s goes from %s to %s only", from, to, s->job.input, begins,
+                             ends);
 }
 
-/* Show no more than the file holds. */
+/* Limits the output to the beads and times in the file. */
 static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
 {
     struct bead_span beads = bead_trajectory_beads(s->trajectory);
@@ -83,14 +83,31 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
     return BEAD_OK;
 }
 
+/* The stored sample at `time`, which must be one of them. */
+static enum bead_error read_stored(const struct bead_stored *stored, double time, unsigned fields, struct bead_sample *sample,
+                                   struct bead_message *msg)
+{
+    const size_t chain = sample->chain;
+    const struct bead_grid *grid = bead_trajectory_grid(stored->context);
+    const double place = grid->every > 0 ? (time - grid->start) / grid->every : 0, nearest = floor(place + 0.5);
+    if (nearest < 0 || fabs(place - nearest) > 1e-3)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the trajectory has no sample at %.9g s", time);
+    enum bead_error err = bead_trajectory_read(stored->context, (size_t)nearest, chain, fields, sample, msg);
+    sample->chain = chain;
+    return err;
+}
+
+static struct bead_stored stored_samples(struct bead_trajectory *trajectory)
+{
+    const struct bead_grid *grid = bead_trajectory_grid(trajectory);
+    const size_t count = bead_grid_count(grid); /* fewer than asked for where its run was stopped */
+    const double last = count > 0 ? bead_grid_time(grid, count - 1) + 1e-6 * grid->every : -INFINITY;
+    return (struct bead_stored){.read = read_stored, .context = trajectory, .last = last};
+}
+
 enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead_message *msg)
 {
-    static const struct bead_file_kind kinds[] = {{BEAD_OUTPUT_IMAGE, NULL},
-                                                  {BEAD_OUTPUT_MOVIE, NULL},
-                                                  {BEAD_OUTPUT_TABLE, ", show: sensors"},
-                                                  {BEAD_OUTPUT_REPORT, NULL},
-                                                  {BEAD_OUTPUT_KINDS, NULL}};
-    struct bead_settings settings;
+    struct bead_scene *changed = NULL;
     if (!s->job.output && !s->job.frame)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
@@ -99,22 +116,18 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     enum bead_error err = check_settings(s, msg);
     if (err)
         return err;
-    err = s->job.frame ? bead_session_frame_settings(s, bead_trajectory_scene(s->trajectory), &settings, msg)
-                       : bead_session_single_settings(s, bead_trajectory_scene(s->trajectory), kinds, &settings, msg);
+    err = bead_session_choose(s, bead_trajectory_scene(s->trajectory), BEAD_OF_TRAJECTORY, NULL, &changed, msg);
     if (!err)
-        err = bead_trajectory_settle(s->trajectory, settings.all, settings.count, msg);
-    bead_session_settings_free(&settings);
+        err = bead_trajectory_settle(s->trajectory, changed, msg);
     if (err)
         return err;
     s->source = bead_trajectory_scene(s->trajectory);
     s->chains = bead_trajectory_chains(s->trajectory, &s->chain_count);
     s->end = s->needed = bead_trajectory_end(s->trajectory);
     s->native = *bead_trajectory_grid(s->trajectory);
+    s->stored = stored_samples(s->trajectory);
     err = bead_session_list_outputs(s, msg);
-    if (err)
-        return err;
     struct bead_made *m = s->made;
-    err = bead_session_check_single(s, m, msg);
     if (!err)
         err = bead_session_find_resolution(s, msg);
     if (!err)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 #include "sim/session/session_data.h"
 
 static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
 {
     /* The unfinished file of a sweep's results is a journal, which locks itself. */
-    if (bead_session_holds_sweep(m) || !(m->sink || (m->asked && m->sweep_type)))
+    if (bead_session_holds_sweep(m) || !bead_session_makes(m))
         return BEAD_OK;
     uint64_t bytes;
     const char *beside = m->sink && m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
@@ -25,9 +25,8 @@ enum bead_error bead_session_check_inside(const struct bead_session *s, const st
 {
     if (s->job.allow_outside || !path || bead_file_is_inside(path))
         return BEAD_OK;
-    return bead_fail(msg, BEAD_ERROR_SCENE,
-                     "%s:%zu:%zu: outputs: `%s` leaves the output directory; a scene may do so only with --allow-outside",
-                     s->source->file, output->place.line, output->place.column, path);
+    return bead_output_wrong(output, msg, "outputs: `%s` leaves the output directory; a scene may do so only with --allow-outside",
+                             path);
 }
 
 enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *msg)

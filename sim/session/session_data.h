@@ -1,21 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inside of a session, shared by the session_*.c. */
-#ifndef BEADREEL_SIM_SESSION_SESSION_DATA_H
-#define BEADREEL_SIM_SESSION_SESSION_DATA_H
+#pragma once
+
+#include <string.h>
 
 #include "beadreel/session.h"
-#include "sim/session/driver.h"
+#include "beadreel/sweep.h"
+#include "beadreel/trajectory.h"
+#include "sim/base/yaml.h"
+#include "sim/kinds/output_kinds.h"
+#include "sim/run/play.h"
 
 /* One output of the scene, in its order. */
 struct bead_made {
     const struct bead_output *output;
-    struct bead_output changed;               /* what replaces it where `-o FILE` names it */
-    const struct bead_sink_type *type;        /* NULL: this program cannot make it */
-    struct bead_sink *sink;                   /* NULL: skipped */
-    const struct bead_sweep_sink *sweep_type; /* the same for outputs of sweeps */
-    bool asked;                               /* not excluded by --only */
-    bool shared;                              /* draws from the samples of the trajectory output */
+    struct bead_output changed;        /* what replaces it where `-o FILE` names it */
+    const struct bead_sink_type *type; /* NULL: this program cannot make it */
+    struct bead_sink *sink;            /* NULL: skipped */
+    bool asked;                        /* not excluded by --only */
+    bool shared;                       /* draws from the samples of the trajectory output */
     bool ended;
+    uint64_t bytes;                /* written, where the type has no `result` */
     char *path;                    /* where it goes */
     char *poster;                  /* of `changed`, own */
     struct bead_frame_asked frame; /* of `single`, with the job's frame */
@@ -25,7 +30,7 @@ struct bead_made {
     struct bead_range range; /* found by scouting */
 };
 
-/* Of the step, of what could not be verified. */
+/* A step that is too long; peaks that could not be verified. */
 enum { SESSION_WARNINGS = 2 };
 
 struct bead_sensitivities; /* session_sensitivity.c */
@@ -34,13 +39,13 @@ struct bead_session {
     struct bead_job job;
     struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
     struct bead_sweep *sweep;           /* of scenes with sweeps, and their files */
-    bool sweep_read;                    /* it comes from a file */
+    bool sweep_read;                    /* read from a file */
     const char *single;                 /* the one file to make, where -o names it; else NULL */
     size_t single_index;                /* of its output in the scene */
     bool amid;                          /* the other outputs stay known: frames keep the sample times of a trajectory */
-    char *config;                       /* the job's as a setting of scenes, own; job.config, too, from then on */
     char *frame_path;                   /* what `single` is for a frame, own */
     struct bead_trajectory *trajectory; /* NULL with a scene */
+    struct bead_stored stored;          /* its samples */
     const struct bead_scene *source;    /* either's */
     struct bead_chain **own_chains;
     const struct bead_chain *const *chains;
@@ -55,18 +60,37 @@ struct bead_session {
     double tolerance_factor;             /* of comparison runs, in the same units */
     char warning[SESSION_WARNINGS][320]; /* "": none */
     bool unverified;
-    struct bead_grid native;          /* of the trajectory output, every 0: none */
-    const struct bead_output *keeper; /* that output */
+    const struct bead_output *exacting; /* asks for the accuracy, where the scene does not; NULL: none */
+    bool begun;                         /* it runs, or has run */
+    struct bead_grid native;            /* of the trajectory output, every 0: none */
+    const struct bead_output *keeper;   /* that output */
     struct bead_made *made;
     size_t made_count;
     struct bead_counts counts;
     uint64_t scout_steps;                     /* steps of passes before the last */
-    struct bead_passed passed;                /* the last pass */
-    struct bead_sensitivities *sensitivities; /* [chains] after it; NULL: nobody asked */
+    struct bead_played played;                /* the last pass */
+    struct bead_sensitivities *sensitivities; /* [chains] after it; NULL: no output asked for them */
     struct bead_outcome *outcomes;            /* [chains] */
     struct bead_result *results;
     size_t result_count;
 };
+
+/* Behind the last slash. */
+static inline const char *bead_session_base_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+/* Is the output the file of all results of a sweep? */
+static inline bool bead_session_holds_sweep(const struct bead_made *made)
+{
+    return bead_output_type(made->output->kind)->stores_sweep;
+}
+/* Is the output made, by a sink or from a sweep? */
+static inline bool bead_session_makes(const struct bead_made *made)
+{
+    return made->sink || (made->asked && made->type && made->type->write);
+}
 
 /* session_claims.c */
 /* A scene may be a stranger's: files that it names stay in the output directory, unless the job allows more. Errors: SCENE. */
@@ -77,14 +101,16 @@ BEAD_CHECK enum bead_error bead_session_check_inside(const struct bead_session *
 BEAD_CHECK enum bead_error bead_session_claim(struct bead_session *session, struct bead_message *msg);
 /* As soon as an output is finished others may read it, and HDF5 locks what it reads. */
 void bead_session_release_output(struct bead_made *made);
-/* What was claimed and not finished goes, but for what a stopped run keeps. */
+/* Gives up all claims and removes unfinished files, except the parts that a stopped run keeps. */
 void bead_session_release(struct bead_session *session);
 
 /* session_sinks.c */
-/* A driver with the session's chains and settings and no consumers yet. */
-struct bead_driver bead_session_driver(const struct bead_session *session, const char *what);
+/* The session's chains and settings, and no consumers yet. */
+struct bead_play bead_session_play(const struct bead_session *session, const char *what);
+/* The settings of a sweep's run. */
+struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session *session);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
-/* Chains begin as outlines, which are enough for most plans; this builds their arrays, where that has not been done. */
+/* Chains begin as outlines, which are enough for most plans; this builds their arrays, unless they exist. */
 BEAD_CHECK enum bead_error bead_session_lay(struct bead_session *session, struct bead_message *msg);
 /* Find the sample interval that shows every oscillation of the fastest chain. */
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
@@ -101,64 +127,26 @@ bool bead_output_needs_end(const struct bead_output *output);
 
 /* session_outputs.c: list the outputs and mark those that --only asks for. Errors: USAGE (--only names no output), MEMORY. */
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
-/* Is it the file of all results of a sweep? */
-bool bead_session_holds_sweep(const struct bead_made *made);
-/* Behind the last slash. */
-const char *bead_session_base_name(const char *path);
-/* Does --only NAME mean it: `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4? */
-bool bead_session_is_named(const struct bead_output *output, const char *name);
-/* The one output that is made, where `single` is. */
-struct bead_made *bead_session_single_made(const struct bead_session *session);
-/* NULL: this program cannot make it. */
-const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output);
+/* Is the output made, for all that --only says? It may be named `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4. */
+bool bead_session_is_asked(const struct bead_session *session, const struct bead_output *output);
+/* The type that makes an output, or one of sweeps; NULL: this program cannot make it. */
+const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output, bool of_sweep);
 
 /* session_single.c */
 /* Does `-o` name a file to make, rather than a directory? */
-bool bead_session_names_file(const char *output);
-/* An output that a file alone can ask for, by its ending; more: ", show: sensors" or NULL. */
-struct bead_file_kind {
-    enum bead_output_kind kind; /* BEAD_OUTPUT_KINDS: behind the last */
-    const char *more;
-};
-/* `[{movie: "a.mp4"}]` for a file of the first kind that it ends like; to be freed. Errors: USAGE, MEMORY. */
-BEAD_CHECK enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
-                                                    struct bead_message *msg);
-/* Settings of a scene: the job's config, `first` (NULL: none; borrowed), the outputs (NULL: those of the scene), what the job's
- * options say of output `index`, then the job's settings. To be freed only where there was no error. Errors: MEMORY. */
-struct bead_settings {
-    const char **all;
-    size_t count;
-    char **own;
-    size_t own_count;
-};
-BEAD_CHECK enum bead_error bead_session_settings_make(const struct bead_job *job, size_t index, const char *outputs,
-                                                      const char *first, struct bead_settings *settings, struct bead_message *msg);
-void bead_session_settings_free(struct bead_settings *settings);
-/* A scene as it is, but for the user's own settings. Errors: those of bead_scene_load. */
-BEAD_CHECK enum bead_error bead_session_load_plain(const struct bead_session *session, const char *path, struct bead_scene **scene,
-                                                   struct bead_message *msg);
-/* Settings that leave nothing but the output of the scene that `-o FILE` means; where it has none (or is NULL), one of `kinds`.
- * None where the command line changes nothing: session->single_index is the output then. To be freed in any case. Errors: USAGE,
- * MEMORY. */
-BEAD_CHECK enum bead_error bead_session_single_settings(struct bead_session *session, const struct bead_scene *scene,
-                                                        const struct bead_file_kind *kinds, struct bead_settings *settings,
-                                                        struct bead_message *msg);
-/* What is found wrong with an output once it is known where it stands in a scene, as in `run.h5:9:3: colormap: ...`, names the
- * option that set the key, where one did. */
-void bead_session_name_option(const struct bead_job *job, struct bead_message *msg);
-/* Can the program make the file that `-o` names, once its types are known? Errors: USAGE. */
-BEAD_CHECK enum bead_error bead_session_check_single(const struct bead_session *session, const struct bead_made *made,
-                                                     struct bead_message *msg);
-/* The session's only output, which may then be changed, and its poster beside it. Errors: USAGE, MEMORY. */
-BEAD_CHECK enum bead_error bead_session_place_single(const struct bead_session *session, struct bead_made *made,
-                                                     struct bead_message *msg);
-
-/* session_frame.c: which movie of the scene the job's frame is of, and where it goes; settings as above. Errors: USAGE, MEMORY. */
-BEAD_CHECK enum bead_error bead_session_frame_settings(struct bead_session *session, const struct bead_scene *scene,
-                                                       struct bead_settings *settings, struct bead_message *msg);
-/* What the job's frame says. Errors: USAGE, MEMORY. */
-BEAD_CHECK enum bead_error bead_session_read_frame(const struct bead_session *session, struct bead_frame_asked *frame,
-                                                   struct bead_message *msg);
+bool bead_session_names_file(const char *output, const struct bead_own *own);
+/* The scene that makes the one output asked for, a frame or the file `-o`: `first` (NULL: nothing) is laid over it before the
+ * choice, then come the job's options for that output, its settings and config. Sets session->single, session->single_index; the
+ * job's output is NULL from then on. Where the command line changes nothing, the scene keeps all outputs. Errors: USAGE, MEMORY,
+ * those of bead_scene_load. */
+BEAD_CHECK enum bead_error bead_session_choose(struct bead_session *session, const struct bead_scene *scene,
+                                               enum bead_source_kind source, const struct bead_override *first,
+                                               struct bead_scene **changed, struct bead_message *msg);
+/* session_run.c: the run of a scene or a trajectory; finish an output; finish all that are not, those that work in the background
+ * last, and list the results. Errors: those of the outputs. */
+BEAD_CHECK enum bead_error bead_session_run_single(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_finish(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_finish_all(struct bead_session *session, struct bead_message *msg);
 
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);
@@ -171,14 +159,14 @@ void bead_session_free_sensitivities(struct bead_session *session);
 /* session_again.c: a trajectory. */
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
 
-/* session_sweep.c: the scene's sweeps; a sweep's file; one configuration of it as the session's scene; running and planning. */
-/* What `-o FILE` may be of a sweep. */
-extern const struct bead_file_kind bead_sweep_file_kinds[];
+/* session_scene.c: the session's scene. Errors: USAGE, those of bead_scene_load and bead_sweep_open. */
+BEAD_CHECK enum bead_error bead_session_load(struct bead_session *session, struct bead_message *msg);
+/* The scene with nothing but a sheet, the file `-o`, of a sweep of its chain where it has none. */
+BEAD_CHECK enum bead_error bead_session_choose_sheet(struct bead_session *session, const struct bead_scene *scene,
+                                                     struct bead_scene **changed, struct bead_message *msg);
+
+/* session_sweep.c: the scene's sweeps; a sweep's file; running and planning. */
 BEAD_CHECK enum bead_error bead_session_open_sweep(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_open_sweep_file(struct bead_session *session, struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_session_load_sheet(struct bead_session *session, struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_session_load_configuration(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_run_sweep(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_plan_sweep(const struct bead_session *session, FILE *out, struct bead_message *msg);
-
-#endif

@@ -1,29 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which outputs a session has: those of its scene that are asked for. */
+/* The outputs of a session: those of its scene that are asked for, and where their files go. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/scene/output_kinds.h"
+#include "beadreel/chain.h"
+#include "sim/base/file.h"
+#include "sim/base/suggest.h"
+#include "sim/base/units.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
 
-const char *bead_session_base_name(const char *path)
+const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output, bool of_sweep)
 {
-    const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
-}
-
-const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output)
-{
+    if (output->own)
+        return output->own;
     for (const struct bead_sink_type *const *const *list = job->sinks; list && *list; list++) {
         for (const struct bead_sink_type *const *type = *list; *type; type++) {
-            if ((*type)->kind == output->kind && (job->frame || !(*type)->one_frame))
+            const bool fits = !(*type)->write == !of_sweep && (job->frame || !(*type)->one_frame);
+            if ((*type)->kind == output->kind && fits)
                 return *type;
         }
     }
     return NULL;
 }
 
-bool bead_session_is_named(const struct bead_output *output, const char *name)
+/* `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4. */
+static bool is_named(const struct bead_output *output, const char *name)
 {
     const char *base = bead_session_base_name(output->path), *dot = strrchr(base, '.');
     size_t stem = dot ? (size_t)(dot - base) : strlen(base);
@@ -33,13 +36,12 @@ bool bead_session_is_named(const struct bead_output *output, const char *name)
 static enum bead_error check_names(const struct bead_session *s, struct bead_message *msg)
 {
     for (size_t i = 0; i < s->job.only_count; i++) {
-        size_t found = 0, used = 0;
+        size_t found = 0;
         char names[512] = "";
         for (size_t o = 0; o < s->source->output_count; o++) {
             const struct bead_output *output = &s->source->outputs[o];
-            found += bead_session_is_named(output, s->job.only[i]);
-            if (used + strlen(output->path) + 3 < sizeof names)
-                used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", output->path);
+            found += is_named(output, s->job.only[i]);
+            bead_list_add(names, sizeof names, ", ", output->path);
         }
         if (found == 0)
             return bead_fail(msg, BEAD_ERROR_USAGE, "--only %s: no output has this name; there are %s", s->job.only[i], names);
@@ -47,30 +49,84 @@ static enum bead_error check_names(const struct bead_session *s, struct bead_mes
     return BEAD_OK;
 }
 
-static bool is_asked(const struct bead_session *s, const struct bead_output *output)
+bool bead_session_is_asked(const struct bead_session *s, const struct bead_output *output)
 {
     for (size_t i = 0; i < s->job.only_count; i++) {
-        if (bead_session_is_named(output, s->job.only[i]))
+        if (is_named(output, s->job.only[i]))
             return true;
     }
     return s->job.only_count == 0;
 }
 
-struct bead_made *bead_session_single_made(const struct bead_session *s)
+/* ---- where the one output goes that -o or a frame names ---- */
+
+/* "50%", "50 %": a part of the film. */
+static bool read_part(const char *text, double *part)
 {
-    return &s->made[s->amid ? s->single_index : 0];
+    char *end = NULL;
+    *part = strtod(text, &end) / 100;
+    return end != text && strcmp(end + strspn(end, " "), "%") == 0;
 }
 
-/* What -o names instead is not the scene's. */
+static enum bead_error read_frame(const struct bead_session *s, struct bead_frame_asked *frame, struct bead_message *msg)
+{
+    const char *text = s->job.frame, *unit = bead_chain_time_unit(s->chains[0]);
+    *frame = (struct bead_frame_asked){text, NAN, NAN};
+    if (strcmp(text, "peak") == 0 || read_part(text, &frame->part))
+        return BEAD_OK;
+    frame->part = NAN;
+    struct bead_units *units = bead_units_create();
+    char why[160] = "";
+    if (!units)
+        return bead_session_out_of_memory(msg);
+    enum bead_error err = bead_units_read(units, text, *unit ? unit : NULL, &frame->time, why, sizeof why);
+    bead_units_free(units);
+    return err ? bead_fail(msg, BEAD_ERROR_USAGE,
+                           "--frame: %s; give a time such as 2.1ms, a part of the film such as 50%%, or peak", why)
+               : BEAD_OK;
+}
+
+/* A poster goes beside the movie, wherever `-o FILE` puts that. */
+static enum bead_error place_single(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+{
+    if (!m->type)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: this program does not make such files%s", s->single,
+                         s->source->sweep_count > 0 ? " from a sweep" : "");
+    m->changed = *m->output;
+    m->changed.path = (char *)(uintptr_t)s->single; /* read only; borrowed from the job */
+    m->output = &m->changed;
+    const char *path = m->changed.path, *poster = m->changed.movie.poster;
+    size_t length = (size_t)(bead_session_base_name(path) - path);
+    if (s->job.frame) {
+        m->changed.movie.poster = NULL;
+        return read_frame(s, &m->frame, msg);
+    }
+    if (s->source->output_count != 1 && s->job.setting_count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "-o names one file, but there are %zu outputs: give a directory",
+                         s->source->output_count);
+    if (!poster || !*poster || length == 0)
+        return BEAD_OK;
+    char *directory = strndup(path, length);
+    if (!directory)
+        return bead_session_out_of_memory(msg);
+    enum bead_error err = bead_file_join(directory, poster, &m->poster, msg);
+    free(directory);
+    m->changed.movie.poster = m->poster;
+    return err;
+}
+
+/* ---- the list ---- */
+
+/* A file that -o names is not the scene's, and may be anywhere. */
 static enum bead_error place(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
-    const bool single = s->single && m == bead_session_single_made(s);
+    const bool single = s->single && m == &s->made[s->amid ? s->single_index : 0];
     enum bead_error err = single ? BEAD_OK : bead_session_check_inside(s, m->output, m->output->path, msg);
     if (!err)
         err = bead_session_check_inside(s, m->output, m->output->movie.poster, msg);
     if (!err && single)
-        err = bead_session_place_single(s, m, msg);
-    m->asked = s->single ? single : is_asked(s, m->output);
+        err = place_single(s, m, msg);
+    m->asked = s->single ? single : bead_session_is_asked(s, m->output);
     return err;
 }
 
@@ -87,8 +143,9 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
     for (size_t i = 0; i < s->made_count && !err; i++) {
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[alone ? s->single_index : i];
+        if (!s->sweep_read || !bead_session_holds_sweep(m)) /* else that file is there */
+            m->type = bead_session_find_type(&s->job, m->output, s->source->sweep_count > 0);
         err = place(s, m, msg);
-        m->type = bead_session_find_type(&s->job, m->output);
         if (bead_output_type(m->output->kind)->stores_samples && !s->keeper)
             s->keeper = m->output;
     }
@@ -102,25 +159,17 @@ bool bead_session_planned(const struct bead_session *s, size_t index, struct bea
     if (index >= s->made_count)
         return false;
     const struct bead_made *m = &s->made[index];
-    const bool results = s->sweep && bead_session_holds_sweep(m);
-    *planned = (struct bead_planned){.name = m->output->path,
-                                     .kind = bead_output_key(m->output->kind),
-                                     .made = m->asked && (m->sink || m->sweep_type || results)};
+    *planned =
+        (struct bead_planned){.name = m->output->path, .kind = bead_output_kind_name(m->output), .made = bead_session_makes(m)};
     planned->path = planned->made ? m->path : NULL;
     return true;
-}
-
-bool bead_session_holds_sweep(const struct bead_made *made)
-{
-    return bead_output_type(made->output->kind)->stores_sweep;
 }
 
 const char *bead_session_skipped(const struct bead_session *session, size_t index)
 {
     for (size_t i = 0; i < session->made_count; i++) {
         const struct bead_made *made = &session->made[i];
-        bool results = session->sweep && bead_session_holds_sweep(made); /* which every program makes */
-        if (made->asked && !made->type && !made->sweep_type && !results && index-- == 0)
+        if (made->asked && !made->type && index-- == 0)
             return made->output->path;
     }
     return NULL;

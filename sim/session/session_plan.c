@@ -4,9 +4,10 @@
 
 #include "beadreel/trajectory.h"
 #include "sim/base/memory.h"
+#include "sim/base/suggest.h"
 #include "sim/chain/chain_data.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/run/run_kinds.h"
-#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
 /* Times as people write them: of beads in microseconds or milliseconds, of equations without a unit. */
@@ -29,11 +30,12 @@ static struct words time_words(const struct bead_session *s, double time, bool m
 static void plan_chain(const struct bead_session *s, size_t index, const struct bead_pace *pace, FILE *out)
 {
     const struct bead_chain *c = s->chains[index];
-    const char *name = bead_chain_name(c), *equation = bead_chain_spec(c)->equation.name;
-    if (equation)
-        fprintf(out, "chain %s%s%s, %zu points", name, *name ? ": " : "", equation, bead_chain_beads(c));
-    else
-        fprintf(out, "chain %s%s%zu beads, %zu contacts", name, *name ? ": " : "", bead_chain_beads(c), bead_chain_contacts(c));
+    const char *name = bead_chain_name(c);
+    const struct bead_system *system = bead_chain_spec(c)->system;
+    fprintf(out, "chain %s%s%s%s%zu %s", name, *name ? ": " : "", system->label, *system->label ? ", " : "", bead_chain_beads(c),
+            system->points);
+    if (system->has_contacts)
+        fprintf(out, ", %zu contacts", bead_chain_contacts(c));
     if (*bead_chain_spins(c))
         fprintf(out, ", M = %.4g", bead_chain_magnetism(c));
     fprintf(out, "; %s", pace->method);
@@ -46,7 +48,7 @@ static void plan_chain(const struct bead_session *s, size_t index, const struct 
     fprintf(out, "\n");
 }
 
-/* Long chains: what their arrays take, at least, and whether a run would be refused for it. */
+/* The least memory that long chains take, and whether a run would be refused for want of it. */
 static void plan_memory(const struct bead_session *s, FILE *out)
 {
     uint64_t bytes = 0;
@@ -66,14 +68,14 @@ static void plan_time(const struct bead_session *s, FILE *out)
     if (s->trajectory)
         fprintf(out, "time: samples of a run of %s are read; nothing is simulated\n", time_words(s, s->end, true).text);
     else if (!isfinite(s->end))
-        fprintf(out, "time: until the first pulse has passed the end; nobody needs to know when beforehand, so no scouting pass\n");
+        fprintf(out, "time: until the first pulse has passed the end; no output needs the end time in advance: no scouting run\n");
     else if (s->needed < s->end)
         fprintf(out, "time: stops at %s of %s: no output needs more\n", time_words(s, s->needed, true).text,
                 time_words(s, s->end, true).text);
     else if (s->passage && s->extended)
         fprintf(out, "time: until %s, the latest that an output asks for\n", time_words(s, s->end, true).text);
     else if (s->passage)
-        fprintf(out, "time: until the first pulse has passed the end, at %s (found by a scouting pass without samples)\n",
+        fprintf(out, "time: until the first pulse has passed the end, at %s (found by a scouting run without samples)\n",
                 time_words(s, s->end, true).text);
     else
         fprintf(out, "time: %s as asked\n", time_words(s, s->end, true).text);
@@ -81,16 +83,15 @@ static void plan_time(const struct bead_session *s, FILE *out)
 
 static const char *plan_fields(unsigned fields, char *text, size_t size)
 {
-    size_t used = 0;
     text[0] = '\0';
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
         if (fields & BEAD_FIELD_BIT(f))
-            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? ", " : "", bead_field_info((enum bead_field)f)->name);
+            bead_list_add(text, size, ", ", bead_field_info((enum bead_field)f)->name);
     }
     return text;
 }
 
-/* Where samples taken at the trajectory's times come from: --only may leave it out. */
+/* The source of samples at the trajectory's times; --only may leave the trajectory out. */
 static const char *plan_sharing(const struct bead_session *s, const struct bead_made *m)
 {
     if (!m->shared || s->trajectory)
@@ -114,30 +115,30 @@ static void plan_output(const struct bead_session *s, const struct bead_made *m,
     const struct bead_needs *n = &m->needs;
     uint64_t bytes;
     const char *beside = m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
-    bool beads = !bead_chain_spec(s->chains[0])->equation.name;
     char fields[128];
     fprintf(out, "output %s: %s\n", m->path, n->why ? n->why : m->type->help);
     if (n->grid.every > 0 && n->fields) {
         fprintf(out, "  samples: %s of %s %zu to %zu, %zu times every %s until %s%s\n",
-                plan_fields(n->fields, fields, sizeof fields), beads ? "beads" : "points", n->beads.first, n->beads.last,
-                bead_grid_count(&n->grid), time_words(s, n->grid.every, false).text, time_words(s, n->grid.end, true).text,
-                plan_sharing(s, m));
+                plan_fields(n->fields, fields, sizeof fields), bead_chain_spec(s->chains[0])->system->points, n->beads.first,
+                n->beads.last, bead_grid_count(&n->grid), time_words(s, n->grid.every, false).text,
+                time_words(s, n->grid.end, true).text, plan_sharing(s, m));
     } else {
         fprintf(out, "  samples: none\n");
     }
     if (n->contact_peaks || n->bead_peaks)
-        fprintf(out, "  maxima of every %s's force, found between steps\n", n->contact_peaks ? "contact" : "bead");
+        fprintf(out, "  maxima of every %s's force%s, found between steps\n", n->contact_peaks ? "contact" : "bead",
+                s->passage ? " until the front reaches the end" : "");
     if (beside)
         fprintf(out, "  beside it: %s\n", beside);
     if (n->range)
-        fprintf(out, "  the range of colours is found by a scouting pass over the same samples\n");
+        fprintf(out, "  a scouting run over the same samples finds the range of colours\n");
 }
 
-/* Which outputs ask for a comparison run, and its accuracy or step. */
+/* The outputs that ask for a comparison run, and its accuracy or step. */
 static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, struct bead_message *msg)
 {
     const struct bead_simulate *asked = &s->source->simulate;
-    const struct bead_driver driver = bead_session_driver(s, "planning");
+    const struct bead_play play = bead_session_play(s, "planning");
     size_t count = 0;
     bool samples = false;
     for (size_t i = 0; i < s->made_count; i++) {
@@ -150,7 +151,7 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     if (count == 0)
         return BEAD_OK;
     struct bead_pace pace;
-    const double factor = bead_driver_comparison_factor(&driver, samples);
+    const double factor = bead_play_comparison_factor(&play, samples);
     enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, factor, &pace, msg);
     if (err)
         return err;
@@ -161,7 +162,7 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     return BEAD_OK;
 }
 
-/* Which outputs ask for derivatives, and what these take. */
+/* The outputs that ask for derivatives, and the cost. */
 static void plan_sensitivities(const struct bead_session *s, FILE *out)
 {
     for (size_t i = 0; i < s->made_count; i++) {
@@ -173,7 +174,7 @@ static void plan_sensitivities(const struct bead_session *s, FILE *out)
     }
 }
 
-/* What no output needs, so that the run leaves it out. */
+/* Parts of the work that no output needs. */
 static void plan_skips(const struct bead_session *s, FILE *out)
 {
     bool file = false, graphics = false, samples = false;
@@ -191,7 +192,7 @@ static void plan_skips(const struct bead_session *s, FILE *out)
         fprintf(out, "skipped: HDF5 (no trajectory output)\n");
     if (!graphics)
         fprintf(out, "skipped: drawing (no picture asked for)\n");
-    if (!s->trajectory && !bead_chain_spec(s->chains[0])->equation.name)
+    if (!s->trajectory && bead_chain_spec(s->chains[0])->system->has_striker)
         fprintf(out, "skipped: beads ahead of the front, until it comes (exactly at rest)%s\n",
                 s->job.full_window ? ": computed all the same, as asked" : "");
 }
@@ -209,6 +210,8 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
     }
     plan_memory(s, out);
     plan_time(s, out);
+    if (s->exacting)
+        fprintf(out, "accuracy: %.3g instead of the default, for %s\n", s->source->simulate.accuracy, s->exacting->path);
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);
     enum bead_error err = plan_comparison(s, out, msg);

@@ -1,24 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a session: a scouting pass if one is needed, the pass itself, and the end of every sink. */
+/* Runs a session: a scouting run if one is needed, the run itself, and the end of every sink. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/file.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/base/file.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
 
-static enum bead_error play(struct bead_session *s, struct bead_driver *p, struct bead_passed *passed, struct bead_message *msg)
+/* Widens the output's range by a sample of a scouting run. */
+static enum bead_error widen_range(const struct bead_consumer *c, const struct bead_sample *sample, struct bead_message *)
 {
-    return s->trajectory ? bead_drive_trajectory(p, s->trajectory, &s->counts, msg)
-                         : bead_drive_simulation(p, &s->counts, passed, msg);
+    struct bead_made *m = c->context;
+    const double *value = sample->field[c->needs.range_field];
+    if (!value)
+        return BEAD_OK;
+    size_t last = c->needs.beads.last < sample->active ? c->needs.beads.last + 1 : sample->active;
+    for (size_t j = c->needs.beads.first; j < last; j++) {
+        m->range.low = value[j] < m->range.low ? value[j] : m->range.low;
+        m->range.high = value[j] > m->range.high ? value[j] : m->range.high;
+    }
+    return BEAD_OK;
 }
 
-/* A pass that finds the range of a field, for sinks that must know it before they begin. */
+/* A run that finds the range of a field, for sinks that must know it before they begin. */
 static enum bead_error scout(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
-    struct bead_driver p = bead_session_driver(s, "scouting ranges");
+    struct bead_play p = bead_session_play(s, "scouting ranges");
     size_t count = 0;
     double needed = 0;
     for (size_t i = 0; i < s->made_count; i++) {
@@ -26,7 +35,7 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
         if (!m->sink || !m->needs.range)
             continue;
         struct bead_consumer *c = &consumers[count++];
-        *c = (struct bead_consumer){.needs = m->needs, .take = bead_consumer_scout, .made = m};
+        *c = (struct bead_consumer){.needs = m->needs, .take = widen_range, .context = m};
         c->needs.fields = BEAD_FIELD_BIT(m->needs.range_field);
         c->needs.contact_peaks = c->needs.bead_peaks = c->needs.uncertainty = false;
         c->needs.comparison = 0;
@@ -38,17 +47,18 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
     p.consumer_count = count;
     p.needed = needed;
     p.hash = false;
-    struct bead_passed passed = {.count = 0};
-    enum bead_error err = play(s, &p, &passed, msg);
-    bead_passed_free(&passed);
-    for (size_t i = 0; i < count; i++)
-        consumers[i].made->range = consumers[i].range;
+    p.counts = &s->counts;
+    struct bead_played played;
+    enum bead_error err = bead_play(&p, &played, msg);
+    bead_played_free(&played);
     return err;
 }
 
-static enum bead_error give_to_sink(struct bead_consumer *consumer, const struct bead_sample *sample, struct bead_message *msg)
+static enum bead_error give_to_sink(const struct bead_consumer *consumer, const struct bead_sample *sample,
+                                    struct bead_message *msg)
 {
-    return consumer->made->type->sample(consumer->made->sink, sample, msg);
+    const struct bead_made *made = consumer->context;
+    return made->type->sample(made->sink, sample, msg);
 }
 
 static enum bead_error session_begin(struct bead_session *s, struct bead_consumer *consumers, size_t *count,
@@ -64,29 +74,29 @@ static enum bead_error session_begin(struct bead_session *s, struct bead_consume
             return err;
         bead_session_ask_needs(s, m);
         consumers[(*count)++] =
-            (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .made = m};
+            (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .context = m};
     }
     return BEAD_OK;
 }
 
-/* The pass, and where a sink has only then found what it looked for, another. */
-static enum bead_error play_passes(struct bead_session *s, struct bead_driver *p, struct bead_message *msg)
+/* The run, and another one if a sink found only at its end which samples it needs. */
+static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, struct bead_message *msg)
 {
     bool again;
     enum bead_error err = BEAD_OK;
     do {
         p->needed = s->needed = bead_session_latest(s);
-        err = play(s, p, &s->passed, msg);
+        err = bead_play(p, &s->played, msg);
         again = false;
         for (size_t i = 0; !err && i < p->consumer_count; i++) {
-            struct bead_consumer *c = &p->consumers[i];
-            err = c->made->type->again ? c->made->type->again(c->made->sink, &again, msg) : BEAD_OK;
-            bead_session_ask_needs(s, c->made);
-            c->needs = c->made->needs;
+            struct bead_made *m = p->consumers[i].context;
+            err = m->type->again ? m->type->again(m->sink, &again, msg) : BEAD_OK;
+            bead_session_ask_needs(s, m);
+            p->consumers[i].needs = m->needs;
         }
         if (again) {
             s->scout_steps = s->counts.steps;
-            bead_passed_free(&s->passed);
+            bead_played_free(&s->played);
         }
     } while (again);
     return err;
@@ -103,7 +113,7 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
         if (s->trajectory)
             err = bead_trajectory_outcome(s->trajectory, i, &s->outcomes[i], msg);
         else
-            s->outcomes[i] = s->passed.outcomes[i];
+            s->outcomes[i] = s->played.outcomes[i];
     }
     return err;
 }
@@ -112,9 +122,10 @@ static void add_result(struct bead_session *s, const struct bead_made *m, const 
 {
     struct bead_result *r = &s->results[s->result_count++];
     *r = (struct bead_result){.path = path,
+                              .bytes = m->bytes,
                               .makers = m->type->makers ? m->type->makers(m->sink) : NULL,
                               .name = m->output->path,
-                              .kind = m->type->one_frame ? m->type->name : bead_output_key(m->output->kind)};
+                              .kind = m->type->one_frame ? m->type->name : bead_output_kind_name(m->output)};
     if (m->type->result)
         m->type->result(m->sink, &r->bytes, &r->items);
 }
@@ -133,12 +144,27 @@ static enum bead_error session_stop(struct bead_session *s, struct bead_made *m,
     return err;
 }
 
-static enum bead_error session_finish(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+static enum bead_error write_sweep(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
-    enum bead_error err = m->type->end(m->sink, s->outcomes, msg);
+    const struct bead_sweep_settings settings = bead_session_sweep_settings(s);
+    const struct bead_run_context context = {.scene = s->source,
+                                             .threads = s->threads,
+                                             .canvas = s->job.canvas,
+                                             .stop = s->job.stop,
+                                             .claimed = true,
+                                             .sweep = s->sweep,
+                                             .sweep_settings = &settings};
+    return m->type->write(m->output, &context, m->path, &m->bytes, msg);
+}
+
+enum bead_error bead_session_finish(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
+{
+    enum bead_error err = m->type->write ? write_sweep(s, m, msg) : m->type->end(m->sink, s->outcomes, msg);
     m->ended = !err;
     if (err)
         return err;
+    if (m->bytes == 0) /* the sink does not count them */
+        m->bytes = bead_file_bytes(m->path);
     bead_session_release_output(m);
     return BEAD_OK;
 }
@@ -154,7 +180,7 @@ static void add_results(struct bead_session *s, const struct bead_made *m)
         s->results[s->result_count++] = second;
 }
 
-/* One that has nothing to leave does not keep others from leaving theirs. */
+/* A sink without a part to leave does not keep others from leaving theirs. */
 static enum bead_error stop_all(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error worst = BEAD_OK;
@@ -166,20 +192,20 @@ static enum bead_error stop_all(struct bead_session *s, struct bead_message *msg
     return worst;
 }
 
-/* What works in the background comes last; results are listed in the order of the scene. A stop comes even now: what is finished
- * stays. */
-static enum bead_error finish_all(struct bead_session *s, struct bead_message *msg)
+/* Sinks that work in the background are finished last; results are listed in the order of the scene. Signals may arrive here too:
+ * finished files stay. */
+enum bead_error bead_session_finish_all(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
     for (int background = 0; background < 2; background++) {
         for (size_t i = 0; !err && i < s->made_count; i++) {
             struct bead_made *m = &s->made[i];
-            if (m->sink && m->type->background == background)
-                err = session_finish(s, m, msg);
+            if (bead_session_makes(m) && !m->ended && m->type->background == background)
+                err = bead_session_finish(s, m, msg);
         }
     }
     for (size_t i = 0; i < s->made_count; i++) {
-        if (s->made[i].sink && s->made[i].ended)
+        if (s->made[i].ended)
             add_results(s, &s->made[i]);
     }
     struct bead_message unused;
@@ -191,15 +217,12 @@ static enum bead_error finish_all(struct bead_session *s, struct bead_message *m
 static enum bead_error session_end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
     enum bead_error err = collect_outcomes(s, msg);
-    s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
-    if (!err && !s->results)
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for results");
     if (err)
         return err;
-    return stopped ? stop_all(s, msg) : finish_all(s, msg);
+    return stopped ? stop_all(s, msg) : bead_session_finish_all(s, msg);
 }
 
-/* Is there a movie? Its frames then take most of the time. */
+/* Is there a movie? Its frames take most of the time. */
 static bool draws_frames(const struct bead_session *s)
 {
     bool any = false;
@@ -222,9 +245,10 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     if (err) /* stopped while scouting, too: no sink has begun */
         return err;
     s->scout_steps = s->counts.steps;
-    struct bead_driver p = bead_session_driver(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
+    struct bead_play p = bead_session_play(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
     err = session_begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
+    p.counts = &s->counts;
     if (!err)
         err = play_passes(s, &p, msg);
     if (!err && !s->trajectory)
@@ -232,20 +256,20 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
     if (err && err != BEAD_ERROR_STOPPED)
         return err;
     if (s->passage && !s->trajectory && !err && !isfinite(s->end))
-        s->end = s->passed.end;
+        s->end = s->played.end;
     struct bead_message unused;
     enum bead_error closing = session_end(s, err != BEAD_OK, err ? &unused : msg);
     return err ? err : closing;
 }
 
-static enum bead_error run_single(struct bead_session *s, struct bead_message *msg)
+enum bead_error bead_session_run_single(struct bead_session *s, struct bead_message *msg)
 {
     struct bead_consumer *consumers = calloc(s->made_count + 1, sizeof *consumers);
     if (!consumers)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
     enum bead_error err = session_run(s, consumers, msg);
     free(consumers);
-    /* Sinks that did not finish go now, and their unfinished files with them. */
+    /* Destroys unfinished sinks, which removes their files. */
     for (size_t i = 0; err && i < s->made_count; i++) {
         if (s->made[i].sink && !s->made[i].ended) {
             s->made[i].type->destroy(s->made[i].sink);
@@ -253,14 +277,6 @@ static enum bead_error run_single(struct bead_session *s, struct bead_message *m
         }
     }
     bead_session_release(s);
-    return err;
-}
-
-enum bead_error bead_session_run(struct bead_session *s, struct bead_message *msg)
-{
-    enum bead_error err = s->sweep ? bead_session_run_sweep(s, msg) : run_single(s, msg);
-    if (err == BEAD_ERROR_SCENE)
-        bead_session_name_option(&s->job, msg);
     return err;
 }
 

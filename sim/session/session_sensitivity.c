@@ -54,7 +54,7 @@ static enum bead_error mark_contacts(const struct bead_session *s, size_t chain,
             if (n->contacts[k] < bead_chain_contacts(c)) /* chains may have fewer than others */
                 mark[n->contacts[k]] |= 1;
         }
-        const size_t meant = n->contacts ? 0 : bead_sensitive_contacts(c, s->passed.outcomes[chain].contact_peaks, list);
+        const size_t meant = n->contacts ? 0 : bead_sensitive_contacts(c, s->played.outcomes[chain].contact_peaks, list);
         for (size_t k = 0; k < meant; k++)
             mark[list[k]] |= 3;
     }
@@ -78,7 +78,7 @@ static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, 
                                           struct bead_message *msg)
 {
     struct bead_sensitivities *own = &s->sensitivities[chain];
-    struct bead_outcome *o = &s->passed.outcomes[chain];
+    struct bead_outcome *o = &s->played.outcomes[chain];
     const struct bead_sensitivity_run run = run_of(s, chain);
     enum bead_error err = mark_contacts(s, chain, mark, msg);
     if (err)
@@ -100,7 +100,7 @@ static enum bead_error find_deviations(struct bead_session *s, size_t chain, boo
                                        struct bead_message *msg)
 {
     const struct bead_chain *c = s->chains[chain];
-    struct bead_outcome *o = &s->passed.outcomes[chain];
+    struct bead_outcome *o = &s->played.outcomes[chain];
     const struct bead_sensitivity_run run = run_of(s, chain);
     const size_t count = list_peaks(of_beads ? o->bead_peaks : o->contact_peaks,
                                     of_beads ? bead_chain_beads(c) : bead_chain_contacts(c), of_beads, NULL, list);
@@ -112,19 +112,18 @@ static enum bead_error find_deviations(struct bead_session *s, size_t chain, boo
     return bead_deviations_find(&run, list, count, deviation, msg);
 }
 
-/* What any output wants. */
+/* The wishes of all outputs. */
 struct wanted {
     struct bead_session *session;
     bool sensitivities, deviation[2];
 };
 
-static enum bead_error find_of_chain(void *context, size_t chain, bool calling, struct bead_message *msg)
+static enum bead_error find_of_chain(void *context, size_t chain, bool, struct bead_message *msg)
 {
     const struct wanted *wanted = context;
     const size_t beads = bead_chain_beads(wanted->session->chains[chain]);
     struct bead_sensitive *list = calloc(beads, sizeof *list);
     unsigned char *mark = calloc(beads, 1);
-    (void)calling;
     enum bead_error err = list && mark ? BEAD_OK : bead_session_out_of_memory(msg);
     if (!err && wanted->sensitivities)
         err = find_sensitivities(wanted->session, chain, list, mark, msg);

@@ -1,13 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The one output that `-o FILE` names, of a scene, a trajectory or a sweep's file, and what the command line says of it. */
+/* The one output that the command line names, by -o FILE, --frame, --sheet or --configuration: which output of the scene it is or
+ * what makes a new one, and what the options change of it. */
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "beadreel/file.h"
-#include "sim/scene/output_kinds.h"
+#include "beadreel/sink.h"
+#include "sim/base/file.h"
+#include "sim/base/suggest.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
+
+/* Changes of a scene that precede the job's options and settings; begins as zeros. */
+struct changes {
+    struct bead_override all[4];
+    size_t count;
+    struct bead_node file; /* that of a new output */
+};
 
 static const char *extension(const char *path)
 {
@@ -15,7 +26,7 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
-bool bead_session_names_file(const char *output)
+bool bead_session_names_file(const char *output, const struct bead_own *own)
 {
     struct stat found;
     if (!output || !*bead_session_base_name(output) || (stat(output, &found) == 0 && S_ISDIR(found.st_mode)))
@@ -24,18 +35,10 @@ bool bead_session_names_file(const char *output)
         if (bead_output_ends_like(bead_output_endings(kind), output))
             return true;
     }
-    return false;
+    return bead_output_own_of(own, output) != NULL;
 }
 
 /* ---- which it is ---- */
-
-/* Are files of this kind among `kinds`, or drawings? What a trajectory was made with does not make another one. */
-static bool is_made(const struct bead_output *output, const struct bead_file_kind *kinds)
-{
-    while (kinds->kind != BEAD_OUTPUT_KINDS && kinds->kind != output->kind)
-        kinds++;
-    return kinds->kind != BEAD_OUTPUT_KINDS || !bead_output_type(output->kind)->stores_samples;
-}
 
 /* Has the kind all the keys that the job's options set? */
 static bool takes_looks(const struct bead_job *job, const struct bead_output *output, bool sweep)
@@ -44,213 +47,215 @@ static bool takes_looks(const struct bead_job *job, const struct bead_output *ou
     bool all = true;
     for (size_t i = 0; i < job->look_count && all; i++) {
         char key[32];
-        snprintf(key, sizeof key, "%.*s", (int)strcspn(job->looks[i], "="), job->looks[i]);
+        snprintf(key, sizeof key, "%.*s", (int)strcspn(job->looks[i] + 2, "="), job->looks[i] + 2);
         all = bead_options_find(sweep ? type->sweep_options : type->options, key) != NULL;
     }
     return all;
 }
 
-/* How well an output of the scene fits the file: 3 by its name, 0 not at all. Of those with the right ending and the keys asked for
- * the first fits; where keys are asked for, pictures of waves rather than plots. */
-static int rank(const struct bead_output *output, const struct bead_job *job, const struct bead_file_kind *kinds, bool sweep)
+/* The fit of an output of the scene to the file: 3 by its name, 0 none. Among outputs with the right ending and the keys asked for,
+ * the first wins; if keys are asked for, the kind that the ending alone means: images rather than plots. */
+static int rank(const struct bead_output *output, const struct bead_job *job, enum bead_source_kind source, bool sweep)
 {
-    if (!is_made(output, kinds))
+    if (!bead_output_made_of(output->kind, source))
         return 0;
     if (strcmp(bead_session_base_name(output->path), bead_session_base_name(job->output)) == 0)
         return 3;
     if (strcasecmp(extension(output->path), extension(job->output)) != 0 || !takes_looks(job, output, sweep))
         return 0;
-    return 1 + (job->look_count > 0 && output->kind == kinds->kind);
+    return 1 + (job->look_count > 0 && output->kind == bead_output_kind_of(job->output, source));
 }
 
-static bool find(const struct bead_scene *scene, const struct bead_job *job, const struct bead_file_kind *kinds, size_t *index)
+/* The output of the scene that the file means; NULL: none. */
+static const struct bead_output *find(const struct bead_scene *scene, const struct bead_job *job, enum bead_source_kind source)
 {
-    int best = 0;
+    const struct bead_output *best = NULL;
+    int most = 0;
     for (size_t i = 0; i < scene->output_count; i++) {
-        const int found = rank(&scene->outputs[i], job, kinds, scene->sweep_count > 0);
-        if (found > best)
-            *index = i;
-        best = found > best ? found : best;
+        const int found = rank(&scene->outputs[i], job, source, scene->sweep_count > 0);
+        best = found > most ? &scene->outputs[i] : best;
+        most = found > most ? found : most;
     }
-    return best > 0;
+    return best;
 }
 
-static enum bead_error no_kind(const char *file, const struct bead_file_kind *kinds, struct bead_message *msg)
+static enum bead_error no_kind(const char *file, enum bead_source_kind source, struct bead_message *msg)
 {
     char names[160] = "";
-    for (size_t used = 0; kinds->kind != BEAD_OUTPUT_KINDS && used < sizeof names; kinds++)
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", used ? ", " : "", bead_output_endings(kinds->kind));
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
+        const char *endings = bead_output_endings(kind);
+        if (bead_output_made_of(kind, source) && !strstr(names, endings))
+            bead_list_add(names, sizeof names, ", ", endings);
+    }
     return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s", file, names);
 }
 
-enum bead_error bead_session_outputs_for(const char *file, const struct bead_file_kind *kinds, char **outputs,
-                                         struct bead_message *msg)
+static void add(struct changes *changes, struct bead_override change)
 {
-    const struct bead_file_kind *kind = kinds;
-    *outputs = NULL;
-    while (kind->kind != BEAD_OUTPUT_KINDS && !bead_output_ends_like(bead_output_endings(kind->kind), file))
-        kind++;
-    if (kind->kind == BEAD_OUTPUT_KINDS)
-        return no_kind(file, kinds, msg);
-    char *quoted = calloc(2 * strlen(file) + 1, 1), *to = quoted;
-    for (const char *from = file; quoted && *from; from++) {
-        if (*from == '"' || *from == '\\')
-            *to++ = '\\';
-        *to++ = *from;
+    change.origin = "--output";
+    change.place = (struct bead_place){1, 1};
+    changes->all[changes->count++] = change;
+}
+
+/* Leave no output but a new one: the file, of the first kind that it ends like. */
+static enum bead_error name_output(struct changes *changes, const char *file, enum bead_source_kind source,
+                                   const struct bead_own *own, struct bead_message *msg)
+{
+    const enum bead_output_kind kind = bead_output_kind_of(file, source);
+    const struct bead_sink_type *sink = kind == BEAD_OUTPUT_OWN ? bead_output_own_of(own, file) : NULL;
+    if (kind == BEAD_OUTPUT_KINDS && !sink)
+        return no_kind(file, source, msg);
+    const char *show = bead_output_type(kind)->shown_of[source];
+    changes->file = (struct bead_node){.kind = BEAD_NODE_SCALAR, .origin = "--output", .place = {1, 1}, .text = file};
+    add(changes, (struct bead_override){.path = "outputs", .value = "[]"});
+    add(changes,
+        (struct bead_override){.below = "outputs.+", .path = sink ? sink->name : bead_output_key(kind), .node = &changes->file});
+    if (show)
+        add(changes, (struct bead_override){.below = "outputs.0", .path = "show", .value = show});
+    return BEAD_OK;
+}
+
+/* Leave no output but this one. */
+static void keep_output(struct changes *changes, const struct bead_output *output)
+{
+    add(changes, (struct bead_override){.path = "outputs", .value = "[]"});
+    add(changes, (struct bead_override){.below = "outputs", .path = "+", .node = output->node});
+}
+
+/* ---- what changes the scene ---- */
+
+/* The changes, then what the job's options say of the output of entry number `entry`, then its settings and config. */
+static enum bead_error change(const struct bead_session *s, const struct bead_scene *scene, const struct changes *changes,
+                              size_t entry, struct bead_scene **changed, struct bead_message *msg)
+{
+    const struct bead_job *job = &s->job;
+    size_t count = changes->count;
+    struct bead_override *all = calloc(count + job->look_count + 1, sizeof *all);
+    char below[32];
+    if (!all)
+        return bead_session_out_of_memory(msg);
+    snprintf(below, sizeof below, "outputs.%zu", entry);
+    memcpy(all, changes->all, count * sizeof *all);
+    for (size_t i = 0; i < job->look_count; i++) {
+        const char *look = job->looks[i];
+        all[count++] = (struct bead_override){
+            .origin = look, .path = look + 2, .below = below, .place = {1, 1}, .value = look + strcspn(look, "=") + 1};
     }
-    int length =
-        quoted ? asprintf(outputs, "[{%s: \"%s\"%s}]", bead_output_key(kind->kind), quoted, kind->more ? kind->more : "") : -1;
-    free(quoted);
-    if (length >= 0)
-        return BEAD_OK;
-    *outputs = NULL; /* undefined after a failure */
-    return bead_session_out_of_memory(msg);
-}
-
-/* ---- its settings ---- */
-
-/* "--colormap:outputs.0.colormap=grey": an option as the setting that it stands for. */
-static char *look_setting(const char *look, size_t index)
-{
-    char *setting = NULL;
-    const int key = (int)strcspn(look, "=");
-    return asprintf(&setting, "--%.*s:outputs.%zu.%s", key, look, index, look) < 0 ? NULL : setting;
-}
-
-enum bead_error bead_session_settings_make(const struct bead_job *job, size_t index, const char *outputs, const char *first,
-                                           struct bead_settings *settings, struct bead_message *msg)
-{
-    const size_t most = job->setting_count + job->look_count + 3;
-    *settings = (struct bead_settings){.all = calloc(most, sizeof *settings->all), .own = calloc(most, sizeof *settings->own)};
-    bool good = settings->all && settings->own;
-    if (good && job->config)
-        settings->all[settings->count++] = job->config;
-    if (good && first)
-        settings->all[settings->count++] = first;
-    if (good && outputs) {
-        good = asprintf(&settings->own[0], "--output:outputs=%s", outputs) >= 0;
-        settings->own_count += good;
-    }
-    for (size_t i = 0; i < job->look_count && good; i++) {
-        good = (settings->own[settings->own_count] = look_setting(job->looks[i], index)) != NULL;
-        settings->own_count += good;
-    }
-    for (size_t i = 0; i < settings->own_count; i++)
-        settings->all[settings->count++] = settings->own[i];
-    for (size_t i = 0; i < job->setting_count && good; i++)
-        settings->all[settings->count++] = job->settings[i];
-    if (good)
-        return BEAD_OK;
-    bead_session_settings_free(settings);
-    return bead_session_out_of_memory(msg);
-}
-
-enum bead_error bead_session_load_plain(const struct bead_session *s, const char *path, struct bead_scene **scene,
-                                        struct bead_message *msg)
-{
-    return bead_scene_load(path, &s->job.config, s->job.config != NULL, scene, msg);
-}
-
-void bead_session_settings_free(struct bead_settings *settings)
-{
-    for (size_t i = 0; i < settings->own_count; i++)
-        free(settings->own[i]);
-    free(settings->own);
-    free(settings->all);
-    *settings = (struct bead_settings){0};
-}
-
-enum bead_error bead_session_single_settings(struct bead_session *s, const struct bead_scene *scene,
-                                             const struct bead_file_kind *kinds, struct bead_settings *settings,
-                                             struct bead_message *msg)
-{
-    char *outputs = NULL;
-    size_t index = SIZE_MAX;
-    *settings = (struct bead_settings){0};
-    s->single = s->job.output;
-    if (s->job.only_count > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--only %s: has no effect, since -o names the one file to make: %s", s->job.only[0],
-                         s->job.output);
-    const bool found = scene && find(scene, &s->job, kinds, &index);
-    if (found && s->job.setting_count == 0 && s->job.look_count == 0) {
-        s->single_index = index; /* the scene stays as it is, as do the bytes of files that hold its text */
-        return bead_session_settings_make(&s->job, 0, NULL, NULL, settings, msg);
-    }
-    enum bead_error err = found ? bead_scene_single_output(scene, index, &outputs, msg)
-                                : bead_session_outputs_for(s->job.output, kinds, &outputs, msg);
-    if (!err)
-        err = bead_session_settings_make(&s->job, 0, outputs, NULL, settings, msg);
-    free(outputs);
+    const struct bead_overrides overrides = {all, count, job->settings, job->setting_count, job->config, NULL};
+    enum bead_error err = bead_scene_change(scene, &overrides, changed, msg);
+    free(all);
     return err;
 }
 
-/* The key that a setting ends with: "colormap" of `outputs.0.colormap=grey`, or of a look `colormap=grey`. */
-static size_t setting_key(const char *setting, const char **key)
+/* An output of the scene where the file means one, else a new one. */
+static enum bead_error choose_file(struct bead_session *s, const struct bead_scene *scene, enum bead_source_kind source,
+                                   struct changes *changes, struct bead_message *msg)
 {
-    const size_t length = strcspn(setting, "=");
-    *key = setting;
-    for (size_t i = 0; i < length; i++)
-        *key = setting[i] == '.' ? setting + i + 1 : *key;
-    return (size_t)(setting + length - *key);
+    const bool own = source != BEAD_OF_CONFIGURATION && source != BEAD_OF_CONFIGURATIONS;
+    s->single = s->job.output;
+    if (own && s->job.only_count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--only %s: has no effect, since -o names the one file to make: %s", s->job.only[0],
+                         s->job.output);
+    const struct bead_output *found = own ? find(scene, &s->job, source) : NULL;
+    if (!found)
+        return name_output(changes, s->job.output, source, s->job.own, msg);
+    if (s->job.setting_count + s->job.look_count > 0)
+        keep_output(changes, found);
+    else
+        s->single_index = (size_t)(found - scene->outputs); /* the scene stays as it is, as do the bytes of files with its text */
+    return BEAD_OK;
 }
 
-/* Replaces what stands before "colormap: ..." in the message. */
-static bool name_option(const char *setting, const char *option, size_t number, struct bead_message *msg)
-{
-    const char *key = NULL, *colon = strstr(msg->text, ": ");
-    const size_t length = setting_key(setting, &key);
-    if (!colon || strncmp(colon + 2, key, length) != 0 || strncmp(colon + 2 + length, ": ", 2) != 0)
-        return false;
-    struct bead_message named;
-    bead_fail(&named, BEAD_ERROR_SCENE, "--%s:%zu:1: %s", option, number, colon + 2);
-    *msg = named;
-    return true;
-}
+/* ---- a frame ---- */
 
-void bead_session_name_option(const struct bead_job *job, struct bead_message *msg)
+static enum bead_error find_movie(struct bead_session *s, const struct bead_scene *scene, struct bead_message *msg)
 {
-    bool named = !msg || strncmp(msg->text, "--", 2) == 0;
-    for (size_t i = 0; i < job->look_count && !named; i++) {
-        char option[32];
-        snprintf(option, sizeof option, "%.*s", (int)strcspn(job->looks[i], "="), job->looks[i]);
-        named = name_option(job->looks[i], option, 1, msg);
+    for (s->single_index = 0; s->single_index < scene->output_count; s->single_index++) {
+        const struct bead_output *output = &scene->outputs[s->single_index];
+        const struct bead_sink_type *type = bead_session_find_type(&s->job, output, false);
+        if (bead_session_is_asked(s, output) && type && type->one_frame)
+            return BEAD_OK;
     }
-    for (size_t i = 0; i < job->setting_count && !named; i++)
-        named = strncmp(job->settings[i], "outputs.", 8) == 0 && name_option(job->settings[i], "set", i + 1, msg);
+    if (s->job.only_count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: --only %s names no movie of %s", s->job.only[0], s->job.input);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: %s has no movie", s->job.input);
 }
 
-/* ---- where it goes ---- */
-
-enum bead_error bead_session_check_single(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
+/* "waves-2.1ms.png", "waves-50percent.png", "waves-peak.png". */
+static char *own_name(const struct bead_output *movie, const char *frame)
 {
-    if (!s->single || m->type || m->sweep_type)
-        return BEAD_OK;
-    return bead_fail(msg, BEAD_ERROR_USAGE, "%s: this program does not make such files%s", m->output->path,
-                     s->source->sweep_count > 0 ? " from a sweep" : "");
-}
-
-/* A poster goes beside the movie, wherever `-o FILE` puts that. */
-enum bead_error bead_session_place_single(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
-{
-    m->changed = *m->output;
-    m->changed.path = (char *)(uintptr_t)s->single; /* read only; borrowed from the job */
-    m->output = &m->changed;
-    const char *path = m->changed.path, *poster = m->changed.movie.poster;
-    size_t length = (size_t)(bead_session_base_name(path) - path);
-    if (s->job.frame) {
-        m->changed.movie.poster = NULL;
-        return bead_session_read_frame(s, &m->frame, msg);
+    const char *base = bead_session_base_name(movie->path), *dot = strrchr(base, '.');
+    char *name = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&name, &size);
+    if (!out)
+        return NULL;
+    fprintf(out, "%.*s-", dot ? (int)(dot - base) : (int)strlen(base), base);
+    for (const char *c = frame; *c; c++) {
+        if (isalnum((unsigned char)*c) || strchr(".-+", *c))
+            fputc(*c, out);
+        else if (*c == '%')
+            fputs("percent", out);
     }
-    if (s->source->output_count != 1 && s->job.setting_count > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "-o names one file, but there are %zu outputs: give a directory",
-                         s->source->output_count);
-    if (!poster || !*poster || length == 0)
+    fputs(".png", out);
+    if (fclose(out) == 0)
+        return name;
+    free(name);
+    return NULL;
+}
+
+static enum bead_error find_frame_path(struct bead_session *s, const struct bead_output *movie, struct bead_message *msg)
+{
+    const char *output = s->job.output, *dot = output ? strrchr(bead_session_base_name(output), '.') : NULL;
+    if (bead_session_names_file(output, s->job.own)) {
+        s->single = output;
+        return dot && strcmp(dot, ".png") == 0
+                   ? BEAD_OK
+                   : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: makes a PNG file, and -o names %s", output);
+    }
+    char *name = own_name(movie, s->job.frame);
+    enum bead_error err = name ? bead_file_join(output ? output : ".", name, &s->frame_path, msg) : bead_session_out_of_memory(msg);
+    free(name);
+    s->single = s->frame_path;
+    return err;
+}
+
+/* Outputs are numbered as in the scene. */
+static enum bead_error check_setting(const char *setting, size_t entry, struct bead_message *msg)
+{
+    char own[40];
+    const int length = snprintf(own, sizeof own, "outputs.%zu.", entry);
+    if (strncmp(setting, "outputs", 7) != 0 || strncmp(setting, own, (size_t)length) == 0)
         return BEAD_OK;
-    char *directory = strndup(path, length);
-    if (!directory)
-        return bead_session_out_of_memory(msg);
-    enum bead_error err = bead_file_join(directory, poster, &m->poster, msg);
-    free(directory);
-    m->changed.movie.poster = m->poster;
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--set %s: has no effect: the frame is one of outputs.%zu", setting, entry);
+}
+
+/* Finds which movie of the scene the frame belongs to, and the frame's file. The other outputs stay: a frame keeps the sample times
+ * of a trajectory. */
+static enum bead_error choose_frame(struct bead_session *s, const struct bead_scene *scene, size_t *entry, struct bead_message *msg)
+{
+    enum bead_error err = find_movie(s, scene, msg);
+    if (err)
+        return err;
+    const struct bead_output *movie = &scene->outputs[s->single_index];
+    s->amid = !s->trajectory;
+    *entry = movie->entry;
+    err = find_frame_path(s, movie, msg);
+    for (size_t i = 0; !err && i < s->job.setting_count; i++)
+        err = check_setting(s->job.settings[i], movie->entry, msg);
+    return err;
+}
+
+enum bead_error bead_session_choose(struct bead_session *s, const struct bead_scene *scene, enum bead_source_kind source,
+                                    const struct bead_override *first, struct bead_scene **changed, struct bead_message *msg)
+{
+    struct changes changes = {.count = first != NULL};
+    size_t entry = 0;
+    if (first)
+        changes.all[0] = *first;
+    enum bead_error err = s->job.frame ? choose_frame(s, scene, &entry, msg) : choose_file(s, scene, source, &changes, msg);
+    if (!err)
+        err = change(s, scene, &changes, entry, changed, msg);
+    s->job.output = NULL; /* the scene says where */
     return err;
 }

@@ -3,18 +3,27 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
+#include "sim/chain/chain_data.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/run/run_kinds.h"
-#include "sim/scene/output_kinds.h"
 #include "sim/session/session_data.h"
 
-/* Pictures take the trajectory's samples when they come at least this often, in units of the spacing that shows every
- * oscillation; then the file draws the same picture again. */
+/* Pictures use the trajectory's samples if their spacing is at most this, in units of the spacing that shows every oscillation; the
+ * same picture can then be drawn from the file. */
 static const double coarsest = 8;
 
 enum bead_error bead_session_out_of_memory(struct bead_message *msg)
 {
     return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a session");
+}
+
+enum bead_error bead_session_lay(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && s->own_chains && i < s->chain_count; i++)
+        err = bead_chain_lay(s->own_chains[i], msg);
+    return err;
 }
 
 bool bead_output_needs_end(const struct bead_output *output)
@@ -33,28 +42,41 @@ enum bead_error bead_session_find_resolution(struct bead_session *s, struct bead
             return err;
         s->resolution = fmin(s->resolution, pace.resolution);
     }
-    s->tolerance_factor = bead_run_tolerance_factor_of(s->chains, s->chain_count, &s->source->simulate);
+    s->tolerance_factor = bead_run_tolerance_factor(s->chains, s->chain_count, &s->source->simulate);
     return BEAD_OK;
 }
 
-struct bead_driver bead_session_driver(const struct bead_session *s, const char *what)
+struct bead_play bead_session_play(const struct bead_session *s, const char *what)
 {
-    return (struct bead_driver){.chains = s->chains,
-                                .chain_count = s->chain_count,
-                                .simulate = &s->source->simulate,
-                                .end = s->end,
-                                .needed = s->end,
-                                .passage = s->passage,
-                                .full_window = s->job.full_window,
-                                .hash = s->job.hash,
-                                .threads = s->threads,
-                                .refinement = s->refinement,
-                                .tolerance_factor = s->tolerance_factor,
-                                .kernels = s->kernels,
-                                .what = what,
-                                .stop = s->job.stop,
-                                .progress = s->job.progress,
-                                .progress_context = s->job.progress_context};
+    return (struct bead_play){.chains = s->chains,
+                              .chain_count = s->chain_count,
+                              .stored = s->trajectory ? &s->stored : NULL,
+                              .simulate = &s->source->simulate,
+                              .end = s->end,
+                              .needed = s->end,
+                              .passage = s->passage ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE,
+                              .full_window = s->job.full_window,
+                              .hash = s->job.hash,
+                              .threads = s->threads,
+                              .refinement = s->refinement,
+                              .tolerance_factor = s->tolerance_factor,
+                              .kernels = s->kernels,
+                              .what = what,
+                              .stop = s->job.stop,
+                              .progress = s->job.progress,
+                              .progress_context = s->job.progress_context};
+}
+
+struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session *s)
+{
+    return (struct bead_sweep_settings){.size = sizeof(struct bead_sweep_settings),
+                                        .threads = s->threads,
+                                        .instructions = s->job.instructions,
+                                        .part = s->job.part,
+                                        .parts = s->job.parts,
+                                        .stop = s->job.stop,
+                                        .progress = s->job.progress,
+                                        .progress_context = s->job.progress_context};
 }
 
 /* The fields that a trajectory output gives: those stored, and forces that follow from displacements of all beads. */
@@ -64,7 +86,7 @@ static unsigned kept_fields(const struct bead_session *s)
     bool all = k->trajectory.fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->shown.beads.first == 0 &&
                k->shown.beads.last == SIZE_MAX;
     for (size_t i = 0; i < s->chain_count; i++)
-        all = all && !(bead_chain_spec(s->chains[i])->damping_coefficient > 0) && !bead_chain_spec(s->chains[i])->equation.name;
+        all = all && bead_chain_forces_follow(s->chains[i]);
     return all ? k->trajectory.fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)
                : k->trajectory.fields;
 }
@@ -73,7 +95,7 @@ static unsigned kept_fields(const struct bead_session *s)
 static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_show_type *show = bead_output_show(output);
-    bool modes = (show && show->modes) || bead_views_any(output->views.kinds, output->views.count, BEAD_SHOWS_MODES);
+    bool modes = (show && show->modes) || bead_views_any(&output->views, BEAD_SHOWS_MODES);
     unsigned fields = show && !show->of_field ? 0 : BEAD_FIELD_BIT(output->shown.field);
     for (size_t c = 0; modes && c < s->chain_count; c++)
         fields |= bead_chain_mode_fields(s->chains[c]);
@@ -150,7 +172,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
     return bead_file_join(context.directory, m->output->path, &m->path, msg);
 }
 
-/* The trajectory output goes first, as pictures use its samples if they can. */
+/* The trajectory output is created first, since pictures use its samples if they can. */
 enum bead_error bead_session_create_sinks(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;

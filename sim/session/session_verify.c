@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes sure of the accuracy before the run (`simulate: {verify: true}`), and warns of steps that are too long. */
+/* Verifies the accuracy before the run (`simulate: {verify: true}`), and warns of steps that are too long. */
 #include <math.h>
 #include <stdio.h>
 
@@ -9,7 +9,7 @@
 /* Each round has a tenth of the tolerance of the one before; below the least, rounding is all that differs. */
 static const double tenth = 0.1, least = 1e-13;
 
-/* Of a round: peaks that are known less well than asked, and the worst of all. */
+/* The result of a round: peaks that miss the requested accuracy, and the worst of all. */
 struct verdict {
     size_t peaks, poor;
     struct bead_outcome worst;
@@ -28,15 +28,16 @@ static void judge(const struct bead_peak *peaks, const double *uncertainty, size
 static enum bead_error try_round(struct bead_session *s, struct verdict *verdict, struct bead_message *msg)
 {
     struct bead_consumer consumer = {.needs = {.contact_peaks = true, .bead_peaks = true, .uncertainty = true, .until = INFINITY}};
-    struct bead_driver driver = bead_session_driver(s, "verifying");
-    struct bead_passed passed = {.count = 0};
-    driver.consumers = &consumer;
-    driver.consumer_count = 1;
-    driver.hash = false;
+    struct bead_play play = bead_session_play(s, "verifying");
+    struct bead_played played;
+    play.consumers = &consumer;
+    play.consumer_count = 1;
+    play.hash = false;
+    play.counts = &s->counts;
     *verdict = (struct verdict){.worst = {.worst_uncertainty = NAN, .worst_force = NAN}};
-    enum bead_error err = bead_drive_simulation(&driver, &s->counts, &passed, msg);
-    for (size_t c = 0; !err && c < passed.count; c++) {
-        const struct bead_outcome *o = &passed.outcomes[c];
+    enum bead_error err = bead_play(&play, &played, msg);
+    for (size_t c = 0; !err && c < played.count; c++) {
+        const struct bead_outcome *o = &played.outcomes[c];
         judge(o->contact_peaks, o->contact_uncertainty, bead_chain_contacts(s->chains[c]), s->source->simulate.accuracy, verdict);
         judge(o->bead_peaks, o->bead_uncertainty, bead_chain_beads(s->chains[c]), s->source->simulate.accuracy, verdict);
         if (!(o->worst_uncertainty * verdict->worst.worst_force <= verdict->worst.worst_uncertainty * o->worst_force)) {
@@ -44,7 +45,7 @@ static enum bead_error try_round(struct bead_session *s, struct verdict *verdict
             verdict->chain = c;
         }
     }
-    bead_passed_free(&passed);
+    bead_played_free(&played);
     return err;
 }
 
@@ -55,7 +56,8 @@ static void tell(struct bead_session *s, const struct verdict *verdict)
     const bool bead = !isnan(w->worst_bead);
     s->unverified = true;
     snprintf(s->warning[1], sizeof s->warning[1],
-             "%s: simulate.verify: %zu of %zu peaks cannot be had to %.3g; least well known: %s %.0f%s%s, %.6g N to %.2g of that",
+             "%s: simulate.verify: %zu of %zu peaks did not reach the requested accuracy of %.3g; least certain: %s %.0f%s%s, %.6g "
+             "N to %.2g of that",
              s->source->file, verdict->poor, verdict->peaks, s->source->simulate.accuracy, bead ? "bead" : "contact",
              bead ? w->worst_bead : w->worst_contact, *name ? " of chain " : "", name, w->worst_force,
              w->worst_uncertainty / w->worst_force);
@@ -66,7 +68,7 @@ enum bead_error bead_session_verify(struct bead_session *s, struct bead_message 
     const struct bead_simulate *asked = &s->source->simulate;
     struct verdict verdict;
     enum bead_error err = BEAD_OK;
-    if (bead_chain_spec(s->chains[0])->equation.name)
+    if (!bead_chain_spec(s->chains[0])->system->has_contacts)
         return BEAD_OK;
     for (size_t i = 0; i < s->chain_count && !s->warning[0][0]; i++)
         snprintf(s->warning[0], sizeof s->warning[0], "%s", bead_run_long_step(s->chains[i], asked).text);

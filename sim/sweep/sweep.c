@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes a sweep from its scene: panels, configurations and their chains. The other files of this room run, store and read it. */
+/* Creates a sweep from its scene: panels, configurations and their chains. The other files of this room run, store and read it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,7 +72,7 @@ enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_
 {
     *sweep = NULL;
     if (scene->sweep_count == 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: has no sweep", scene->file);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: the scene has no sweep", scene->file);
     struct bead_sweep *s = calloc(1, sizeof *s);
     if (!s)
         return out_of_memory(msg);
@@ -92,7 +92,7 @@ enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_
     return err;
 }
 
-/* Draw each random segment with its own magnetism, from a stream of its own. */
+/* Draws each random segment with its own magnetism, from a separate stream. */
 static void draw_segments(const struct bead_chain_spec *pattern, uint64_t seed, size_t index, char *digits)
 {
     uint64_t number = 0;
@@ -187,7 +187,7 @@ const char *bead_sweep_version(const struct bead_sweep *sweep)
     return sweep->version;
 }
 
-/* The magnetism of the cells whose spins the scene gives, as bead_chain_magnetism. */
+/* The magnetism of the cells whose spins the scene gives, as in bead_chain_magnetism. */
 static double magnetism_of(const struct bead_chain_spec *pattern, const char *digits)
 {
     double up = 0, all = 0;
@@ -210,7 +210,7 @@ static double magnetism_of(const struct bead_chain_spec *pattern, const char *di
 bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_configuration *found)
 {
     const struct sweep_panel *p = &sweep->panels[panel];
-    size_t row = index + 1; /* the clean chain: 0 */
+    size_t row = index + 1; /* 0: the clean chain */
     bool known = sweep->known[p->first_job + row];
     *found = (struct bead_sweep_configuration){.spins = p->spins + row * p->shown.spec->cells};
     found->magnetism = magnetism_of(pattern_of(sweep, p), found->spins);
@@ -230,7 +230,7 @@ bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size
 /* ---- chains ---- */
 
 struct bead_sweep_chain {
-    struct bead_scene scene; /* the sweep's, with this chain alone */
+    struct bead_scene scene; /* the sweep's, with this chain only */
     struct bead_chain_spec spec;
     struct bead_segment *segments;
     struct bead_chain *chain;
@@ -287,16 +287,17 @@ void bead_sweep_chain_destroy(struct bead_sweep_chain *chain)
     free(chain);
 }
 
-enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index, const char *outputs, char **text,
+enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index, const struct bead_node **scene,
                                   struct bead_message *msg)
 {
     const struct sweep_panel *p = &sweep->panels[panel];
-    size_t cells = p->shown.spec->cells;
+    const size_t cells = p->shown.spec->cells;
+    struct bead_node *made = NULL;
     char *digits = strndup(p->spins + (index + 1) * cells, cells);
-    *text = NULL;
     if (!digits)
         return out_of_memory(msg);
-    enum bead_error err = bead_sweep_single_text(sweep->scene->text, panel, digits, outputs, text, msg);
+    enum bead_error err = bead_sweep_single_node(sweep->scene->tree, panel, digits, &made, msg);
     free(digits);
+    *scene = made;
     return err;
 }

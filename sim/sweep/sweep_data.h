@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The insides of a sweep, shared by the files of this room. */
-#ifndef BEADREEL_SIM_SWEEP_SWEEP_DATA_H
-#define BEADREEL_SIM_SWEEP_SWEEP_DATA_H
+/* Private parts of a sweep, shared by the files of this room. */
+#pragma once
 
 #include "beadreel/sweep.h"
-#include "sim/base/settings.h"
+#include "sim/run/play.h"
 
-/* What is kept of every bead where decay is measured, in the order of struct bead_sweep_configuration. */
+/* Profiles along the chain, kept if decay is measured, in the order of struct bead_sweep_configuration. */
 enum sweep_profile { PROFILE_FORCE, PROFILE_ENERGY, PROFILE_LAST_FORCE, PROFILE_LAST_ENERGY, PROFILES };
 
-/* Jobs are numbered through all panels; the first of each panel is its clean chain. */
+/* Jobs are numbered across panels; the first of each panel is its clean chain. */
 struct sweep_panel {
     struct bead_sweep_panel shown;
     size_t first_job;
@@ -25,34 +24,43 @@ struct bead_sweep {
     size_t panel_count;
     size_t jobs;
     unsigned char *known; /* [jobs] */
-    size_t part, parts;   /* 1, 1: all */
+    size_t part, parts;   /* 1, 1: the whole sweep */
     char *version;
 };
 
-BEAD_CHECK static inline enum bead_error bead_sweep_settings_take(struct bead_sweep_settings *own,
-                                                                  const struct bead_sweep_settings *given, struct bead_message *msg)
-{
-    return bead_settings_take(own, sizeof *own, BEAD_SETTINGS_UP_TO(struct bead_sweep_settings, threads), given,
-                              "bead_sweep_settings", msg);
-}
-
-/* The panel that a job belongs to; *row gets its number in there (0: the clean chain). */
+/* The panel of a job; sets *row to its number within the panel (0: the clean chain). */
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row);
-/* Is the job in the sweep's part? */
+/* True if the job is in the sweep's part. */
 bool bead_sweep_mine(const struct bead_sweep *sweep, size_t job);
-/* The beads that a place is made of, in a chain of the panel. */
+/* The beads of a place in a chain of the panel. */
 struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place);
-/* Everything but spins and results: for a file that has them. */
+/* Why the beads of a panel's chain are kept to the end of its run; NULL: those far behind the front are dropped, see behind.h. */
+const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bead_chain *chain);
+/* Creates a sweep without spins and results, to read them from a file. */
 BEAD_CHECK enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg);
-/* Numbers of 8 bytes that a job's results are. */
+/* Replaces the scene, which is taken even after an error, to show other outputs. Errors: USAGE (it would change the results). */
+BEAD_CHECK enum bead_error bead_sweep_show(struct bead_sweep *sweep, struct bead_scene *scene, struct bead_message *msg);
+/* Size of a job's results in words of 8 bytes. */
 size_t bead_sweep_words(const struct sweep_panel *panel);
 
-/* When to give up waiting for the front of a chain whose run ends at time `end`, s: never where that is finite. */
-double bead_sweep_give_up(const struct bead_chain *chain, double end);
-/* Step number `step` of a configuration's run. Errors: NUMBERS (also past `give_up`), STOPPED. */
-struct bead_run;
-BEAD_CHECK enum bead_error bead_sweep_step(const struct bead_sweep *sweep, struct bead_run *run, uint64_t step, double give_up,
-                                           const volatile sig_atomic_t *stop, struct bead_message *msg);
+/* ---- playing: a generator of chains, each played by itself, on all threads ---- */
+struct sweep_generator {
+    const struct bead_sweep *sweep;
+    const struct bead_sweep_settings *settings; /* after bead_sweep_settings_take */
+    const char *what;                           /* for progress */
+    size_t count, done_before;                  /* chains to play, and those already known */
+    /* Finds the panel of chain `index` and its number there. */
+    void (*find)(void *context, size_t index, size_t *panel, size_t *configuration);
+    /* Plays it; `play` lacks only consumers and their needs. */
+    enum bead_error (*play)(void *context, size_t index, const struct bead_play *play, struct bead_message *msg);
+    void *context;
+    uint64_t played; /* out: chains played */
+};
+/* Results do not depend on the threads. Errors: MEMORY, SCENE, those of `play`. */
+BEAD_CHECK enum bead_error bead_sweep_play(struct sweep_generator *generator, struct bead_message *msg);
+/* Checks and copies a caller's settings; in *own, threads 0 becomes the number of cores. Errors: USAGE. */
+BEAD_CHECK enum bead_error bead_sweep_settings_take(struct bead_sweep_settings *own, const struct bead_sweep_settings *given,
+                                                    struct bead_message *msg);
 
 /* Names and units of the datasets of profiles. */
 struct sweep_profile_name {
@@ -60,24 +68,25 @@ struct sweep_profile_name {
 };
 extern const struct sweep_profile_name bead_sweep_profiles[PROFILES];
 
-/* Configurations known, by magnetism. */
+/* A known configuration. */
 struct sweep_entry {
     double magnetism;
     size_t index;
 };
-/* *count of them, to be freed with free(). NULL: out of memory. */
+/* All of a panel, *count, in order of magnetism; to be freed with free(). NULL: out of memory. */
 struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t panel, size_t *count);
-/* Number of entries from `first` on that are of one magnetism. */
+/* Number of entries from `first` on with equal magnetism. */
 size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first);
 
-/* ---- journal: records with checksums, written one after the other ---- */
+/* sweep_table.c, sweep_write.c */
+extern const struct bead_sink_type bead_sweep_table_sink, bead_sweep_results_sink;
+
+/* ---- journal: a sequence of records with checksums ---- */
 struct bead_sweep_journal;
-/* Open a journal, or continue one, whose results are loaded. Errors: IO, USAGE (of another scene, or in use), MEMORY. */
+/* Begins a journal, or continues one and loads its results. Errors: IO, USAGE (of another scene, or in use), MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_journal_open(struct bead_sweep *sweep, const char *path, struct bead_sweep_journal **journal,
                                                    struct bead_message *msg);
-/* Add a job's results. Errors: IO. */
+/* Adds a job's results. Errors: IO. */
 BEAD_CHECK enum bead_error bead_sweep_journal_add(struct bead_sweep_journal *journal, const struct bead_sweep *sweep, size_t job,
                                                   struct bead_message *msg);
-void bead_sweep_journal_close(struct bead_sweep_journal *journal); /* the file stays */
-
-#endif
+void bead_sweep_journal_close(struct bead_sweep_journal *journal); /* keeps the file unless it has no results */

@@ -5,17 +5,18 @@
 
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
+#include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 
-/* Closer to the striker the wave is still forming. */
+/* Up to this bead the wave is still forming. */
 enum { NEAR = 10, RESAMPLES = 200 };
 
-/* Of one panel: what is the same for all its magnetisms. */
+/* A panel, for all its magnetisms. */
 struct decay_panel {
     const struct bead_sweep *sweep;
     const struct bead_sweep_panel *shown;
     struct bead_sweep_configuration clean;
-    size_t index, random, cell; /* beads up to the last random one, beads of a random cell */
+    size_t index, random, cell; /* random: beads up to the last random one; cell: beads of a random cell */
     double *logs;               /* [2][configurations][random] */
 };
 
@@ -46,7 +47,7 @@ void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const doubl
     }
 }
 
-/* Relative to the clean chain at the same bead: this removes the differences between the beads of a cell. */
+/* Fits profiles relative to the clean chain at each bead, which removes the differences between the beads of a cell. */
 static enum bead_error fit(const struct decay_panel *p, const struct sweep_entry *entries, struct bead_sweep_decay *d,
                            struct bead_message *msg)
 {

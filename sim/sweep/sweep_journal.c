@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The journal of a sweep: a head, then one record for each finished chain, in the order they finished. A process that is killed
- * at any moment leaves whole records and at most one torn one, which the next process cuts off. */
+/* The journal of a sweep: a head, then one record for each chain, in the order in which they finished. A killed process leaves
+ * complete records and at most one incomplete one, which the next process cuts off. */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "beadreel/file.h"
+#include "sim/base/clock.h"
+#include "sim/base/file.h"
 #include "sim/base/fingerprint.h"
 #include "sim/sweep/sweep_data.h"
 
 static const char magic[16] = "beadreel-sweep\n";
 enum { FORMAT = 3 };
-/* A power failure may cost this many seconds of work. */
+/* A power failure may lose this many seconds of work. */
 static const double sync_every = 1;
 
 struct head {
@@ -27,7 +27,7 @@ struct bead_sweep_journal {
     char *path;
     uint64_t *record; /* label, results, checksum */
     double synced;    /* s, clock */
-    bool empty;       /* begun here, without a record yet: worth nothing */
+    bool empty;       /* begun here, without a record yet */
 };
 
 /* The first word of a record: its job, and its length in words, so that records can be counted without the sweep. */
@@ -41,13 +41,6 @@ static uint64_t label_of(size_t job, size_t words)
 static size_t job_of(uint64_t label)
 {
     return (size_t)(label & (((uint64_t)1 << JOB_BITS) - 1));
-}
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static enum bead_error failed(const struct bead_sweep_journal *j, const char *what, struct bead_message *msg)
@@ -68,7 +61,7 @@ static struct head head_of(const struct bead_sweep *sweep)
     return head;
 }
 
-/* Where a job's results are: peaks, and profiles behind them in the record. */
+/* Copies a job's results into a record: label, peaks, profiles, checksum. Returns its words. */
 static size_t pack(const struct bead_sweep *sweep, size_t job, uint64_t *record)
 {
     size_t row = 0;
@@ -96,7 +89,7 @@ static void unpack(struct bead_sweep *sweep, const uint64_t *record)
     sweep->known[job] = 1;
 }
 
-/* `size` bytes at `at`; false: not as many, or an error (errno, else 0). */
+/* Reads `size` bytes at `at`; false: the file is too short (errno 0), or an error (errno). */
 static bool read_at(int file, void *bytes, size_t size, off_t at)
 {
     size_t got = 0;
@@ -126,7 +119,7 @@ static bool write_all(int file, const void *bytes, size_t size)
     return true;
 }
 
-/* Results of whole records; *end gets where they end. */
+/* Loads complete records and sets *end to their end. */
 static enum bead_error take_records(struct bead_sweep_journal *j, struct bead_sweep *sweep, off_t *end, struct bead_message *msg)
 {
     uint64_t label;
@@ -144,7 +137,7 @@ static enum bead_error take_records(struct bead_sweep_journal *j, struct bead_sw
     return errno ? failed(j, "cannot be read", msg) : BEAD_OK;
 }
 
-/* A torn head counts as none; the head of another sweep is an error. */
+/* An incomplete head counts as a fresh journal; the head of another sweep is an error. */
 static enum bead_error check_head(struct bead_sweep_journal *j, const struct bead_sweep *sweep, bool *fresh,
                                   struct bead_message *msg)
 {
@@ -209,7 +202,7 @@ enum bead_error bead_sweep_journal_open(struct bead_sweep *sweep, const char *pa
         free(j);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a journal");
     }
-    j->synced = now();
+    j->synced = bead_clock();
     enum bead_error err = journal_begin(j, sweep, msg);
     if (err)
         bead_sweep_journal_close(j);
@@ -249,10 +242,10 @@ enum bead_error bead_sweep_journal_add(struct bead_sweep_journal *j, const struc
     j->empty = false;
     if (!write_all(j->file, j->record, words * sizeof *j->record))
         return failed(j, "cannot be written", msg);
-    if (now() - j->synced > sync_every) {
+    if (bead_clock() - j->synced > sync_every) {
         if (fdatasync(j->file) != 0)
             return failed(j, "cannot be written", msg);
-        j->synced = now();
+        j->synced = bead_clock();
     }
     return BEAD_OK;
 }
@@ -264,7 +257,7 @@ void bead_sweep_journal_close(struct bead_sweep_journal *j)
     if (j->empty)
         bead_file_discard(j->path); /* before the lock is released */
     if (j->file >= 0)
-        close(j->file); /* everything is written already; closing releases the lock */
+        close(j->file); /* all is written; releases the lock */
     free(j->path);
     free(j->record);
     free(j);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads the file of a sweep, which is not trusted, and merges parts. */
+/* Reads the file of a sweep, without trusting its contents, and merges parts. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,7 +25,7 @@ bool bead_sweep_is(const char *path)
     return is;
 }
 
-/* A panel being read: `count` configurations, those in the file's part. */
+/* Reads a panel: the `count` configurations of the file's part. */
 struct reader {
     struct bead_h5 *h5;
     struct bead_sweep *sweep;
@@ -50,10 +50,10 @@ static void wrong(struct reader *r, const char *what)
 static void read_spins(struct reader *r, int64_t *whole)
 {
     const size_t cells = r->panel->shown.spec->cells;
-    bead_h5_read_ints(r->h5, name_of(r, "", "configuration"), whole, r->count);
+    bead_h5_read_numbers(r->h5, name_of(r, "", "configuration"), BEAD_H5_INT, whole, sizeof *whole, r->count);
     for (size_t i = 0; i < r->count && !r->h5->error; i++) {
         if (whole[i] != (int64_t)(r->row[i] - 1))
-            wrong(r, "other configurations than the part it says it is");
+            wrong(r, "configurations of another part than the file claims to be");
     }
     unsigned char *bits = malloc(r->count * cells + 1);
     if (!bits) {
@@ -76,7 +76,7 @@ static void read_peaks(struct reader *r, const char *prefix, const size_t *rows,
     bead_h5_read_table(r->h5, name_of(r, prefix, "peak_force"), BEAD_H5_DOUBLE, count, places, numbers);
     for (size_t i = 0; i < count * places && !r->h5->error; i++) {
         if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
-            wrong(r, "a force that is none");
+            wrong(r, "a force that is negative or not finite");
         peaks[rows[i / places] * places + i % places].force = numbers[i];
     }
     bead_h5_read_table(r->h5, name_of(r, prefix, "peak_time"), BEAD_H5_DOUBLE, count, places, numbers);
@@ -103,7 +103,7 @@ static void read_profiles(struct reader *r, const char *prefix, const size_t *ro
         bead_h5_read_table(r->h5, name_of(r, prefix, bead_sweep_profiles[what].name), BEAD_H5_DOUBLE, count, beads, numbers);
         for (size_t i = 0; i < count * beads && !r->h5->error; i++) {
             if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
-                wrong(r, "a force or energy that is none");
+                wrong(r, "a force or energy that is negative or not finite");
             r->panel->profiles[(PROFILES * rows[i / beads] + what) * beads + i % beads] = numbers[i];
         }
     }
@@ -147,32 +147,15 @@ static enum bead_error read_panel(struct bead_h5 *h5, struct bead_sweep *sweep, 
     return err ? err : h5->error;
 }
 
-/* The stored scene; settings may change its outputs, not what was computed. */
-static enum bead_error read_scene(struct bead_h5 *h5, const char *const *settings, size_t count, struct bead_scene **scene,
+static enum bead_error read_scene(struct bead_h5 *h5, const struct bead_own *own, struct bead_scene **scene,
                                   struct bead_message *msg)
 {
-    struct bead_scene *stored = NULL;
-    *scene = NULL;
     char *text = bead_h5_read_text(h5, "/scene", BEAD_YAML_BYTES + 1);
     if (!text)
         return h5->error;
-    enum bead_error err = bead_scene_parse(h5->path, text, strlen(text), NULL, 0, &stored, msg);
-    if (!err && count > 0)
-        err = bead_scene_parse(h5->path, text, strlen(text), settings, count, scene, msg);
-    if (!err && count > 0 && (*scene)->fingerprint != stored->fingerprint)
-        err = bead_fail(msg, BEAD_ERROR_USAGE,
-                        "%s: a setting would change what was computed; only outputs can be changed here: run the scene again",
-                        h5->path);
-    if (!err && stored->sweep_count == 0)
+    enum bead_error err = bead_scene_parse(h5->path, text, strlen(text), &(struct bead_overrides){.own = own}, scene, msg);
+    if (!err && (*scene)->sweep_count == 0)
         err = bead_fail(msg, BEAD_ERROR_FORMAT, "%s: its scene has no sweep", h5->path);
-    if (err) {
-        bead_scene_free(*scene);
-        *scene = NULL;
-    }
-    if (!err && count == 0)
-        *scene = stored;
-    else
-        bead_scene_free(stored);
     free(text);
     return err;
 }
@@ -195,15 +178,13 @@ static enum bead_error read_head(struct bead_h5 *h5, struct bead_sweep *sweep, s
     return h5->error;
 }
 
-enum bead_error bead_sweep_open(const char *path, const char *const *settings, size_t setting_count, struct bead_sweep **sweep,
-                                struct bead_message *msg)
+static enum bead_error read_sweep(const char *path, const struct bead_own *own, struct bead_sweep **sweep, struct bead_message *msg)
 {
     struct bead_h5 h5 = {.file = -1, .kind = "sweep"};
     struct bead_scene *scene = NULL;
-    *sweep = NULL;
     bead_h5_open(&h5, path, msg);
     h5.kind = "sweep";
-    enum bead_error err = h5.error ? h5.error : read_scene(&h5, settings, setting_count, &scene, msg);
+    enum bead_error err = h5.error ? h5.error : read_scene(&h5, own, &scene, msg);
     if (!err)
         err = bead_sweep_allocate(scene, sweep, msg);
     if (!err) {
@@ -215,6 +196,37 @@ enum bead_error bead_sweep_open(const char *path, const char *const *settings, s
         err = read_panel(&h5, *sweep, p, msg);
     bead_h5_shut(&h5);
     bead_scene_free(scene);
+    return err;
+}
+
+enum bead_error bead_sweep_show(struct bead_sweep *sweep, struct bead_scene *scene, struct bead_message *msg)
+{
+    if (scene->fingerprint != sweep->scene->fingerprint) {
+        bead_fail(msg, BEAD_ERROR_USAGE,
+                  "%s: a setting would change what was computed; only outputs can be changed here: run the scene again",
+                  scene->file);
+        bead_scene_free(scene);
+        return BEAD_ERROR_USAGE;
+    }
+    for (size_t p = 0; p < sweep->panel_count; p++) {
+        sweep->panels[p].shown.spec = &scene->sweeps[p];
+        sweep->panels[p].shown.name = scene->sweeps[p].name;
+    }
+    bead_scene_free(sweep->own_scene);
+    sweep->scene = sweep->own_scene = scene;
+    return BEAD_OK;
+}
+
+enum bead_error bead_sweep_open(const char *path, const struct bead_overrides *overrides, struct bead_sweep **sweep,
+                                struct bead_message *msg)
+{
+    struct bead_scene *changed = NULL;
+    *sweep = NULL;
+    enum bead_error err = read_sweep(path, overrides ? overrides->own : NULL, sweep, msg);
+    if (!err && overrides)
+        err = bead_scene_change((*sweep)->scene, overrides, &changed, msg);
+    if (!err && changed)
+        err = bead_sweep_show(*sweep, changed, msg);
     if (err) {
         bead_sweep_close(*sweep);
         *sweep = NULL;
@@ -224,7 +236,7 @@ enum bead_error bead_sweep_open(const char *path, const char *const *settings, s
 
 /* ---- merging ---- */
 
-/* Does a part belong to the first one? */
+/* Fails unless a part belongs to the same sweep as the first one. */
 static enum bead_error check_part(const struct bead_sweep *first, const char *first_path, const struct bead_sweep *part,
                                   const char *path, struct bead_message *msg)
 {
@@ -234,7 +246,7 @@ static enum bead_error check_part(const struct bead_sweep *first, const char *fi
     if (differs)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: belongs to %s than %s", path, differs, first_path);
     if (part->parts != first->parts)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, and %s one of %zu", path, part->part, part->parts,
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is part %zu of %zu, but %s is one of %zu", path, part->part, part->parts,
                          first_path, first->parts);
     return BEAD_OK;
 }
@@ -286,7 +298,7 @@ enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct 
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < count && !err; i++) {
         struct bead_sweep *part = NULL;
-        err = bead_sweep_open(paths[i], NULL, 0, &part, msg);
+        err = bead_sweep_open(paths[i], NULL, &part, msg);
         if (!err && all)
             err = check_part(all, paths[0], part, paths[i], msg);
         if (!err && !all) {

@@ -1,38 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes a sweep, one chain per thread, and puts the results into their places. */
+/* Runs a sweep: measures each chain, and adds its results to the journal. */
 #include <math.h>
 #include <pthread.h>
-#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
-#include "sim/base/stop.h"
-#include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
-#include "sim/run/run.h"
+#include "sim/run/behind.h"
 #include "sim/sweep/sweep_data.h"
 
-/* Steps between checks of whether the user wants to stop. */
-enum { LOOK_EVERY = 64 };
-/* A front that takes this many times longer than a wave needs for the chain will never arrive. */
-static const double patience = 200;
-/* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four leave room for a pulse
- * that disorder has widened. */
+/* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four allow for a pulse widened
+ * by disorder. */
 enum { REACH = 4 };
+/* How much faster than the front signals behind it may be, tried one after the other; 0: all beads are kept. In chains of dimers
+ * with random spins, signals travel 1.26 times as fast. */
+static const double widenings[] = {1.3, 1.8, 0};
+/* Every so many chains one is also played whole. */
+enum { ALSO_WHOLE = 64 };
 
-/* What is measured of one chain. */
+/* The measurements of one chain. */
 struct measure {
-    struct bead_sweep *sweep;
     struct sweep_panel *panel;
     size_t row;
     const struct bead_chain *chain;
-    struct bead_span span; /* beads whose peak forces are wanted */
-    double *seen;          /* [beads] s: times of the peaks whose energy is known; NULL: not wanted */
+    struct bead_span span; /* beads whose peak forces are measured */
+    double *seen;          /* [beads] s: times of the peaks whose energy is known; NULL: not measured */
 };
 
-/* The bead range of a place. */
 struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place)
 {
     const struct bead_sweep_spec *spec = panel->shown.spec;
@@ -63,9 +58,10 @@ static double *profile_of(const struct measure *m, enum sweep_profile which)
     return m->panel->profiles + (PROFILES * m->row + which) * m->panel->shown.beads;
 }
 
-/* Energy about the beads whose force has come to a new peak in the step just made. */
-static enum bead_error watch_energies(struct measure *m, struct bead_run *run, struct bead_message *msg)
+/* Measures the energy about each bead whose force has reached a new peak in the last step. */
+static enum bead_error watch_energies(const struct bead_consumer *consumer, size_t, struct bead_run *run, struct bead_message *msg)
 {
+    const struct measure *m = consumer->context;
     const struct bead_peak *found = bead_run_bead_peaks(run);
     double *front = profile_of(m, PROFILE_ENERGY);
     for (size_t j = 0; j < m->panel->shown.beads; j++) {
@@ -84,7 +80,7 @@ static enum bead_error watch_energies(struct measure *m, struct bead_run *run, s
     return BEAD_OK;
 }
 
-/* The chain at the end of the run, up to the front. */
+/* Keeps forces and energies of the beads up to the front at the end of the run. */
 static enum bead_error keep_last(const struct measure *m, struct bead_run *run, double end, struct bead_message *msg)
 {
     static const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
@@ -96,40 +92,6 @@ static enum bead_error keep_last(const struct measure *m, struct bead_run *run, 
         profile_of(m, PROFILE_LAST_ENERGY)[j] = sample.field[BEAD_FIELD_ENERGY][j];
     }
     return err;
-}
-
-double bead_sweep_give_up(const struct bead_chain *chain, double end)
-{
-    return isfinite(end) ? INFINITY : patience * bead_chain_passage(chain, bead_chain_energy(chain));
-}
-
-enum bead_error bead_sweep_step(const struct bead_sweep *sweep, struct bead_run *run, uint64_t step, double give_up,
-                                const volatile sig_atomic_t *stop, struct bead_message *msg)
-{
-    const double now = bead_run_time(run);
-    if (step % LOOK_EVERY == 0 && bead_stop_is_asked(stop))
-        return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped");
-    if (now > give_up)
-        return bead_fail(msg, BEAD_ERROR_NUMBERS,
-                         "%s: a configuration's front has not reached the end after %.4g s: give simulate.until",
-                         sweep->scene->file, now);
-    return bead_run_step(run, msg);
-}
-
-static enum bead_error play(struct measure *m, struct bead_run *run, double end, const volatile sig_atomic_t *stop,
-                            struct bead_message *msg)
-{
-    const double give_up = bead_sweep_give_up(m->chain, end);
-    for (uint64_t step = 0;; step++) {
-        double from = bead_run_time(run);
-        if (isfinite(end) ? from >= end : !isnan(bead_run_arrival(run)))
-            return BEAD_OK;
-        enum bead_error err = bead_sweep_step(m->sweep, run, step, give_up, stop, msg);
-        if (!err && m->seen)
-            err = watch_energies(m, run, msg);
-        if (err)
-            return err;
-    }
 }
 
 static void collect(const struct measure *m, const struct bead_peak *found)
@@ -152,98 +114,112 @@ static void collect(const struct measure *m, const struct bead_peak *found)
         profile_of(m, PROFILE_FORCE)[j] = found[j].value;
 }
 
-static enum bead_error sweep_measure(struct measure *m, const struct bead_kernels *kernels, const volatile sig_atomic_t *stop,
-                                     struct bead_message *msg)
+/* Plays a chain with as few beads as its peaks allow; `first`: number of the widening to begin with. */
+static enum bead_error play_cut(struct bead_play *play, size_t first, struct bead_played *played, struct bead_message *msg)
 {
-    const double until = m->sweep->scene->simulate.until;
-    find_span(m);
-    struct bead_run_settings settings = {.chain = m->chain,
-                                         .simulate = &m->sweep->scene->simulate,
-                                         .kernels = kernels,
-                                         .end = isnan(until) ? INFINITY : until,
-                                         .passage = isnan(until) ? BEAD_PASSAGE_OF_FRONT : BEAD_PASSAGE_NONE,
-                                         .bead_peaks = true,
-                                         .peak_span = &m->span};
-    struct bead_run *run = NULL;
-    enum bead_error err = bead_run_create(&settings, &run, msg);
-    if (!err && m->panel->profiles && !(m->seen = calloc(m->panel->shown.beads, sizeof *m->seen)))
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the energies of %zu beads", m->panel->shown.beads);
-    if (!err)
-        err = play(m, run, settings.end, stop, msg);
-    if (!err) {
-        struct bead_outcome outcome;
-        double end = isfinite(settings.end) ? settings.end : bead_run_arrival(run);
-        bead_run_finish(run, end, &outcome);
-        collect(m, outcome.bead_peaks);
-        if (m->seen)
-            err = keep_last(m, run, end, msg);
+    for (size_t i = first;; i++) {
+        play->widening = widenings[i];
+        enum bead_error err = bead_play(play, played, msg);
+        if (err || !bead_run_cut_short(played->runs[0].run))
+            return err;
+        bead_played_free(played);
     }
-    free(m->seen);
-    bead_run_destroy(run);
-    return err;
 }
 
-/* Compute one job's results into its place. Errors: MEMORY, NUMBERS, SCENE, STOPPED. */
-static enum bead_error compute(struct bead_sweep *sweep, size_t job, const struct bead_kernels *kernels,
-                               const volatile sig_atomic_t *stop, struct bead_message *msg)
+/* Plays it whole, too, and compares the peaks. */
+static enum bead_error check_whole(const struct measure *m, const struct bead_play *asked, const struct bead_peak *found,
+                                   struct bead_message *msg)
 {
-    struct bead_sweep_chain *chain = NULL;
-    struct measure m = {.sweep = sweep};
-    m.panel = bead_sweep_panel_of(sweep, job, &m.row);
-    enum bead_error err = bead_sweep_chain_create(sweep, (size_t)(m.panel - sweep->panels), m.row - 1, &chain, msg);
-    if (err)
-        return err;
-    m.chain = bead_sweep_chain_of(chain);
-    err = sweep_measure(&m, kernels, stop, msg);
-    bead_sweep_chain_destroy(chain);
+    struct bead_play play = *asked;
+    struct bead_played whole = {.count = 0};
+    play.widening = 0;
+    enum bead_error err = bead_play(&play, &whole, msg);
+    for (size_t j = m->span.first; !err && j <= m->span.last; j++) {
+        const double force = whole.outcomes[0].bead_peaks[j].value;
+        if (fabs(found[j].value - force) > play.simulate->accuracy * force)
+            err = bead_fail(msg, BEAD_ERROR_NUMBERS,
+                            "sweep: chain %zu of `%s`: the peak of bead %zu is %.9g N without the beads far behind the front, and "
+                            "%.9g N with them: give `whole: true`",
+                            m->row, m->panel->shown.name, j, found[j].value, force);
+    }
+    bead_played_free(&whole);
     return err;
 }
 
-/* ---- all of them ---- */
+const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bead_chain *chain)
+{
+    if (panel->shown.spec->whole)
+        return "as asked";
+    if (panel->profiles)
+        return "the decay is measured on all of them";
+    return isnan(bead_chain_scene(chain)->simulate.until) ? bead_behind_refusal(chain) : "the runs end at a given time";
+}
+
+/* Plays the chain of a job and stores its results. */
+static enum bead_error sweep_measure(struct measure *m, const struct bead_play *asked, struct bead_message *msg)
+{
+    struct bead_consumer consumer = {.needs = {.bead_peaks = true}, .context = m};
+    struct bead_played played = {.count = 0};
+    struct bead_play play = *asked;
+    find_span(m);
+    play.peak_span = &m->span;
+    play.consumers = &consumer;
+    play.consumer_count = 1;
+    const bool whole = bead_sweep_refusal(m->panel, m->chain) != NULL;
+    if (m->panel->profiles) {
+        consumer.step = watch_energies;
+        m->seen = calloc(m->panel->shown.beads, sizeof *m->seen);
+        if (!m->seen)
+            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the energies of %zu beads", m->panel->shown.beads);
+    }
+    enum bead_error err = play_cut(&play, whole ? sizeof widenings / sizeof *widenings - 1 : 0, &played, msg);
+    if (!err && !whole && m->row % ALSO_WHOLE == 0)
+        err = check_whole(m, &play, played.outcomes[0].bead_peaks, msg);
+    if (!err)
+        collect(m, played.outcomes[0].bead_peaks);
+    if (!err && m->seen)
+        err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);
+    free(m->seen);
+    bead_played_free(&played);
+    return err;
+}
+
+/* ---- all chains ---- */
 
 struct work {
     struct bead_sweep *sweep;
-    const struct bead_sweep_settings *settings;
-    const struct bead_kernels *kernels;
     struct bead_sweep_journal *journal;
     pthread_mutex_t lock; /* of the journal */
-    size_t *jobs;         /* [count]: to do */
-    size_t count, done_before, all;
-    atomic_size_t done;
+    size_t *jobs;         /* not known yet */
 };
 
-static void tell(const struct work *w, size_t done)
+static void find_job(void *context, size_t index, size_t *panel, size_t *configuration)
 {
-    if (!w->settings->progress)
-        return;
-    struct bead_progress progress = {.what = "sweeping",
-                                     .done = (double)(w->done_before + done) / (double)w->all,
-                                     .time = NAN,
-                                     .items = (double)(w->done_before + done),
-                                     .item = "chains"};
-    w->settings->progress(w->settings->progress_context, &progress);
+    const struct work *w = context;
+    size_t row;
+    *panel = (size_t)(bead_sweep_panel_of(w->sweep, w->jobs[index], &row) - w->sweep->panels);
+    *configuration = row - 1;
 }
 
-static enum bead_error work_on(void *context, size_t index, bool calling, struct bead_message *msg)
+static enum bead_error play_job(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
 {
     struct work *w = context;
-    size_t job = w->jobs[index];
-    if (calling)
-        tell(w, atomic_load(&w->done));
-    enum bead_error err = compute(w->sweep, job, w->kernels, w->settings->stop, msg);
+    const size_t job = w->jobs[index];
+    struct measure m = {.chain = play->chains[0]};
+    m.panel = bead_sweep_panel_of(w->sweep, job, &m.row);
+    enum bead_error err = sweep_measure(&m, play, msg);
     if (!err && w->journal) {
         pthread_mutex_lock(&w->lock);
         err = bead_sweep_journal_add(w->journal, w->sweep, job, msg);
         pthread_mutex_unlock(&w->lock);
     }
-    if (!err) {
+    if (!err)
         w->sweep->known[job] = 1;
-        atomic_fetch_add(&w->done, 1);
-    }
     return err;
 }
 
-static enum bead_error list_jobs(struct work *w, struct bead_message *msg)
+/* Lists the jobs of the sweep's part that are not known yet. */
+static enum bead_error list_jobs(struct work *w, struct sweep_generator *generator, struct bead_message *msg)
 {
     w->jobs = calloc(w->sweep->jobs, sizeof *w->jobs);
     if (!w->jobs)
@@ -251,11 +227,11 @@ static enum bead_error list_jobs(struct work *w, struct bead_message *msg)
     for (size_t job = 0; job < w->sweep->jobs; job++) {
         if (!bead_sweep_mine(w->sweep, job))
             continue;
-        w->all++;
-        if (!w->sweep->known[job])
-            w->jobs[w->count++] = job;
+        if (w->sweep->known[job])
+            generator->done_before++;
+        else
+            w->jobs[generator->count++] = job;
     }
-    w->done_before = w->all - w->count;
     return BEAD_OK;
 }
 
@@ -266,28 +242,24 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
     enum bead_error err = bead_sweep_settings_take(&own, settings, msg);
     if (err)
         return err;
-    settings = &own;
-    struct work w = {.sweep = sweep, .settings = settings, .kernels = bead_kernels_find(settings->instructions)};
-    long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    int threads = settings->threads > 0 ? settings->threads : cores > 1 ? (int)cores : 1;
-    if (!w.kernels)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--instructions %s: this machine has no such kernels", settings->instructions);
-    if (settings->parts > 0) {
-        sweep->part = settings->part;
-        sweep->parts = settings->parts;
+    struct work w = {.sweep = sweep};
+    struct sweep_generator generator = {
+        .sweep = sweep, .settings = &own, .what = "sweeping", .find = find_job, .play = play_job, .context = &w};
+    if (own.parts > 0) {
+        sweep->part = own.part;
+        sweep->parts = own.parts;
     }
-    err = settings->journal ? bead_sweep_journal_open(sweep, settings->journal, &w.journal, msg) : BEAD_OK;
+    err = own.journal ? bead_sweep_journal_open(sweep, own.journal, &w.journal, msg) : BEAD_OK;
     if (!err)
-        err = list_jobs(&w, msg);
+        err = list_jobs(&w, &generator, msg);
     if (!err && pthread_mutex_init(&w.lock, NULL) != 0)
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "no lock for a sweep");
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "cannot create a lock for a sweep");
     if (!err) {
-        tell(&w, 0);
-        err = bead_thread_pool_run(w.count, threads, work_on, &w, msg);
+        err = bead_sweep_play(&generator, msg);
         pthread_mutex_destroy(&w.lock);
     }
     if (computed)
-        *computed = atomic_load(&w.done);
+        *computed = generator.played;
     bead_sweep_journal_close(w.journal);
     free(w.jobs);
     return err;

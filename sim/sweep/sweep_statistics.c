@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 
 enum { RESAMPLES = 1000 };
-/* Magnetisms closer than this are equal: those of chains are ratios of whole numbers. */
+/* Magnetisms closer than this are equal: they are ratios of whole numbers. */
 static const double same = 1e-9;
 
 static enum bead_error out_of_memory(struct bead_message *msg)
@@ -67,7 +68,7 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
     return BEAD_OK;
 }
 
-/* A sweep may lack one of the regimes. */
+/* Fits the threshold, if the sweep has both regimes. */
 static enum bead_error find_threshold(struct bead_sweep_statistics *s, const char *name, uint64_t seed, struct bead_message *msg)
 {
     const struct bead_threshold_info *how = bead_threshold_info_named(name);

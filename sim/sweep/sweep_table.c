@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of sweeps: statistics of every magnetism, results of every configuration, decay along the chain. */
+/* Writes tables of sweeps: statistics of every magnetism, results of every configuration, decay along the chain. */
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 #include "sim/base/number.h"
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_data.h"
 
-/* A table that is being written, and whose sweeps it names. */
+/* A table that is being written. */
 struct out {
     FILE *file;
     const struct bead_sweep *sweep;
     const struct bead_output *output;
-    bool several, places; /* columns before the others: the sweep's name, the place's name */
+    bool several, places; /* has a column for the sweep's name, and for the place's */
 };
 
 static void number(FILE *file, double value)
@@ -79,9 +79,8 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     return BEAD_OK;
 }
 
-static enum bead_error write_configurations(const struct out *o, struct bead_message *msg)
+static enum bead_error write_configurations(const struct out *o, struct bead_message *)
 {
-    (void)msg;
     head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, p);
@@ -169,15 +168,14 @@ static const char *sweep_table_why(const struct bead_output *output)
     return kind_of(output)->why;
 }
 
-static enum bead_error sweep_table_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error sweep_table_fill(void *context, FILE *file, const char *, struct bead_message *msg)
 {
-    (void)part;
     struct out *o = context;
     o->file = file;
-    /* "C": a decimal point, whatever the user's language. */
+    /* "C": a decimal point in every language. */
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain == (locale_t)0)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a table");
     locale_t before = uselocale(plain);
     enum bead_error err = kind_of(o->output)->write(o, msg);
     uselocale(before);
@@ -185,19 +183,18 @@ static enum bead_error sweep_table_fill(void *context, FILE *file, const char *p
     return err;
 }
 
-static enum bead_error write_table(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
+static enum bead_error write_table(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                    uint64_t *bytes, struct bead_message *msg)
 {
+    const struct bead_sweep *sweep = context->sweep;
     struct out o = {.sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
     for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
         o.places = o.places || (kind_of(output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
     return bead_file_write(path, sweep_table_fill, &o, bytes, msg);
 }
 
-static const struct bead_sweep_sink table = {"table", BEAD_OUTPUT_TABLE, sweep_table_why, write_table, NULL, false};
-static const struct bead_sweep_sink *const sinks[] = {&table, NULL};
-
-const struct bead_sweep_sink *const *bead_sweep_data_sinks(void)
-{
-    return sinks;
-}
+const struct bead_sink_type bead_sweep_table_sink = {.name = "table",
+                                                     .help = "statistics of a sweep, as comma-separated values",
+                                                     .kind = BEAD_OUTPUT_TABLE,
+                                                     .why = sweep_table_why,
+                                                     .write = write_table};

@@ -1,23 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes the file of a sweep, once everything is known; beadreel/sweep.h describes its contents. */
+/* Writes the file of a finished sweep; beadreel/sweep.h describes its contents. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 #include "sim/base/h5.h"
 #include "sim/output/file_kinds.h"
 #include "sim/sweep/sweep_data.h"
 
-/* Rows of a panel that are in the file: numbers of jobs within it. */
+/* Rows of a panel in the file: numbers of jobs within the panel. */
 struct rows {
     size_t *row;
     size_t count;
-    bool clean; /* the clean chain is there */
+    bool clean; /* the clean chain is known */
 };
 
-/* What is being written of a panel. */
 struct writer {
     struct bead_h5 *h5;
     const struct bead_sweep *sweep;
@@ -51,47 +50,44 @@ static void write_scales(struct writer *w, int64_t *numbers)
     for (size_t i = 0; i < shown->places; i++)
         places[i] = bead_sweep_place(w->sweep, (size_t)(w->panel - w->sweep->panels), i);
     if (shown->places) {
-        bead_h5_write_texts(w->h5, w->group, "place", -1, places, shown->places);
+        bead_h5_write_texts(w->h5, w->group, "place", places, sizeof *places, shown->places);
         w->place = bead_h5_open_scale(w->h5, w->group, "place", "place");
     }
     free(places);
     if (w->panel->profiles) {
         for (size_t i = 0; i < shown->beads; i++)
             numbers[i] = (int64_t)i;
-        bead_h5_write_ints(w->h5, w->group, "bead", -1, numbers, shown->beads);
+        bead_h5_write_numbers(w->h5, w->group, "bead", NULL, -1, BEAD_H5_INT, numbers, sizeof *numbers, shown->beads);
         w->bead = bead_h5_open_scale(w->h5, w->group, "bead", "bead");
     }
     for (size_t i = 0; i < w->rows.count; i++)
         numbers[i] = (int64_t)(w->rows.row[i] - 1);
     if (w->rows.count) {
-        bead_h5_write_ints(w->h5, w->group, "configuration", -1, numbers, w->rows.count);
+        bead_h5_write_numbers(w->h5, w->group, "configuration", NULL, -1, BEAD_H5_INT, numbers, sizeof *numbers, w->rows.count);
         w->configuration = bead_h5_open_scale(w->h5, w->group, "configuration", "configuration");
     }
 }
 
-/* Some rows of one kind of result, put together for the file. */
 static void write_peaks(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers,
                         int64_t *whole)
 {
+    static const struct {
+        const char *name, *unit;
+    } columns[] = {{"peak_force", "N"}, {"peak_time", "s"}, {"peak_bead", NULL}, {"peak_open", NULL}};
     const size_t places = w->panel->shown.places;
     const hid_t scales[2] = {scale, w->place};
     char name[64];
-    for (int what = 0; what < 2; what++) {
+    for (int what = 0; what < 4; what++) {
+        const bool is_whole = columns[what].unit == NULL;
         for (size_t i = 0; i < count * places; i++) {
             const struct bead_sweep_peak *peak = &w->panel->peaks[rows[i / places] * places + i % places];
             numbers[i] = what == 0 ? peak->force : peak->time;
+            whole[i] = what == 2 ? peak->bead : peak->open;
         }
-        snprintf(name, sizeof name, "%s%s", prefix, what == 0 ? "peak_force" : "peak_time");
-        bead_h5_write_table(w->h5, w->group, name, what == 0 ? "N" : "s", BEAD_H5_DOUBLE, count, places, scales, numbers);
+        snprintf(name, sizeof name, "%s%s", prefix, columns[what].name);
+        bead_h5_write_table(w->h5, w->group, name, columns[what].unit, is_whole ? BEAD_H5_INT : BEAD_H5_DOUBLE, count, places,
+                            scales, is_whole ? (const void *)whole : numbers);
     }
-    for (size_t i = 0; i < count * places; i++)
-        whole[i] = (int64_t)w->panel->peaks[rows[i / places] * places + i % places].bead;
-    snprintf(name, sizeof name, "%speak_bead", prefix);
-    bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
-    for (size_t i = 0; i < count * places; i++)
-        whole[i] = w->panel->peaks[rows[i / places] * places + i % places].open;
-    snprintf(name, sizeof name, "%speak_open", prefix);
-    bead_h5_write_table(w->h5, w->group, name, NULL, BEAD_H5_INT, count, places, scales, whole);
 }
 
 const struct sweep_profile_name bead_sweep_profiles[] = {[PROFILE_FORCE] = {"bead_force", "N"},
@@ -138,7 +134,8 @@ static void write_spins(struct writer *w, double *numbers)
             bits[i * cells + k] = c.spins[k] == '1';
     }
     bead_h5_write_table(w->h5, w->group, "spins", NULL, BEAD_H5_BYTE, w->rows.count, cells, scales, bits);
-    bead_h5_write_doubles(w->h5, w->group, "magnetism", "1", w->configuration, numbers, w->rows.count);
+    bead_h5_write_numbers(w->h5, w->group, "magnetism", "1", w->configuration, BEAD_H5_DOUBLE, numbers, sizeof *numbers,
+                          w->rows.count);
     free(bits);
 }
 
@@ -205,7 +202,7 @@ static enum bead_error write_file(const struct bead_sweep *sweep, const char *na
     return err ? err : h5.error;
 }
 
-/* `path.part` is the sweep's journal, so the unfinished file ends otherwise. */
+/* `path.part` is the sweep's journal, so the unfinished file has another extension. */
 static enum bead_error name_of_new(const char *path, char **name, struct bead_message *msg)
 {
     enum bead_error err = bead_file_part_name(path, name, msg);
@@ -232,3 +229,20 @@ enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *pat
     free(name);
     return err;
 }
+
+static enum bead_error write_sweep(const struct bead_output *, const struct bead_run_context *context, const char *path, uint64_t *,
+                                   struct bead_message *msg)
+{
+    return bead_sweep_write(context->sweep, path, msg);
+}
+
+static const char *results_why(const struct bead_output *)
+{
+    return "spins and results of every configuration; until the end in its .part";
+}
+
+const struct bead_sink_type bead_sweep_results_sink = {.name = "sweep",
+                                                       .help = "all results of a sweep, as HDF5",
+                                                       .kind = BEAD_OUTPUT_SWEEP,
+                                                       .why = results_why,
+                                                       .write = write_sweep};

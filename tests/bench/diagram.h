@@ -3,7 +3,7 @@
 #ifndef BEADREEL_BENCH_DIAGRAM_H
 #define BEADREEL_BENCH_DIAGRAM_H
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/raster.h"
 #include "tests/bench/precision.h"
 

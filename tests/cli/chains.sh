@@ -118,5 +118,5 @@ ok "too many in groups" wrong 'makes the chain longer than 100000000 beads' '{of
 ok "too many groups" wrong 'of.0.repeat: makes 60000 entries' '{of: [{repeat: 30000, of: [{bead: brass}, {bead: ptfe}]}], repeat: 2}'
 ok "random cells in a group" exits 0 "$beadsim" --plan run.yaml --set 'chain.beads=[{repeat: 2, of: [{cell: [brass, ptfe], count: 4, spins: random}]}]'
 ok "... but not of a sweep" fails 2 "$beadsim" --plan sweep.yaml --set 'chain.beads.0={repeat: 2, of: [{cell: [brass, ptfe], count: 4, spins: random}]}'
-ok "... which says why" says "holds random cells, which in a sweep must stand in \`beads\` itself"
+ok "... which says why" says "holds random cells, which in a sweep must be entries of \`beads\` itself"
 finish

@@ -37,6 +37,10 @@ for shell in bash zsh fish; do
         skip "$shell, python3" "$shell completes what is typed"
         continue
     fi
+    if ! python3 -c 'import pty; pty.openpty()' 2>/dev/null; then
+        skip "a terminal (/dev/pts)" "$shell completes what is typed"
+        continue
+    fi
     ok "$shell completes what is typed" completed $shell
     for ((i = 0; i < ${#cases[@]}; i += 3)); do ok "$shell: ${cases[i]}" is_line $((i / 3 + 1)) "${cases[i + 2]}"; done
 done

@@ -107,7 +107,7 @@ ok "..." says "outputs.0.colormap: deep/pipe.txt: is no plain file"
 ok "no such name" fails 2 "$beadreel" run/run.h5 -o no.png --colormap no
 ok "... says it, too" says "--colormap:1:1: colormap: there is no colour map \`no\`"
 ok "no such colours" fails 2 "$beadreel" run/run.h5 -o no.png --colormap '"#00 #11"'
-ok "... says what they are" says "colours of one's own must be two or more such as #ff8000"
+ok "... says what they are" says "own colours must be two or more such as #ff8000"
 
 # ---- where it is, and how it is shown ----
 

@@ -23,19 +23,31 @@ film() {
 made() { exits 0 "$beadreel" "${arguments[@]}" -q; }
 # planned NAME : frames in the file.
 planned() { sed -n "s/^output .*$1: \([0-9]*\) frames\( (\([0-9]*\) of them [^)]*)\)\{0,1\} of .*/\1 \3/p" plan | awk '{print $NF}'; }
-# rate NAME : the rates of the stream, how many frames it has, how far apart they and how long they are (least, most; in ticks).
+# rate NAME : the rates of the stream, how many frames it has, how far apart they and how long they are (least, most; in ticks), and
+# how long all of them take. Packets beyond the frames are none: ffprobe 7 counts the comment behind a GIF's last picture.
 rate() {
     ffprobe -v error -count_frames -select_streams v:0 -show_entries stream=r_frame_rate,avg_frame_rate,nb_read_frames:packet=pts,duration "$1" |
-        awk -F= '/^r_f/ {r = $2} /^avg/ {a = $2} /^nb/ {n = $2} /^dur/ {if (!d++ || $2 < dl) dl = $2; if ($2 > dm) dm = $2}
-                 /^pts/ {if (p++) {g = $2 - at; if (p == 2 || g < gl) gl = g; if (g > gm) gm = g} at = $2}
-                 END {print r, a, n, dl, dm, gl, gm}'
+        awk -F= '/^r_f/ {r = $2} /^avg/ {a = $2} /^nb/ {n = $2} /^dur/ {long[++d] = $2} /^pts/ {at[++p] = $2}
+                 END {
+                     dl = dm = long[1]; gl = gm = at[2] - at[1]
+                     for (i = 2; i <= p && i <= n; i++) {
+                         g = at[i] - at[i - 1]
+                         if (g < gl) gl = g; if (g > gm) gm = g
+                         if (long[i] < dl) dl = long[i]; if (long[i] > dm) dm = long[i]
+                     }
+                     print r, a, n, dl, dm, gl, gm, at[i - 1] + long[i - 1] - at[1]
+                 }'
 }
 # constant NAME FPS TICKS FRAMES : all frames are within TICKS (of the container's clock) of as long.
 constant() {
-    local r a n dl dm gl gm
-    read -r r a n dl dm gl gm < <(rate "$1")
-    echo "$1: rates $r and $a, $n frames (planned: $4) of $dl to $dm, $gl to $gm apart"
-    case $1 in *.apng | *.gif) r=$a ;; esac # ffprobe takes it from the file's clock
+    local r a n dl dm gl gm all
+    read -r r a n dl dm gl gm all < <(rate "$1")
+    echo "$1: rates $r and $a, $n frames (planned: $4) of $dl to $dm, $gl to $gm apart, $all for all"
+    case $1 in
+    *.apng) r=$a ;; # ffprobe takes it from the file's clock
+    # From the clock, of 10 ms, or from the first frame alone: the rate is that of all frames.
+    *.gif) r=$(awk -v n="$n" -v all="$all" -v fps="$2" 'BEGIN {off = 100 * n / fps - all; print (off * off < 1 ? fps : 100 * n / all) "/1"}') a=$r ;;
+    esac
     [ "$r" = "$2/1" ] && [ "$a" = "$2/1" ] && [ "$n" = "$4" ] && [ "$n" -gt 10 ] && [ $((dm - dl)) -le "$3" ] && [ $((gm - gl)) -le "$3" ]
 }
 all_constant() { # FPS: as asked for

@@ -91,6 +91,11 @@ ok "options for the film" exits 0 "$beadreel" given.yaml --frame 50% --colormap 
 ok "... change it" [ "$(cmp -s grey.png one-50percent.png; echo $?)" -eq 1 ]
 ok "as do settings" exits 0 "$beadreel" given.yaml --frame 50% --set outputs.0.colormap=grey -o set.png
 ok "... in the same way" cmp grey.png set.png
+sed 's/^outputs:$/&\n  - {table: [a.csv, b.csv]}/' given.yaml >behind.yaml
+ok "a film behind an entry of two files" exits 0 "$beadreel" behind.yaml --frame 50% --colormap grey -o behind.png
+ok "... looks so, too" cmp grey.png behind.png
+ok "... and by settings" exits 0 "$beadreel" behind.yaml --frame 50% --set outputs.1.colormap=grey -o behind.png
+ok "... as well" cmp grey.png behind.png
 
 # wrong MESSAGE ARGUMENT... : nothing is made.
 wrong() {

@@ -37,8 +37,9 @@ ok "... and is made" test -s "$T/there/run.h5"
 ok "a sweep's file is made" exits 0 "$beadsim" "$T/sweep.yaml" -o "$T/there"
 
 # As where HDF5 is not installed: what is found in its place is none.
-missing=$(head -n 1 "$T/opened")
-mkdir "$T/none" && echo 'int nothing;' | cc -shared -fPIC -x c - -o "$T/none/$missing"
+mkdir "$T/none"
+while read -r missing; do echo 'int nothing;' | cc -shared -fPIC -x c - -o "$T/none/$missing"; done <"$T/opened"
+missing=$(tail -n 1 "$T/opened")
 not_there() { env LD_LIBRARY_PATH="$T/none" "$@"; }
 said() { says "need HDF5 (install " && says "$missing"; }
 ok "without HDF5, a table is made" exits 0 not_there "$beadsim" "$T/scene.yaml" -o "$T/table" --only peaks.csv

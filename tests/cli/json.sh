@@ -92,7 +92,8 @@ ok "... too" is 'j["errors"][0]["file"] == "--set"'
 
 stopped() {
     "$beadsim" scene.yaml -o stop --only peaks.csv --json --set simulate='{until: 10 s, method: rk4, step: 0.1 us}' >out 2>err &
-    sleep 0.3 && kill -TERM $! && wait $!
+    await test -e stop/peaks.csv.part
+    kill -TERM $! && wait $!
     [ $? -eq 143 ]
 }
 ok "a stopped run" stopped

@@ -34,6 +34,9 @@ for equation in 'fput, points: 31, start: {mode: 1}' 'kdv, low: -12, length: 34,
     echo "{chain: {equation: $equation}, simulate: {until: 1}, outputs: [{table: t.csv, show: measures}]}" >"${equation%%,*}.yaml"
 done
 
+# all_of SECTION : its keys with their examples, for a map that may need several of them.
+all_of() { awk -F'|' -v section="$1" '$1 == section { printf "%s%s: %s", n++ ? ", " : "", $2, $3 }' examples; }
+
 declare -A extension=([plot]=png [table]=csv)
 # base SECTION : into `scene`, `prefix` and `before`, where a section's keys belong, and what they need there.
 base() {
@@ -46,8 +49,7 @@ base() {
     chain.beads) prefix=chain.beads.0. ;;
     chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
     chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
-    'chain.law (power)') prefix=chain.law. before=('chain.law={power: 1.5, coefficient: 1e9}') ;;
-    'chain.law (fpu-alpha)') prefix=chain.law. before=('chain.law={fpu-alpha: 1}') ;;
+    'chain.law ('*')') prefix=chain.law. before=("chain.law={$(all_of "$1")}") ;;
     materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
     materials.NAME.tolerance) prefix=materials.x.tolerance. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
     'chain (fput)' | 'chain (kdv)' | 'chain (shock)') scene=${1#* (} scene=${scene%)} prefix=chain. ;;

@@ -66,6 +66,10 @@ ok "unknown short option" fails 2 "$beadreel" -x scene.yaml
 ok "... says so" says '`-x`'
 ok "missing value" fails 2 "$beadreel" clean-vs-delocalised --set
 ok "... says so" says "--set: needs a value"
+ok "empty value" fails 2 "$beadreel" clean-vs-delocalised --frame ""
+ok "... says so" says "--frame: MOMENT is empty"
+ok "beadsim draws no frame" fails 2 "$beadsim" clean-vs-delocalised --frame peak
+ok "... says so" says "--frame: beadsim does not draw"
 ok "missing value of a short option" fails 2 "$beadreel" clean-vs-delocalised -o
 ok "value where none belongs" fails 2 "$beadreel" --plan=yes clean-vs-delocalised
 ok "unknown list" near_miss colormaps --list colourmaps

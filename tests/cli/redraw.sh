@@ -56,12 +56,12 @@ wrong() {
 ok "--only has no effect" wrong "--only force.png: has no effect" --only force.png
 ok "a colour map that is none, found as it is drawn" wrong "--colormap:1:1: colormap: there is no colour map \`nope\`" --colormap nope
 ok "... by --set" fails 2 "$beadreel" run/run.h5 -o no/force.png --set title=x --set outputs.0.colormap=nope
-ok "... the second" says "--set:2:1: colormap: there is no colour map \`nope\`"
+ok "... the second" says "--set:2:20: colormap: there is no colour map \`nope\`"
 ok "a size without room" wrong "--size:1:1: size: 9 x 9 pixels leave no room" --size 9x9 --set outputs.0.axes=true
 ok "what was computed stays" wrong "--set:1:1: chain.striker.velocity: has no effect: run/run.h5" --set chain.striker.velocity=1
 ok "... the second setting" wrong "--set:2:1: simulate.until: has no effect" --set title=x --set simulate.until=1
 ok "what is shown does not" exits 0 "$beadreel" run/run.h5 -o title.png --set title=x --set chain.label=y
-ok "another output" wrong "--set:1:9: outputs.1.colormap: there is no element 1: there are 1" --set outputs.1.colormap=grey
+ok "another output" wrong "--set:1:9: outputs.1.colormap: the list has no element 1; it has 1" --set outputs.1.colormap=grey
 ok "an output's number counts from --set, not from options" wrong "--set:2:" --size 64x64 --set title=x --set outputs.0.colour=grey
 ok "no such map" wrong "there is no colour map \`gray\`" --colormap gray
 ok "no such view" wrong "--views:1:2: outputs.0.views.0: " --views beds

@@ -73,7 +73,7 @@ body() { # TEXT MESSAGE : of assets whose body of pages is the text
         BEADREEL_ASSETS=$T/assets fails 1 "$beadreel" scene.yaml -o made --set 'outputs=[{report: r.html}]' && says "report/run.html: $2" &&
         [ ! -e made/r.html ]
 }
-ok "a body in itself is refused" body 'licence\n{{body}}\n' 'no line of its licence, or a {{body}} in the body'
+ok "a body in itself is refused" body 'licence\n{{body}}\n' 'its first line is not the licence, or it contains {{body}}'
 ok "... and an unnamed part" body 'licence\n{{' '`{{` without a name'
 small() { exits 0 "$beadreel" clean-vs-delocalised -o demo --set 'outputs=[{report: run.html, range: [0, 45 N]}, {image: force.png, size: [1920, 1080]}]' && [ "$(stat -c %s demo/run.html)" -le 3000000 ]; }
 ok "that of the demo is not above 3 MB" small

@@ -15,17 +15,13 @@ outputs:
   - {image: force.png, field: force, size: [320, 200], range: [0, 30]}
 YAML
 
-# stopped SIGNAL DIRECTORY PROGRAM : start, wait until it writes, signal, leave $status.
+has_samples() { "$beadsim" --info "$1" | grep -q '^samples: [1-9]'; }
+# stopped SIGNAL DIRECTORY PROGRAM : start, wait until it has written samples, signal, leave $status.
 stopped() {
     mkdir "$2"
-    "$3" "$T/long.yaml" -o "$2" >"$T/out" 2>"$T/err" &
-    local pid=$! i
-    for ((i = 0; i < 200; i++)); do
-        [ -s "$2/run.h5.part" ] || [ -s "$2/run.h5" ] && break
-        kill -0 $pid 2>/dev/null || break
-        sleep 0.1
-    done
-    sleep 1
+    "$3" "$T/long.yaml" -o "$2" --progress none >"$T/out" 2>"$T/err" &
+    local pid=$!
+    await has_samples "$2/run.h5.part"
     kill -s "$1" $pid
     wait $pid
     status=$?
@@ -78,9 +74,10 @@ ok "SIGKILL: status 137" status_is 137
 
 # No output has begun while a run scouts for the range of colours.
 scouting() {
-    "$beadreel" "$T/long.yaml" --set "outputs=[{movie: m.mp4, size: [160, 120]}, {trajectory: run.h5}]" -o "$T/scout" >"$T/out" 2>"$T/err" &
+    "$beadreel" "$T/long.yaml" --set "outputs=[{movie: m.mp4, size: [160, 120]}, {trajectory: run.h5}]" -o "$T/scout" --progress json \
+        >"$T/out" 2>"$T/err" &
     local pid=$!
-    sleep 1
+    await says '"what": "scouting ranges"'
     kill -TERM $pid
     wait $pid
     status=$?
@@ -96,7 +93,7 @@ again() {
     rm -rf "$T/kept" && cp -r "$T/again" "$T/kept"
     "$beadreel" "$T/long.yaml" -o "$T/kept" >"$T/out" 2>"$T/err" &
     local pid=$!
-    sleep 1.5
+    await has_samples "$T/kept/run.h5.part"
     kill -INT $pid
     wait $pid
     status=$?
@@ -108,8 +105,8 @@ ok "a stopped run leaves an earlier one's results" again
 both() {
     mkdir "$T/both"
     "$beadreel" "$T/long.yaml" --set simulate.until='10 ms' -o "$T/both" >"$T/first" 2>&1 &
-    local pid=$! i
-    for ((i = 0; i < 600; i++)); do [ -s "$T/both/run.h5.part" ] && break; sleep 0.05; done
+    local pid=$!
+    await test -s "$T/both/run.h5.part"
     kill -STOP $pid # so that it cannot end before the other begins
     "$beadreel" "$T/long.yaml" --only "$1" -o "$T/both" >"$T/out" 2>"$T/err"
     status=$?
@@ -119,7 +116,7 @@ both() {
     rm -r "$T/both"
 }
 for name in run.h5 peaks.csv force.png; do ok "two runs with the same $name" both $name; done
-killed_says() { grep -q 'samples: [0-9]' "$T/info" && grep -q 'killed, so that no more is known' "$T/info" && ! grep -qw nan "$T/info" || { cat "$T/info"; return 1; }; }
+killed_says() { grep -q 'samples: [1-9]' "$T/info" && grep -q 'killed: nothing but its samples is known' "$T/info" && ! grep -qw nan "$T/info" || { cat "$T/info"; return 1; }; }
 killed_readable() { "$beadreel" --info "$T/kill/run.h5.part" >"$T/info" && grep -q 'stopped or killed' "$T/info"; }
 ok "SIGKILL: the .part can be read" killed_readable
 ok "... and says how far the run got" killed_says

@@ -20,8 +20,8 @@ outputs:
   - {trajectory: run.h5, fields: [force], every: 0.2 us}
 YAML
 refused() { "$beadreel" scene.yaml --plan --set "outputs=[{movie: $1}]" >out 2>&1; [ $? = 2 ] && grep -qF -- "$2" out || { cat out; return 1; }; }
-ok "a format without sound is refused" refused 'a.gif, sound: wall' 'a.gif: gif files have no sound (`sound`); mp4, mov, mkv and webm files can have'
-ok "... APNG, too" refused 'a.apng, sound: contact 2' 'apng files have no sound'
+ok "a format without sound is refused" refused 'a.gif, sound: wall' 'a.gif: gif files cannot have sound (`sound`); mp4, mov, mkv and webm files can'
+ok "... APNG, too" refused 'a.apng, sound: contact 2' 'apng files cannot have sound'
 ok "a contact that no chain has" refused 'a.mp4, sound: contact 13' 'sound: no chain has a contact 13'
 ok "a sensor that no chain has" refused 'a.mp4, sound: sensor far' 'sound: no chain has a sensor `far`'
 ok "no number of a contact" refused 'a.mp4, sound: contact two' 'must be off, wall, contact NUMBER or sensor NAME'

@@ -149,7 +149,9 @@ odd=0
 for i in $(seq 1 40); do
     cp "$T/whole/sweep.h5" "$T/odd.h5"
     for k in $(seq 1 20); do
-        printf "\\$(printf %o $((RANDOM % 256)))" | dd of="$T/odd.h5" bs=1 seek=$(((RANDOM * 32768 + RANDOM) % size)) conv=notrunc 2>/dev/null
+        # Drawn here: the subshells of a pipe would draw their own, and others in each run.
+        value=$((RANDOM % 256)) place=$(((RANDOM * 32768 + RANDOM) % size))
+        printf "\\$(printf %o $value)" | dd of="$T/odd.h5" bs=1 seek=$place conv=notrunc 2>/dev/null
     done
     "$beadsim" "$T/odd.h5" -o "$T/odd.csv" >/dev/null 2>"$T/err"
     status=$?

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What users are told of the accuracy of peaks: a column, the last line, --info; a guarantee, and what cannot be had; long steps.
+# What users are told of the accuracy of peaks: a column, the last line, --info; a guarantee, and peaks that miss it; long steps.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1
 
@@ -50,8 +50,8 @@ ok "verify: true" exits 0 "$beadsim" rattling.yaml -o sure --quiet --set simulat
 ok "... without a word" test ! -s err
 ok "... makes the bad peak good" below "$(off sure/peaks.csv 5)" "$(column sure/peaks.csv 5 2 | awk '{print 1e-6 * $1}')"
 ok "... says so" below "$(column sure/peaks.csv 5 5)" "$(column sure/peaks.csv 5 2 | awk '{print 1.001e-6 * $1}')"
-ok "what cannot be had fails" exits 1 "$beadsim" rattling.yaml -o unsure --set simulate.verify=true --set simulate.accuracy=1e-12
-ok "... tells what" says 'peaks cannot be had to 1e-12; least well known: contact 5, 74.2'
+ok "peaks that miss the accuracy fail" exits 1 "$beadsim" rattling.yaml -o unsure --set simulate.verify=true --set simulate.accuracy=1e-12
+ok "... tells what" says 'peaks did not reach the requested accuracy of 1e-12; least certain: contact 5, 74.2'
 ok "... and leaves all results" test -s unsure/peaks.csv -a -s unsure/beads.csv -a -s unsure/run.h5
 ok "not beside a step" fails 2 "$beadsim" rattling.yaml -o no --set simulate.verify=true --set 'simulate.step=1 us'
 ok "... says why" says 'chooses the steps itself'

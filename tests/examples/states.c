@@ -9,7 +9,6 @@
 int main(int argc, char **argv)
 {
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), NULL};
-    const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), NULL};
     struct bead_message msg;
     struct bead_session *session;
     struct bead_job job;
@@ -24,7 +23,6 @@ int main(int argc, char **argv)
     job.settings = (const char *const *)argv + 3;
     job.setting_count = (size_t)argc - 3;
     job.sinks = sinks;
-    job.sweep_sinks = sweep_sinks;
     job.hash = true;
     enum bead_error err = bead_session_open(&job, &session, &msg);
     if (!err)

@@ -13,8 +13,8 @@
 
 #include <cmocka.h>
 
-#include "beadreel/look.h"
 #include "beadreel/movie.h"
+#include "render/draw/axis.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
 

@@ -12,9 +12,8 @@
 
 #include <cmocka.h>
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/quantity.h"
-#include "render/movie/captions.h"
 #include "render/movie/movie_words.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
@@ -25,11 +24,11 @@
 static void captions_come_and_go(void **state)
 {
     (void)state;
-    struct bead_caption list[] = {{1e-3, NAN, NAN, 0, "until the next", {0}},
-                                  {3e-3, 4e-3, NAN, 0, "until its end", {0}},
-                                  {5e-3, NAN, 2, 0, "two seconds of the film", {0}},
-                                  {8e-3, 20e-3, NAN, 0, "longer than there is time", {0}},
-                                  {9e-3, NAN, NAN, 0, "the last", {0}}};
+    struct bead_caption list[] = {{1e-3, NAN, NAN, 0, "until the next"},
+                                  {3e-3, 4e-3, NAN, 0, "until its end"},
+                                  {5e-3, NAN, 2, 0, "two seconds of the film"},
+                                  {8e-3, 20e-3, NAN, 0, "longer than there is time"},
+                                  {9e-3, NAN, NAN, 0, "the last"}};
     struct bead_movie_asked movie = {.captions = list, .caption_count = 5};
     const struct bead_film_clock slow = {.slowed = 1000};
     static const struct {
@@ -52,7 +51,7 @@ static void long_captions_stay_longer(void **state)
     char text[91];
     memset(text, 'x', 90);
     text[90] = '\0';
-    struct bead_caption list[] = {{0, NAN, NAN, 0, text, {0}}};
+    struct bead_caption list[] = {{0, NAN, NAN, 0, text}};
     struct bead_movie_asked movie = {.captions = list, .caption_count = 1};
     const struct bead_film_clock slow = {.slowed = 1};
     assert_int_equal(bead_captions_find(&movie, &slow, 5.9), 0);
@@ -64,14 +63,10 @@ static void long_captions_take_two_lines(void **state)
     (void)state;
     struct bead_look look;
     bead_look_screen(&look, 1280, 720, true);
-    struct bead_caption list[] = {{0, NAN, NAN, 0, "short", {0}},
-                                  {1,
-                                   NAN,
-                                   NAN,
-                                   0,
+    struct bead_caption list[] = {{0, NAN, NAN, 0, "short"},
+                                  {1, NAN, NAN, 0,
                                    "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
-                                   "and will not fit into one line of a picture that is as small as this",
-                                   {0}}};
+                                   "and will not fit into one line of a picture that is as small as this"}};
     struct bead_movie_asked movie = {.captions = list, .caption_count = 1};
     assert_int_equal(bead_captions_lines(&movie, &look, 1280), 1);
     movie.caption_count = 2;

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "beadreel/picture.h"
+#include "render/draw/picture.h"
 #include "render/movie/composer_private.h"
 
 enum { MOST_TEXTS = 512 };
@@ -100,7 +100,7 @@ struct stage {
 static void open_stage(struct stage *s, const char *text, const int size[2])
 {
     struct bead_message msg = {""};
-    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &s->scene, &msg))
+    if (bead_scene_parse("test", text, strlen(text), NULL, &s->scene, &msg))
         fail_msg("%s\n%s", msg.text, text);
     for (size_t i = 0; i < s->scene->chain_count; i++)
         assert_int_equal(bead_chain_create(s->scene, i, &s->chains[i], &msg), BEAD_OK);

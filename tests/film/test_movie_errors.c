@@ -3,7 +3,7 @@
 #include "movies.h"
 
 #include "render/encode/movie_private.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/kinds/output_kinds.h"
 
 #include <math.h>
 #include <signal.h>

@@ -12,12 +12,11 @@ static void pictures_carry_hints(void **state)
 {
     (void)state;
     const struct bead_changes changes = {2, {{16, 16, 16, 16}, {95, 63, 2, 2}}}, fewer = {1, {{0, 8, 48, 2}}};
-    struct bead_av av;
-    assert_int_equal(bead_av_open(&av, NULL), BEAD_OK);
-    AVFrame *picture = av.av_frame_alloc();
+    assert_int_equal(bead_av_open(NULL), BEAD_OK);
+    AVFrame *picture = av_frame_alloc();
     assert_non_null(picture);
-    assert_int_equal(bead_av_hint(&av, picture, &changes), 0);
-    assert_int_equal(bead_av_hint(&av, picture, &fewer), 0);
+    assert_int_equal(bead_av_hint(picture, &changes), 0);
+    assert_int_equal(bead_av_hint(picture, &fewer), 0);
 #ifdef AVUTIL_VIDEO_HINT_H
     assert_int_equal(picture->nb_side_data, 1);
     const AVVideoHint *hint = (const AVVideoHint *)picture->side_data[0]->data;
@@ -27,9 +26,9 @@ static void pictures_carry_hints(void **state)
     assert_true(r->x == 0 && r->y == 8 && r->width == 48 && r->height == 2);
     assert_string_equal(BEAD_AV_HINT_OPTIONS, "mb_info=1");
 #endif
-    assert_int_equal(bead_av_hint(&av, picture, NULL), 0);
+    assert_int_equal(bead_av_hint(picture, NULL), 0);
     assert_int_equal(picture->nb_side_data, 0);
-    av.av_frame_free(&picture);
+    av_frame_free(&picture);
 }
 
 static unsigned next(unsigned *seed)

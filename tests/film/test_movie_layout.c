@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "render/movie/movie_cells.h"
 #include "render/movie/movie_layout.h"
 
 enum { MOST_RECTS = 128 };
@@ -264,12 +265,33 @@ static void test_too_small(void **state)
     assert_null(layout.chains);
 }
 
+/* Whatever a level leaves out, those after it leave out, too, and no gap or least height grows again but that below titles. */
+static void test_levels_leave_out_more_and_more(void **state)
+{
+    (void)state;
+    for (size_t i = 1; i < BEAD_LEVELS; i++) {
+        const struct bead_level *a = &bead_levels[i - 1], *b = &bead_levels[i];
+        assert_true(a->facts >= b->facts && a->titles >= b->titles && a->values >= b->values && a->headings >= b->headings);
+        assert_true(a->axes >= b->axes && a->words >= b->words && a->rows >= b->rows && a->heading >= b->heading);
+        assert_true(a->views >= b->views || (a->titles && !b->titles)); /* labels of neighbours would touch */
+        for (size_t k = 0; k < 3; k++)
+            assert_true(a->least[k] >= b->least[k]);
+        assert_true(a->least_px >= b->least_px);
+    }
+    const struct bead_level *all = &bead_levels[0], *none = &bead_levels[BEAD_LEVELS - 1];
+    assert_true(all->facts && all->titles && all->values && all->headings && all->axes && all->words && !none->words);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rectangles),           cmocka_unit_test(test_images_have_their_share),
-        cmocka_unit_test(test_automatic_layouts),    cmocka_unit_test(test_full_size_keeps_everything),
-        cmocka_unit_test(test_bars_are_for_colours), cmocka_unit_test(test_too_small),
+        cmocka_unit_test(test_rectangles),
+        cmocka_unit_test(test_images_have_their_share),
+        cmocka_unit_test(test_automatic_layouts),
+        cmocka_unit_test(test_full_size_keeps_everything),
+        cmocka_unit_test(test_bars_are_for_colours),
+        cmocka_unit_test(test_too_small),
+        cmocka_unit_test(test_levels_leave_out_more_and_more),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "decode.h"
-#include "render/movie/movie_times.h"
+#include "render/movie/film.h"
 #include "scratch.h"
 #include "sessions.h"
 

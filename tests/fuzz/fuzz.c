@@ -126,7 +126,6 @@ static void tell(void *context, const struct bead_progress *progress)
 bool fuzz_session(const char *input, const char *output, bool run)
 {
     const struct bead_sink_type *const *const sinks[] = {bead_data_sinks(), bead_render_sinks(), NULL};
-    const struct bead_sweep_sink *const *const sweep_sinks[] = {bead_sweep_data_sinks(), bead_sweep_render_sinks(), NULL};
     struct bead_session *session = NULL;
     struct bead_message msg = {""};
     struct bead_job job;
@@ -135,7 +134,6 @@ bool fuzz_session(const char *input, const char *output, bool run)
     job.input = input;
     job.output = output;
     job.sinks = sinks;
-    job.sweep_sinks = sweep_sinks;
     job.threads = 1;
     job.stop = &stop;
     job.progress = tell;

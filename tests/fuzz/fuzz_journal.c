@@ -49,7 +49,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     static const volatile sig_atomic_t stop = 1; /* the journal is read, nothing is computed */
     static struct bead_scene *scene;
     struct bead_message msg = {""};
-    if (!scene && bead_scene_parse("sweep", text, sizeof text - 1, NULL, 0, &scene, &msg) != BEAD_OK) {
+    if (!scene && bead_scene_parse("sweep", text, sizeof text - 1, NULL, &scene, &msg) != BEAD_OK) {
         fprintf(stderr, "%s\n", msg.text);
         exit(1);
     }

@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    enum bead_error err = bead_scene_parse("fuzz", (const char *)data, size, NULL, 0, &scene, &msg);
+    enum bead_error err = bead_scene_parse("fuzz", (const char *)data, size, NULL, &scene, &msg);
     bool skipped = !err && is_large(scene) && size % SELDOM != 0;
     bead_scene_free(scene);
     if (err || skipped) /* what cannot be read has no plan, and is the matter of fuzz_scene */

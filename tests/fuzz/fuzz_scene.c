@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    enum bead_error err = bead_scene_parse("fuzz", (const char *)data, size, NULL, 0, &scene, &msg);
+    enum bead_error err = bead_scene_parse("fuzz", (const char *)data, size, NULL, &scene, &msg);
     fuzz_result(err, &msg, scene != NULL);
     if (!err)
         fuzz_accept(data, size);

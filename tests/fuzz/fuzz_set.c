@@ -34,10 +34,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         settings[count++] = line;
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL, *again = NULL;
-    enum bead_error err = bead_scene_parse("fuzz", base, sizeof base - 1, settings, count, &scene, &msg);
+    enum bead_error err = bead_scene_parse("fuzz", base, sizeof base - 1,
+                                           &(struct bead_overrides){.settings = settings, .setting_count = count}, &scene, &msg);
     fuzz_result(err, &msg, scene != NULL);
     if (!err) {
-        err = bead_scene_parse("again", scene->text, strlen(scene->text), NULL, 0, &again, &msg);
+        err = bead_scene_parse("again", scene->text, strlen(scene->text), NULL, &again, &msg);
         fuzz_must(!err, "the text as run parses to a scene, too");
     }
     bead_scene_free(again);

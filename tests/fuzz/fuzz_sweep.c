@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "beadreel/sweep.h"
+#include "sim/statistics/statistics.h"
 #include "tests/fuzz/fuzz.h"
 
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed)
@@ -38,7 +39,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     size_t before = fuzz_open_h5();
     struct bead_message msg = {""};
     struct bead_sweep *sweep = NULL;
-    enum bead_error err = bead_sweep_open(path, NULL, 0, &sweep, &msg);
+    enum bead_error err = bead_sweep_open(path, NULL, &sweep, &msg);
     fuzz_result(err, &msg, sweep != NULL);
     if (!err)
         look(sweep);

@@ -38,7 +38,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     size_t before = fuzz_open_h5();
     struct bead_message msg = {""};
     struct bead_trajectory *t = NULL;
-    enum bead_error err = bead_trajectory_open(path, NULL, 0, &t, &msg);
+    enum bead_error err = bead_trajectory_open(path, NULL, &t, &msg);
     fuzz_result(err, &msg, t != NULL);
     if (!err)
         read_all(t);

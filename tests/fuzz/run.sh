@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run the fuzz targets of a build and count: tests/fuzz/run.sh BUILD SECONDS RUNS [TARGET...]
-# Each target is run for SECONDS, or RUNS executions where that is shorter; -1: any number.
+# Each target is run for SECONDS, or RUNS executions where that is shorter; -1: any number. JOBS=n runs n side by side.
 # What is new in coverage stays in BUILD/corpus/TARGET; the input of a fault in BUILD/faults, and stands in the output; each run adds a
 # line to BUILD/runs.txt: target, executions, seconds of processor time, exit status (or `hdf5`).
 # Ends with a line for each target, its executions, and `N passed, M failed`.
@@ -13,7 +13,6 @@ shift 3
 passed=0 failed=0 lines=()
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export TMPDIR=$work
 # What every scene reads is kept small, or it would be what is mostly run: the materials of the seeds, few units.
 mkdir "$work/assets"
 ln -s "$PWD"/assets/* "$work/assets"
@@ -36,30 +35,41 @@ within_hdf5() {
          END { exit !hdf5 }' "$1"
 }
 
-TIMEFORMAT='%U %S'
-for target; do
-    mkdir -p "$build/corpus/$target"
+# fuzz TARGET : leaves log, time and status in a directory of its own.
+fuzz() {
+    local target=$1 most TIMEFORMAT='%U %S'
+    mkdir -p "$build/corpus/$target" "$work/$target/tmp"
     case $target in scene | plan | set) most=4096 ;; journal) most=16384 ;; *) most=400000 ;; esac
     # One seed of random numbers, so that a run can be repeated; slow is what takes a user's patience, threefold for a busy machine.
-    { time "$build/fuzz/fuzz_$target" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -runs="$runs" -max_len=$most \
+    { time TMPDIR=$work/$target/tmp "$build/fuzz/fuzz_$target" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -runs="$runs" -max_len=$most \
         -detect_leaks=0 -entropic=0 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/faults/$target-" \
-        "$build/corpus/$target" "$build/seeds/$target" >"$work/log" 2>&1; } 2>"$work/time"
-    status=$?
-    executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$work/log")
-    if [ $status -eq 0 ] && [ "${executed:-0}" -gt 0 ]; then
+        "$build/corpus/$target" "$build/seeds/$target" >"$work/$target/log" 2>&1; } 2>"$work/$target/time"
+    echo $? >"$work/$target/status"
+}
+for target; do
+    while [ "$(jobs -pr | wc -l)" -ge "${JOBS:-$(nproc)}" ]; do wait -n; done
+    fuzz "$target" &
+done
+wait
+
+for target; do
+    log=$work/$target/log
+    status=$(cat "$work/$target/status")
+    executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    if [ "$status" -eq 0 ] && [ "${executed:-0}" -gt 0 ]; then
         passed=$((passed + 1))
         verdict=ok
-    elif within_hdf5 "$work/log"; then
+    elif within_hdf5 "$log"; then
         passed=$((passed + 1))
         verdict="ok, ended by a fault within libhdf5"
         status=hdf5
     else
         failed=$((failed + 1))
         verdict="FAILED, status $status"
-        tail -n 60 "$work/log"
+        tail -n 60 "$log"
     fi
-    echo "$target ${executed:-0} $(awk '{printf "%.0f", $1 + $2}' "$work/time") $status" >>"$build/runs.txt"
-    lines+=("$(printf '%-12s %9s executions %7s a second  %s' "$target" "${executed:-?}" "$(sed -n 's/^stat::average_exec_per_sec: *//p' "$work/log")" "$verdict")")
+    echo "$target ${executed:-0} $(awk '{printf "%.0f", $1 + $2}' "$work/$target/time") $status" >>"$build/runs.txt"
+    lines+=("$(printf '%-12s %9s executions %7s a second  %s' "$target" "${executed:-?}" "$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")" "$verdict")")
 done
 printf '%s\n' "${lines[@]}"
 echo "$passed passed, $failed failed"

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "render/view/area_colours.h"
-#include "sim/base/large.h"
+#include "sim/base/memory.h"
 
 enum { BEADS = 40, COLUMNS = 53 };
 

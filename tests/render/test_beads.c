@@ -17,7 +17,8 @@
 
 #include "beadreel/view.h"
 #include "render/movie/composer.h"
-#include "render/movie/movie_sink.h"
+#include "render/movie/film.h"
+#include "render/paint/canvas.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 #include "render/view/views.h"
@@ -48,7 +49,7 @@ static struct world make_world(void)
 {
     struct world w = {NULL, {NULL, NULL}};
     struct bead_message msg = {""};
-    require(bead_scene_parse("test", scene_text, strlen(scene_text), NULL, 0, &w.scene, &msg), &msg);
+    require(bead_scene_parse("test", scene_text, strlen(scene_text), NULL, &w.scene, &msg), &msg);
     for (size_t c = 0; c < 2; c++)
         require(bead_chain_create(w.scene, c, &w.chains[c], &msg), &msg);
     return w;
@@ -303,7 +304,7 @@ static void compare_copies(enum bead_follow follow)
     struct bead_composer *composer;
     struct bead_frame copy;
     double u[BEADS], f[BEADS];
-    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, 0, "F_{max}", {0}}, {5e-4, NAN, NAN, 0, "the last", {0}}};
+    struct bead_caption captions[] = {{1e-4, 3e-4, NAN, 0, "F_{max}"}, {5e-4, NAN, NAN, 0, "the last"}};
     struct bead_output changed = w.scene->outputs[0];
     const struct bead_output *output = &changed;
     changed.movie.follow = follow;
@@ -367,7 +368,7 @@ static char *read_all(const char *path)
 static char *run_with_threads(const char *directory, int threads, struct bead_grid native)
 {
     struct world w = make_world();
-    struct bead_caption captions[] = {{1e-4, NAN, NAN, 0, "something happens", {0}}};
+    struct bead_caption captions[] = {{1e-4, NAN, NAN, 0, "something happens"}};
     struct bead_output output = w.scene->outputs[0];
     struct bead_message msg = {""};
     struct bead_sink *sink;

@@ -60,7 +60,7 @@ static void run(size_t beads, size_t window, double part, int frames)
              "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: %zu}], wall: brass}\n"
              "outputs: [{movie: a.mp4}]\n",
              beads - 1);
-    require(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), &msg);
+    require(bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg), &msg);
     require(bead_chain_create(scene, 0, &chain, &msg), &msg);
     double radius, spacing = bead_chain_spacing(chain, (struct bead_span){0, beads - 1}, &radius), time[2] = {0, 1e-3};
     double *u = calloc(beads, sizeof *u), width = (double)window * spacing, unit = bead_compression_scale(chain);
@@ -128,7 +128,7 @@ static void window_of(size_t chains, int width, int height, size_t window)
                                  "40, spins: random, seed: %zu}]}\n",
                                  c, c);
     snprintf(text + used, sizeof text - used, "outputs: [{movie: a.mp4, follow: front, window: %zu}]\n", window);
-    require(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), &msg);
+    require(bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg), &msg);
     for (size_t c = 0; c < chains; c++)
         require(bead_chain_create(scene, c, &chain[c], &msg), &msg);
     struct bead_composer_setup setup = {.output = &scene->outputs[0],

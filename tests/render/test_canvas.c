@@ -18,7 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "beadreel/canvas.h"
+#include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "tests/missing.h"
 

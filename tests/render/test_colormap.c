@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "beadreel/colormap.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 static double linear(double c)
 {

@@ -32,7 +32,7 @@ static struct barred make_frame(const char *map)
              "chain: {beads: [{bead: large-steel, count: 9}], wall: brass}\n"
              "outputs: [{movie: a.mp4, views: [profile, spacetime], colormap: %s}]\n",
              map);
-    require(bead_scene_parse("test", text, strlen(text), NULL, 0, &b.scene, &msg), &msg);
+    require(bead_scene_parse("test", text, strlen(text), NULL, &b.scene, &msg), &msg);
     require(bead_chain_create(b.scene, 0, &b.chain, &msg), &msg);
     const struct bead_chain *const chains[] = {b.chain};
     struct bead_composer_setup setup = {.output = &b.scene->outputs[0],

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 #include "render/draw/page.h"
 #include "render/figure/still.h"
 #include "render/view/area.h"
@@ -31,7 +31,7 @@ static struct styled styled(const char *output)
 {
     struct built built = build_chain(output);
     struct styled found;
-    assert_int_equal(bead_page_find(&built.scene->outputs[0], "test", &found.page, NULL), BEAD_OK);
+    assert_int_equal(bead_page_find(&built.scene->outputs[0], &found.page, NULL), BEAD_OK);
     bead_page_look(&found.page, &built.scene->outputs[0].paper, &found.look);
     release_chain(&built);
     return found;
@@ -167,7 +167,7 @@ static struct png_file draw_peaks(const char *output, const double values[CONTAC
     char path[512];
     assert_int_equal(bead_chain_contacts(built.chain), CONTACTS);
     for (size_t i = 0; i < CONTACTS; i++)
-        peaks[i] = (struct bead_peak){values[i], values[i] > 0 ? 1e-4 * (double)i : NAN, i == open};
+        peaks[i] = (struct bead_peak){values[i], values[i] > 0 ? 1e-4 * (double)i : NAN, i == open, false};
     assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &context, &sink, &msg), BEAD_OK);
     bead_plot_sink.needs(sink, &needs);
     assert_true(needs.contact_peaks && needs.fields == 0);
@@ -293,7 +293,7 @@ static void assert_refused(const char *output, const char *says)
     snprintf(text, sizeof text,
              "chain: {beads: [{bead: large-steel, count: 9}, {bead: large-steel, sensor: s}], wall: brass}\noutputs: [{%s}]\n",
              output);
-    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg) != BEAD_ERROR_SCENE)
+    if (bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg) != BEAD_ERROR_SCENE)
         fail_msg("%s is accepted", output);
     if (!strstr(msg.text, says))
         fail_msg("'%s' does not say '%s'", msg.text, says);

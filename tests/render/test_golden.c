@@ -20,9 +20,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "beadreel/picture.h"
 #include "decode.h"
 #include "pictures.h"
+#include "render/draw/picture.h"
 #include "sessions.h"
 
 /* A pixel may be `reach` from where it was. Of all pixels at most `share`, and within any square of CROWD by CROWD at most `crowd`,

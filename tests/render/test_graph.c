@@ -61,7 +61,7 @@ static void assert_nothing_hidden(const struct graph_layout *layout, const char 
         struct bead_text_style style = graph_text(layout->look);
         if (cell->head)
             bead_text_size_lines(NULL, &style, cell->plot.width, cell->head, &width, &height);
-        if (height > layout->head[cell->row] || layout->head[cell->row] > layout->top[cell->row])
+        if (height > layout->head[cell->row] || layout->head[cell->row] > layout->grid.rows.lane[1 + cell->row].reach[0])
             fail_msg("%s: the heading of panel %zu reaches into it", what, p);
     }
 }
@@ -374,7 +374,7 @@ static void test_shared_axes_are_shared(void **state)
         panels[p] = make_panel(&d, 1);
         panels[p].series = &d.series[p];
     }
-    struct bead_graph graph = {.panels = panels, .panel_count = 5, .columns = 2, .share_x = true, .share_y = true};
+    struct bead_graph graph = {.panels = panels, .panel_count = 5, .share_x = true, .share_y = true};
     bead_look_screen(&look, 1200, 900, false);
     struct graph_layout layout = lay_out(&graph, &look, 1200, 900);
     for (size_t p = 0; p < 5; p++) {

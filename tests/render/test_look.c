@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "beadreel/colormap.h"
-#include "beadreel/look.h"
+#include "render/draw/axis.h"
 
 /* ---- axes ---- */
 

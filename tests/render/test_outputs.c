@@ -11,7 +11,7 @@
 
 #include "beadreel/movie.h"
 #include "beadreel/trajectory.h"
-#include "sim/scene/output_kinds.h"
+#include "sim/kinds/output_kinds.h"
 
 static void path_of(const char *part, const char *name, char path[512])
 {
@@ -95,7 +95,7 @@ static void assert_same_samples(const char *part, const char *other)
     for (int i = 0; i < 2; i++) {
         char path[512];
         path_of(parts[i], "run.h5", path);
-        if (bead_trajectory_open(path, NULL, 0, &t[i], &msg))
+        if (bead_trajectory_open(path, NULL, &t[i], &msg))
             fail_msg("%s", msg.text);
     }
     size_t samples = bead_grid_count(bead_trajectory_grid(t[0])), chains;

@@ -14,8 +14,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "beadreel/canvas.h"
 #include "pictures.h"
+#include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "render/paint/pixel_kernels.h"
 #include "sessions.h"

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "pictures.h"
-#include "render/figure/figure_private.h"
+#include "render/figure/figure.h"
 #include "render/figure/panels_private.h"
 #include "sessions.h"
 
@@ -20,11 +20,11 @@ static struct bead_still *make_panels(struct built *built, const char *settings)
 {
     char output[900];
     struct bead_message msg = {""};
-    struct bead_still *still;
+    struct bead_still *still = calloc(1, bead_panels.size);
     snprintf(output, sizeof output, "image: a.png, %s", settings);
     *built = build_chain(output);
     struct bead_run_context context = make_stage(built);
-    if (bead_panels.create(&built->scene->outputs[0], &context, &still, &msg))
+    if (!still || bead_panels.create(&built->scene->outputs[0], &context, still, &msg))
         fail_msg("%s", msg.text);
     return still;
 }
@@ -32,6 +32,7 @@ static struct bead_still *make_panels(struct built *built, const char *settings)
 static void release(struct built *built, struct bead_still *still)
 {
     bead_panels.destroy(still);
+    free(still);
     release_chain(built);
 }
 
@@ -253,7 +254,7 @@ static void test_modes_are_panels(void **state)
     struct bead_scene *parsed;
     struct bead_chain *chain;
     struct bead_plot_data *data;
-    assert_int_equal(bead_scene_parse("test", scene, sizeof scene - 1, NULL, 0, &parsed, &msg), BEAD_OK);
+    assert_int_equal(bead_scene_parse("test", scene, sizeof scene - 1, NULL, &parsed, &msg), BEAD_OK);
     assert_int_equal(bead_chain_create(parsed, 0, &chain, &msg), BEAD_OK);
     const struct bead_chain *const chains[] = {chain};
     struct bead_run_context context = {

@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "beadreel/picture.h"
+#include "render/draw/picture.h"
 #include "render/figure/still.h"
 #include "render/view/area.h"
 #include "render/view/views.h"

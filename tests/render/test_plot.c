@@ -46,7 +46,7 @@ static struct run plot(const char *settings)
              "chains:\n- {name: one, beads: %s}\n- {name: two, beads: %s}\nsimulate: {until: 1 ms}\n"
              "outputs: [{plot: p.png, show: sensors%s}]\n",
              beads, beads, settings);
-    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &run.scene, &msg))
+    if (bead_scene_parse("test", text, strlen(text), NULL, &run.scene, &msg))
         fail_msg("%s", msg.text);
     for (size_t c = 0; c < CHAINS; c++)
         assert_int_equal(bead_chain_create(run.scene, c, &run.chains[c], &msg), BEAD_OK);

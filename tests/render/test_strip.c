@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "render/paint/canvas.h"
 #include "render/view/views.h"
 
 enum { BEADS = 5000, HEIGHT = 40 };
@@ -40,7 +41,7 @@ static struct strip *make_strip(int width)
     struct bead_message msg = {""};
     struct strip *s = calloc(1, sizeof *s);
     assert_non_null(s);
-    require(bead_scene_parse("test", text, sizeof text - 1, NULL, 0, &s->scene, &msg), &msg);
+    require(bead_scene_parse("test", text, sizeof text - 1, NULL, &s->scene, &msg), &msg);
     require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
     assert_int_equal(bead_chain_beads(s->chain), BEADS);
     require(bead_colormap_load("inferno", &s->map, &msg), &msg);

@@ -49,7 +49,7 @@ static void test_messages_name_every_view(void **state)
         struct bead_message msg = {""};
         char text[200];
         snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel}]}\noutputs: [{%s, views: beads}]\n", kinds[k]);
-        assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+        assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg), BEAD_ERROR_SCENE);
         const char *allowed = strstr(msg.text, "must be");
         assert_non_null(allowed);
         for (size_t i = 0; i < BEAD_VIEW_KINDS; i++) {
@@ -62,12 +62,14 @@ static void test_messages_name_every_view(void **state)
 static void test_any_and_all(void **state)
 {
     (void)state;
-    static const enum bead_view_kind views[] = {BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_BEADS};
-    assert_true(bead_views_all(views, 2, BEAD_SHOWS_ALL_TIMES));
-    assert_false(bead_views_all(views, 3, BEAD_SHOWS_ALL_TIMES));
-    assert_true(bead_views_any(views, 3, BEAD_SHOWS_BEADS));
-    assert_false(bead_views_any(views, 2, BEAD_SHOWS_BEADS));
-    assert_false(bead_views_any(views, 0, BEAD_SHOWS_BEADS));
+    struct bead_views_asked views = {.kinds = {BEAD_VIEW_SPACETIME, BEAD_VIEW_SENSORS, BEAD_VIEW_BEADS}, .count = 2};
+    assert_true(bead_views_all(&views, BEAD_SHOWS_ALL_TIMES));
+    assert_false(bead_views_any(&views, BEAD_SHOWS_BEADS));
+    views.count = 3;
+    assert_false(bead_views_all(&views, BEAD_SHOWS_ALL_TIMES));
+    assert_true(bead_views_any(&views, BEAD_SHOWS_BEADS));
+    views.count = 0;
+    assert_false(bead_views_any(&views, BEAD_SHOWS_BEADS));
 }
 
 /* Beside other views sensors show the movie's field, alone as well, and of both runs where the movie says how far to trust it. */

@@ -117,7 +117,7 @@ static void smooth_chains_are_as_asked(void **state)
         struct bead_message msg = {""};
         snprintf(simulate, sizeof simulate, "until: 3 ms, accuracy: %g", asked[a]);
         struct built built = build(P4_CHAIN, simulate);
-        assert_int_equal(bead_run_stepping(built.chain, &built.scene->simulate, &stepping, &msg), BEAD_OK);
+        assert_int_equal(bead_run_stepping(built.chain, &built.scene->simulate, 1, &stepping, &msg), BEAD_OK);
         assert_string_equal(stepping.method->info.name, "rkn8-plain");
         release(&built);
         double error = peaks_of(P4_CHAIN, simulate, 3e-3, "p4_peaks.csv");
@@ -151,7 +151,7 @@ static void accuracy_holds_for_other_chains(void **state)
          "0.1 us"},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        struct bead_peak exact[256] = {{0, 0, false}};
+        struct bead_peak exact[256] = {{.value = 0}};
         char simulate[64];
         snprintf(simulate, sizeof simulate, "method: rkn8, step: %s", cases[c].step);
         for (size_t a = 0; a <= sizeof asked / sizeof *asked; a++) {
@@ -180,7 +180,7 @@ static void accuracy_holds_with_damping(void **state)
                                           "{coefficient: 20, exponent: 1.8}"};
     for (size_t c = 0; c < sizeof damping / sizeof *damping; c++) {
         char chain[512], simulate[64];
-        struct bead_peak exact[64] = {{0, 0, false}};
+        struct bead_peak exact[64] = {{.value = 0}};
         snprintf(chain, sizeof chain,
                  "chain: {beads: [{cell: [large-steel, aluminium], spins: \"110100111010\"}], wall: brass, damping: %s}\n",
                  damping[c]);

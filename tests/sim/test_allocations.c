@@ -34,12 +34,12 @@ static int clear(void)
     return unfinished;
 }
 
-/* Number of allocations of `act`, each of which has failed once. Sanitizers have allocators of their own. */
+/* Number of allocations of `act`, each of which has failed once. */
 static long fail_each(action act, const void *context)
 {
     long made, kept;
     struct bead_message msg = {""};
-#ifdef __SANITIZE_ADDRESS__
+#ifdef FAIL_ALLOC_SANITIZED
     skip_without("a build without sanitizers");
 #endif
     if (act(context, &msg)) /* what is made once for the whole program is there from now on */
@@ -130,7 +130,8 @@ static enum bead_error read_scene(const void *text, struct bead_message *msg)
 {
     static const char *const settings[] = {"title=Other", "simulate.accuracy=1e-6"};
     struct bead_scene *scene = NULL;
-    enum bead_error err = bead_scene_parse("test.yaml", text, strlen(text), settings, 2, &scene, msg);
+    enum bead_error err = bead_scene_parse("test.yaml", text, strlen(text),
+                                           &(struct bead_overrides){.settings = settings, .setting_count = 2}, &scene, msg);
     assert_true(err ? !scene : scene != NULL);
     for (size_t c = 0; c < (scene ? scene->chain_count : 0) && !err; c++) {
         struct bead_chain *chain = NULL;
@@ -162,12 +163,9 @@ static enum bead_error play(const void *job, struct bead_message *msg)
 static long fail_each_of_job(struct bead_job job)
 {
     static const struct bead_sink_type *const *sinks[2];
-    static const struct bead_sweep_sink *const *sweep_sinks[2];
     sinks[0] = bead_data_sinks();
-    sweep_sinks[0] = bead_sweep_data_sinks();
     job.size = sizeof job;
     job.sinks = sinks;
-    job.sweep_sinks = sweep_sinks;
     job.threads = 1;
     return fail_each(play, &job);
 }

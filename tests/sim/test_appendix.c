@@ -9,7 +9,7 @@ static void the_printed_program_is_reproduced(void **state)
     (void)state;
     struct bead_message msg = {""};
     struct built built;
-    if (bead_scene_load("assets/scenes/thesis/imagesc.yaml", NULL, 0, &built.scene, &msg) ||
+    if (bead_scene_load("assets/scenes/thesis/imagesc.yaml", NULL, &built.scene, &msg) ||
         bead_chain_create(built.scene, 0, &built.chain, &msg))
         fail_msg("%s", msg.text);
     assert_string_equal(built.chain->law->name, "thesis-appendix");

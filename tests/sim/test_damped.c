@@ -239,7 +239,7 @@ static void the_window_changes_no_bit(void **state)
             struct built built = build(chain, "accuracy: 1e-5");
             struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 0.2e-3, .full_window = full, .hash = true});
             run_until(run, 0.2e-3);
-            hash[full] = bead_run_hash(run);
+            hash[full] = bead_run_work(run).hash;
             bead_run_destroy(run);
             release(&built);
         }

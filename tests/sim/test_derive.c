@@ -2,7 +2,7 @@
 /* Forces that follow from stored displacements are, to the bit, those that a run samples. */
 #include "support.h"
 
-#include "sim/integrate/derive.h"
+#include "sim/chain/chain_data.h"
 
 static void derived_forces_are_those_sampled(void **state)
 {

@@ -8,8 +8,8 @@
 
 #include <sys/stat.h>
 
-#include "beadreel/look.h"
 #include "beadreel/trajectory.h"
+#include "render/draw/axis.h"
 
 #define STRING "{name: string, equation: fput, points: 31, start: {mode: 1}}"
 #define KDV    "{equation: kdv, low: -10, length: 20, points: 128, start: {solitons: [{speed: 9, at: -3}]}}"
@@ -125,7 +125,7 @@ static void trajectories_hold_what_there_is(void **state)
     (void)state;
     play("chain: " STRING "\nsimulate: {until: 5}\noutputs: [{trajectory: run.h5, every: 1}]\n", "a", 1);
     path_of("a", "run.h5", path);
-    assert_int_equal(bead_trajectory_open(path, NULL, 0, &t, &msg), BEAD_OK);
+    assert_int_equal(bead_trajectory_open(path, NULL, &t, &msg), BEAD_OK);
     size_t count = 0;
     const struct bead_chain *chain = bead_trajectory_chains(t, &count)[0];
     const unsigned fields = bead_chain_fields(chain);
@@ -158,7 +158,7 @@ static void pictures_have_no_units(void **state)
     (void)state;
     struct bead_scene *scene = NULL;
     const char *yaml = "chain: " KDV "\nsimulate: {until: 1}\noutputs: [{image: a.svg}]\n";
-    assert_int_equal(bead_scene_parse("test", yaml, strlen(yaml), NULL, 0, &scene, &msg), BEAD_OK);
+    assert_int_equal(bead_scene_parse("test", yaml, strlen(yaml), NULL, &scene, &msg), BEAD_OK);
     assert_int_equal(bead_chain_create(scene, 0, &chain, &msg), BEAD_OK);
     assert_string_equal(bead_chain_time_unit(chain), "");
     assert_string_equal(bead_chain_field(chain, BEAD_FIELD_DISPLACEMENT)->unit, "");

@@ -140,35 +140,6 @@ static void tiles_change_no_bit(void **state)
         drop(&x[i], s[i]);
 }
 
-/* Contacts are looked at in blocks. A chain with one more cell before it has other ones at their ends; but for what its first
- * beads have told their neighbours the motion is the same to the bit. */
-static void blocks_change_no_bit(void **state)
-{
-    (void)state;
-    enum { CELLS = 2500, STEPS = 60, REACH = 10 * STEPS };
-    static const double tolerances[] = {1e-6, 1e-13};
-    for (size_t t = 0; t < 2; t++) {
-        struct setup x[2];
-        struct bead_stepper *s[2];
-        for (size_t i = 0; i < 2; i++) {
-            describe(&x[i], 2, STEEL, ALUMINIUM, CELLS + i, NULL, 0.443);
-            make(&x[i]);
-            s[i] = make_stepper(&x[i], "rkn8", NULL, true);
-            s[i]->event_tolerance = tolerances[t];
-            /* Some beads of many, so that no cluster of events is so long that it is cut. */
-            for (size_t j = 2 * i; j < s[i]->beads; j += 25)
-                s[i]->end.v[j] = 0.1 * sin(1.7 * (double)(j - 2 * i));
-            bead_stepper_evaluate(s[i], s[i]->end.u, s[i]->end.v, s[i]->end.f, s[i]->end.a);
-            steps(s[i], 4e-6, STEPS);
-        }
-        const size_t compared = (2 * CELLS - 2 * REACH) * sizeof(double);
-        assert_memory_equal(s[0]->end.u + REACH, s[1]->end.u + REACH + 2, compared);
-        assert_memory_equal(s[0]->end.v + REACH, s[1]->end.v + REACH + 2, compared);
-        for (size_t i = 0; i < 2; i++)
-            drop(&x[i], s[i]);
-    }
-}
-
 /* Velocities of P3 at 0.6 ms. */
 static double error_with(const char *method, double tolerance)
 {
@@ -230,7 +201,7 @@ static void the_right_contacts_are_flagged(void **state)
     static double still[LENGTH], state_of[4][LENGTH], hardness[LENGTH], found[5][LENGTH];
     static size_t contact[LENGTH];
     const struct bead_patch_rule rule = {.power = 2, .hertz = true};
-    const struct bead_event_limits limits = {&rule, hardness + ROOM, 0.7, 1e-9, 0};
+    const struct bead_event_limits limits = {&rule, hardness + ROOM, BEAD_EFFECT_OUTSIDE, BEAD_EFFECT_DECAY, 0.7, 1e-9, 0};
     const struct bead_patch_source source = {.u0 = state_of[0] + ROOM,
                                              .v0 = state_of[1] + ROOM,
                                              .u1 = state_of[2] + ROOM,
@@ -337,17 +308,11 @@ static void picard_changes_are_reported(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_order_is_restored),
-        cmocka_unit_test(peaks_and_energy),
-        cmocka_unit_test(peaks_of_beads),
-        cmocka_unit_test(tiles_change_no_bit),
-        cmocka_unit_test(blocks_change_no_bit),
-        cmocka_unit_test(kinks_are_put_right),
-        cmocka_unit_test(the_right_contacts_are_flagged),
-        cmocka_unit_test(bits_are_the_same),
-        cmocka_unit_test(branch_points_are_found),
-        cmocka_unit_test(rest_is_untouched),
-        cmocka_unit_test(picard_changes_are_reported),
+        cmocka_unit_test(the_order_is_restored), cmocka_unit_test(peaks_and_energy),
+        cmocka_unit_test(peaks_of_beads),        cmocka_unit_test(tiles_change_no_bit),
+        cmocka_unit_test(kinks_are_put_right),   cmocka_unit_test(the_right_contacts_are_flagged),
+        cmocka_unit_test(bits_are_the_same),     cmocka_unit_test(branch_points_are_found),
+        cmocka_unit_test(rest_is_untouched),     cmocka_unit_test(picard_changes_are_reported),
     };
     return cmocka_run_group_tests_name("events", tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 #include "support.h"
 
 #include "scratch.h"

@@ -13,7 +13,7 @@ static void check_close(double value, double wanted, double within, const char *
 }
 
 static const double pi = 3.14159265358979323846;
-static const struct bead_equation *const fput = &bead_equation_fput;
+static const struct bead_system *const fput = &bead_system_fput;
 
 static struct bead_motion *begin(const struct bead_equation_spec *spec, const char *method, double accuracy, double step,
                                  double end)
@@ -21,7 +21,7 @@ static struct bead_motion *begin(const struct bead_equation_spec *spec, const ch
     struct bead_motion_settings settings = {spec, spec->points, method, accuracy, step, end};
     struct bead_motion *motion = NULL;
     struct bead_message msg = {""};
-    if (fput->create(&settings, &motion, &msg))
+    if (fput->equation->create(&settings, &motion, &msg))
         fail_msg("%s", msg.text);
     return motion;
 }
@@ -29,15 +29,15 @@ static struct bead_motion *begin(const struct bead_equation_spec *spec, const ch
 static void run(struct bead_motion *motion, double t)
 {
     struct bead_message msg = {""};
-    while (fput->time(motion) < t)
-        if (fput->step(motion, &msg))
+    while (fput->equation->time(motion) < t)
+        if (fput->equation->step(motion, &msg))
             fail_msg("%s", msg.text);
 }
 
 static double measured(const struct bead_motion *motion, const char *name)
 {
     struct bead_measure found[32];
-    size_t count = fput->measures(motion, found, 32);
+    size_t count = fput->equation->measures(motion, found, 32);
     for (size_t i = 0; i < count; i++)
         if (strcmp(found[i].name, name) == 0)
             return found[i].value;
@@ -47,13 +47,7 @@ static double measured(const struct bead_motion *motion, const char *name)
 
 static struct bead_equation_spec string_of(size_t masses, double alpha, size_t mode)
 {
-    return (struct bead_equation_spec){.name = "fput",
-                                       .system = &bead_equation_fput.system,
-                                       .points = masses,
-                                       .alpha = alpha,
-                                       .start = BEAD_START_MODE,
-                                       .mode = mode,
-                                       .amplitude = 1};
+    return (struct bead_equation_spec){.points = masses, .alpha = alpha, .start = BEAD_START_MODE, .mode = mode, .amplitude = 1};
 }
 
 /* Of the fastest wave of a linear string, whose motion is known. */
@@ -64,21 +58,21 @@ static double error_of(const char *method, double accuracy, double end)
     double w = 2 * sin(pi * 31 / 64), worst = 0;
     size_t count = 0;
     run(m, end);
-    const double *state = fput->state(m, &count);
+    const double *state = fput->equation->state(m, &count);
     assert_int_equal(count, 62);
     for (size_t j = 0; j < 31; j++) {
         double s = sin(pi * 31 * (double)(j + 1) / 32);
         worst = fmax(worst, fabs(state[j] - s * cos(w * end)));
         worst = fmax(worst, fabs(state[31 + j] + s * w * sin(w * end)) / w);
     }
-    fput->destroy(m);
+    fput->equation->destroy(m);
     return worst;
 }
 
 static void every_method_keeps_the_accuracy_asked(void **state)
 {
     (void)state;
-    for (const char *const *name = fput->methods; *name; name++) {
+    for (const char *const *name = fput->equation->methods; *name; name++) {
         bool low = strcmp(*name, "verlet") == 0;
         for (double accuracy = 1e-4; accuracy > (low ? 1e-5 : 1e-9); accuracy /= 100) {
             double error = error_of(*name, accuracy, 100);
@@ -110,7 +104,7 @@ static void the_first_mode_returns_when_it_should(void **state)
             close_to(measured(m, "smallest energy of the mode, relative"), known[i].lowest, 1e-4);
             close_to(measured(m, "time of the smallest energy"), known[i].lowest_time, 2);
         }
-        fput->destroy(m);
+        fput->equation->destroy(m);
     }
 }
 
@@ -122,7 +116,7 @@ static void the_step_of_1955_delays_the_return(void **state)
     struct bead_motion *m = begin(&spec, "verlet", 1e-6, 0.35355339059327379, 10500);
     run(m, 10500);
     close_to(measured(m, "recurrence time in periods"), 156.85, 0.1);
-    fput->destroy(m);
+    fput->equation->destroy(m);
 }
 
 static double sum_of_modes(const struct bead_equation_spec *spec, struct bead_motion *m, double t, double *energy, size_t count)
@@ -131,8 +125,8 @@ static double sum_of_modes(const struct bead_equation_spec *spec, struct bead_mo
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v};
     const double *const from[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v};
     struct bead_message msg;
-    assert_int_equal(fput->sample(m, t, fput->system.mode_fields, to, &msg), BEAD_OK);
-    fput->system.modes(spec, spec->points, from, count, energy);
+    assert_int_equal(fput->equation->sample(m, t, fput->mode_fields, to, &msg), BEAD_OK);
+    fput->modes(&(struct bead_chain_spec){.equation = *spec}, spec->points, from, count, energy);
     for (size_t k = 0; k < count; k++)
         total += energy[k];
     return total;
@@ -150,11 +144,11 @@ static void modes_of_linear_strings_keep_their_energies(void **state)
             total = 13. / 4 * 4 * pow(sin(pi * 3 / 26), 2);
         run(m, 77.7);
         for (double t = 77.5; t < 77.7; t += 0.07) { /* between steps as well */
-            close_to(sum_of_modes(&spec, m, fmax(t, fput->time(m) - 0.01), energy, ring ? 6 : 12), total, 1e-8);
+            close_to(sum_of_modes(&spec, m, fmax(t, fput->equation->time(m) - 0.01), energy, ring ? 6 : 12), total, 1e-8);
             close_to(energy[2], total, 1e-8);
         }
-        close_to(fput->energy(m), total, 1e-9);
-        fput->destroy(m);
+        close_to(fput->equation->energy(m), total, 1e-9);
+        fput->equation->destroy(m);
     }
 }
 
@@ -170,7 +164,7 @@ static void modes_share_the_energy(void **state)
         size_t count = 0;
         run(m, 3000);
         double sum = sum_of_modes(&spec, m, 3000, energy, ring ? 15 : 31);
-        const double *u = fput->state(m, &count), *v = u + 31;
+        const double *u = fput->equation->state(m, &count), *v = u + 31;
         for (size_t j = 0; j <= 31; j++) {
             double left = j > 0 ? u[j - 1] : ring ? u[30] : 0, right = j < 31 ? u[j] : 0;
             quadratic += ring && j == 31 ? 0 : 0.5 * (right - left) * (right - left);
@@ -178,7 +172,7 @@ static void modes_share_the_energy(void **state)
         }
         close_to(sum, quadratic + v2, 1e-12);
         assert_true(energy[1] > 1e-3 * sum); /* the second mode has its part by now */
-        fput->destroy(m);
+        fput->equation->destroy(m);
     }
 }
 
@@ -197,8 +191,7 @@ static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
     enum { N = 400 };
     static double strain[N];
     const double amplitude = 0.04, alpha = 0.5, end = 1000;
-    struct bead_equation_spec spec = {
-        .name = "fput", .system = &bead_equation_fput.system, .points = N, .alpha = alpha, .ends = BEAD_ENDS_PERIODIC, .at = 100};
+    struct bead_equation_spec spec = {.points = N, .alpha = alpha, .ends = BEAD_ENDS_PERIODIC, .at = 100};
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
     struct bead_message msg;
     (void)state;
@@ -209,7 +202,7 @@ static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
         spec.moving = way ? BEAD_MOVING_LEFT : BEAD_MOVING_RIGHT;
         struct bead_motion *m = begin(&spec, "auto", 1e-8, 0, end);
         run(m, end);
-        assert_int_equal(fput->sample(m, end, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+        assert_int_equal(fput->equation->sample(m, end, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
         size_t top = highest(strain, N);
         double curvature = strain[top - 1] - 2 * strain[top] + strain[top + 1];
         double place = (double)top - 0.5 * (strain[top + 1] - strain[top - 1]) / curvature;
@@ -223,24 +216,24 @@ static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
         }
         close_to(measured(m, "change of the momentum"), 0, 1e-12);
         assert_true(measured(m, "largest error of the energy, relative") < 1e-9);
-        fput->destroy(m);
+        fput->equation->destroy(m);
     }
 }
 
 /* Strain at the masses' places of a pulse after the time `end`, computed with one equation or the other. */
-static void strain_after(const struct bead_equation *equation, const struct bead_equation_spec *spec, size_t points, double end,
+static void strain_after(const struct bead_system *system, const struct bead_equation_spec *spec, size_t points, double end,
                          double *strain)
 {
     struct bead_motion_settings settings = {spec, points, "auto", 1e-8, 0, end};
     struct bead_motion *m = NULL;
     struct bead_message msg = {""};
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
-    if (equation->create(&settings, &m, &msg))
+    if (system->equation->create(&settings, &m, &msg))
         fail_msg("%s", msg.text);
-    while (equation->time(m) < end)
-        assert_int_equal(equation->step(m, &msg), BEAD_OK);
-    assert_int_equal(equation->sample(m, end, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
-    equation->destroy(m);
+    while (system->equation->time(m) < end)
+        assert_int_equal(system->equation->step(m, &msg), BEAD_OK);
+    assert_int_equal(system->equation->sample(m, end, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+    system->equation->destroy(m);
 }
 
 /* Largest difference between a string and r_t + r_x + alpha r r_x + r_xxx / 24 = 0, in parts of the pulse. With the amplitude e,
@@ -250,21 +243,20 @@ static double from_limit(double e)
     enum { N = 512 };
     static double string[N], limit[2 * N];
     const double end = 10 / (e * sqrt(e)), width = 4 / sqrt(e);
-    struct bead_equation_spec spec = {
-        .name = "fput", .system = &bead_equation_fput.system, .points = N, .alpha = 0.5, .ends = BEAD_ENDS_PERIODIC, .at = 200};
+    struct bead_equation_spec spec = {.points = N, .alpha = 0.5, .ends = BEAD_ENDS_PERIODIC, .at = 200};
     spec.start = BEAD_START_PULSE;
     spec.moving = BEAD_MOVING_RIGHT;
     spec.amplitude = e;
     spec.width = width;
-    strain_after(&bead_equation_fput, &spec, N, end, string);
-    spec = (struct bead_equation_spec){.name = "kdv", .points = 2 * N, .length = N, .drift = 1, .nonlinearity = 0.5};
+    strain_after(&bead_system_fput, &spec, N, end, string);
+    spec = (struct bead_equation_spec){.points = 2 * N, .length = N, .drift = 1, .nonlinearity = 0.5};
     spec.dispersion = 1. / 24;
     spec.variable = BEAD_FIELD_STRAIN;
     spec.start = BEAD_START_PULSE;
     spec.amplitude = e;
     spec.width = width;
     spec.at = 200;
-    strain_after(&bead_equation_kdv, &spec, 2 * N, end, limit);
+    strain_after(&bead_system_kdv, &spec, 2 * N, end, limit);
     double worst = 0;
     for (size_t j = 0; j < N; j++)
         worst = fmax(worst, fabs(string[j] - limit[2 * j]));
@@ -285,23 +277,17 @@ static void a_pulse_at_rest_parts_in_two(void **state)
     enum { N = 201 };
     static double strain[N];
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};
-    struct bead_equation_spec spec = {.name = "fput",
-                                      .system = &bead_equation_fput.system,
-                                      .points = N,
-                                      .at = 101,
-                                      .start = BEAD_START_PULSE,
-                                      .amplitude = 1,
-                                      .width = 12};
+    struct bead_equation_spec spec = {.points = N, .at = 101, .start = BEAD_START_PULSE, .amplitude = 1, .width = 12};
     struct bead_message msg;
     (void)state;
     struct bead_motion *m = begin(&spec, "auto", 1e-8, 0, 60);
     run(m, 60);
-    assert_int_equal(fput->sample(m, 60, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+    assert_int_equal(fput->equation->sample(m, 60, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
     close_to(strain[40], 0.5, 0.01);
     close_to(strain[160], 0.5, 0.01);
     for (size_t j = 0; j < N / 2; j++)
         close_to(strain[j], strain[N - 1 - j], 1e-10);
-    fput->destroy(m);
+    fput->equation->destroy(m);
 }
 
 /* A string that is pulled beyond what it bears ends with a message, not with numbers. */
@@ -313,11 +299,11 @@ static void a_torn_string_is_an_error(void **state)
     spec.amplitude = 60;
     struct bead_motion *m = begin(&spec, "auto", 1e-6, 0, 1000);
     enum bead_error err = BEAD_OK;
-    while (!err && fput->time(m) < 1000)
-        err = fput->step(m, &msg);
+    while (!err && fput->equation->time(m) < 1000)
+        err = fput->equation->step(m, &msg);
     assert_int_equal(err, BEAD_ERROR_NUMBERS);
     assert_non_null(strstr(msg.text, "torn"));
-    fput->destroy(m);
+    fput->equation->destroy(m);
 }
 
 int main(void)

@@ -2,10 +2,9 @@
 /* The Korteweg-de Vries equation: solitons and their collisions against exact solutions, the recurrence of Zabusky and Kruskal. */
 #include "tests/motions.h"
 
-static const struct bead_equation *const kdv = &bead_equation_kdv;
+static const struct bead_system *const kdv = &bead_system_kdv;
 
-static const struct bead_equation_spec one_soliton = {.name = "kdv",
-                                                      .variable = BEAD_FIELD_DISPLACEMENT,
+static const struct bead_equation_spec one_soliton = {.variable = BEAD_FIELD_DISPLACEMENT,
                                                       .low = -20,
                                                       .length = 40,
                                                       .nonlinearity = 6,
@@ -15,8 +14,7 @@ static const struct bead_equation_spec one_soliton = {.name = "kdv",
                                                       .soliton_count = 1};
 
 /* N. J. Zabusky, M. D. Kruskal, Phys. Rev. Lett. 15, 240 (1965). */
-static const struct bead_equation_spec zabusky_kruskal = {.name = "kdv",
-                                                          .variable = BEAD_FIELD_DISPLACEMENT,
+static const struct bead_equation_spec zabusky_kruskal = {.variable = BEAD_FIELD_DISPLACEMENT,
                                                           .length = 2,
                                                           .nonlinearity = 1,
                                                           .dispersion = 0.022 * 0.022,
@@ -44,14 +42,14 @@ static double error_of_soliton(struct bead_motion *motion, size_t points, double
 static double worst_error_of_soliton(double accuracy, double end)
 {
     double worst = 0;
-    size_t points = kdv->system.points(&one_soliton, accuracy);
+    size_t points = kdv->count(&(struct bead_chain_spec){.equation = one_soliton}, accuracy);
     struct bead_motion *motion = start_motion(kdv, &one_soliton, accuracy, 0, end);
     for (int i = 0; i <= 97; i++) {
         double t = end * i / 97;
         move_until(kdv, motion, t);
         worst = fmax(worst, error_of_soliton(motion, points, t));
     }
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
     return worst;
 }
 
@@ -77,7 +75,7 @@ static void a_soliton_has_its_integrals(void **state)
     assert_close(measure(kdv, motion, "soliton 1: place"), 8, 1e-8);
     assert_close(measure(kdv, motion, "soliton 1: amplitude"), 2, 1e-8);
     assert_below(fabs(measure(kdv, motion, "soliton 1: shift from free motion")), 1e-8);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 /* Half of the height is where cosh^2 = 2. */
@@ -97,7 +95,7 @@ static void a_soliton_has_its_width(void **state)
     }
     assert_close(ends[1] - ends[0], 1.76275, 2e-5);
     free(u);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 /* G. B. Whitham, Linear and Nonlinear Waves (1974), section 17.2: the fast one gains ln 9 / sqrt(16), the slow loses ln 9 /
@@ -118,12 +116,12 @@ static void solitons_collide_and_only_shift(void **state)
     assert_close(measure(kdv, motion, "soliton 2: shift from free motion"), -log(3), 1e-4);
     assert_close(measure(kdv, motion, "soliton 1: amplitude"), 8, 1e-4);
     assert_close(measure(kdv, motion, "soliton 2: amplitude"), 2, 1e-4);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
     /* In the middle of the collision there is one crest, and it is no soliton. */
     motion = start_motion(kdv, &spec, 1e-6, 0, middle);
     move_until(kdv, motion, middle);
     assert_false(has_measure(kdv, motion, "soliton 1: place", &shift));
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 /* Two of the same height are two crests, told apart by where they come from, also when a faster one has overtaken both. */
@@ -141,7 +139,7 @@ static void solitons_of_equal_speed_are_told_apart(void **state)
     for (int i = 1; i <= 2; i++)
         assert_below(fabs(measure(kdv, motion, i == 1 ? "soliton 1: shift from free motion" : "soliton 2: shift from free motion")),
                      1e-4);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
     spec.solitons[2] = (struct bead_soliton){16, -16};
     spec.soliton_count = 3;
     motion = start_motion(kdv, &spec, 1e-5, 0, 3.5);
@@ -149,7 +147,7 @@ static void solitons_of_equal_speed_are_told_apart(void **state)
     assert_close(measure(kdv, motion, "soliton 1: shift from free motion"), -log(3), 1e-2);
     assert_close(measure(kdv, motion, "soliton 2: shift from free motion"), -log(3), 1e-2);
     assert_close(measure(kdv, motion, "soliton 3: shift from free motion"), log(3), 1e-2);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 /* Started in the middle of the collision, by Hirota's formula, they part as those that met. */
@@ -164,7 +162,7 @@ static void solitons_start_where_they_overlap(void **state)
     move_until(kdv, motion, 1);
     assert_close(measure(kdv, motion, "soliton 1: shift from free motion"), log(3) / 2, 1e-4);
     assert_close(measure(kdv, motion, "soliton 2: shift from free motion"), -log(3), 1e-4);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 /* They go left and down with other signs of the equation, and a drift carries them along. */
@@ -178,7 +176,7 @@ static void signs_and_drift(void **state)
     move_until(kdv, motion, 1);
     assert_close(measure(kdv, motion, "soliton 1: place"), -3, 1e-6);
     assert_close(measure(kdv, motion, "soliton 1: amplitude"), -2, 1e-6);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 static void zabusky_and_kruskal_see_eight_solitons(void **state)
@@ -187,7 +185,7 @@ static void zabusky_and_kruskal_see_eight_solitons(void **state)
     struct bead_motion *motion = start_motion(kdv, &zabusky_kruskal, 1e-6, 0, 3.6 / M_PI);
     move_until(kdv, motion, 3.6 / M_PI);
     assert_true(measure(kdv, motion, "crests at the end") == 8);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 static void zabusky_and_kruskal_see_the_start_again(void **state)
@@ -198,7 +196,7 @@ static void zabusky_and_kruskal_see_the_start_again(void **state)
     assert_close(measure(kdv, motion, "recurrence time") * M_PI, 29.96, 0.02);
     assert_close(measure(kdv, motion, "amplitude at recurrence, relative"), 0.926, 1e-3);
     assert_below(fabs(measure(kdv, motion, "change of the momentum, relative")), 1e-7);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 /* The recurrence is that of the equation, not of grid or step. */
@@ -213,7 +211,7 @@ static void recurrence_is_as_exact_as_asked(void **state)
         struct bead_motion *motion = start_motion(kdv, &spec, accuracies[i], 0, 10 / M_PI);
         move_until(kdv, motion, 10 / M_PI);
         u[i] = field_at(kdv, motion, spec.points, 10 / M_PI, BEAD_FIELD_DISPLACEMENT);
-        kdv->destroy(motion);
+        kdv->equation->destroy(motion);
     }
     for (size_t i = 0; i < spec.points; i++)
         worst = fmax(worst, fabs(u[0][i] - u[1][i]));
@@ -232,7 +230,7 @@ static void errors_fall_with_the_fourth_power_of_the_step(void **state)
         struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0.004 / (1 << i), 1);
         move_until(kdv, motion, 1);
         error[i] = error_of_soliton(motion, spec.points, 1);
-        kdv->destroy(motion);
+        kdv->equation->destroy(motion);
     }
     for (int i = 0; i < 2; i++) {
         double order = log2(error[i] / error[i + 1]);
@@ -254,7 +252,7 @@ static void errors_fall_exponentially_with_the_points(void **state)
         if (before > 0)
             assert_below(error, before * 0.15);
         before = error;
-        kdv->destroy(motion);
+        kdv->equation->destroy(motion);
     }
 }
 
@@ -266,17 +264,17 @@ static void samples_are_as_exact_as_steps(void **state)
     spec.points = 384;
     struct bead_motion *sampled = start_motion(kdv, &spec, 1e-6, 2e-3, 0.2), *plain = start_motion(kdv, &spec, 1e-6, 2e-3, 0.2);
     size_t count;
-    while (kdv->time(sampled) < 0.2) {
-        double from = kdv->time(sampled);
+    while (kdv->equation->time(sampled) < 0.2) {
+        double from = kdv->equation->time(sampled);
         move_until(kdv, sampled, from + 1e-9);
         move_until(kdv, plain, from + 1e-9);
-        double to = kdv->time(sampled), limit = error_of_soliton(sampled, spec.points, to) + 1e-10;
+        double to = kdv->equation->time(sampled), limit = error_of_soliton(sampled, spec.points, to) + 1e-10;
         for (int i = 0; i < 4; i++)
             assert_below(error_of_soliton(sampled, spec.points, from + (to - from) * i / 4), 2 * limit);
     }
-    assert_memory_equal(kdv->state(sampled, &count), kdv->state(plain, &count), 2 * 128 * sizeof(double));
-    kdv->destroy(sampled);
-    kdv->destroy(plain);
+    assert_memory_equal(kdv->equation->state(sampled, &count), kdv->equation->state(plain, &count), 2 * 128 * sizeof(double));
+    kdv->equation->destroy(sampled);
+    kdv->equation->destroy(plain);
 }
 
 /* With no nonlinearity a wave keeps its form and has the speed drift - b k^2, for any step. */
@@ -289,13 +287,13 @@ static void linear_waves_are_exact(void **state)
     spec.drift = 0.3;
     spec.mode = 3;
     struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 5);
-    size_t points = kdv->system.points(&spec, 1e-6);
+    size_t points = kdv->count(&(struct bead_chain_spec){.equation = spec}, 1e-6);
     move_until(kdv, motion, 5);
     double *u = field_at(kdv, motion, points, 5, BEAD_FIELD_DISPLACEMENT), k = 3 * M_PI;
     for (size_t i = 0; i < points; i++)
         assert_close(u[i], cos(k * (2 * (double)i / (double)points - (0.3 - 0.01 * k * k) * 5)), 1e-12);
     free(u);
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 static void a_grid_too_coarse_is_told(void **state)
@@ -306,11 +304,11 @@ static void a_grid_too_coarse_is_told(void **state)
     struct bead_message msg = {""};
     struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0, 3);
     enum bead_error err = BEAD_OK;
-    while (!err && kdv->time(motion) < 3)
-        err = kdv->step(motion, &msg);
+    while (!err && kdv->equation->time(motion) < 3)
+        err = kdv->equation->step(motion, &msg);
     assert_int_equal(err, BEAD_ERROR_NUMBERS);
     assert_non_null(strstr(msg.text, "needs more points"));
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 static void a_grid_too_coarse_for_the_start_is_told(void **state)
@@ -319,14 +317,14 @@ static void a_grid_too_coarse_for_the_start_is_told(void **state)
     struct bead_message msg = {""};
     struct bead_motion *motion = NULL;
     struct bead_motion_settings settings = {&one_soliton, 40, "auto", 1e-6, 0, 1};
-    assert_int_equal(kdv->create(&settings, &motion, &msg), BEAD_ERROR_NUMBERS);
+    assert_int_equal(kdv->equation->create(&settings, &motion, &msg), BEAD_ERROR_NUMBERS);
     assert_null(motion);
     assert_non_null(strstr(msg.text, "too coarse for the start"));
     struct bead_equation_spec spec = zabusky_kruskal;
     const char *key = "";
     spec.points = 8;
     spec.mode = 7; /* on these points it looks like one wave */
-    assert_non_null(kdv->check(&spec, &key));
+    assert_non_null(kdv->equation->check(&spec, &key));
     assert_string_equal(key, "points");
 }
 
@@ -338,11 +336,11 @@ static void steps_too_long_are_told(void **state)
     struct bead_message msg = {""};
     struct bead_motion *motion = start_motion(kdv, &spec, 1e-6, 0.1, 10);
     enum bead_error err = BEAD_OK;
-    while (!err && kdv->time(motion) < 10)
-        err = kdv->step(motion, &msg);
+    while (!err && kdv->equation->time(motion) < 10)
+        err = kdv->equation->step(motion, &msg);
     assert_int_equal(err, BEAD_ERROR_NUMBERS);
     assert_non_null(strstr(msg.text, "too long"));
-    kdv->destroy(motion);
+    kdv->equation->destroy(motion);
 }
 
 static void wrong_settings_are_told(void **state)
@@ -351,19 +349,19 @@ static void wrong_settings_are_told(void **state)
     const char *key = "";
     struct bead_equation_spec spec = one_soliton;
     spec.dispersion = -1;
-    assert_non_null(kdv->check(&spec, &key));
+    assert_non_null(kdv->equation->check(&spec, &key));
     assert_string_equal(key, "dispersion");
     spec = one_soliton;
     spec.nonlinearity = 0;
-    assert_non_null(kdv->check(&spec, &key));
+    assert_non_null(kdv->equation->check(&spec, &key));
     assert_string_equal(key, "nonlinearity");
     spec = one_soliton;
     spec.solitons[0].at = 21;
-    assert_non_null(kdv->check(&spec, &key));
+    assert_non_null(kdv->equation->check(&spec, &key));
     assert_string_equal(key, "start");
     spec = zabusky_kruskal;
     spec.dispersion = 0;
-    assert_non_null(kdv->check(&spec, &key));
+    assert_non_null(kdv->equation->check(&spec, &key));
 }
 
 int main(void)

@@ -2,9 +2,44 @@
 /* Pair forces: every row of the table is whole and agrees with itself, and a row that no other file knows works like any. */
 #include "chains.h"
 
+#include "sim/chain/law_beginning.h"
 #include "sim/run/method_choice.h"
+#include "sim/scene/scene_private.h"
 
 static const struct bead_law_spec numbers = {.power = 1.7, .coefficient = 3e9, .alpha = -40, .stiffness = 2e5};
+
+/* A law as a scene has it: with the examples of its keys, where it has keys. */
+static void example_text(const struct bead_law *law, char *text, size_t size)
+{
+    const struct bead_options *options;
+    for (size_t i = 0; (options = bead_law_options(i)) && strcmp(options->name, law->name) != 0;)
+        i++;
+    if (!options) {
+        snprintf(text, size, "%s", law->name);
+        return;
+    }
+    size_t length = 0;
+    for (size_t r = 0; r < options->count; r++)
+        length += (size_t)snprintf(text + length, size - length, "%s%s: %s", r > 0 ? ", " : "{", options->rows[r].key,
+                                   options->rows[r].example);
+    snprintf(text + length, size - length, "}");
+}
+
+/* Numbers for a row that nobody has to think of here. */
+static struct bead_law_spec example_of(const struct bead_law *law)
+{
+    struct bead_message msg = {""};
+    struct bead_scene *scene = NULL;
+    char text[512], scene_text[640];
+    example_text(law, text, sizeof text);
+    snprintf(scene_text, sizeof scene_text, "chain: {beads: [{bead: brass}], law: %s}\noutputs: [{table: a.csv}]\n", text);
+    if (bead_scene_parse("examples", scene_text, strlen(scene_text), NULL, &scene, &msg))
+        fail_msg("%s: %s", text, msg.text);
+    const struct bead_law_spec spec = scene->chains[0].law;
+    bead_scene_free(scene);
+    assert_ptr_equal(spec.row, law);
+    return spec;
+}
 
 /* What a row lacks; NULL: it is whole. */
 static const char *lacks(const struct bead_law *law)
@@ -42,10 +77,9 @@ static void rows_are_whole(void **state)
 }
 
 /* Force and stiffness are the derivatives of energy and force, the inverses invert, and the exponent is that of the force. */
-static void check_row(const struct bead_law *law)
+static void check_row(const struct bead_law *law, const struct bead_law_spec *s, double a)
 {
-    const double a = 3e9, d = 1e-6, e = 1e-9;
-    const struct bead_law_spec *s = &numbers;
+    const double d = 1e-6, e = 1e-10;
     assert_near((law->energy(a, s, d + e) - law->energy(a, s, d - e)) / (2 * e) / law->force(a, s, d), 1, 1e-6);
     assert_near((law->force(a, s, d + e) - law->force(a, s, d - e)) / (2 * e) / law->stiffness(a, s, d), 1, 1e-6);
     assert_near(law->compression(a, s, law->force(a, s, d)) / d, 1, 1e-12);
@@ -62,8 +96,16 @@ static void rows_agree_with_themselves(void **state)
 {
     (void)state;
     const struct bead_law *law;
-    for (size_t i = 0; (law = bead_law_info(i)); i++)
-        check_row(law);
+    for (size_t i = 0; (law = bead_law_info(i)); i++) {
+        const struct bead_law_spec spec = example_of(law);
+        const double a = law->coefficient(&spec, &materials[STEEL], &materials[ALUMINIUM], false);
+        assert_true(a > 0 && isfinite(a));
+        check_row(law, &spec, a);
+    }
+    /* Where the examples are weak at a compression as small as that of the check. */
+    static const char *const stronger[] = {"power", "fpu-alpha"};
+    for (size_t i = 0; i < 2; i++)
+        check_row(bead_law_find(stronger[i]), &numbers, 3e9);
 }
 
 /* The law k d (1 - alpha d) has a largest force, k / (4 alpha): more cannot be held, and no chain is made. */
@@ -80,10 +122,18 @@ static void a_force_beyond_the_law_is_refused(void **state)
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
     struct bead_chain *chain = (void *)&msg; /* no chain: it must be cleared */
-    assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), BEAD_OK);
+    assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg), BEAD_OK);
     assert_int_equal(bead_chain_create(scene, 0, &chain, &msg), BEAD_ERROR_SCENE);
     assert_non_null(strstr(msg.text, "test:1:8: chain: a contact's stiffness is not"));
     assert_null(chain);
+    static const char *const whole[] = {"title=x", "chain={beads: [{bead: ptfe, count: 3}], precompression: 2501 N, "
+                                                   "law: {fpu-alpha: 1000, stiffness: 1e7}}"};
+    struct bead_scene *set = NULL;
+    assert_int_equal(bead_scene_change(scene, &(struct bead_overrides){.settings = whole, .setting_count = 2}, &set, &msg),
+                     BEAD_OK);
+    assert_int_equal(bead_chain_create(set, 0, &chain, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "--set:2:7: chain: a contact's stiffness is not"));
+    bead_scene_free(set);
     assert_int_equal(bead_chain_create(scene, 1, &chain, &msg), BEAD_ERROR_USAGE);
     assert_non_null(strstr(msg.text, "chain 1: the scene has 1"));
     bead_scene_free(scene);
@@ -174,11 +224,148 @@ static void a_new_row_is_the_power_that_it_is(void **state)
 {
     (void)state;
     const struct bead_law *power = bead_law_find("power");
-    check_row(&spring);
+    check_row(&spring, &numbers, 3e9);
     assert_null(lacks(&spring));
     assert_below(between(&spring, "rkn8", 4e-6, power, 4e-6, 0), 1e-10);
     assert_below(between(&spring, "rkn8", 4e-6, power, 4e-6, 5), 1e-10);
     assert_below(between(&spring, "rkn8", 2e-6, power, 1e-6, 0), 1e-9);
+}
+
+/* ---- laws that are no powers: A (e^{b d} - 1), which begins as A b d, and A e^{-1 / (b d)}, which begins as no power ---- */
+
+static const double growth = 2e5; /* b, /m */
+
+static double exponential_energy(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? a * (expm1(growth * d) / growth - d) : 0;
+}
+
+static double exponential_force(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? a * (exp(growth * d) - 1) : 0;
+}
+
+static double exponential_stiffness(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? a * growth * exp(growth * d) : 0;
+}
+
+static double exponential_compression(double a, const struct bead_law_spec *spec, double f)
+{
+    (void)spec;
+    return f > 0 && a > 0 ? log1p(f / a) / growth : 0;
+}
+
+/* That of the spring that it begins as: a bound. */
+static double exponential_energy_compression(double a, const struct bead_law_spec *spec, double e)
+{
+    return spring_energy_compression(growth * a, spec, e);
+}
+
+static const struct bead_law exponential = {.name = "exponential",
+                                            .description = "A (e^{b d} - 1), one-sided",
+                                            .one_sided = true,
+                                            .coefficient = spring_coefficient,
+                                            .coefficient_power = one,
+                                            .energy = exponential_energy,
+                                            .force = exponential_force,
+                                            .stiffness = exponential_stiffness,
+                                            .compression = exponential_compression,
+                                            .energy_compression = exponential_energy_compression};
+
+static double flat_force(double a, const struct bead_law_spec *spec, double d)
+{
+    (void)spec;
+    return d > 0 ? a * exp(-1 / (growth * d)) : 0;
+}
+
+static double flat_stiffness(double a, const struct bead_law_spec *spec, double d)
+{
+    return d > 0 ? flat_force(a, spec, d) / (growth * d * d) : 0;
+}
+
+static void begin(struct setup *x, const struct bead_law *law, double stiffness)
+{
+    describe(x, 2, STEEL, ALUMINIUM, 32, P3_SPINS, 0.443);
+    x->spec.law = (struct bead_law_spec){.row = law, .stiffness = stiffness, .power = 1.7, .coefficient = stiffness};
+    make(x);
+}
+
+static void beginnings_are_found(void **state)
+{
+    (void)state;
+    struct bead_law unsaid = spring, power = *bead_law_find("power"), hertz = *bead_law_find("hertz"), flat = spring;
+    flat.force = flat_force;
+    flat.stiffness = flat_stiffness;
+    unsaid.exponent = power.exponent = hertz.exponent = flat.exponent = NULL;
+    const struct {
+        const struct bead_law *law;
+        double stiffness, exponent;
+    } cases[] = {{&unsaid, 2e6, 1},     {&power, 3e9, 1.7}, {&hertz, 1, 1.5},
+                 {&exponential, 10, 1}, {&flat, 2e6, NAN},  {bead_law_find("fpu-alpha"), 2e6, NAN}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct setup x;
+        begin(&x, cases[i].law, cases[i].stiffness);
+        const double p = bead_chain_exponent(x.chain);
+        if (isnan(cases[i].exponent) ? !isnan(p) : !(fabs(p - cases[i].exponent) < 1e-6))
+            fail_msg("law `%s`, number %zu, begins as the power %.9g, not %g", cases[i].law->name, i, p, cases[i].exponent);
+        drop(&x, NULL);
+    }
+}
+
+/* A row that does not say how its force begins works like one that does. */
+static void a_row_without_exponent_has_events(void **state)
+{
+    (void)state;
+    struct bead_law unsaid = spring;
+    unsaid.exponent = NULL;
+    assert_below(between(&unsaid, "rkn8", 4e-6, &spring, 4e-6, 0), 1e-9);
+    assert_below(between(&unsaid, "rkn8", 4e-6, &spring, 4e-6, 5), 1e-9);
+}
+
+/* Largest error of a contact's first peak, relative to it, of steps as asked for. */
+static double peaks_off(const struct bead_law *law, double stiffness, double accuracy)
+{
+    const double end = 0.5e-3;
+    struct bead_outcome outcome[2];
+    struct bead_run *run[2];
+    struct setup x[2];
+    double most = 0;
+    for (int i = 0; i < 2; i++) {
+        begin(&x[i], law, stiffness);
+        const struct built built = {&x[i].scene, x[i].chain};
+        struct bead_simulate simulate = {
+            .method = (char *)(uintptr_t)(i ? "rkn8" : "auto"), .step = i ? 0.1e-6 : 0, .accuracy = accuracy};
+        run[i] = start_run(&built, (struct bead_run_settings){.simulate = &simulate, .end = end, .contact_peaks = true});
+        run_until(run[i], end);
+        bead_run_finish(run[i], end, &outcome[i]);
+    }
+    for (size_t k = 0; k < x[0].chain->contacts; k++) {
+        const struct bead_peak *a = &outcome[0].contact_peaks[k], *b = &outcome[1].contact_peaks[k];
+        if (b->value > 1 && !b->open)
+            most = fmax(most, fabs(a->value / b->value - 1));
+    }
+    for (int i = 0; i < 2; i++) {
+        bead_run_destroy(run[i]);
+        drop(&x[i], NULL);
+    }
+    assert_true(most > 0);
+    return most;
+}
+
+/* No row of a table of peaks says less than what was asked; so what is within that is within what its row says. */
+static void peaks_of_other_laws_are_as_asked(void **state)
+{
+    (void)state;
+    static const double asked[] = {1e-4, 1e-6, 1e-8};
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
+        const double off = peaks_off(&exponential, 10, asked[i]);
+        print_message("asked %g: %.2g\n", asked[i], off / asked[i]);
+        assert_below(off, asked[i]);
+    }
 }
 
 static struct bead_method_choice choose(struct setup *x, const char *method, enum bead_error *err, struct bead_message *msg)
@@ -191,15 +378,18 @@ static struct bead_method_choice choose(struct setup *x, const char *method, enu
 }
 
 /* Nothing is known of how its force begins: its contact events are left alone, and nobody takes it for Hertz's. */
-static void a_row_without_exponent_has_no_events(void **state)
+static void a_row_that_begins_as_no_power_has_no_events(void **state)
 {
     (void)state;
-    struct bead_law plain = spring;
+    struct bead_law flat = spring;
     struct bead_message msg = {""};
     enum bead_error err;
     struct setup x;
-    plain.exponent = NULL;
-    struct bead_stepper *s = struck(&x, &plain, 0, "rkn8", 4e-6);
+    flat.exponent = NULL;
+    flat.force = flat_force;
+    flat.stiffness = flat_stiffness;
+    begin(&x, &flat, 2e6);
+    struct bead_stepper *s = make_stepper(&x, "rkn8", NULL, false);
     assert_null(s->events);
     assert_string_equal(choose(&x, "auto", &err, &msg).method->info.name, "rkn8-plain");
     assert_int_equal(err, BEAD_OK);
@@ -214,20 +404,51 @@ static void a_row_without_exponent_has_no_events(void **state)
     assert_int_equal(err, BEAD_ERROR_SCENE);
     assert_non_null(strstr(msg.text, "is for forces without damping"));
     drop(&x, s);
-    const double coarse = between(&plain, "rkn8-plain", 2e-6, &spring, 1e-6, 0);
-    const double fine = between(&plain, "rkn8-plain", 0.25e-6, &spring, 1e-6, 0);
-    assert_below(coarse, 1e-2);
-    assert_below(fine, coarse / 8);
+}
+
+/* Laws of a program's own are found by their names, in scenes and in what is made from these; those that lack something are
+ * refused, and so are names that the library has. */
+static void own_laws_are_found_by_name(void **state)
+{
+    (void)state;
+    static const char text[] = "chain: {beads: [{bead: brass}], law: mine}\noutputs: [{table: a.csv}]\n";
+    struct bead_law mine = *bead_law_find("hertz");
+    const struct bead_law *const laws[] = {&mine, NULL};
+    const struct bead_own own = {.laws = laws};
+    const struct bead_overrides with = {.own = &own};
+    struct bead_message msg = {""};
+    struct bead_scene *scene, *changed;
+    mine.name = "mine";
+    assert_int_equal(bead_scene_parse("own", text, sizeof text - 1, NULL, &scene, &msg), BEAD_ERROR_SCENE);
+    assert_int_equal(bead_scene_parse("own", text, sizeof text - 1, &with, &scene, &msg), BEAD_OK);
+    assert_ptr_equal(scene->chains[0].law.row, &mine);
+    static const char *const faster[] = {"chain.striker.velocity=1 m/s"};
+    const struct bead_overrides change = {.settings = faster, .setting_count = 1};
+    assert_int_equal(bead_scene_change(scene, &change, &changed, &msg), BEAD_OK);
+    assert_ptr_equal(changed->chains[0].law.row, &mine);
+    bead_scene_free(changed);
+    bead_scene_free(scene);
+    mine.stiffness = NULL;
+    assert_int_equal(bead_scene_parse("own", text, sizeof text - 1, &with, &scene, &msg), BEAD_ERROR_USAGE);
+    assert_string_equal(msg.text, "law `mine`: its `stiffness` is missing");
+    mine = *bead_law_find("hertz");
+    assert_int_equal(bead_scene_parse("own", text, sizeof text - 1, &with, &scene, &msg), BEAD_ERROR_USAGE);
+    assert_non_null(strstr(msg.text, "`hertz`: the library has one"));
+    assert_null(scene);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(own_laws_are_found_by_name),
         cmocka_unit_test(rows_are_whole),
         cmocka_unit_test(rows_agree_with_themselves),
         cmocka_unit_test(a_force_beyond_the_law_is_refused),
         cmocka_unit_test(a_new_row_is_the_power_that_it_is),
-        cmocka_unit_test(a_row_without_exponent_has_no_events),
+        cmocka_unit_test(beginnings_are_found),
+        cmocka_unit_test(a_row_without_exponent_has_events),
+        cmocka_unit_test(peaks_of_other_laws_are_as_asked),
+        cmocka_unit_test(a_row_that_begins_as_no_power_has_no_events),
     };
     return cmocka_run_group_tests_name("laws", tests, NULL, NULL);
 }

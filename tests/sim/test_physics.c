@@ -10,7 +10,7 @@ static uint64_t hash_of(const char *chain, const char *simulate, double end, str
     settings.hash = true;
     struct bead_run *run = start_run(&built, settings);
     run_until(run, end);
-    uint64_t hash = bead_run_hash(run);
+    uint64_t hash = bead_run_work(run).hash;
     assert_true(hash != 0);
     bead_run_destroy(run);
     release(&built);

@@ -120,8 +120,8 @@ static void outputs_mean_what_they_say(void **state)
     assert_int_equal(o[2].paper.theme, BEAD_THEME_LIGHT);
     assert_int_equal(o[4].curves.show, BEAD_SHOW_BEAD_PEAKS);
     assert_true(o[5].shown.every == 1e-6);
-    assert_int_equal(o[5].place.line, 10);
-    assert_int_equal(o[5].place.column, 5);
+    assert_int_equal(o[5].node->place.line, 10);
+    assert_int_equal(o[5].node->place.column, 5);
     bead_scene_free(scene);
 }
 

@@ -31,7 +31,7 @@ static void every_malformed_file_gets_its_message(void **state)
         snprintf(path, sizeof path, "tests/bad/%s", entries[i]->d_name);
         if (dot && strcmp(dot, ".yaml") == 0) {
             read_expected(path, expected, sizeof expected);
-            assert_int_equal(bead_scene_load(path, NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+            assert_int_equal(bead_scene_load(path, NULL, &scene, &msg), BEAD_ERROR_SCENE);
             if (!strstr(msg.text, expected) || strncmp(msg.text, path, strlen(path)) != 0)
                 fail_msg("%s: '%s' is not in '%s'", path, expected, msg.text);
             tried++;
@@ -95,7 +95,7 @@ static void wrong_shapes_get_their_message(void **state)
          "draws beads, but there are none"},
         {SWEEP("magnetism: []"), "magnetism: is an empty list"},
         {SWEEP("spins: 1101"), "spins: is `1101`; must be a list such as"},
-        {SWEEP("spins: []"), "spins: is empty; must be a list such as"},
+        {SWEEP("spins: []"), "spins: is an empty list; must be a list such as"},
         {SWEEP("spins: [\"1121\"]"), "spins.0: is `1121`; must be digits 0 and 1"},
         {SWEEP("measure: {beads: 3}"), "beads: is `3`; must be "},
         {SWEEP("measure: {beads: [4, 2]}"), "is [4, 2]; the first must not be greater than the last"},
@@ -133,10 +133,10 @@ static void files_that_cannot_be_read(void **state)
     (void)state;
     struct bead_scene *scene = NULL;
     struct bead_message msg = {""};
-    assert_int_equal(bead_scene_load("tests/none.yaml", NULL, 0, &scene, &msg), BEAD_ERROR_IO);
+    assert_int_equal(bead_scene_load("tests/none.yaml", NULL, &scene, &msg), BEAD_ERROR_IO);
     assert_non_null(strstr(msg.text, "tests/none.yaml"));
-    assert_int_equal(bead_scene_load("tests", NULL, 0, &scene, &msg), BEAD_ERROR_IO);
-    assert_int_equal(bead_scene_load("/dev/zero", NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+    assert_int_equal(bead_scene_load("tests", NULL, &scene, &msg), BEAD_ERROR_IO);
+    assert_int_equal(bead_scene_load("/dev/zero", NULL, &scene, &msg), BEAD_ERROR_SCENE);
     assert_null(scene);
 }
 
@@ -224,7 +224,7 @@ static void wrong_settings_name_their_place(void **state)
     } cases[] = {{"simulate.stepp=1 us", "--set:2:10: simulate.stepp: unknown key; did you mean `step`?"},
                  {"simulate.step=1 N", "--set:2:15: simulate.step: `1 N` is not in a unit of s"},
                  {"chain.beads.0.count=0", "--set:2:21: chain.beads.0.count: `0` is out of range"},
-                 {"outputs.7.size=[1, 0]", "--set:2:9: outputs.7.size: there is no element 7"},
+                 {"outputs.7.size=[1, 0]", "--set:2:9: outputs.7.size: the list has no element 7"},
                  {"outputs.a.png.size=1", "--set:2:9: outputs.a.png.size: no element of the list has this name"},
                  {"chain.wall.x=1", "--set:2:12: chain.wall.x: the key before it holds a single value"},
                  {"chain.=1", "--set:2:7: "},
@@ -261,7 +261,7 @@ static void all_that_is_wrong_is_told_at_once(void **state)
         refuse(text, expected[i]);
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg), BEAD_ERROR_SCENE);
+    assert_int_equal(bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg), BEAD_ERROR_SCENE);
     size_t breaks = 0;
     for (const char *c = msg.text; *c; c++)
         breaks += *c == '\n';
@@ -285,7 +285,7 @@ static void survive(const char *text, size_t length)
 {
     struct bead_message msg = {""};
     struct bead_scene *scene = NULL;
-    enum bead_error err = bead_scene_parse("test", text, length, NULL, 0, &scene, &msg);
+    enum bead_error err = bead_scene_parse("test", text, length, NULL, &scene, &msg);
     assert_true(err ? !scene && msg.text[0] && is_list_of_faults(msg.text) : scene != NULL);
     bead_scene_free(scene);
 }

@@ -83,7 +83,7 @@ static struct bead_scene *scene_of(const struct kind *kind)
     for (size_t i = 1; i <= kind->beads; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, "%s{bead: b%zu}", i > 1 ? ", " : "", i);
     snprintf(text + used, sizeof text - used, "]}\nsimulate: {until: %.17g}\noutputs: [{table: p.csv}]\n", kind->until);
-    if (bead_scene_parse("test", text, strlen(text), NULL, 0, &scene, &msg))
+    if (bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg))
         fail_msg("%s: %s", kind->name, msg.text);
     return scene;
 }

@@ -214,14 +214,118 @@ static void nonsense_is_stopped(void **state)
     }
 }
 
+#define BUDGET CHAIN "simulate: {until: 1 ms}\noutputs: [{table: peaks.csv, show: peaks}, {table: energy.csv, show: energy}]\n"
+
+/* A budget wants more of the run's accuracy, and only where it is made; the plan says so. */
+static void a_budget_left_out_changes_nothing(void **state)
+{
+    (void)state;
+    const char *peaks = "peaks.csv";
+    struct bead_counts alone = play(CHAIN "simulate: {until: 1 ms}\noutputs: [{table: peaks.csv, show: peaks}]\n",
+                                    (struct bead_job){0}),
+                       left_out = play(BUDGET, (struct bead_job){.only = &peaks, .only_count = 1}),
+                       made = play(BUDGET, (struct bead_job){0});
+    assert_int_equal(left_out.state_hash, alone.state_hash);
+    assert_int_equal(left_out.steps, alone.steps);
+    assert_true(made.steps > alone.steps);
+    for (int only = 0; only < 2; only++) {
+        static const struct bead_sink_type *const *lists[2];
+        lists[0] = bead_data_sinks();
+        char path[512], plan[4096] = "";
+        write_scene(BUDGET, path);
+        const struct bead_job job = {
+            .size = sizeof job, .input = path, .output = directory, .sinks = lists, .only = &peaks, .only_count = (size_t)only};
+        struct bead_session *session = NULL;
+        struct bead_message msg = {""};
+        FILE *out = fmemopen(plan, sizeof plan, "w");
+        assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_OK);
+        assert_int_equal(bead_session_plan(session, out, &msg), BEAD_OK);
+        fclose(out);
+        bead_session_close(session);
+        assert_int_equal(strstr(plan, "accuracy: 1e-10 instead of the default, for energy.csv\n") == NULL, only);
+    }
+}
+
+/* Whatever came of the first run, a second one says that it does nothing. */
+static void a_session_runs_once(void **state)
+{
+    (void)state;
+    static const struct bead_sink_type *const *lists[2];
+    lists[0] = bead_data_sinks();
+    char path[512], part[512];
+    snprintf(part, sizeof part, "%s/once.csv.part", directory);
+    write_scene(ONE_MS "outputs: [{table: once.csv}]\n", path);
+    for (int good = 0; good < 2; good++) {
+        assert_int_equal(good ? unlink(part) : mkfifo(part, 0600), 0); /* no table can be written there */
+        const struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .sinks = lists};
+        struct bead_session *session = NULL;
+        struct bead_message msg = {""};
+        assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_OK);
+        assert_int_equal(bead_session_run(session, &msg), good ? BEAD_OK : BEAD_ERROR_IO);
+        assert_int_equal(bead_session_run(session, &msg), BEAD_ERROR_USAGE);
+        assert_non_null(strstr(msg.text, "runs once"));
+        bead_session_close(session);
+        assert_int_equal(is_there("once.csv"), good);
+    }
+}
+
+/* A row that lacks a function must not be found out by a user. */
+static void every_sink_is_whole(void **state)
+{
+    (void)state;
+    const struct bead_sink_type *const *const lists[] = {bead_data_sinks(), bead_render_sinks(), NULL};
+    for (size_t l = 0; lists[l]; l++) {
+        for (const struct bead_sink_type *const *t = lists[l]; *t; t++) {
+            const struct bead_sink_type *s = *t;
+            assert_true(s->name && s->help);
+            assert_true(s->write || (s->create && s->needs && s->begin && s->sample && s->end && s->destroy));
+        }
+    }
+}
+
+static void a_result_has_the_bytes_of_its_file(void **state)
+{
+    (void)state;
+    struct bead_sink_type silent;
+    const struct bead_sink_type *const list[] = {&silent, NULL}, *const *const lists[] = {list, NULL},
+                                       *const *t = bead_data_sinks();
+    while ((*t)->kind != BEAD_OUTPUT_TABLE)
+        t++;
+    silent = **t;
+    silent.result = NULL; /* says nothing of what it wrote */
+    char path[512];
+    write_scene(ONE_MS "outputs: [{table: silent.csv}]\n", path);
+    const struct bead_job job = {.size = sizeof job, .input = path, .output = directory, .sinks = lists};
+    struct bead_session *session = NULL;
+    struct bead_message msg = {""};
+    const struct bead_result *results = NULL;
+    struct stat found;
+    assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_OK);
+    assert_int_equal(bead_session_run(session, &msg), BEAD_OK);
+    assert_int_equal(bead_session_results(session, &results), 1);
+    assert_int_equal(stat(results[0].path, &found), 0);
+    assert_true(found.st_size > 100);
+    assert_int_equal(results[0].bytes, found.st_size);
+    bead_session_close(session);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_table_of_peaks_takes_no_samples), cmocka_unit_test(peaks_of_a_first_passage_need_no_scouting),
-        cmocka_unit_test(comparison_runs_are_cheaper),       cmocka_unit_test(a_run_stops_when_nobody_needs_more),
-        cmocka_unit_test(outputs_do_not_change_the_states),  cmocka_unit_test(the_window_skips_what_is_at_rest),
-        cmocka_unit_test(grids_that_meet_share_samples),     cmocka_unit_test(bad_names_are_refused),
-        cmocka_unit_test(a_run_may_stop_while_scouting),     cmocka_unit_test(nonsense_is_stopped),
+        cmocka_unit_test(a_table_of_peaks_takes_no_samples),
+        cmocka_unit_test(peaks_of_a_first_passage_need_no_scouting),
+        cmocka_unit_test(comparison_runs_are_cheaper),
+        cmocka_unit_test(a_run_stops_when_nobody_needs_more),
+        cmocka_unit_test(outputs_do_not_change_the_states),
+        cmocka_unit_test(the_window_skips_what_is_at_rest),
+        cmocka_unit_test(grids_that_meet_share_samples),
+        cmocka_unit_test(bad_names_are_refused),
+        cmocka_unit_test(a_run_may_stop_while_scouting),
+        cmocka_unit_test(nonsense_is_stopped),
+        cmocka_unit_test(a_session_runs_once),
+        cmocka_unit_test(a_budget_left_out_changes_nothing),
+        cmocka_unit_test(every_sink_is_whole),
+        cmocka_unit_test(a_result_has_the_bytes_of_its_file),
     };
     return cmocka_run_group_tests_name("session", tests, make_directory, remove_directory);
 }

@@ -8,9 +8,9 @@
 #include <stddef.h>
 
 #include "beadreel/movie.h"
-#include "beadreel/picture.h"
 #include "beadreel/session.h"
 #include "beadreel/sweep.h"
+#include "render/draw/picture.h"
 #include "sessions.h"
 #include "sweeps.h"
 

@@ -2,7 +2,7 @@
 /* Statistics of many chains: summaries, thresholds, decay, participation. */
 #include "support.h"
 
-#include "beadreel/statistics.h"
+#include "sim/statistics/statistics.h"
 
 static void summaries(void **state)
 {

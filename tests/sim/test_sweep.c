@@ -6,10 +6,10 @@
 #include <hdf5.h>
 #include <unistd.h>
 
-#include "beadreel/statistics.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "scratch.h"
+#include "sim/statistics/statistics.h"
 #include "sweeps.h"
 
 /* Every magnetism that the cells allow, exactly, with majority up; all configurations of one differ in order only. */
@@ -263,7 +263,7 @@ static void spoil_bytes(const char *copy, char *bytes, size_t size)
         fclose(file);
         bytes[at] = (char)(bytes[at] ^ (1 << i % 8));
         struct bead_sweep *read = NULL;
-        if (bead_sweep_is(copy) && !bead_sweep_open(copy, NULL, 0, &read, &msg))
+        if (bead_sweep_is(copy) && !bead_sweep_open(copy, NULL, &read, &msg))
             bead_sweep_close(read);
     }
 }
@@ -277,7 +277,7 @@ static void cut_short(const char *copy, const char *bytes, size_t size)
         FILE *file = fopen(copy, "wb");
         assert_int_equal(fwrite(bytes, 1, cut, file), cut);
         fclose(file);
-        assert_int_not_equal(bead_sweep_open(copy, NULL, 0, &read, &msg), BEAD_OK);
+        assert_int_not_equal(bead_sweep_open(copy, NULL, &read, &msg), BEAD_OK);
         assert_null(read);
     }
 }
@@ -296,12 +296,12 @@ static void files_are_not_trusted(void **state)
     assert_true(bead_sweep_is(path));
     read_file(path, &bytes, &size);
     /* What is read is what was written. */
-    assert_int_equal(bead_sweep_open(path, NULL, 0, &read, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_open(path, NULL, &read, &msg), BEAD_OK);
     for (size_t i = 0; i < 6; i++)
         assert_memory_equal(peak_of(read, i), peak_of(sweep, i), sizeof(struct bead_sweep_peak));
     bead_sweep_close(read);
     struct bead_trajectory *trajectory = NULL;
-    assert_int_equal(bead_trajectory_open(path, NULL, 0, &trajectory, &msg), BEAD_ERROR_FORMAT);
+    assert_int_equal(bead_trajectory_open(path, NULL, &trajectory, &msg), BEAD_ERROR_FORMAT);
     assert_non_null(strstr(msg.text, "is a sweep's file"));
     /* One thing changed in a good file. */
     static const struct {
@@ -311,15 +311,17 @@ static void files_are_not_trusted(void **state)
                    {"peak_open", 2},   {"spins", 2},        {"configuration", 5}, {"reference_peak_force", INFINITY}};
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         change_value(path, copy, changes[i].name, changes[i].value);
-        assert_int_equal(bead_sweep_open(copy, NULL, 0, &read, &msg), BEAD_ERROR_FORMAT);
+        assert_int_equal(bead_sweep_open(copy, NULL, &read, &msg), BEAD_ERROR_FORMAT);
         assert_null(read);
         assert_non_null(strstr(msg.text, changes[i].name));
     }
     /* A setting may change outputs, not physics. */
     const char *harmless[] = {"outputs=[{table: x.csv}]"}, *harmful[] = {"sweep.seed=3"};
-    assert_int_equal(bead_sweep_open(path, harmless, 1, &read, &msg), BEAD_OK);
+    assert_int_equal(bead_sweep_open(path, &(struct bead_overrides){.settings = harmless, .setting_count = 1}, &read, &msg),
+                     BEAD_OK);
     bead_sweep_close(read);
-    assert_int_equal(bead_sweep_open(path, harmful, 1, &read, &msg), BEAD_ERROR_USAGE);
+    assert_int_equal(bead_sweep_open(path, &(struct bead_overrides){.settings = harmful, .setting_count = 1}, &read, &msg),
+                     BEAD_ERROR_USAGE);
     spoil_bytes(copy, bytes, size);
     cut_short(copy, bytes, size);
     free(bytes);
@@ -368,10 +370,10 @@ static void watches_measure_single_runs(void **state)
     for (size_t i = 0; i < count; i++) {
         const struct bead_sweep_watch *w = &found[0][i];
         assert_true(w->force == peak_of(sweep, i)->force);
-        assert_true(w->arrival > peak_of(sweep, i)->time && w->participation > 1 && w->order >= 0);
-        assert_true(i + 1 < count ? w->order < 0.8 : w->order > 0.999);
+        assert_true(w->arrival > peak_of(sweep, i)->time && w->participation > 1 && w->clean_index >= 0);
+        assert_true(i + 1 < count ? w->clean_index < 0.8 : w->clean_index > 0.999);
     }
-    assert_true(found[0][0].order < 0.4);
+    assert_true(found[0][0].clean_index < 0.4);
     bead_sweep_close(sweep);
     bead_scene_free(scene);
 }
@@ -391,7 +393,7 @@ static void watches_give_samples(void **state)
         fail_msg("%s", msg.text);
     assert_int_equal(look.samples, 11);
     assert_true(look.largest == 0.443); /* the striker's, at the start */
-    assert_true(isnan(watch.arrival) && isnan(watch.order));
+    assert_true(isnan(watch.arrival) && isnan(watch.clean_index));
     look = (struct look){.last = 5};
     assert_int_equal(bead_sweep_watch(sweep, &watch, 1, &settings, &msg), BEAD_ERROR_IO);
     assert_string_equal(msg.text, "enough");

@@ -9,7 +9,7 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 
 static const char one_sweep[] = "sweep: {cells: 6, configurations: 2, seed: 2, magnetism: [0], measure: {decay: true}}" OUTPUT;
 

@@ -2,8 +2,8 @@
 /* Sweeps: forces, defects and decay that other programs found. */
 #include "support.h"
 
-#include "beadreel/statistics.h"
 #include "beadreel/sweep.h"
+#include "sim/statistics/statistics.h"
 #include "sweeps.h"
 
 /* Forces that an independent program found (velocity-extended Forest-Ruth, steps of 20 ns), N to 8 digits and us. */

@@ -17,7 +17,8 @@ static char *read_all(const char *path)
     return text;
 }
 
-/* End the sink with peaks of contact (or bead) j = j/3 N at j us; the last is still open, the one before was never loaded. */
+/* End the sink with peaks of contact (or bead) j = j/3 N at j us; the last is still open, the one before was never loaded, the
+ * fourth was exceeded later. */
 static void finish_with_peaks(struct stand *s)
 {
     struct bead_message msg = {""};
@@ -29,7 +30,7 @@ static void finish_with_peaks(struct stand *s)
         for (size_t j = 0; j < count; j++)
             uncertainty[j] = (double)j / 1000;
         for (size_t j = 0; j < count; j++)
-            peaks[c][j] = (struct bead_peak){(double)(j + c) / 3, j + 2 == count ? NAN : (double)j * 1e-6, j + 1 == count};
+            peaks[c][j] = (struct bead_peak){(double)(j + c) / 3, j + 2 == count ? NAN : (double)j * 1e-6, j + 1 == count, j == 3};
         outcomes[c] = made_outcome(c);
         outcomes[c].contact_uncertainty = s->needs.uncertainty ? uncertainty : NULL;
         outcomes[c].contact_peaks = s->needs.contact_peaks ? peaks[c] : NULL;
@@ -55,7 +56,8 @@ static void peaks_of_one_chain(void **state)
         assert_true(strtod(at + 1, &at) == (double)j / 3);
         double time = strtod(at + 1, &at);
         assert_true(j == 11 ? isnan(time) : time == (double)j * 1e-6);
-        assert_true(strncmp(at, j == 12 ? ",open," : ",,", j == 12 ? 6 : 2) == 0);
+        const char *word = j == 12 ? ",open," : j == 3 ? ",exceeded," : ",,";
+        assert_true(strncmp(at, word, strlen(word)) == 0);
         assert_true(strtod(strrchr(at, ',') + 1, NULL) == (double)j / 1000);
     }
     assert_null(strtok_r(NULL, "\n", &rest));

@@ -4,7 +4,7 @@
 
 #include <hdf5_hl.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/trajectory_sink.h"
 
@@ -152,7 +152,7 @@ static void killed_runs_open_at_the_last_flush(void **state)
     deliver(&s, 300);
     copy_file(s.part, copy, -1);
     check_samples(copy, 2, 256, (struct bead_span){0, SIZE_MAX}, 13);
-    s.sink->flushed.tv_sec -= 10; /* the second is over */
+    s.sink->flushed -= 10; /* the second is over */
     deliver(&s, 1);
     copy_file(s.part, copy, -1);
     check_samples(copy, 2, 301, (struct bead_span){0, SIZE_MAX}, 13);
@@ -192,7 +192,7 @@ static void contents_do_not_depend_on_flushes(void **state)
     set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us, " ALL_FIELDS, 0.6e-3);
     for (size_t i = 0; i < 601; i++) {
         if (i % 7 == 3 || i % 100 < 4)
-            s.sink->flushed.tv_sec -= 10;
+            s.sink->flushed -= 10;
         deliver(&s, 1);
     }
     finish(&s);

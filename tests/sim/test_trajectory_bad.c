@@ -8,7 +8,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include "beadreel/file.h"
+#include "sim/base/file.h"
 
 /* A good file of two chains and 300 samples, and one of its name to spoil. */
 struct bad {
@@ -43,7 +43,7 @@ static enum bead_error refused(const char *path, const char *words)
 {
     struct bead_message msg = {""};
     struct bead_trajectory *t = NULL;
-    enum bead_error error = bead_trajectory_open(path, NULL, 0, &t, &msg);
+    enum bead_error error = bead_trajectory_open(path, NULL, &t, &msg);
     if (!error)
         fail_msg("%s was opened, not refused with '%s'", path, words);
     assert_null(t);
@@ -61,7 +61,7 @@ static void cut_off_anywhere(void **state)
         long length = i < 40 ? i * 13 : i < 80 ? size * (i - 40) / 40 : size - 1 - (i - 80) * (i - 80) * 3;
         copy_file(b->s.path, b->copy, length);
         struct bead_trajectory *t = NULL;
-        enum bead_error error = bead_trajectory_open(b->copy, NULL, 0, &t, &msg);
+        enum bead_error error = bead_trajectory_open(b->copy, NULL, &t, &msg);
         if (error != BEAD_ERROR_FORMAT || t)
             fail_msg("%ld bytes of %ld: error %d", length, size, (int)error);
         assert_true(strncmp(msg.text, b->copy, strlen(b->copy)) == 0 && !strchr(msg.text, '\n'));
@@ -85,7 +85,7 @@ static void bytes_changed(void **state)
         }
         fclose(file);
         struct bead_trajectory *t = NULL;
-        if (bead_trajectory_open(b->copy, NULL, 0, &t, &msg))
+        if (bead_trajectory_open(b->copy, NULL, &t, &msg))
             continue;
         size_t samples = bead_grid_count(bead_trajectory_grid(t));
         struct bead_sample sample;
@@ -323,7 +323,7 @@ static void one_thing_wrong(void **state)
         {no_spacing, "times are not valid"},
         {infinite_end, "times are not valid"},
         {text_spacing, "every is missing or of a wrong kind"},
-        {unknown_field, "unknown kind"},
+        {unknown_field, "unknown field"},
         {no_bead, "no bead"},
         {missing_field, "no /particles/chain/velocity/value"},
         {scene_is_a_number, "scene must be a text"},
@@ -379,11 +379,12 @@ static void settings_reach_the_scene(void **state)
     struct bead_message msg = {""};
     struct bead_trajectory *t = NULL;
     static const char *const good[] = {"title=Another"}, *const wrong[] = {"titel=Another"};
-    if (bead_trajectory_open(b->s.path, good, 1, &t, &msg))
+    if (bead_trajectory_open(b->s.path, &(struct bead_overrides){.settings = good, .setting_count = 1}, &t, &msg))
         fail_msg("%s", msg.text);
     assert_string_equal(bead_trajectory_scene(t)->title, "Another");
     bead_trajectory_close(t);
-    assert_int_equal(bead_trajectory_open(b->s.path, wrong, 1, &t, &msg), BEAD_ERROR_SCENE);
+    assert_int_equal(bead_trajectory_open(b->s.path, &(struct bead_overrides){.settings = wrong, .setting_count = 1}, &t, &msg),
+                     BEAD_ERROR_SCENE);
     assert_null(t);
 }
 

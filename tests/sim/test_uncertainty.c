@@ -32,8 +32,8 @@ static void strong_answers_spread(void **state)
     struct bead_peak peaks[81], comparison[81];
     double u[81];
     for (size_t i = 0; i < 81; i++) {
-        peaks[i] = (struct bead_peak){10, 1e-3, false};
-        comparison[i] = (struct bead_peak){i == 0 ? 10 * (1 + 1e-3) : 10 * (1 + 1e-6), 1e-3, false};
+        peaks[i] = (struct bead_peak){10, 1e-3, false, false};
+        comparison[i] = (struct bead_peak){i == 0 ? 10 * (1 + 1e-3) : 10 * (1 + 1e-6), 1e-3, false, false};
     }
     const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, damped = {1e-6, 30, true, 0}, step = {0, 2, false, 0};
     const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 81, u}, {NULL, NULL, 0, NULL}};
@@ -53,8 +53,9 @@ static void strong_answers_spread(void **state)
 static void usual_answers_do_not_spread(void **state)
 {
     (void)state;
-    const struct bead_peak peaks[] = {{10, 1e-3, false}, {10, 1e-3, false}, {10, 1e-3, false}};
-    const struct bead_peak comparison[] = {{10, 1e-3, false}, {10 * (1 + 5e-6), 1e-3, false}, {10 * (1 + 3e-6), 1e-3, false}};
+    const struct bead_peak peaks[] = {{10, 1e-3, false, false}, {10, 1e-3, false, false}, {10, 1e-3, false, false}};
+    const struct bead_peak comparison[] = {
+        {10, 1e-3, false, false}, {10 * (1 + 5e-6), 1e-3, false, false}, {10 * (1 + 3e-6), 1e-3, false, false}};
     const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, fine = {1e-4, 30, false, 0};
     double u[3];
     const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 3, u}, {NULL, NULL, 0, NULL}};
@@ -71,8 +72,8 @@ static void usual_answers_do_not_spread(void **state)
 static void what_comes_behind_the_end_of_either_is_not_compared(void **state)
 {
     (void)state;
-    const struct bead_peak peaks[] = {{10, 1e-3, false}, {10, 2e-3, false}};
-    const struct bead_peak comparison[] = {{10 * (1 + 1e-6), 1e-3, false}, {20, 3e-3, false}};
+    const struct bead_peak peaks[] = {{10, 1e-3, false, false}, {10, 2e-3, false, false}};
+    const struct bead_peak comparison[] = {{10 * (1 + 1e-6), 1e-3, false, false}, {20, 3e-3, false, false}};
     const struct bead_uncertainty_of of = {1e-6, 30, false, 2.5e-3};
     double u[2];
     const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 2, u}, {NULL, NULL, 0, NULL}};

@@ -99,7 +99,7 @@ static inline void take_outcome(struct trial *trial, struct bead_run *run, const
     trial->momentum = fabs(outcome.momentum_end / outcome.momentum_start - 1);
     trial->step = outcome.step;
     trial->steps = outcome.steps;
-    trial->hash = bead_run_hash(run);
+    trial->hash = bead_run_work(run).hash;
     trial->contacts = chain->contacts;
     trial->peaks = malloc(chain->contacts * sizeof *trial->peaks);
     for (size_t k = 0; trial->peaks && k < chain->contacts; k++)
@@ -120,7 +120,7 @@ static inline struct trial try_chain(const struct bead_chain *chain, struct bead
     while (!trial.error && trial.in_time && bead_run_time(run) < settings.end &&
            !(settings.passage && !isnan(bead_run_arrival(run)))) {
         trial.error = bead_run_step(run, &trial.message);
-        trial.in_time = bead_run_steps(run) < MOST_STEPS && cpu_seconds() - start < most_seconds;
+        trial.in_time = bead_run_work(run).steps < MOST_STEPS && cpu_seconds() - start < most_seconds;
     }
     if (!trial.error)
         take_outcome(&trial, run, chain);

@@ -94,7 +94,7 @@ __attribute__((visibility("default"))) int __libc_start_main(int (*main)(int, ch
     return start(run_program, argc, argv, init, fini, rtld_fini, stack_end);
 }
 
-#ifndef __SANITIZE_ADDRESS__ /* it has allocators of its own */
+#ifndef FAIL_ALLOC_SANITIZED
 static bool own(const void *caller)
 {
     uintptr_t from = (uintptr_t)caller;

@@ -3,6 +3,15 @@
 #ifndef BEADREEL_TESTS_FAIL_ALLOC_H
 #define BEADREEL_TESTS_FAIL_ALLOC_H
 
+/* Address sanitizers have allocators of their own; gcc and clang say differently that there is one. */
+#if defined __SANITIZE_ADDRESS__
+#define FAIL_ALLOC_SANITIZED
+#elif defined __has_feature
+#if __has_feature(address_sanitizer)
+#define FAIL_ALLOC_SANITIZED
+#endif
+#endif
+
 /* From now on the `at`-th allocation of the program's own code fails, once; 0: none. */
 void fail_alloc_begin(long at);
 

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Play: one chain in time, into functions of the caller. No file is written.
+ *
+ *   struct bead_player_settings settings;
+ *   BEAD_DEFAULT(&settings);
+ *   settings.chain = chain; settings.contact_peaks = true;
+ *   err = bead_player_create(&settings, &player, &msg);
+ *   err = bead_player_until(player, 1e-4, &msg);       as often as wanted; INFINITY: until the run is over
+ *   err = bead_player_step(player, &msg);              or step by step
+ *   err = bead_player_finish(player, &outcome, &msg);  peaks, and how well they are known
+ *   bead_player_destroy(player);
+ *
+ * Sessions play their chains with the same loop and give the same numbers, to the bit. All numbers are in SI units. A player is
+ * used by one thread at a time; several players may share a chain. Calls out of order, such as a step after the end, return USAGE
+ * and change nothing. After STOPPED a player may go on or be finished; after any other error it can only be destroyed, and every
+ * other call fails with the first error's message. */
+#ifndef BEADREEL_PLAY_H
+#define BEADREEL_PLAY_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/error.h"
+#include "beadreel/peaks.h"
+#include "beadreel/sample.h"
+
+BEAD_BEGIN
+
+struct bead_chain; /* chain.h */
+
+/* Told now and then (at most some ten times a second) while a session runs. */
+struct bead_progress {
+    const char *what; /* "scouting", "simulating", "drawing beads.mp4" */
+    double done;      /* 0..1 */
+    double time;      /* s of physical time reached; NaN: not one time */
+    double items;     /* things done so far; 0: not counted */
+    const char *item; /* "chains" */
+};
+
+struct bead_player_settings {
+    size_t size;                    /* of this structure: BEAD_DEFAULT */
+    const struct bead_chain *chain; /* must outlive the player */
+    double until;       /* s, end of the run; 0: as the chain's scene says, or when the first pulse has passed the end */
+    double accuracy;    /* relative error of first-passage peaks; 0: as the chain's scene says, or 1e-6 */
+    const char *method; /* a name of --list methods; NULL: as the chain's scene says, or chosen by the library */
+    double step;        /* s; 0: follows from accuracy */
+    bool contact_peaks, bead_peaks; /* wanted in the outcome */
+    bool uncertainty;               /* of these peaks: a comparison run is made when the player is finished */
+    /* Samples for the caller: fields (BEAD_FIELD_BITs) of all beads at 0, every, 2 every, ... s. An error that `take` returns ends
+     * the call that played, which returns it. NULL: none. */
+    enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg);
+    void *context;
+    unsigned fields;
+    double every;
+    const volatile sig_atomic_t *stop; /* non-zero: playing ends soon, with STOPPED; may be NULL */
+    void (*progress)(void *context, const struct bead_progress *progress); /* may be NULL */
+    void *progress_context;
+    const char *instructions; /* as in bead_job */
+};
+
+struct bead_player;
+
+/* On failure *player is NULL. Errors: USAGE (settings), SCENE (method or step does not suit the chain), MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_player_create(const struct bead_player_settings *settings, struct bead_player **player,
+                                                       struct bead_message *msg);
+/* Make one step, whose length the library chooses, and deliver the samples within it. Errors: those of `until`. */
+BEAD_API BEAD_CHECK enum bead_error bead_player_step(struct bead_player *player, struct bead_message *msg);
+/* Play to the end of the step that reaches `time`, or to the end of the run if that comes first, and deliver all samples up to
+ * `time`. Errors: NUMBERS, MEMORY, STOPPED, those of `take`, USAGE (finished). */
+BEAD_API BEAD_CHECK enum bead_error bead_player_until(struct bead_player *player, double time, struct bead_message *msg);
+/* End of the last step, s. */
+BEAD_API double bead_player_time(const struct bead_player *player);
+/* Has the run come to its end, or been finished? */
+BEAD_API bool bead_player_is_over(const struct bead_player *player);
+/* The state now: fields (BEAD_FIELD_BITs) of all beads. Arrays are the player's, valid until its next call. Errors: NUMBERS,
+ * MEMORY, USAGE (finished). */
+BEAD_API BEAD_CHECK enum bead_error bead_player_sample(struct bead_player *player, unsigned fields, struct bead_sample *sample,
+                                                       struct bead_message *msg);
+/* End the run where it is, once. *outcome is the player's, valid until it is destroyed. Errors: NUMBERS, MEMORY, STOPPED, USAGE. */
+BEAD_API BEAD_CHECK enum bead_error bead_player_finish(struct bead_player *player, const struct bead_outcome **outcome,
+                                                       struct bead_message *msg);
+BEAD_API void bead_player_destroy(struct bead_player *player); /* NULL is allowed */
+
+BEAD_END
+
+#endif

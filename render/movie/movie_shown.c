@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The fields, beads and values that a film shows of its chains; and the interest of a frame, by which sinks choose the poster. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "render/movie/composer_private.h"
+
+/* Fields of views that show all times, or of all views. */
+static unsigned composer_fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
+{
+    const struct bead_view_setup setup = {.chain = chain, .field = output->shown.field, .fill = true};
+    unsigned fields = 0;
+    for (size_t i = 0; i < output->views.count; i++) {
+        const struct bead_view_type *type;
+        if (!bead_view_take(&output->views, i, &type, NULL))
+            fields |= (!all_times || bead_view_has(type, BEAD_SHOWS_ALL_TIMES)) ? type->fields(&setup) : 0;
+    }
+    return fields;
+}
+
+unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain)
+{
+    unsigned fields = composer_fields_of(output, chain, false);
+    return fields | (output->movie.follow == BEAD_FOLLOW_FRONT ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
+}
+
+unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain)
+{
+    return output->shown.trust ? composer_fields_of(output, chain, true) : 0;
+}
+
+bool bead_composer_averages(const struct bead_output *output)
+{
+    return bead_views_any(&output->views, BEAD_SHOWS_ALL_TIMES);
+}
+
+static struct bead_span within(struct bead_span span, size_t count)
+{
+    span.last = span.last < count ? span.last : count - 1;
+    span.first = span.first < span.last ? span.first : span.last;
+    return span;
+}
+
+struct bead_span bead_composer_span(const struct bead_composer *c, size_t chain)
+{
+    const struct bead_output *output = c->setup.output;
+    const struct bead_chain *own = c->setup.chains[chain];
+    bool contacts = bead_field_info(output->shown.field)->of_contacts;
+    return within(output->shown.beads, contacts ? bead_chain_contacts(own) : bead_chain_beads(own));
+}
+
+struct bead_span bead_composer_beads(const struct bead_composer *c, size_t chain)
+{
+    return within(c->setup.output->shown.beads, bead_chain_beads(c->setup.chains[chain]));
+}
+
+/* ---- interest: the difference between chains, or the values that a single chain shows ---- */
+
+enum bead_error bead_interest_open(struct bead_composer *c, struct bead_message *msg)
+{
+    for (size_t i = 0; i < c->setup.chain_count; i++) {
+        struct bead_span span = bead_composer_span(c, i);
+        size_t count = span.last - span.first + 1;
+        c->fed_room = count > c->fed_room ? count : c->fed_room;
+    }
+    c->fed = calloc(c->setup.chain_count * c->fed_room, sizeof *c->fed);
+    return c->fed ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
+}
+
+void bead_interest_feed(struct bead_composer *c, const struct bead_sample *sample)
+{
+    const double *value = sample->field[c->setup.output->shown.field];
+    struct bead_span span = bead_composer_span(c, sample->chain);
+    if (value)
+        memcpy(c->fed + sample->chain * c->fed_room, value + span.first, (span.last - span.first + 1) * sizeof *value);
+}
+
+/* Root of the sum, over the beads, of the squared deviations of the chains from their mean. */
+static double difference(const struct bead_composer *c)
+{
+    double sum = 0;
+    for (size_t i = 0; i < c->fed_room; i++) {
+        double mean = 0;
+        for (size_t chain = 0; chain < c->setup.chain_count; chain++)
+            mean += c->fed[chain * c->fed_room + i] / (double)c->setup.chain_count;
+        for (size_t chain = 0; chain < c->setup.chain_count; chain++)
+            sum += pow(c->fed[chain * c->fed_room + i] - mean, 2);
+    }
+    return sqrt(sum);
+}
+
+/* Mean distance from zero along the colour bar, weighted by how far views of all times have filled. */
+static double shown(const struct bead_composer *c, double time)
+{
+    double passed = (time - c->setup.time[0]) / (c->setup.time[1] - c->setup.time[0]), sum = 0;
+    double zero = fmin(1, fmax(0, bead_colours_place(&c->colours, 0)));
+    for (size_t i = 0; i < c->fed_room; i++)
+        sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, c->fed[i]))) - zero);
+    return (bead_composer_averages(c->setup.output) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
+}
+
+double bead_composer_interest(const struct bead_composer *c, double time)
+{
+    return !c->fed ? 0 : c->setup.chain_count > 1 ? difference(c) : shown(c, time);
+}

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Common to the kinds of plots: panels, their headings, and curves that can be told apart. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "render/draw/markup.h"
+#include "render/draw/names.h"
+#include "render/draw/quantity.h"
+#include "render/plot/plot_private.h"
+
+bool plot_shows(const struct bead_plot_data *data, size_t chain)
+{
+    return data->chain == SIZE_MAX || data->chain == chain;
+}
+
+void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size)
+{
+    const struct bead_chain *chain = data->context.chains[number];
+    char name[300], value[32], magnetism[64] = "";
+    bead_markup_quote(bead_chain_title(chain), name, sizeof name);
+    if (*bead_chain_spins(chain)) {
+        const int decimals = bead_magnetism_decimals(data->context.chains, data->context.chain_count);
+        bead_number(bead_chain_magnetism(chain), decimals, value, sizeof value);
+        snprintf(magnetism, sizeof magnetism, "*M*\u00a0=\u00a0%s", value);
+    }
+    snprintf(text, size, "%s%s%s", name, *name && *magnetism ? ", " : "", magnetism);
+}
+
+void plot_tell_apart(struct bead_series *series, size_t index)
+{
+    enum { COLOURS = 6 };
+    size_t round = index / BEAD_DASHES;
+    series->colour = index % COLOURS;
+    series->dash = (series->mark == BEAD_MARK_LINE ? index : index + round) % BEAD_DASHES;
+    series->shape = index % BEAD_SHAPES;
+    if (series->mark == BEAD_MARK_LINE && round > 0) { /* more curves than dashes: with marks, too */
+        series->mark = BEAD_MARK_LINE_POINTS;
+        series->shape = (round - 1) % BEAD_SHAPES;
+    }
+}
+
+enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg)
+{
+    data->parts = calloc(panels + 1, sizeof *data->parts);
+    data->panels = calloc(panels + 1, sizeof *data->panels);
+    if (!data->parts || !data->panels)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    for (size_t p = 0; p < panels; p++)
+        data->panels[p].title = data->parts[p].title;
+    return BEAD_OK;
+}
+
+enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_t series, size_t values, struct bead_message *msg)
+{
+    struct plot_panel *part = &data->parts[p];
+    part->series = calloc(series + 1, sizeof *part->series);
+    part->labels = calloc(series + 1, sizeof *part->labels);
+    part->values = calloc(values + 1, sizeof *part->values);
+    if (!part->series || !part->labels || !part->values)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    data->panels[p].series = part->series;
+    data->panels[p].series_count = series;
+    return BEAD_OK;
+}
+
+enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg)
+{
+    enum bead_error err = plot_reserve(data, data->context.chain_count, msg);
+    for (size_t c = 0; !err && c < data->context.chain_count; c++) {
+        if (!plot_shows(data, c))
+            continue;
+        struct plot_panel *part = &data->parts[data->count];
+        part->chain = c;
+        bead_markup_quote(bead_chain_title(data->context.chains[c]), part->title, sizeof part->title);
+        err = plot_reserve_series(data, data->count++, series, values, msg);
+    }
+    return err;
+}

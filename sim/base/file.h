@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Files that appear whole or not at all: written as `name.part`, renamed to `name` when they are finished.
+ *
+ *   bead_file_join(directory, output->path, &path, msg);
+ *   bead_file_part_name(path, &part, msg);
+ *   ... write `part`, close it ...
+ *   bead_file_commit(part, path, msg);     or   bead_file_discard(part);
+ *   free(part); free(path);
+ *
+ * or, where one function writes it all, bead_file_write(path, fill, context, &bytes, msg).
+ *
+ * Messages of IO errors begin with the path. */
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "beadreel/sink.h"
+#include "sim/base/internal.h"
+
+/* Does `path` stay in the directory that it is seen from: is it relative, without `..`? */
+BEAD_INTERNAL bool bead_file_is_inside(const char *path);
+/* Name of the unfinished file: `path` and ".part"; of names that the file system would find too long then, the beginning, a
+ * fingerprint of the name, and ".part". *part belongs to the caller (free). Errors: MEMORY. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
+/* Open `part` for reading and writing as it is, or new: a descriptor that the caller closes; -1 on failure. Never through a
+ * symbolic link, never anything but a regular file, so that nothing else is overwritten and a FIFO does not block. `created` (may
+ * be NULL): it was not there. Errors: IO. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg);
+/* Open `part` for writing, emptied; opened as above. On failure *file is NULL and no new file is left. Errors: IO. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);
+/* Flush and close `file`, reporting any write error since it was opened (a full disk, say). Closes it in any case. Errors: IO. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg);
+/* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO.
+ */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
+/* Open `part` as bead_file_open does, and lock it (flock) until the descriptor is closed, as the unfinished file of `path`. Errors:
+ * USAGE (another run is writing it), IO. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_lock(const char *part, const char *path, int *descriptor, bool *created,
+                                                        struct bead_message *msg);
+
+/* A claim on a file that a run is going to write: its unfinished file is locked (flock) until the claim is released, so that of two
+ * runs with the same output the second is refused before it has touched anything.
+ *
+ *   bead_file_claim(path, &claim, msg);    ... write and commit `path` as above ...    bead_file_release(claim, false); */
+struct bead_claim;
+
+/* Errors: USAGE (another run is writing it), IO, MEMORY. On failure *claim is NULL and nothing has changed. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, struct bead_message *msg);
+/* Unlock; an unfinished file that this claim made and nobody has renamed is removed, unless it is to be kept. NULL: nothing
+ * happens.
+ */
+BEAD_INTERNAL void bead_file_release(struct bead_claim *claim, bool keep);
+
+/* Remove `part` (NULL, or not there: nothing happens). */
+BEAD_INTERNAL void bead_file_discard(const char *part);
+/* A directory for files, with those on the way; NULL or "": nothing to do. Errors: IO. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
+/* The directory of the file `path`, with those on the way. Errors: IO. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
+/* Bytes in the file, 0 where there is none. */
+BEAD_INTERNAL uint64_t bead_file_bytes(const char *path);
+
+/* The whole of a file of at most `most` bytes: it could be a device. *bytes end with a NUL more, and are to be freed; NULL on
+ * failure. Errors: IO, SCENE (too long), MEMORY. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t most, char **bytes, size_t *length,
+                                                        struct bead_message *msg);

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Kinds of outputs: the type of each says what it is called, which keys it has, how they are checked, and what sets the kind apart.
+ * Parser, help, messages, --set, --info and sessions ask the types. */
+#pragma once
+
+#include "sim/options/options.h"
+
+enum { BEAD_OUTPUT_CHECKS = 8 };
+
+/* A check of the keys of an output against each other and against its scene. */
+#define BEAD_OUTPUT_CHECK(name) \
+    enum bead_error name(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+
+/* The source of `-o FILE`. */
+enum bead_source_kind {
+    BEAD_OF_RUN,
+    BEAD_OF_CONFIGURATION, /* of a sweep, run again */
+    BEAD_OF_TRAJECTORY,
+    BEAD_OF_SWEEP,
+    BEAD_OF_CONFIGURATIONS, /* many of them: --sheet */
+    BEAD_SOURCES
+};
+
+struct bead_output_type {
+    /* Their first row is the kind's own key, which has the file as its value. */
+    const struct bead_options *options;               /* in scenes that are run once; NULL: the kind needs a sweep */
+    const struct bead_options *sweep_options;         /* in scenes with sweeps; NULL: it shows a single run */
+    BEAD_OUTPUT_CHECK((*checks[BEAD_OUTPUT_CHECKS])); /* in scenes that are run once, in this order; NULL behind the last */
+    BEAD_OUTPUT_CHECK((*check_sweep));                /* in scenes with sweeps; NULL: nothing to check */
+    bool shows;                                       /* has `show`: bead_output_show */
+    bool stores_samples;                              /* of a run: pictures can be drawn from its file */
+    bool stores_sweep;                                /* all results of a sweep */
+    bool draws;
+    bool shows_configurations;          /* of a sweep, or of a chain that could be one: --sheet */
+    const char *shown_of[BEAD_SOURCES]; /* what `show` is where a file name alone asks for it; NULL: its default */
+};
+
+/* The type of a kind, and its key: "image". */
+const struct bead_output_type *bead_output_type(enum bead_output_kind kind);
+const char *bead_output_key(enum bead_output_kind kind);
+/* The key that an output has, which of those of the program's own is their sink's name. */
+const char *bead_output_kind_name(const struct bead_output *output);
+/* The program's own sink for files that end so; NULL: none. */
+const struct bead_sink_type *bead_output_own_of(const struct bead_own *own, const char *file);
+/* The file endings of a kind: ".png, .pdf or .svg". */
+const char *bead_output_endings(enum bead_output_kind kind);
+/* Can outputs of a kind be made from it? */
+bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind source);
+/* The kind that a file's ending asks for: the first that can be made. BEAD_OUTPUT_KINDS: none. */
+enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kind source);
+/* The file that an output makes besides its own, as its path, and the key that asks for it; "": none. */
+const char *bead_output_second(const struct bead_output *output, const char **key);
+/* Does a file end like one of these? */
+bool bead_output_ends_like(const char *endings, const char *path);
+
+/* The contents of plots and tables: one row for each value of `show`. */
+struct bead_show_type {
+    const char *const *keys;      /* that it takes besides those of all plots and tables */
+    const char *why_not;          /* it takes no others */
+    const char *without_contacts; /* why it needs contacts; NULL: it does not */
+    unsigned ends;                /* bits of the kinds that need to know the end of the run before it starts */
+    bool drawing;                 /* of the scene, with keys of its own; nothing is computed */
+    bool modes;                   /* energies of modes */
+    bool of_field;                /* the output's `field` */
+    bool own_times;               /* no samples but its own are close enough */
+};
+const struct bead_show_type *bead_show_type(enum bead_show show);
+/* The row of the output's `show`; NULL: its kind has no such key. */
+const struct bead_show_type *bead_output_show(const struct bead_output *output);
+
+/* All tables of outputs, those of panels last; NULL behind them. */
+const struct bead_options *bead_output_options(size_t index);
+
+/* Panels have the keys of images or plots but for those of files. */
+extern const struct bead_option_family bead_output_family;
+extern const struct bead_options bead_image_panel_options, bead_plot_panel_options, bead_panel_options;
+/* Maps within the keys of movies. */
+extern const struct bead_options bead_caption_options, bead_speed_options, bead_card_options;

@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kind of output `movie`: its table of keys, readers and checks. */
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "sim/kinds/outputs.h"
+
+enum { MOST_BEADS = 200000000 }; /* more than there may be */
+
+static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
+static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", NULL};
+static const char *const types[] = {"normal", "large", NULL};
+static const char *const follows[] = {"all", "front", NULL};
+
+static enum bead_error read_end(struct bead_reader *reader, const struct bead_at *at, double *end)
+{
+    static const struct bead_option time = {BEAD_TIME_OF_MOTION};
+    enum bead_error err = bead_not_beside(reader, at, "time");
+    return err ? err : bead_read_number(reader, at, &time, end);
+}
+
+static BEAD_OPTION_READER(read_from)
+{
+    return read_end(reader, at, &((struct bead_output *)settings)->shown.time[0]);
+}
+
+static BEAD_OPTION_READER(read_until)
+{
+    return read_end(reader, at, &((struct bead_output *)settings)->shown.time[1]);
+}
+
+/* A word, followed by a number or a name where it needs one. */
+static BEAD_OPTION_READER(read_sound)
+{
+    struct bead_sound_asked *sound = &((struct bead_output *)settings)->movie.sound;
+    static const char contact[] = "contact ", sensor[] = "sensor ";
+    const char *text = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "";
+    char *end = NULL;
+    if (strcmp(text, "off") == 0 || strcmp(text, "wall") == 0) {
+        sound->of = strcmp(text, "wall") == 0 ? BEAD_SOUND_WALL : BEAD_SOUND_OFF;
+        return BEAD_OK;
+    }
+    if (strncmp(text, contact, strlen(contact)) == 0 && isdigit((unsigned char)text[strlen(contact)])) {
+        unsigned long long number = strtoull(text + strlen(contact), &end, 10);
+        sound->of = BEAD_SOUND_CONTACT;
+        sound->contact = number < MOST_BEADS ? (size_t)number : MOST_BEADS;
+        if (!*end)
+            return BEAD_OK;
+    }
+    if (strncmp(text, sensor, strlen(sensor)) == 0 && text[strlen(sensor)]) {
+        sound->of = BEAD_SOUND_SENSOR;
+        sound->sensor = strdup(text + strlen(sensor));
+        return sound->sensor ? BEAD_OK : bead_no_memory(reader);
+    }
+    return bead_must_be(reader, at, option->shape);
+}
+
+static BEAD_OPTION_READER(read_poster)
+{
+    struct bead_output *output = settings;
+    char shown[64];
+    enum bead_error err = bead_read_text(reader, at, &output->movie.poster);
+    if (err)
+        return err;
+    if (strcmp(output->movie.poster, "none") == 0) {
+        output->movie.poster[0] = '\0';
+        return BEAD_OK;
+    }
+    const char *slash = strrchr(output->movie.poster, '/'), *base = slash ? slash + 1 : output->movie.poster,
+               *dot = strrchr(base, '.');
+    if (!dot || dot == base || strcasecmp(dot, ".png") != 0)
+        return bead_wrong(reader, at, "is `%s`; must be none or the name of a .png file",
+                          bead_text_show(output->movie.poster, shown, sizeof shown));
+    return BEAD_OK;
+}
+
+static const struct bead_option movie_rows[] = {
+    BEAD_FILE_ROW("movie", "FILE.mp4, .mov, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
+    {"size", BEAD_OPTION_CUSTOM, .initial = "[1920, 1080]", .shape = "[width, height] in pixels, 1 to 32768", .like = "[2 number]",
+     .read = bead_output_read_frame_size, .help = "size of the frame", .example = "[1280, 720]"},
+    {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
+     .like = "text", .read = bead_output_read_colormap,
+     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno", .example = "batlow"},
+    {"views", BEAD_OPTION_CUSTOM, .initial = "[beads, profile, spacetime]", .shape = BEAD_VIEWS_LISTED "in a list",
+     .like = "[text]", .read = bead_output_read_views, .help = "the views, from top to bottom", .example = "[beads, spacetime]"},
+    {"layout", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.layout), .initial = "auto", .choices = layouts,
+     .help = "arrangement of the chains. stacked: below each other; columns: side by side; grid: both; overlay: one axis for the "
+             "profiles of all chains, in their colours; beside: the space-time images at the right of the other views; auto: what "
+             "leaves most to see in a frame of this shape, and overlay where `views` is profile alone"},
+    {"type", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.type), .initial = "normal", .choices = types,
+     .help = "size of the letters. normal: labels have 3 % of the frame's shorter side; large: 4 %, for the last row of a lecture "
+             "hall"},
+    {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(movie.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
+     .help = "how many modes the view `modes` shows", .example = "4"},
+    {"fps", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.fps), .initial = "60", .low = 1, .high = 240,
+     .help = "frames per second; a GIF has at most 50, its delays being whole hundredths of a second of which players want two: of "
+             "more, every second frame is in it, or every third and so on",
+     .example = "30"},
+    {"duration", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.duration), .unit = "s", .initial = "10 s", .low = 0.01, .high = 36000,
+     .help = "how long the movie shows the motion; a title card adds to it", .example = "15 s"},
+    {"speed", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
+     .like = "[outputs.speed]", .read = bead_output_read_speeds,
+     .help = "how fast time passes, instead of `duration`: see outputs.speed",
+     .example = "[{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]"},
+    {"captions", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",
+     .like = "[outputs.captions]", .read = bead_output_read_captions,
+     .help = "texts below the picture, in mp4, mov, mkv and webm also chapters and subtitles: see outputs.captions",
+     .example = "[{at: 0.2 ms, text: The front has left the striker}]"},
+    {"card", BEAD_OPTION_CUSTOM, .initial = "false", .shape = "true, false, a time such as 3 s, or a map",
+     .like = "flag|number|outputs.card", .read = bead_output_read_card,
+     .help = "title card before the motion; true: for 3 s. See outputs.card", .example = "true"},
+    {"sound", BEAD_OPTION_CUSTOM, .initial = "off", .shape = "off, wall, contact NUMBER or sensor NAME", .like = "text",
+     .read = read_sound,
+     .help = "what is heard, slowed like the picture: the force on the wall, of a contact (0 is that of the striker) or on the "
+             "bead with a sensor; silent in title cards and pauses, just below full level at its largest, several chains from left "
+             "to right. AAC in mp4 and mov, Opus in webm and mkv. A pulse that takes a tenth of a second is felt rather than "
+             "heard: `speed` with factors of 1/100 to 1/10 makes tones of contacts' vibrations",
+     .example = "wall"},
+    {"follow", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.follow), .initial = "all", .choices = follows,
+     .help = "what beads and profile show: all beads, or a window that moves with the front of each chain; spacetime marks the "
+             "window. Give long chains long movies: the eye cannot follow more than half a bead per frame"},
+    {"window", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(movie.window), .initial = "40", .low = 4, .high = 1000,
+     .help = "most beads that `follow: front` shows", .example = "30"},
+    {"poster", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none or FILE.png", .like = "text", .read = read_poster,
+     .help = "one frame as a picture; in mp4 files also the cover", .example = "poster.png"},
+    {"poster-at", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.poster_at), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto",
+     .word_value = NAN,
+     .help = "time of the motion that the poster shows; auto: when the chains differ most, or where there is one, when there is "
+             "most to see",
+     .example = "0.8 ms"},
+    {"quality", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.quality), .initial = "standard", .choices = qualities,
+     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture "
+             "that does not change for as long as that lasts: a variable rate, while all others have a constant one"},
+};
+/* After `time`, of which they are parts. */
+static const struct bead_option span_rows[] = {
+    {"from", BEAD_OPTION_CUSTOM, .shape = "a time of the motion such as 0.2 ms", .like = "number", .read = read_from,
+     .help = "when the movie begins; default: with the run", .example = "0.2 ms"},
+    {"until", BEAD_OPTION_CUSTOM, .shape = "a time of the motion such as 1.5 ms", .like = "number", .read = read_until,
+     .help = "when it ends; default: with the run. `time: [0.2 ms, 1.5 ms]` says both", .example = "1.5 ms"},
+};
+static const struct bead_option_rows movie_shared[] = {
+    {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(span_rows)},
+    {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+    {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_theme_rows)},
+    {BEAD_OPTIONS(bead_axes_row)},    {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
+static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
+                                                  movie_shared, &bead_output_family};
+
+/* Profiles on one axis show all beads of chains that have such an axis. */
+static BEAD_OUTPUT_CHECK(check_layout)
+{
+    bool profile = bead_views_any(&output->views, BEAD_OVERLAYS);
+    bool image = bead_views_any(&output->views, BEAD_SHOWS_IMAGE);
+    if (output->movie.layout == BEAD_LAYOUT_OVERLAY && !profile)
+        return BEAD_WRONG_KEY(reader, at, "layout", "is overlay, but `views` has no profile");
+    if (output->movie.layout == BEAD_LAYOUT_OVERLAY && output->movie.follow == BEAD_FOLLOW_FRONT)
+        return BEAD_WRONG_KEY(reader, at, "layout", "is overlay, but with `follow: front` each profile has a window of its own");
+    if (output->movie.layout == BEAD_LAYOUT_BESIDE && (!image || output->views.count < 2))
+        return BEAD_WRONG_KEY(reader, at, "layout", "is beside, but `views` has not spacetime and another view");
+    return BEAD_OK;
+}
+
+static BEAD_OUTPUT_CHECK(check_movie)
+{
+    bool moves = bead_views_any(&output->views, BEAD_FOLLOWS_FRONT);
+    if (!bead_scene_system(reader->scene)->has_striker && output->movie.follow == BEAD_FOLLOW_FRONT)
+        return BEAD_WRONG_KEY(reader, at, "follow", "is set, but there is no front to follow: only beads at rest have one");
+    if (output->movie.follow != BEAD_FOLLOW_FRONT && bead_given(at, "window"))
+        return BEAD_WRONG_KEY(reader, at, "window", "belongs to `follow: front`");
+    if (output->movie.follow == BEAD_FOLLOW_FRONT && !moves)
+        return BEAD_WRONG_KEY(reader, at, "follow", "is front, but no view moves with it: add beads or profile to `views`");
+    if (!bead_scene_system(reader->scene)->has_contacts && output->movie.sound.of != BEAD_SOUND_OFF)
+        return BEAD_WRONG_KEY(reader, at, "sound", "is set, but only contacts of beads have forces to hear");
+    if (!isnan(output->movie.poster_at) && !output->movie.poster[0])
+        return BEAD_WRONG_KEY(reader, at, "poster-at", "is given, but no `poster`");
+    if (output->movie.poster_at > fmin(reader->scene->simulate.until, output->shown.time[1]) ||
+        output->movie.poster_at < output->shown.time[0])
+        return BEAD_WRONG_KEY(reader, at, "poster-at", "is %g%s; must be a time that the movie shows", output->movie.poster_at,
+                              *bead_scene_system(reader->scene)->time_unit ? " s" : "");
+    return BEAD_OK;
+}
+
+const struct bead_output_type bead_movie_output = {.options = &movie_options,
+                                                   .checks = {bead_output_check_field, bead_output_check_views,
+                                                              bead_output_check_times, bead_output_check_trust, check_movie,
+                                                              check_layout, bead_output_check_captions},
+                                                   .draws = true};

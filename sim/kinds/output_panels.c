@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `panels` of images and plots: the keys of a panel, the rows of them, and checks. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/suggest.h"
+#include "sim/kinds/outputs.h"
+
+enum { MOST_ROWS = 8, MOST_COLUMNS = 8 };
+
+static BEAD_OPTION_READER(read_chain)
+{
+    const struct bead_scene *scene = reader->scene;
+    struct bead_output *output = settings;
+    struct bead_suggest search;
+    const char *name = NULL;
+    char shown[64], near[96];
+    enum bead_error err = bead_read_scalar(reader, at, option->shape, &name);
+    if (err)
+        return err;
+    if (reader->unsound)
+        return BEAD_OK;
+    bead_suggest_begin(&search, name);
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        output->panel.chain = c;
+        if (strcmp(scene->chains[c].name, name) == 0)
+            return BEAD_OK;
+        bead_suggest_try(&search, scene->chains[c].name);
+    }
+    output->panel.chain = SIZE_MAX;
+    if (strcmp(name, "all") == 0)
+        return BEAD_OK;
+    return bead_wrong(reader, at, "%s is not the name of a chain%s", bead_node_show(at->node, shown, sizeof shown),
+                      bead_suggest_text(&search, near, sizeof near));
+}
+
+static const struct bead_option panel_rows[] = {
+    {"chain", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(panel.chain), .initial = "all", .shape = "all, or the name of a chain",
+     .like = "text", .read = read_chain, .help = "in panels: the chain whose waves are shown", .example = "clean"},
+    {"title", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(panel.title),
+     .help = "in panels: heading, instead of the name of the chain; set like `caption`", .example = "Peak forces"},
+};
+
+static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_field_row)},
+                                                             {BEAD_OPTIONS(bead_time_row)},
+                                                             {BEAD_OPTIONS(bead_beads_row)},
+                                                             {BEAD_OPTIONS(bead_every_row)},
+                                                             {BEAD_OPTIONS(bead_colormap_row)},
+                                                             {BEAD_OPTIONS(bead_image_rows)},
+                                                             {BEAD_OPTIONS(bead_range_row)},
+                                                             {BEAD_OPTIONS(bead_magnify_row)},
+                                                             {BEAD_OPTIONS(bead_trust_row)},
+                                                             {BEAD_OPTIONS(bead_orientation_row)},
+                                                             {NULL, 0}};
+const struct bead_options bead_image_panel_options = {NULL, "a panel that is an image", BEAD_OPTIONS(panel_rows),
+                                                      image_panel_shared, &bead_output_family};
+
+static const struct bead_option_rows plot_panel_shared[] = {{BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(bead_plot_rows)},
+                                                            {BEAD_OPTIONS(bead_time_row)},    {BEAD_OPTIONS(bead_every_row)},
+                                                            {BEAD_OPTIONS(bead_trust_row)},   {NULL, 0}};
+const struct bead_options bead_plot_panel_options = {NULL, "a panel that is a plot", BEAD_OPTIONS(panel_rows), plot_panel_shared,
+                                                     &bead_output_family};
+const struct bead_options bead_panel_options = {"outputs.panels",
+                                                "a panel takes the keys of an image, or with `show` those of a plot, and these",
+                                                BEAD_OPTIONS(panel_rows), NULL, NULL};
+
+static BEAD_OUTPUT_CHECK(check_show)
+{
+    return bead_output_check_show(reader, at, output, &bead_plot_panel_options);
+}
+
+static const struct bead_output_type image_panel = {.options = &bead_image_panel_options,
+                                                    .checks = {bead_output_check_field, bead_output_check_still_views,
+                                                               bead_output_check_times, bead_output_check_moment,
+                                                               bead_output_check_trust}};
+static const struct bead_output_type plot_panel = {
+    .options = &bead_plot_panel_options,
+    .checks = {bead_output_check_times, bead_output_check_drawing, check_show, bead_output_check_plot_trust}};
+
+static enum bead_error read_panel(struct bead_reader *reader, const struct bead_at *at, size_t row, struct bead_output *panel)
+{
+    if (at->node->kind != BEAD_NODE_MAP)
+        return bead_must_be(reader, at, "a map such as {field: force}");
+    bool plot = bead_node_get(at->node, "show", NULL) != NULL;
+    *panel = bead_output_automatic;
+    panel->kind = plot ? BEAD_OUTPUT_PLOT : BEAD_OUTPUT_IMAGE;
+    panel->file = reader->scene->file;
+    panel->node = at->node;
+    panel->panel.row = row;
+    enum bead_error err = bead_output_read_settings(reader, at, plot ? &plot_panel : &image_panel, panel);
+    if (!err && plot && bead_show_type(panel->curves.show)->drawing)
+        return BEAD_WRONG_KEY(
+            reader, at, "show",
+            "panels show sensors, peaks, modes or profiles; this needs a picture of its own: {plot: FILE, show: %s}",
+            bead_at_key(at, "show").node->text);
+    bool sensors = plot ? panel->curves.show == BEAD_SHOW_SENSORS : bead_views_any(&panel->views, BEAD_SHOWS_SENSORS);
+    if (!err && !reader->unsound && sensors && !bead_scene_has_sensors(reader->scene, panel->panel.chain))
+        err = BEAD_WRONG_KEY(reader, at, "chain", "has no bead with a `sensor` that could be shown");
+    return err;
+}
+
+static BEAD_OPTION_READER(read_panels)
+{
+    struct bead_output *output = settings;
+    enum bead_error err = bead_need_list(reader, at, option->shape, MOST_ROWS, "entries");
+    if (err)
+        return err;
+    output->still.panels = calloc((size_t)MOST_COLUMNS * at->node->count, sizeof *output->still.panels);
+    if (!output->still.panels)
+        return bead_no_memory(reader);
+    for (size_t r = 0; !err && r < at->node->count; r++) {
+        struct bead_at row = bead_at_item(at, r);
+        err = bead_need_list(reader, &row, "a row: a list of panels such as [{field: force}, {field: velocity}]", MOST_COLUMNS,
+                             "entries");
+        for (size_t i = 0; !err && i < row.node->count; i++) {
+            struct bead_at panel = bead_at_item(&row, i);
+            err = read_panel(reader, &panel, r, &output->still.panels[output->still.panel_count++]);
+        }
+    }
+    return err;
+}
+
+/* Keys of pictures with panels. */
+const struct bead_option bead_panels_rows[2] = {
+    {"panels", BEAD_OPTION_CUSTOM,
+     .shape = "a list of rows, each a list of panels such as [{field: force, chain: clean}, {show: peaks}]",
+     .like = "[[outputs.panel]]", .read = read_panels,
+     .help = "several panels in one picture; a panel takes the keys of an image, or with `show` those of a plot, and `chain` and "
+             "`title`; panels of one field share range and colour bar",
+     .example = "[[{field: force, chain: clean}, {show: peaks}], [{field: velocity}]]"},
+    {"letters", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(still.letters), .initial = "true", .help = "(a), (b), ... at the panels"},
+};
+
+/* The first key of single panels that is given beside `panels`; NULL: none. */
+static const char *panel_key(const struct bead_at *at, const struct bead_options *options)
+{
+    const struct bead_option *row;
+    for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
+        if (bead_node_get(at->node, row->key, NULL))
+            return row->key;
+    }
+    return NULL;
+}
+
+BEAD_OUTPUT_CHECK(bead_output_check_panels)
+{
+    if (output->still.panel_count == 0 && bead_given(at, "letters"))
+        return BEAD_WRONG_KEY(reader, at, "letters", "belongs to `panels`; there are none");
+    if (!output->views.axes && (output->still.panel_count > 0 || output->still.caption))
+        return BEAD_WRONG_KEY(reader, at, "axes", "is false: bare pixels have neither panels nor a caption");
+    if (output->still.panel_count == 0)
+        return BEAD_OK;
+    const char *key = panel_key(at, &bead_image_panel_options);
+    key = key ? key : panel_key(at, &bead_plot_panel_options);
+    return key ? BEAD_WRONG_KEY(reader, at, key, "is a key of a single panel; it belongs in the maps of `panels`") : BEAD_OK;
+}

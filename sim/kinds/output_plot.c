@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The kind of output `plot`: its tables of keys, of single runs and of sweeps. */
+#include <math.h>
+
+#include "sim/kinds/outputs.h"
+
+static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
+
+static const struct bead_option plot_file[] = {
+    BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
+    {"contact", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(plot.contact), .initial = "auto", .low = 0, .high = BEAD_SCENE_BEADS,
+     .word = "auto", .word_value = BEAD_CONTACT_AUTO,
+     .help = "the contact of the first chain that `show: contact` draws; contact j is between beads j and j + 1, and bead 0 is the "
+             "striker",
+     .example = "3"},
+    {"compression", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(plot.compression), .initial = "0.2", .low = 0, .high = 0.6,
+     .open = BEAD_OPEN_LOW, .help = "with `show: contact`: how far the smaller bead is flattened, as a fraction of its radius",
+     .example = "0.1"},
+};
+static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(bead_plot_rows)},
+                                                      {BEAD_OPTIONS(bead_time_row)},    {BEAD_OPTIONS(bead_every_row)},
+                                                      {BEAD_OPTIONS(bead_trust_row)},   {BEAD_OPTIONS(bead_page_rows)},
+                                                      {BEAD_OPTIONS(bead_theme_rows)},  {BEAD_OPTIONS(bead_caption_row)},
+                                                      {BEAD_OPTIONS(bead_panels_rows)}, {NULL, 0}};
+static const struct bead_options plot_options = {
+    "plot", "curves of sensors against time, or of peaks along the chain; or a schematic drawing", BEAD_OPTIONS(plot_file),
+    plot_shared, &bead_output_family};
+
+static BEAD_OUTPUT_CHECK(check_show)
+{
+    return bead_output_check_show(reader, at, output, &plot_options);
+}
+
+/* ---- of sweeps ---- */
+
+static const struct bead_option sweep_plot_rows[] = {
+    BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
+    {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "both", .choices = sweep_plot_shows,
+     .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true}), "
+             "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end"},
+    {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(plot.range), .initial = "auto",
+     .shape = "auto, or [low, high] in units of the clean chain's peak", .word = "auto", .word_value = NAN,
+     .like = "auto|[2 number]", .read = bead_output_read_sweep_range,
+     .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data", .example = "[0, 1.2]"},
+};
+static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
+                                                            {BEAD_OPTIONS(bead_page_rows)},
+                                                            {BEAD_OPTIONS(bead_theme_rows)},
+                                                            {BEAD_OPTIONS(bead_caption_row)},
+                                                            {NULL, 0}};
+static const struct bead_options sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",
+                                                       BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
+const struct bead_output_type bead_plot_output = {.options = &plot_options,
+                                                  .sweep_options = &sweep_plot_options,
+                                                  .checks = {bead_output_check_times, bead_output_check_drawing, check_show,
+                                                             bead_output_check_plot_trust, bead_output_check_panels},
+                                                  .check_sweep = bead_output_check_sweep_curves,
+                                                  .shows = true,
+                                                  .draws = true};

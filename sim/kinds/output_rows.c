@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows that the tables of several kinds of outputs share. */
+#include <math.h>
+
+#include "sim/kinds/outputs.h"
+
+static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
+                                       BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
+static const char *const scales[] = {"linear", "sqrt", "log", NULL};
+static const char *const normalisings[] = {"none", "first", "max", NULL};
+static const char *const samplings[] = {"area", "max", NULL};
+static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
+static const char *const themes[] = {"auto", "light", "dark", NULL};
+static const char *const backgrounds[] = {"theme", "none", NULL};
+static const char *const orientations[] = {"auto", "time-right", "time-down", "matrix", NULL};
+#define FIELD_NAME(id, name, unit, title, place) name,
+static const char *const fields[] = {BEAD_FIELDS(FIELD_NAME) NULL};
+
+const struct bead_option_family bead_output_family = {"outputs", "outputs of kind"};
+
+/* ---- shared: what of the chains ---- */
+
+const struct bead_option bead_field_row[1] = {
+    {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
+     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; strain: of fput and shock"},
+};
+const struct bead_option bead_time_row[1] = {
+    {"time", BEAD_OPTION_PAIR, BEAD_OF_OUTPUT(shown.time), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto",
+     .word_value = NAN, .help = "the span of time; auto: the whole run", .example = "[0.5 ms, auto]"},
+};
+const struct bead_option bead_beads_row[1] = {
+    {"beads", BEAD_OPTION_CUSTOM, .initial = "all", .shape = "all, one number, or [first, last]; 0 is the striker",
+     .like = "all|number|[2 number]", .read = bead_output_read_beads, .help = "which beads", .example = "[0, 40]"},
+};
+const struct bead_option bead_every_row[1] = {
+    {"every", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(shown.every), .unit = "s", .of_motion = true, .initial = "auto", .low = 1e-12,
+     .high = 1e3, .word = "auto", .help = "time between samples; auto: as short as the output needs", .example = "1 us"},
+};
+const struct bead_option bead_trust_row[1] = {
+    {"trust", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.trust), .initial = "false",
+     .help = "compute twice, to different accuracy, and mark when the two start to differ by more than 1 % of the range of the "
+             "picture"},
+};
+
+/* ---- shared: how it looks ---- */
+
+const struct bead_option bead_page_rows[4] = {
+    {"style", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(paper.style), .initial = "auto", .choices = styles,
+     .help = "preset; paper: 8 pt STIX, 86 mm wide (178 mm for several chains side by side); slide: large type for a projector; "
+             "movie: type and colours of movies; auto: paper where the size is a length, else screen"},
+    {"dpi", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(paper.dpi), .initial = "600", .low = 10, .high = 4800,
+     .help = "pixels per inch, where the size is a length, and for the raster in vector files", .example = "300"},
+    {"size", BEAD_OPTION_CUSTOM, .initial = "auto",
+     .shape = "[width, height], both in pixels (1 to 32768) or both lengths such as 86 mm; or auto", .like = "auto|[2 number]",
+     .read = bead_output_read_size,
+     .help = "size of the picture; auto: that of the style, else [1920, 1080], or [178 mm, 120 mm] in vector files (.pdf, .svg)",
+     .example = "[178 mm, 75 mm]"},
+    {"outlines", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(paper.outlines), .initial = "false",
+     .help = "letters of .svg are outlines, the same everywhere; otherwise they are text, which can be searched and edited, in the "
+             "fonts named, STIX or Lato, where they are installed"},
+};
+const struct bead_option bead_theme_rows[3] = {
+    {"font", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(paper.font), .initial = "auto",
+     .help = "family of all letters, one that is installed; auto: that of the style, STIX on paper, else Lato",
+     .example = "DejaVu Sans"},
+    {"theme", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(paper.theme), .initial = "auto", .choices = themes,
+     .help = "colours of background and text; auto: dark for movies, else light"},
+    {"background", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(paper.background), .initial = "theme", .choices = backgrounds,
+     .help = "what is painted behind it all; none: nothing, the picture is transparent there, in the panels too, and letters and "
+             "lines have the colours of the theme. Stills of all formats can have none, and movies in webm, mov, apng and png"},
+};
+const struct bead_option bead_caption_row[1] = {
+    {"caption", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(still.caption),
+     .help = "text below the picture; _x sets a subscript, ^{xy} a superscript, *x* italics",
+     .example = "\"Peak force *F*_m of each contact\""},
+};
+const struct bead_option bead_colormap_row[1] = {
+    {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
+     .like = "text", .read = bead_output_read_colormap,
+     .help =
+         "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark pictures, else viridis",
+     .example = "batlow"},
+};
+const struct bead_option bead_square_root_row[1] = {
+    {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(colours.scale), .initial = "sqrt", .choices = scales,
+     .help = "scale from values to colours"},
+};
+const struct bead_option bead_range_row[1] = {
+    {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.range), .initial = "auto",
+     .shape = "auto, or [low, high] in the unit of the field", .word = "auto", .word_value = NAN, .like = "auto|[2 number]",
+     .read = bead_output_read_colour_range,
+     .help = "values at the ends of the colour bar; auto: the range of the data, up to 1 % more for a round number; images leave "
+             "out a strike, short and narrow, that would take more than half of it, and say beside the bar how high it is",
+     .example = "[0, 45 N]"},
+};
+const struct bead_option bead_magnify_row[1] = {
+    {"magnify", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(views.magnify), .initial = "auto", .low = 0, .high = 1e9, .open = BEAD_OPEN_LOW,
+     .word = "auto", .help = "factor by which the view beads enlarges displacements", .example = "1000"},
+};
+const struct bead_option bead_axes_row[1] = {
+    {"axes", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(views.axes), .initial = "true",
+     .help = "axes, labels and colour bar around the picture; false: nothing but the views, and in an image of spacetime alone "
+             "bead 0 in the top row (see orientation)"},
+};
+const struct bead_option bead_orientation_row[1] = {
+    {"orientation", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(views.orientation), .initial = "auto", .choices = orientations,
+     .help = "how space-time images lie. time-right: time to the right, bead 0 at the bottom; time-down: time down, bead 0 at the "
+             "left; matrix: time to the right, bead 0 on top, only without axes; auto: in images time-right, but below beads or "
+             "profile time-down, and with `axes: false` a spacetime alone as matrix; in movies and sheets always time-down"},
+};
+
+/* ---- images and movies ---- */
+
+/* Keys of images and of panels that are images. */
+const struct bead_option bead_image_rows[4] = {
+    {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(colours.scale), .initial = "linear", .choices = scales,
+     .help = "scale from values to colours"},
+    {"sample", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(image.sampling), .initial = "area", .choices = samplings,
+     .help = "what a pixel of spacetime shows; area: the mean of its samples; max: the sample furthest from 0, so that thin pulses "
+             "keep their height"},
+    {"views", BEAD_OPTION_CUSTOM, .initial = "[spacetime]", .shape = BEAD_VIEWS_LISTED "in a list", .like = "[text]",
+     .read = bead_output_read_views, .help = "the views, from top to bottom", .example = "[beads, spacetime]"},
+    {"at", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(image.at), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto", .word_value = NAN,
+     .help = "the time that views other than spacetime show; auto: the end", .example = "0.8 ms"},
+};
+/* ---- plots and tables ---- */
+
+/* Keys of curves and of tables of their numbers. */
+const struct bead_option bead_curves_rows[3] = {
+    {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(curves.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
+     .help = "how many modes `show: modes` shows", .example = "4"},
+    {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
+     .help = "the field that `show: profiles` shows"},
+    {"at", BEAD_OPTION_CUSTOM, BEAD_TIME_OF_MOTION, .shape = "a list of times", .like = "number|[number]",
+     .read = bead_output_read_profile_times,
+     .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12", .example = "[0.2 ms, 0.4 ms]"},
+};
+/* Keys of plots and of panels that are plots. */
+const struct bead_option bead_plot_rows[4] = {
+    {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "sensors", .choices = plot_shows, .values = plot_values,
+     .help = "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot; the "
+             "energies of modes against time; profiles, a field along the chain at several times; or a schematic drawing of the "
+             "experiment, of a contact or of the cells"},
+    {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = scales,
+     .help = "scale of the axis of peaks"},
+    {"normalise", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.normalise), .initial = "none", .choices = normalisings,
+     .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
+             "largest force at the same sensor"},
+    {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(plot.range), .initial = "auto",
+     .shape = "auto, or [low, high] in N (plain numbers where forces are normalised)", .word = "auto", .word_value = NAN,
+     .like = "auto|[2 number]", .read = bead_output_read_plot_range,
+     .help = "ends of the axis of forces; auto: the range of the data", .example = "[0, 45 N]"},
+};

@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `show`: what plots and tables can show, and which keys go with what. */
+#include <string.h>
+
+#include "sim/base/suggest.h"
+#include "sim/kinds/outputs.h"
+
+enum { PLOT = 1 << BEAD_OUTPUT_PLOT, TABLE = 1 << BEAD_OUTPUT_TABLE };
+
+static const char no_contacts[] = "peaks are those of contacts between beads, which equations do not have",
+                  whole_passage[] = "peaks are those of the first passage";
+
+#define KEYS(...)         \
+    (const char *const[]) \
+    {                     \
+        __VA_ARGS__, NULL \
+    }
+static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
+    [BEAD_SHOW_SENSORS] = {.keys = KEYS("every", "time", "normalise"),
+                           .why_not = "sensors have forces against time, on a linear axis",
+                           .ends = PLOT | TABLE},
+    [BEAD_SHOW_PEAKS] = {.keys = KEYS("scale"), .why_not = whole_passage, .without_contacts = no_contacts, .ends = PLOT},
+    [BEAD_SHOW_BEAD_PEAKS] = {.keys = KEYS("scale"), .why_not = whole_passage, .without_contacts = no_contacts},
+    [BEAD_SHOW_MEASURES] = {.keys = KEYS("every"), .why_not = "measures describe the whole run", .ends = TABLE, .own_times = true},
+    [BEAD_SHOW_MODES] = {.keys = KEYS("every", "time", "modes", "scale"),
+                         .why_not = "modes have energies over time",
+                         .modes = true},
+    [BEAD_SHOW_PROFILES] = {.keys = KEYS("field", "at"),
+                            .why_not = "profiles have the times `at`",
+                            .ends = PLOT | TABLE,
+                            .of_field = true},
+    [BEAD_SHOW_CHAIN] = {.keys = KEYS(NULL),
+                         .why_not = "a chain at rest has no times",
+                         .without_contacts = "lists beads and contacts, which equations do not have"},
+    [BEAD_SHOW_ENERGY] = {.keys = KEYS("every", "time"),
+                          .why_not = "the energy budget is one of the whole chain over time",
+                          .without_contacts = "is the budget of beads and contacts, which equations do not have",
+                          .ends = TABLE},
+    [BEAD_SHOW_SENSITIVITIES] = {.keys = KEYS("contacts"),
+                                 .why_not = "sensitivities are those of peaks",
+                                 .without_contacts = "has the derivatives of peaks of contacts, which equations do not have"},
+    [BEAD_SHOW_SETUP] = {.drawing = true},
+    [BEAD_SHOW_CONTACT] = {.drawing = true},
+    [BEAD_SHOW_CELL] = {.drawing = true},
+};
+
+const struct bead_show_type *bead_show_type(enum bead_show show)
+{
+    return &shows[show];
+}
+
+/* Keys that only some of them take. */
+static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
+                                  const struct bead_option *row)
+{
+    static const char *const keys[] = {"every", "time", "modes", "field", "at", "scale", "normalise", "contacts"};
+    const struct bead_show_type *show = &shows[output->curves.show];
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
+        char homes[120] = "";
+        bool plain = (strcmp(keys[k], "scale") == 0 && output->plot.scale == BEAD_SCALE_LINEAR) ||
+                     (strcmp(keys[k], "normalise") == 0 && output->plot.normalise == BEAD_NORMALISE_NONE);
+        if (!bead_given(at, keys[k]) || bead_is_one_of(keys[k], show->keys) || plain)
+            continue;
+        for (size_t i = 0; row->choices[i]; i++) {
+            if (shows[row->values[i]].keys && bead_is_one_of(keys[k], shows[row->values[i]].keys))
+                bead_list_add(homes, sizeof homes, ", ", row->choices[i]);
+        }
+        return BEAD_WRONG_KEY(reader, at, keys[k], "belongs to `show: %s`; %s", homes, show->why_not);
+    }
+    return BEAD_OK;
+}
+
+/* `at` must lie within the run. */
+static enum bead_error check_moments(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    const char *unit = *bead_scene_system(reader->scene)->time_unit ? " s" : "";
+    double until = reader->scene->simulate.until;
+    if (output->curves.profile_time_count == 0)
+        return BEAD_WRONG_KEY(reader, at, "at", "is missing: the times of the profiles, such as [0, %g]", *unit ? 1e-3 : 10);
+    double last = output->curves.profile_times[output->curves.profile_time_count - 1];
+    if (last > until)
+        return BEAD_WRONG_KEY(reader, at, "at", "goes to %g%s; must not be later than the end of the run at %g%s", last, unit,
+                              until, unit);
+    return BEAD_OK;
+}
+
+enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
+                                       const struct bead_options *options)
+{
+    const struct bead_show_type *show = &shows[output->curves.show];
+    if (!bead_scene_system(reader->scene)->has_contacts && show->without_contacts)
+        return BEAD_WRONG_KEY(reader, at, "show", "%s", show->without_contacts);
+    if (show->drawing || output->still.panel_count > 0)
+        return BEAD_OK;
+    enum bead_error err = show->modes ? bead_output_need_modes(reader, at, "show") : BEAD_OK;
+    if (!err && output->curves.show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene, SIZE_MAX))
+        return BEAD_WRONG_KEY(reader, at, "show", "shows sensors, but no bead of the chain has a `sensor`");
+    if (!err)
+        err = check_keys(reader, at, output, bead_options_find(options, "show"));
+    if (!err && show->of_field)
+        err = bead_output_check_field(reader, at, output);
+    return err || output->curves.show != BEAD_SHOW_PROFILES ? err : check_moments(reader, at, output);
+}
+
+static bool has_cells(const struct bead_scene *scene)
+{
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        for (size_t s = 0; s < scene->chains[c].segment_count; s++) {
+            if (scene->chains[c].segments[s].cell_beads > 1)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Schematic drawings are of beads, and need no run. */
+BEAD_OUTPUT_CHECK(bead_output_check_drawing)
+{
+    static const char *const of_runs[] = {"every", "time", "scale", "trust", "normalise", "range", "modes", "field", "at", NULL},
+                             *const of_contacts[] = {"contact", "compression", NULL};
+    const struct bead_scene *scene = reader->scene;
+    const bool drawing = shows[output->curves.show].drawing;
+    enum bead_error err = BEAD_OK;
+    if (output->curves.show != BEAD_SHOW_CONTACT)
+        err = bead_without(reader, at, of_contacts, "belongs to `show: contact`");
+    if (!err && drawing)
+        err = bead_without(reader, at, of_runs, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
+    if (err)
+        return err;
+    for (size_t c = 0; c < scene->chain_count && drawing; c++) {
+        if (!scene->chains[c].system->has_contacts)
+            return BEAD_WRONG_KEY(reader, at, "show", "draws beads, but there are none in `%s`", scene->chains[c].system->name);
+    }
+    if (output->curves.show == BEAD_SHOW_CELL && !has_cells(scene))
+        return BEAD_WRONG_KEY(reader, at, "show", "draws cells, but no chain has a `cell` of two or more beads");
+    if (output->curves.show != BEAD_SHOW_CONTACT || output->plot.contact == BEAD_CONTACT_AUTO)
+        return BEAD_OK;
+    size_t last = bead_scene_count_beads(&scene->chains[0]) - (scene->chains[0].wall == BEAD_WALL_NONE);
+    return output->plot.contact <= last
+               ? BEAD_OK
+               : BEAD_WRONG_KEY(reader, at, "contact", "is %zu, but the last contact is %zu", output->plot.contact, last);
+}
+
+/* `trust` needs an axis of time. */
+BEAD_OUTPUT_CHECK(bead_output_check_plot_trust)
+{
+    return !output->shown.trust || output->curves.show == BEAD_SHOW_SENSORS
+               ? BEAD_OK
+               : BEAD_WRONG_KEY(reader, at, "trust",
+                                "is set, but peaks of the first passage have no axis of time; it belongs to `show: sensors`");
+}
+
+/* A list of rising times. */
+BEAD_OPTION_READER(bead_output_read_profile_times)
+{
+    struct bead_output *output = settings;
+    struct bead_option number = *option;
+    char shown[64];
+    number.type = BEAD_OPTION_NUMBER;
+    number.shape = NULL;
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0 || at->node->count > BEAD_PROFILE_TIMES)
+        return bead_wrong(reader, at, "is %s; must be a list of 1 to %d times", bead_node_show(at->node, shown, sizeof shown),
+                          BEAD_PROFILE_TIMES);
+    for (size_t i = 0; i < at->node->count; i++) {
+        struct bead_at element = bead_at_item(at, i);
+        enum bead_error err = bead_read_number(reader, &element, &number, &output->curves.profile_times[i]);
+        if (err)
+            return err;
+        if (i > 0 && !(output->curves.profile_times[i] > output->curves.profile_times[i - 1]))
+            return bead_wrong(reader, &element, "is %g, not later than the one before; times must rise",
+                              output->curves.profile_times[i]);
+        output->curves.profile_time_count = i + 1;
+    }
+    return BEAD_OK;
+}

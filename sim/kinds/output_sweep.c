@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sweeps: the kinds of output that only they have, their results as a file and the contact sheet; and what plots, tables and
+ * reports share where they show one. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/kinds/outputs.h"
+#include "sim/statistics/statistics.h"
+
+/* ---- shared ---- */
+
+BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
+{
+    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
+    if (decay && output->plot.range[0] <= 0)
+        return BEAD_WRONG_KEY(reader, at, "range", "begins at %g; must be above 0: the axes of decay are logarithmic",
+                              output->plot.range[0]);
+    for (size_t i = 0; i < reader->scene->sweep_count; i++) {
+        const struct bead_sweep_spec *sweep = &reader->scene->sweeps[i];
+        if (decay && !sweep->measures.decay)
+            return BEAD_WRONG_KEY(reader, at, "show", "decay is not measured; must have `measure: {decay: true}` in every sweep");
+        if (!decay && !sweep->measures.peak)
+            return BEAD_WRONG_KEY(reader, at, "show", "peaks are not measured (measure: {peak: none}); must be decay");
+    }
+    return BEAD_OK;
+}
+
+static BEAD_OPTION_READER(read_threshold)
+{
+    const char *names[BEAD_CHOICES + 1] = {NULL};
+    char **threshold = &((struct bead_output *)settings)->sweep_curves.threshold;
+    const struct bead_threshold_info *info;
+    unsigned found = 0;
+    for (size_t i = 0; i < BEAD_CHOICES && (info = bead_threshold_info(i)); i++)
+        names[i] = info->name;
+    enum bead_error err = bead_read_choice(reader, at, names, &found);
+    if (err)
+        return err;
+    free(*threshold);
+    *threshold = strdup(names[found]);
+    return *threshold ? BEAD_OK : bead_no_memory(reader);
+}
+
+const struct bead_option bead_threshold_row[1] = {
+    {"threshold", BEAD_OPTION_CUSTOM, .initial = "law", .shape = "a name of --list thresholds", .like = "text",
+     .read = read_threshold, .help = "how the threshold in magnetism is found", .example = "half"},
+};
+
+/* ---- their results ---- */
+
+static const struct bead_option sweep_rows[] = {
+    BEAD_FILE_ROW("sweep", "FILE.h5", "sweep.h5"),
+};
+static const struct bead_options sweep_file_options = {"sweep", "spins and results of each configuration of a sweep",
+                                                       BEAD_OPTIONS(sweep_rows), NULL, &bead_output_family};
+const struct bead_output_type bead_sweep_output = {.sweep_options = &sweep_file_options, .stores_sweep = true};
+
+/* ---- the sheet ---- */
+
+/* Cells are whole numbers: magnetisms asked for may be this far off. */
+static const double sheet_near = 0.05;
+
+static BEAD_OPTION_READER(read_magnetism)
+{
+    static const struct bead_option number = {.low = 0, .high = 1};
+    struct bead_output *output = settings;
+    bool one = at->node->kind == BEAD_NODE_SCALAR;
+    size_t count = one ? 1 : at->node->count;
+    if (one && strcmp(at->node->text, "auto") == 0)
+        return BEAD_OK;
+    if (at->node->kind == BEAD_NODE_MAP || count == 0)
+        return bead_must_be(reader, at, option->shape);
+    output->sheet.magnetism = calloc(count, sizeof *output->sheet.magnetism);
+    if (!output->sheet.magnetism)
+        return bead_no_memory(reader);
+    for (size_t i = 0; i < count; i++) {
+        struct bead_at element = bead_at_item(at, i);
+        enum bead_error err = bead_read_number(reader, &element, &number, &output->sheet.magnetism[i]);
+        if (err)
+            return err;
+    }
+    output->sheet.magnetism_count = count;
+    return BEAD_OK;
+}
+
+static const struct bead_option sheet_rows[] = {
+    BEAD_FILE_ROW("sheet", "FILE.png, .pdf or .svg", "sheet.png"),
+    {"configurations", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(sheet.configurations), .initial = "auto", .low = 1, .high = 64,
+     .word = "auto", .word_value = 0, .help = "pictures in a row; auto: as many as fit", .example = "6"},
+    {"magnetism", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "auto, a number, or a list of numbers from 0 to 1",
+     .like = "auto|number|[number]", .read = read_magnetism, .help = "magnetisms of the rows; auto: as many of the sweep's as fit",
+     .example = "[1, 0.9, 0.5, 0]"},
+};
+static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_colormap_row)},
+                                                       {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+                                                       {BEAD_OPTIONS(bead_orientation_row)}, {BEAD_OPTIONS(bead_page_rows)},
+                                                       {BEAD_OPTIONS(bead_theme_rows)},      {NULL, 0}};
+static const struct bead_options sheet_options = {
+    "sheet", "contact sheet of a sweep: small space-time images of many configurations, in rows by magnetism; only these run",
+    BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
+
+/* A row of a sheet must be a magnetism of one of the sweeps. */
+static BEAD_OUTPUT_CHECK(check_sheet)
+{
+    enum bead_error err = bead_output_check_field(reader, at, output);
+    if (err)
+        return err;
+    struct bead_at list = bead_at_key(at, "magnetism");
+    for (size_t i = 0; i < output->sheet.magnetism_count; i++) {
+        double nearest = INFINITY;
+        for (size_t s = 0; s < reader->scene->sweep_count; s++) {
+            for (size_t g = 0; g < reader->scene->sweeps[s].group_count; g++) {
+                double m = reader->scene->sweeps[s].groups[g].magnetism;
+                if (fabs(m - output->sheet.magnetism[i]) < fabs(nearest - output->sheet.magnetism[i]))
+                    nearest = m;
+            }
+        }
+        struct bead_at element = bead_at_item(&list, i);
+        if (!isfinite(nearest))
+            return bead_wrong(reader, &list, "is given, but the sweep has no magnetisms to choose from");
+        if (fabs(nearest - output->sheet.magnetism[i]) > sheet_near)
+            return bead_wrong(reader, &element, "is %g; the nearest of the sweep is %.4g", output->sheet.magnetism[i], nearest);
+    }
+    return BEAD_OK;
+}
+
+const struct bead_output_type bead_sheet_output = {
+    .sweep_options = &sheet_options, .check_sweep = check_sheet, .draws = true, .shows_configurations = true};

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Readers of the values of outputs' keys that are more than a number, a word or a choice. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "sim/kinds/outputs.h"
+
+bool bead_output_ends_like(const char *endings, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
+    for (const char *known = endings; dot && dot > base && known; known = strchr(known + 1, '.')) {
+        if (strcspn(known, ", ") == strlen(dot) && strncasecmp(known, dot, strlen(dot)) == 0)
+            return true;
+    }
+    return false;
+}
+
+BEAD_OPTION_READER(bead_output_read_path)
+{
+    struct bead_output *output = settings;
+    enum bead_error err = bead_read_text(reader, at, &output->path);
+    if (err)
+        return err;
+    size_t length = strlen(output->path);
+    if (length == 0)
+        return bead_wrong(reader, at, "is empty; must be the name of a file");
+    if (output->path[length - 1] == '/')
+        return bead_wrong(reader, at, "ends in `/`; must be the name of a file, not of a directory");
+    const char *endings = strchr(option->shape, '.');
+    char shown[64];
+    return bead_output_ends_like(endings, output->path)
+               ? BEAD_OK
+               : bead_wrong(reader, at, "`%s` lacks the extension of files of this kind; must be a name with %s",
+                            bead_text_show(output->path, shown, sizeof shown), endings);
+}
+
+/* Index of the element's name among `names`, at most once in a list: bits of those before are in *seen. */
+static enum bead_error read_name(const struct bead_reader *reader, const struct bead_at *list, size_t index,
+                                 const char *const *names, unsigned *seen, unsigned *found)
+{
+    struct bead_at element = bead_at_item(list, index);
+    enum bead_error err = bead_read_choice(reader, &element, names, found);
+    if (!err && *seen >> *found & 1)
+        err = bead_wrong(reader, &element, "`%s` is in the list twice", names[*found]);
+    *seen |= 1u << *found;
+    return err;
+}
+
+static enum bead_error need_list(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option)
+{
+    const bool list = at->node->kind == BEAD_NODE_LIST && at->node->count > 0;
+    return list ? BEAD_OK : bead_must_be(reader, at, option->shape);
+}
+
+BEAD_OPTION_READER(bead_output_read_fields)
+{
+    const char *names[BEAD_FIELD_COUNT + 1] = {NULL};
+    struct bead_output *output = settings;
+    unsigned found = 0;
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
+        names[f] = bead_field_info((enum bead_field)f)->name;
+    if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "all") == 0) {
+        output->trajectory.fields = bead_scene_fields(reader->scene);
+        return BEAD_OK;
+    }
+    enum bead_error err = need_list(reader, at, option);
+    for (size_t i = 0; !err && i < at->node->count; i++)
+        err = read_name(reader, at, i, names, &output->trajectory.fields, &found);
+    return err;
+}
+
+BEAD_OPTION_READER(bead_output_read_views)
+{
+    const char *names[BEAD_CHOICES + 1] = {NULL};
+    struct bead_output *output = settings;
+    unsigned seen = 0, found = 0;
+    output->views.own = reader->scene->own.views;
+    for (unsigned i = 0; i < BEAD_CHOICES && (i < BEAD_VIEW_KINDS || (output->views.own && output->views.own[i - BEAD_VIEW_KINDS]));
+         i++)
+        names[i] = bead_views_info(&(struct bead_views_asked){.kinds = {i}, .own = output->views.own}, 0)->name;
+    enum bead_error err = need_list(reader, at, option);
+    for (size_t i = 0; !err && i < at->node->count; i++) {
+        err = read_name(reader, at, i, names, &seen, &found);
+        if (err)
+            break;
+        output->views.kinds[output->views.count++] = found;
+        if (bead_views_info(&output->views, output->views.count - 1)->traits & BEAD_SHOWS_SENSORS && !reader->unsound &&
+            !bead_scene_has_sensors(reader->scene, SIZE_MAX))
+            return bead_wrong(reader, at, "shows sensors, but no bead of the chain has a `sensor`");
+    }
+    return err;
+}
+
+static enum bead_error read_bead(const struct bead_reader *reader, const struct bead_at *at, size_t *bead)
+{
+    static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
+    double value = 0;
+    size_t last = 0;
+    enum bead_error err = bead_read_number(reader, at, &number, &value);
+    if (err)
+        return err;
+    *bead = (size_t)value;
+    for (size_t i = 0; i < reader->scene->chain_count; i++) {
+        size_t beads = bead_scene_last_bead(reader->scene, i);
+        last = beads > last ? beads : last;
+    }
+    if (*bead > last && !reader->unsound)
+        return bead_wrong(reader, at, "is %zu, but the last bead is %zu", *bead, last);
+    return BEAD_OK;
+}
+
+BEAD_OPTION_READER(bead_output_read_beads)
+{
+    struct bead_output *output = settings;
+    bool scalar = at->node->kind == BEAD_NODE_SCALAR, pair = at->node->kind == BEAD_NODE_LIST && at->node->count == 2;
+    if (scalar && strcmp(at->node->text, "all") == 0) {
+        output->shown.beads = (struct bead_span){0, SIZE_MAX};
+        return BEAD_OK;
+    }
+    if ((!scalar && !pair) || (scalar && at->node->text[0] && !strchr("+-.0123456789", at->node->text[0])))
+        return bead_must_be(reader, at, option->shape);
+    if (scalar) {
+        enum bead_error err = read_bead(reader, at, &output->shown.beads.first);
+        output->shown.beads.last = output->shown.beads.first;
+        return err;
+    }
+    struct bead_at first = bead_at_item(at, 0), last = bead_at_item(at, 1);
+    enum bead_error err = read_bead(reader, &first, &output->shown.beads.first);
+    if (!err)
+        err = read_bead(reader, &last, &output->shown.beads.last);
+    if (!err && output->shown.beads.first > output->shown.beads.last)
+        err = bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", output->shown.beads.first,
+                         output->shown.beads.last);
+    return err;
+}
+
+/* One of the two sizes: a plain number is in pixels, a length in metres. */
+static enum bead_error read_extent(const struct bead_reader *reader, const struct bead_at *at, double *value, bool *length)
+{
+    static const struct bead_option pixels = {.type = BEAD_OPTION_COUNT,
+                                              .low = 1,
+                                              .high = 32768,
+                                              .shape = "a whole number of pixels from 1 to 32768, or a length from 1 mm to 5 m"},
+                                    metres = {.unit = "m",
+                                              .low = 1e-3,
+                                              .high = 5,
+                                              .shape = "a length from 1 mm to 5 m, or a whole number of pixels from 1 to 32768"};
+    bool scalar = at->node->kind == BEAD_NODE_SCALAR;
+    double plain = 0;
+    char why[120];
+    *length = scalar && bead_units_read(reader->units, at->node->text, NULL, &plain, why, sizeof why) != BEAD_OK &&
+              bead_units_read(reader->units, at->node->text, "m", &plain, why, sizeof why) == BEAD_OK;
+    return bead_read_number(reader, at, *length ? &metres : &pixels, value);
+}
+
+enum bead_error bead_output_check_size(const struct bead_reader *reader, const struct bead_at *at, const struct bead_paper *paper)
+{
+    double scale = paper->size_is_length ? paper->dpi / 0.0254 : 1, width = paper->size[0] * scale, height = paper->size[1] * scale;
+    if (!(fmin(width, height) >= 1) || fmax(width, height) > 32768 || width * height > 5e8)
+        return bead_wrong(reader, at, "is %.0f x %.0f pixels; must be from 1 to 32768 each way and at most 5e8 in all", width,
+                          height);
+    return BEAD_OK;
+}
+
+static enum bead_error read_extents(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                    struct bead_paper *paper)
+{
+    bool length[2] = {false, false};
+    if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
+        return bead_must_be(reader, at, option->shape);
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_at element = bead_at_item(at, i);
+        enum bead_error err = read_extent(reader, &element, &paper->size[i], &length[i]);
+        if (err)
+            return err;
+    }
+    if (length[0] != length[1])
+        return bead_wrong(reader, at, "mixes pixels and a length; must be %s", option->shape);
+    paper->size_is_length = length[0];
+    return BEAD_OK;
+}
+
+BEAD_OPTION_READER(bead_output_read_size)
+{
+    struct bead_output *output = settings;
+    if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "auto") == 0)
+        return BEAD_OK; /* settled when the style and the panels are known */
+    enum bead_error err = read_extents(reader, at, option, &output->paper);
+    return err ? err : bead_output_check_size(reader, at, &output->paper);
+}
+
+BEAD_OPTION_READER(bead_output_read_frame_size)
+{
+    struct bead_output *output = settings;
+    enum bead_error err = read_extents(reader, at, option, &output->paper);
+    if (!err && output->paper.size_is_length)
+        return bead_wrong(reader, at, "is a length; the size of a movie must be in pixels, such as [1920, 1080]");
+    return err ? err : bead_output_check_size(reader, at, &output->paper);
+}
+
+/* [low, high] in `unit`; "": plain numbers. */
+static enum bead_error read_range(struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                  const char *unit, enum bead_scale scale, double range[2])
+{
+    const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
+    const char *space = *unit ? " " : "";
+    enum bead_error err = bead_read_pair(reader, at, &number, option->shape, range);
+    if (err)
+        return err;
+    if (range[0] >= range[1])
+        return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", range[0], range[1], space, unit);
+    if (scale == BEAD_SCALE_LOG && range[0] <= 0)
+        return bead_wrong(reader, at, "begins at %g%s%s; must be above 0 with `scale: log`", range[0], space, unit);
+    return BEAD_OK;
+}
+
+static const char *unit_of(const struct bead_reader *reader, enum bead_field field)
+{
+    return *bead_scene_system(reader->scene)->time_unit ? bead_field_info(field)->unit : "";
+}
+
+/* Longer than other texts: 1024 colours. Names are those of the program that draws. */
+BEAD_OPTION_READER(bead_output_read_colormap)
+{
+    char **map = (char **)(void *)((char *)settings + option->offset);
+    const char *text = NULL;
+    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
+    if (err)
+        return err;
+    free(*map);
+    *map = strdup(text);
+    return *map ? BEAD_OK : bead_no_memory(reader);
+}
+
+BEAD_OPTION_READER(bead_output_read_colour_range)
+{
+    struct bead_output *output = settings;
+    struct bead_colours_asked *colours = &output->colours;
+    return read_range(reader, at, option, unit_of(reader, output->shown.field), colours->scale, colours->range);
+}
+
+BEAD_OPTION_READER(bead_output_read_plot_range)
+{
+    struct bead_output *output = settings;
+    struct bead_plot_asked *plot = &output->plot;
+    const char *unit = plot->normalise == BEAD_NORMALISE_NONE ? unit_of(reader, output->shown.field) : "";
+    return read_range(reader, at, option, unit, plot->scale, plot->range);
+}
+
+BEAD_OPTION_READER(bead_output_read_sweep_range)
+{
+    struct bead_output *output = settings;
+    return read_range(reader, at, option, "", BEAD_SCALE_LINEAR, output->plot.range);
+}

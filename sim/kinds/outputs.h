@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Inside of the kinds of outputs: rows, readers and checks that their tables share, and the list of outputs. */
+#pragma once
+
+#include "sim/kinds/output_kinds.h"
+#include "sim/kinds/scene_facts.h"
+
+/* ---- rows ---- */
+
+#define BEAD_OF_OUTPUT(member) offsetof(struct bead_output, member)
+
+/* The first row of a kind: its key has the file as its value. */
+#define BEAD_FILE_ROW(name, files, sample)                                                                                         \
+    {                                                                                                                              \
+        .key = name, .type = BEAD_OPTION_CUSTOM, .required = true, .shape = files, .example = sample,                              \
+        .help = "name of the file, or a list of names for the same contents", .like = "text|[text]", .read = bead_output_read_path \
+    }
+
+/* The names of all views, for the shape of a value: "beads, profile, ". */
+#define BEAD_VIEW_LISTED(ID, view, ...) #view ", "
+#define BEAD_VIEWS_LISTED               BEAD_VIEWS(BEAD_VIEW_LISTED)
+
+/* Rows that kinds share. What of the chains: */
+extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1];
+/* Curves and tables of their numbers; sweeps: */
+extern const struct bead_option bead_curves_rows[3], bead_plot_rows[4], bead_threshold_row[1];
+/* Images and panels that are images; pictures with panels: */
+extern const struct bead_option bead_image_rows[4], bead_panels_rows[2];
+/* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */
+#define BEAD_COLORMAP_SHAPE "a name, a text file such as mine.txt, or colours such as \"#000000 #ff8000 #ffffff\""
+extern const struct bead_option bead_page_rows[4], bead_theme_rows[3], bead_caption_row[1], bead_colormap_row[1],
+    bead_square_root_row[1], bead_range_row[1], bead_magnify_row[1], bead_axes_row[1], bead_orientation_row[1];
+
+/* ---- readers of values that are more than a number, a word or a choice ---- */
+
+BEAD_OPTION_READER(bead_output_read_path);
+BEAD_OPTION_READER(bead_output_read_fields);
+BEAD_OPTION_READER(bead_output_read_beads);
+BEAD_OPTION_READER(bead_output_read_size);
+BEAD_OPTION_READER(bead_output_read_colormap);
+BEAD_OPTION_READER(bead_output_read_frame_size);
+BEAD_OPTION_READER(bead_output_read_colour_range);
+BEAD_OPTION_READER(bead_output_read_plot_range);
+BEAD_OPTION_READER(bead_output_read_sweep_range);
+BEAD_OPTION_READER(bead_output_read_views);
+BEAD_OPTION_READER(bead_output_read_captions);
+BEAD_OPTION_READER(bead_output_read_speeds);
+BEAD_OPTION_READER(bead_output_read_card);
+BEAD_OPTION_READER(bead_output_read_profile_times);
+
+/* ---- checks, for the types of kinds ---- */
+
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_times);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_moment);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_views);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_still_views);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_drawing);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field_list);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_trust);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_plot_trust);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_panels);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_captions);
+/* The keys that go with what is shown, by the row `show` of the table that was read. */
+BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
+                                                  const struct bead_output *output, const struct bead_options *options);
+/* Do all chains have modes, as the value of a key wants? */
+BEAD_CHECK enum bead_error bead_output_need_modes(const struct bead_reader *reader, const struct bead_at *at, const char *key);
+/* Is the size one that can be drawn? */
+BEAD_CHECK enum bead_error bead_output_check_size(const struct bead_reader *reader, const struct bead_at *at,
+                                                  const struct bead_paper *paper);
+
+/* The value of `outputs`. Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at);
+
+/* Traits that all outputs of the program's own share; their settings, by the table that their sink makes of it. */
+extern const struct bead_output_type bead_own_output;
+/* Is every sink whole, with a name that is no kind's? Errors: USAGE. */
+BEAD_CHECK enum bead_error bead_output_check_own(const struct bead_own *own, struct bead_message *msg);
+
+/* Settings of which a kind has no key. */
+extern const struct bead_output bead_output_automatic;
+/* The settings of an output or panel, which begins as bead_output_automatic, with its kind and place, by the tables and checks of
+ * `type`. */
+BEAD_CHECK enum bead_error bead_output_read_settings(struct bead_reader *reader, const struct bead_at *at,
+                                                     const struct bead_output_type *type, struct bead_output *output);
+/* All that an output, or a panel, holds. */
+void bead_output_free(struct bead_output *output);
+
+/* Frees the settings of movies. */
+void bead_output_free_movie(struct bead_output *output);

@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Tables of the peaks of contacts or beads: a row for each, at the end of the run. */
+#include <math.h>
+
+#include "sim/output/sink_grid.h"
+#include "sim/output/table.h"
+
+static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    needs->contact_peaks = sink->output->curves.show == BEAD_SHOW_PEAKS;
+    needs->bead_peaks = sink->output->curves.show == BEAD_SHOW_BEAD_PEAKS;
+    needs->uncertainty = sink->output->curves.uncertainty;
+    needs->deviation = bead_scene_tolerances(sink->context.scene);
+    needs->until = INFINITY;
+}
+
+static void peaks_header(struct bead_sink *sink)
+{
+    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s%s\n", sink->context.chain_count > 1 ? "chain," : "",
+            sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead",
+            sink->output->curves.uncertainty ? ",uncertainty_N" : "",
+            bead_scene_tolerances(sink->context.scene) ? ",deviation_N" : "");
+}
+
+/* The peaks of a chain, their uncertainties and deviations; NULL: unknown, or not asked for. */
+struct listed {
+    const struct bead_peak *peaks;
+    const double *uncertainty, *deviation;
+};
+
+static void write_column(FILE *file, bool wanted, const double *numbers, size_t index)
+{
+    const double unknown = NAN;
+    if (wanted)
+        bead_table_numbers(file, 1, numbers ? &numbers[index] : &unknown);
+}
+
+static void write_peak(const struct bead_sink *sink, const struct listed *listed, size_t index)
+{
+    const struct bead_peak *peak = &listed->peaks[index];
+    fprintf(sink->file, "%zu", index);
+    bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
+    fprintf(sink->file, ",%s", peak->open ? "open" : peak->exceeded ? "exceeded" : "");
+    write_column(sink->file, sink->output->curves.uncertainty, listed->uncertainty, index);
+    write_column(sink->file, bead_scene_tolerances(sink->context.scene), listed->deviation, index);
+    fputc('\n', sink->file);
+}
+
+static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
+{
+    const bool contacts = sink->output->curves.show == BEAD_SHOW_PEAKS;
+    for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
+        const struct bead_chain *chain = sink->context.chains[c];
+        const struct bead_outcome *o = &outcomes[c];
+        const struct listed listed = contacts ? (struct listed){o->contact_peaks, o->contact_uncertainty, o->contact_deviation}
+                                              : (struct listed){o->bead_peaks, o->bead_uncertainty, o->bead_deviation};
+        size_t first = sink->output->shown.beads.first;
+        size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
+        for (size_t i = first; listed.peaks && i < first + count; i++) {
+            bead_table_chain_name(sink, c);
+            write_peak(sink, &listed, i);
+            sink->rows++;
+        }
+    }
+}
+
+const struct table bead_table_contact_peaks = {
+    .why = "largest force of every contact", .needs = peaks_needs, .header = peaks_header, .end = peaks_end};
+const struct table bead_table_bead_peaks = {
+    .why = "largest force of every bead", .needs = peaks_needs, .header = peaks_header, .end = peaks_end};

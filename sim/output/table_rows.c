@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Writes the parts of tables, and the columns of tables with a row for each time. The FILE remembers failures until it is closed.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/number.h"
+#include "sim/output/sink_grid.h"
+#include "sim/output/table.h"
+
+void bead_table_text(FILE *file, const char *text)
+{
+    if (!text[strcspn(text, ",\"\r\n")]) {
+        fputs(text, file);
+        return;
+    }
+    fputc('"', file);
+    for (; *text; text++) {
+        if (*text == '"')
+            fputc('"', file);
+        fputc(*text, file);
+    }
+    fputc('"', file);
+}
+
+void bead_table_numbers(FILE *file, size_t count, const double *numbers)
+{
+    for (size_t i = 0; i < count; i++) {
+        fputc(',', file);
+        bead_write_number(file, numbers[i]);
+    }
+}
+
+void bead_table_chain_name(const struct bead_sink *sink, size_t chain)
+{
+    if (sink->context.chain_count == 1)
+        return;
+    bead_table_text(sink->file, bead_chain_name(sink->context.chains[chain]));
+    fputc(',', sink->file);
+}
+
+/* ---- numbers against time ---- */
+
+enum bead_error bead_table_add_column(struct bead_sink *sink, size_t chain, size_t bead, const char *what, struct bead_message *msg)
+{
+    const char *owner = sink->context.chain_count > 1 ? bead_chain_name(sink->context.chains[chain]) : "";
+    struct column *grown = realloc(sink->columns, (sink->column_count + 1) * sizeof *grown);
+    char *name = NULL;
+    if (grown)
+        sink->columns = grown;
+    if (!grown || asprintf(&name, "%s%s%s", owner, *owner ? "/" : "", what) < 0)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    grown[sink->column_count++] = (struct column){chain, bead, name, 0};
+    return BEAD_OK;
+}
+
+enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg)
+{
+    char every[32];
+    enum bead_error error = bead_sink_grid(sink->output, &sink->context, &sink->grid, msg);
+    bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
+    snprintf(sink->why, sizeof sink->why, "%zu samples of %s, every %s", bead_grid_count(&sink->grid), what, every);
+    return error;
+}
+
+void bead_table_time_header(const struct bead_sink *sink)
+{
+    const char *unit = bead_chain_time_unit(sink->context.chains[0]);
+    fprintf(sink->file, "time%s%s", *unit ? "_" : "", unit);
+}
+
+void bead_table_columns_header(struct bead_sink *sink)
+{
+    bead_table_time_header(sink);
+    for (size_t i = 0; i < sink->column_count; i++) {
+        fputc(',', sink->file);
+        bead_table_text(sink->file, sink->columns[i].name);
+    }
+    fputc('\n', sink->file);
+}
+
+void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample)
+{
+    if (sample->chain + 1 < sink->context.chain_count)
+        return;
+    bead_write_number(sink->file, sample->time);
+    for (size_t i = 0; i < sink->column_count; i++)
+        bead_table_numbers(sink->file, 1, &sink->columns[i].value);
+    fputc('\n', sink->file);
+    sink->rows++;
+}

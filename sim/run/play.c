@@ -1,0 +1,326 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Plays chains into consumers: the one loop that advances runs, and its surroundings. */
+#include "sim/run/play.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/clock.h"
+#include "sim/base/stop.h"
+#include "sim/base/thread_pool.h"
+#include "sim/chain/chain_data.h"
+
+/* A passage that is not over after this many passages of a wave never will be. */
+static const double usual_patience = 200;
+
+static enum bead_error look_for_stop(const volatile sig_atomic_t *stop, double time, struct bead_message *msg)
+{
+    return bead_stop_is_asked(stop) ? bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time) : BEAD_OK;
+}
+
+/* ---- one run ---- */
+
+static enum bead_error lost_front(const struct bead_chain *chain, double time, struct bead_message *msg)
+{
+    const char *name = bead_chain_name(chain);
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain%s%s: after %.4g s the front has not reached the end: give simulate.until",
+                     bead_chain_scene(chain)->file, *name ? " " : "", name, time);
+}
+
+enum bead_error bead_play_run(const struct bead_runner *runner, const struct bead_way *way, struct bead_message *msg)
+{
+    const struct bead_run_kind *kind = runner->kind;
+    const struct bead_chain *chain = runner->chain;
+    const bool passage = way->patience > 0;
+    const double give_up = passage ? way->patience * bead_chain_passage(chain, bead_chain_energy(chain)) : INFINITY;
+    enum bead_error err = BEAD_OK;
+    for (double time; !err && (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
+        err = look_for_stop(way->stop, time, msg);
+        if (!err && time > give_up)
+            err = lost_front(chain, time, msg);
+        if (!err)
+            err = kind->step(runner->run, msg);
+        if (!err && way->stepped)
+            err = way->stepped(way->context, runner, msg);
+    }
+    return err;
+}
+
+/* ---- all chains ---- */
+
+struct pass {
+    const struct bead_play *play;
+    struct bead_played *played;
+    struct bead_counts *counts;
+    unsigned turn;
+    bool quiet;         /* in a thread that reports no progress */
+    double fraction;    /* reported last; never falls */
+    atomic_size_t done; /* finished jobs */
+    size_t jobs;        /* 0: chains advance together */
+};
+
+/* Reports at most ten times a second. */
+static void report_progress(struct pass *pass, double time)
+{
+    const struct bead_play *p = pass->play;
+    if (pass->quiet || !p->progress || bead_clock() - pass->played->told < 0.1)
+        return;
+    pass->played->told = bead_clock();
+    double end = fmin(p->end, p->needed);
+    double fraction = isfinite(end) && end > 0 ? fmin(time / end, 1) : 0;
+    if (pass->jobs > 0)
+        fraction = fmin(((double)atomic_load(&pass->done) + fraction) / (double)pass->jobs, 1);
+    pass->fraction = fmax(pass->fraction, fraction);
+    struct bead_progress progress = {.what = p->what, .done = pass->fraction, .time = time};
+    p->progress(p->progress_context, &progress);
+}
+
+static enum bead_error stepped(void *context, const struct bead_runner *runner, struct bead_message *msg)
+{
+    struct pass *pass = context;
+    const struct bead_play *p = pass->play;
+    const size_t chain = (size_t)(runner - pass->played->runs);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < p->consumer_count; i++)
+        err = p->consumers[i].step ? p->consumers[i].step(&p->consumers[i], chain, runner->run, msg) : BEAD_OK;
+    if (pass->turn++ % 64 == 0)
+        report_progress(pass, runner->kind->time(runner->run));
+    return err;
+}
+
+static enum bead_error comparison_stepped(void *context, const struct bead_runner *runner, struct bead_message *)
+{
+    struct pass *pass = context;
+    if (pass->turn++ % 64 == 0)
+        report_progress(pass, runner->kind->time(runner->run));
+    return BEAD_OK;
+}
+
+/* Advances a chain's run, or its comparison run. */
+static enum bead_error advance(struct pass *pass, size_t chain, bool comparison, double time, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    const struct bead_way way = {.until = fmin(time, p->end),
+                                 .patience = isfinite(p->end)  ? 0
+                                             : p->patience > 0 ? p->patience
+                                                               : usual_patience,
+                                 .stop = p->stop,
+                                 .stepped = comparison ? comparison_stepped : stepped,
+                                 .context = pass};
+    return bead_play_run(&(comparison ? pass->played->comparison_runs : pass->played->runs)[chain], &way, msg);
+}
+
+static enum bead_error create_runs(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
+{
+    played->runs = calloc(p->chain_count, sizeof *played->runs);
+    played->outcomes = calloc(p->chain_count, sizeof *played->outcomes);
+    if (!played->runs || !played->outcomes)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    played->count = p->chain_count;
+    struct bead_run_settings settings = {.simulate = p->simulate,
+                                         .kernels = p->kernels,
+                                         .end = p->end,
+                                         .passage = p->passage,
+                                         .peak_span = p->peak_span,
+                                         .widening = p->widening,
+                                         .full_window = p->full_window,
+                                         .hash = p->hash,
+                                         .tolerance_factor = p->refinement};
+    for (size_t i = 0; i < p->consumer_count; i++) {
+        settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
+        settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
+        settings.budget |= p->consumers[i].needs.budget;
+        settings.states |= p->consumers[i].needs.states;
+    }
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < p->chain_count; i++) {
+        settings.chain = p->chains[i];
+        err = bead_runner_create(&settings, &played->runs[i], msg);
+    }
+    return err;
+}
+
+/* ---- samples ---- */
+
+/* Adds the values of the comparison run to a sample. */
+static enum bead_error add_comparison(struct pass *pass, double time, const struct bead_due *due, struct bead_sample *sample,
+                                      struct bead_message *msg)
+{
+    const struct bead_runner *comparison = &pass->played->comparison_runs[sample->chain];
+    struct bead_sample other = {.chain = sample->chain};
+    enum bead_error err = advance(pass, sample->chain, true, time, msg);
+    if (!err)
+        err = comparison->kind->sample(comparison->run, time, due->comparison, due->span, &other, msg);
+    if (err)
+        return err;
+    memcpy(sample->comparison, other.field, sizeof sample->comparison);
+    sample->comparison_active = other.active;
+    return BEAD_OK;
+}
+
+/* Computes a sample, unless the run is over before: *over. */
+static enum bead_error compute_sample(struct pass *pass, const struct bead_due *due, struct bead_sample *sample, bool *over,
+                                      struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    const struct bead_runner *runner = &pass->played->runs[sample->chain];
+    const double time = fmin(due->time, p->end); /* grids end with the run except for rounding */
+    enum bead_error err = advance(pass, sample->chain, false, time, msg);
+    *over = !err && isinf(p->end) && time > runner->kind->over(runner->run);
+    if (err || *over)
+        return err;
+    err = runner->kind->sample(runner->run, time, due->fields, due->span, sample, msg);
+    if (!err && due->comparison)
+        err = add_comparison(pass, time, due, sample, msg);
+    sample->time = due->time;
+    const size_t beads = bead_chain_beads(p->chains[sample->chain]);
+    size_t last = due->span.last < beads ? due->span.last + 1 : beads;
+    last = last < sample->active ? last : sample->active;
+    pass->counts->sample_values += last > due->span.first ? last - due->span.first : 0;
+    return err;
+}
+
+/* Delivers a sample of one chain, if its run is not over, and sets *any. */
+static enum bead_error give_sample(struct pass *pass, size_t chain, const struct bead_due *due, bool *any, struct bead_message *msg)
+{
+    const struct bead_stored *stored = pass->play->stored;
+    struct bead_sample sample = {.chain = chain};
+    bool over = false;
+    enum bead_error err =
+        stored ? stored->read(stored, due->time, due->fields, &sample, msg) : compute_sample(pass, due, &sample, &over, msg);
+    if (err || over)
+        return err;
+    *any = true;
+    pass->counts->samples++;
+    return bead_due_deliver(pass->play, due, &sample, msg);
+}
+
+/* Delivers all samples up to a time. */
+static enum bead_error give_samples(struct pass *pass, double until, struct bead_message *msg)
+{
+    const struct bead_play *p = pass->play;
+    const double last = fmin(p->stored ? p->stored->last : p->end * (1 + 1e-9), until);
+    struct bead_due due;
+    bool any = true;
+    enum bead_error err = BEAD_OK;
+    while (!err && any && bead_due_next(p, &due) && due.time <= last) {
+        any = false;
+        for (size_t i = 0; !err && i < p->chain_count; i++)
+            err = give_sample(pass, i, &due, &any, msg);
+        bead_due_pass(p, &due);
+        report_progress(pass, due.time);
+        if (!err)
+            err = look_for_stop(p->stop, due.time, msg);
+    }
+    return err;
+}
+
+/* ---- after the last sample ---- */
+
+/* Completes one run; jobs after those of the chains are the comparison runs. */
+static enum bead_error complete(void *context, size_t job, bool calling, struct bead_message *msg)
+{
+    struct pass *pass = context, quiet = {.play = pass->play, .played = pass->played, .quiet = true};
+    const size_t chains = pass->play->chain_count;
+    enum bead_error err = advance(calling ? pass : &quiet, job % chains, job >= chains, pass->play->needed, msg);
+    if (!err)
+        atomic_fetch_add(&pass->done, 1);
+    return err;
+}
+
+static enum bead_error complete_all(struct pass *pass, struct bead_message *msg)
+{
+    pass->jobs = pass->play->chain_count * (bead_compare_peaks(pass->play) ? 2 : 1);
+    return bead_thread_pool_run(pass->jobs, pass->play->threads, complete, pass, msg);
+}
+
+static void finish_runs(const struct pass *pass)
+{
+    struct bead_played *played = pass->played;
+    const double end = pass->play->end;
+    played->end = INFINITY;
+    for (size_t i = 0; i < played->count; i++) {
+        const struct bead_run_kind *kind = played->runs[i].kind;
+        struct bead_run *run = played->runs[i].run;
+        double reached = fmin(kind->time(run), end);
+        if (!isfinite(end) && !isnan(kind->over(run)))
+            reached = kind->over(run);
+        kind->finish(run, reached, &played->outcomes[i]);
+        played->end = fmin(played->end, reached);
+        const struct bead_run_work work = kind->work(run);
+        pass->counts->steps += work.steps;
+        pass->counts->evaluations += work.evaluations;
+        pass->counts->state_hash += work.hash * (2 * i + 1);
+    }
+    for (size_t i = 0; played->comparison_runs && i < played->count; i++) {
+        const struct bead_runner *comparison = &played->comparison_runs[i];
+        const struct bead_run_work work = comparison->kind->work(comparison->run);
+        pass->counts->comparison_steps += work.steps;
+        pass->counts->comparison_evaluations += work.evaluations;
+    }
+    pass->counts->passes++;
+}
+
+enum bead_error bead_play_begin(const struct bead_play *play, struct bead_played *played, struct bead_message *msg)
+{
+    *played = (struct bead_played){.told = bead_clock()};
+    bead_due_start(play);
+    if (play->stored)
+        return BEAD_OK;
+    enum bead_error err = create_runs(play, played, msg);
+    return err ? err : bead_compare_create(play, played, msg);
+}
+
+enum bead_error bead_play_advance(const struct bead_play *play, struct bead_played *played, double time, struct bead_message *msg)
+{
+    struct bead_counts unused = {0};
+    struct pass pass = {.play = play, .played = played, .counts = &unused};
+    enum bead_error err = give_samples(&pass, time, msg);
+    for (size_t i = 0; !err && i < play->chain_count; i++)
+        err = advance(&pass, i, false, time, msg);
+    return err;
+}
+
+enum bead_error bead_play_finish(const struct bead_play *play, struct bead_played *played, struct bead_message *msg)
+{
+    struct bead_counts unused = {0};
+    struct pass pass = {.play = play, .played = played, .counts = &unused};
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && played->comparison_runs && i < played->count; i++)
+        err = advance(&pass, i, true, played->runs[i].kind->time(played->runs[i].run), msg);
+    finish_runs(&pass);
+    return err ? err : bead_compare_finish(play, played, msg);
+}
+
+enum bead_error bead_play(const struct bead_play *play, struct bead_played *played, struct bead_message *msg)
+{
+    struct bead_counts unused = {0};
+    struct pass pass = {.play = play, .played = played, .counts = play->counts ? play->counts : &unused};
+    enum bead_error err = bead_play_begin(play, played, msg);
+    if (err)
+        return err;
+    err = give_samples(&pass, INFINITY, msg);
+    if (play->stored)
+        return err;
+    if (!err)
+        err = complete_all(&pass, msg);
+    finish_runs(&pass);
+    return err ? err : bead_compare_finish(play, played, msg);
+}
+
+void bead_played_free(struct bead_played *played)
+{
+    for (size_t i = 0; played->runs && i < played->count; i++)
+        bead_runner_destroy(&played->runs[i]);
+    for (size_t i = 0; played->comparison_runs && i < played->count; i++)
+        bead_runner_destroy(&played->comparison_runs[i]);
+    for (size_t i = 0; played->uncertainty && i < 2 * played->count; i++)
+        free(played->uncertainty[i]);
+    free(played->uncertainty);
+    free(played->runs);
+    free(played->comparison_runs);
+    free(played->outcomes);
+    *played = (struct bead_played){.count = 0};
+}

@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Schedules samples: finds the next time that any consumer wants, and delivers the sample to all that want it. */
+#include <math.h>
+
+#include "sim/run/play.h"
+
+/* Times of two grids closer than this part of a spacing are equal: grids start and step in decimal units. */
+static const double same_time = 1e-6;
+
+void bead_due_start(const struct bead_play *play)
+{
+    for (size_t i = 0; i < play->consumer_count; i++) {
+        struct bead_consumer *c = &play->consumers[i];
+        c->next = 0;
+        c->count = !c->needs.fields ? 0 : isinf(c->needs.grid.end) ? SIZE_MAX : bead_grid_count(&c->needs.grid);
+    }
+}
+
+static bool wants(const struct bead_consumer *c, double time)
+{
+    return c->next < c->count && bead_grid_time(&c->needs.grid, c->next) <= time + same_time * c->needs.grid.every;
+}
+
+bool bead_due_next(const struct bead_play *play, struct bead_due *due)
+{
+    due->time = INFINITY;
+    for (size_t i = 0; i < play->consumer_count; i++) {
+        const struct bead_consumer *c = &play->consumers[i];
+        if (c->next < c->count)
+            due->time = fmin(due->time, bead_grid_time(&c->needs.grid, c->next));
+    }
+    if (due->time == INFINITY)
+        return false;
+    double earliest = due->time;
+    due->fields = due->comparison = 0;
+    due->span = (struct bead_span){SIZE_MAX, 0};
+    for (size_t i = 0; i < play->consumer_count; i++) {
+        const struct bead_consumer *c = &play->consumers[i];
+        if (!wants(c, earliest))
+            continue;
+        if (c->exact)
+            due->time = bead_grid_time(&c->needs.grid, c->next);
+        due->fields |= c->needs.fields;
+        due->comparison |= c->needs.comparison;
+        due->span.first = c->needs.beads.first < due->span.first ? c->needs.beads.first : due->span.first;
+        due->span.last = c->needs.beads.last > due->span.last ? c->needs.beads.last : due->span.last;
+    }
+    return true;
+}
+
+enum bead_error bead_due_deliver(const struct bead_play *play, const struct bead_due *due, struct bead_sample *sample,
+                                 struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; !err && i < play->consumer_count; i++) {
+        const struct bead_consumer *c = &play->consumers[i];
+        sample->index = c->next;
+        if (wants(c, due->time))
+            err = c->take(c, sample, msg);
+    }
+    return err;
+}
+
+void bead_due_pass(const struct bead_play *play, const struct bead_due *due)
+{
+    for (size_t i = 0; i < play->consumer_count; i++)
+        play->consumers[i].next += wants(&play->consumers[i], due->time);
+}

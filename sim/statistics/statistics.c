@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Statistics for sweeps and measures: summaries of samples, least-squares lines, participation. */
+#include "sim/statistics/statistics.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static int by_value(const void *a, const void *b)
+{
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+static double quantile(const double *sorted, size_t count, double part)
+{
+    double place = part * (double)(count - 1);
+    size_t below = (size_t)place;
+    double rest = place - (double)below;
+    return below + 1 < count ? sorted[below] + rest * (sorted[below + 1] - sorted[below]) : sorted[count - 1];
+}
+
+void bead_summary_of(double *values, size_t count, struct bead_summary *s)
+{
+    *s = (struct bead_summary){count, NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}};
+    if (count == 0)
+        return;
+    qsort(values, count, sizeof *values, by_value);
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += values[i];
+    s->mean = sum / (double)count;
+    for (size_t i = 0; i < count; i++)
+        squares += (values[i] - s->mean) * (values[i] - s->mean);
+    if (count > 1) {
+        s->deviation = sqrt(squares / (double)(count - 1));
+        s->standard_error = s->deviation / sqrt((double)count);
+    }
+    s->low = values[0];
+    s->high = values[count - 1];
+    s->median = quantile(values, count, 0.5);
+    s->quartile[0] = quantile(values, count, 0.25);
+    s->quartile[1] = quantile(values, count, 0.75);
+}
+
+void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line)
+{
+    double mx = 0, my = 0, xx = 0, xy = 0, rest = 0;
+    *line = (struct bead_line){NAN, NAN, NAN, count};
+    for (size_t i = 0; i < count; i++) {
+        mx += x[i] / (double)count;
+        my += y[i] / (double)count;
+    }
+    for (size_t i = 0; i < count; i++) {
+        xx += (x[i] - mx) * (x[i] - mx);
+        xy += (x[i] - mx) * (y[i] - my);
+    }
+    if (count < 2 || !(xx > 0))
+        return;
+    line->slope = xy / xx;
+    line->offset = my - line->slope * mx;
+    for (size_t i = 0; i < count; i++) {
+        double off = y[i] - line->offset - line->slope * x[i];
+        rest += off * off;
+    }
+    if (count > 2)
+        line->slope_error = sqrt(rest / (double)(count - 2) / xx);
+}
+
+double bead_participation(const double *y, size_t count)
+{
+    double sum = 0, squares = 0, largest = 0;
+    for (size_t i = 0; i < count; i++)
+        largest = fmax(largest, fabs(y[i]));
+    for (size_t i = 0; i < count && largest > 0; i++) {
+        double part = fabs(y[i]) / largest;
+        sum += part;
+        squares += part * part;
+    }
+    return largest > 0 ? sum * sum / squares : NAN;
+}
