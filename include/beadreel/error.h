@@ -32,6 +32,15 @@ enum bead_error {
 };
 #define BEAD_OK BEAD_ERROR_OK
 
+/* Make the call; if it fails, return its error from the function that this is in. What that function has allocated must belong to
+ * somebody who frees it. */
+#define BEAD_TRY(call)                                 \
+    do {                                               \
+        const enum bead_error bead_try_error = (call); \
+        if (bead_try_error)                            \
+            return bead_try_error;                     \
+    } while (0)
+
 struct bead_message {
     char text[4096]; /* one line; of a wrong scene up to ten, one for each thing that is wrong */
 };

@@ -97,11 +97,9 @@ enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, 
     char file[64], *text = NULL;
     size_t length = 0;
     snprintf(file, sizeof file, "colormaps/%s.txt", info->name);
-    enum bead_error err = bead_asset_read(file, &text, &length, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_asset_read(file, &text, &length, msg));
     snprintf(map->name, sizeof map->name, "%s", info->name);
-    err = parse(file, text, map, msg);
+    enum bead_error err = parse(file, text, map, msg);
     free(text);
     return err;
 }

@@ -32,9 +32,7 @@ bool bead_page_titled(const struct bead_page *page)
 enum bead_error bead_page_find(const struct bead_output *output, struct bead_page *page, struct bead_message *msg)
 {
     double size[2];
-    enum bead_error err = output->views.axes ? bead_text_check(msg) : BEAD_OK;
-    if (err)
-        return err;
+    BEAD_TRY(output->views.axes ? bead_text_check(msg) : BEAD_OK);
     bool vector = is_vector(output->path), length = output->paper.size_is_length;
     for (int i = 0; i < 2; i++)
         size[i] = round(length ? output->paper.size[i] / inch * output->paper.dpi : output->paper.size[i]);
@@ -118,13 +116,11 @@ static enum bead_error write_raster(const struct bead_page *page, const struct b
                                     const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_frame frame;
-    enum bead_error err = bead_frame_create(page->width, page->height, &frame, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_frame_create(page->width, page->height, &frame, msg));
     frame.alpha = page->clear;
     bead_warnings_watch();
-    err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
-                          : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);
+    enum bead_error err = drawing->raster ? drawing->raster(drawing->context, &frame, msg)
+                                          : bead_raster_draw(&frame, drawing->draw, drawing->context, msg);
     if (!err)
         err = bead_warnings_check(msg);
     if (!err)

@@ -191,9 +191,7 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
                                uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_picture_notes own;
-    enum bead_error err = bead_notes_take(&own, notes, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_notes_take(&own, notes, msg));
     struct image image = {.width = frame->width, .height = frame->height, .frame = frame, .notes = &own};
     if (frame->alpha)
         return bead_file_write(path, png_fill, &image, bytes, msg);
@@ -202,7 +200,7 @@ enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for %d x %d pixels", path, frame->width, frame->height);
     if (find_palette(frame, indices, &image))
         image.indices = indices;
-    err = bead_file_write(path, png_fill, &image, bytes, msg);
+    enum bead_error err = bead_file_write(path, png_fill, &image, bytes, msg);
     free(indices);
     return err;
 }
@@ -212,9 +210,7 @@ enum bead_error bead_png_write_indexed(const char *path, int width, int height, 
                                        struct bead_message *msg)
 {
     struct bead_picture_notes own;
-    enum bead_error err = bead_notes_take(&own, notes, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_notes_take(&own, notes, msg));
     struct image image = {.width = width, .height = height, .indices = indices, .colours = 256, .notes = &own};
     for (int i = 0; i < 256; i++)
         image.palette[i] = (png_color){palette[i][0], palette[i][1], palette[i][2]};

@@ -149,9 +149,7 @@ enum bead_error bead_vector_write(const char *path, int width, int height, bead_
                                   const struct bead_picture_notes *notes, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_picture_notes own;
-    enum bead_error err = bead_notes_take(&own, notes, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_notes_take(&own, notes, msg));
     struct page page = {find_format(path), width, height, draw, context, &own};
     if (!page.format || !(own.dpi > 0))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: vector files end in .pdf or .svg and need dots per inch > 0", path);

@@ -166,9 +166,7 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
     int code = open_stream(movie);
     if (code < 0)
         return fail(movie, "no stream", code, msg);
-    enum bead_error err = bead_av_file_create(movie->part, &e->file, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_av_file_create(movie->part, &e->file, msg));
     e->format->pb = bead_av_file_wrap(e->file, true);
     if (!e->format->pb)
         return no_memory(movie, msg);
@@ -196,9 +194,7 @@ static int make_format(const struct bead_movie *movie, AVFormatContext **format)
 
 static enum bead_error libav_open(struct bead_movie *movie, struct bead_message *msg)
 {
-    enum bead_error err = bead_av_open(msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_av_open(msg));
     struct bead_encoder *e = movie->encoder = calloc(1, sizeof *e);
     if (!e)
         return no_memory(movie, msg);
@@ -212,8 +208,8 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     int code = make_format(movie, &e->format);
     if (code < 0)
         return fail(movie, "libavformat does not write this container", code, msg);
-    err = open_codec(movie, msg);
-    return err ? err : open_file(movie, msg);
+    BEAD_TRY(open_codec(movie, msg));
+    return open_file(movie, msg);
 }
 
 /* Make all encoded frames readable from the file. */
@@ -313,8 +309,8 @@ static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, con
 static enum bead_error libav_add(struct bead_movie *movie, const struct bead_frame *frame, const struct bead_changes *changes,
                                  struct bead_message *msg)
 {
-    enum bead_error err = libav_convert(movie, 0, frame, changes, msg);
-    return err ? err : libav_add_slot(movie, 0, changes, msg);
+    BEAD_TRY(libav_convert(movie, 0, frame, changes, msg));
+    return libav_add_slot(movie, 0, changes, msg);
 }
 
 /* Encode pending changes, and the last frame once more if its picture was only made to last longer: players and tools disagree
@@ -345,9 +341,7 @@ static enum bead_error end_part(struct bead_movie *movie, struct bead_message *m
     int code = avcodec_send_frame(e->codec, NULL);
     if (code < 0)
         return fail(movie, "encoding failed", code, msg);
-    enum bead_error err = drain(movie, msg);
-    if (err)
-        return err;
+    BEAD_TRY(drain(movie, msg));
     code = release(movie, (int64_t)movie->shown);
     if (code >= 0)
         code = set_final_delay(movie);
@@ -409,9 +403,7 @@ static enum bead_error close_part(struct bead_movie *movie, struct bead_message 
     struct bead_encoder *e = movie->encoder;
     bead_av_file_unwrap(&e->format->pb);
     bool own = movie->comment && !movie->codec->gif; /* else in the finished file */
-    enum bead_error err = own ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK;
-    if (err)
-        return err;
+    BEAD_TRY(own ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK);
     int descriptor = e->file;
     e->file = -1;
     return close(descriptor) == 0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path);

@@ -137,8 +137,8 @@ enum bead_error bead_movie_check(const char *path, const struct bead_movie_setti
 {
     struct bead_movie_settings own;
     const struct bead_codec *codec;
-    enum bead_error err = take(&own, settings, msg);
-    return err ? err : check(path, &own, &codec, msg);
+    BEAD_TRY(take(&own, settings, msg));
+    return check(path, &own, &codec, msg);
 }
 
 static void destroy(struct bead_movie *movie)
@@ -222,8 +222,8 @@ enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool 
 enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
                                    const struct bead_changes *missing, struct bead_message *msg)
 {
-    enum bead_error err = check_frame(movie, frame, msg);
-    return err ? err : movie->codec->way->convert(movie, slot, frame, missing, msg);
+    BEAD_TRY(check_frame(movie, frame, msg));
+    return movie->codec->way->convert(movie, slot, frame, missing, msg);
 }
 
 enum bead_error bead_movie_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,

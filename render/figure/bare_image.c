@@ -66,9 +66,8 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
     b->across = time_down(b) ? b->page.width : b->page.height;
     if ((size_t)b->across < chains)
         return bead_output_wrong(b->output, msg, "size: fewer rows (or columns) of pixels than chains");
-    enum bead_error err = BEAD_OK;
     b->beads = (struct bead_span){b->output->shown.beads.first, 0};
-    for (size_t c = 0; !err && c < chains; c++) {
+    for (size_t c = 0; c < chains; c++) {
         struct bead_area_setup setup = {b->output->shown.beads, {time[0], time[1]}, 0, b->columns, b->output->image.sampling};
         size_t count = count_of(b, c);
         setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
@@ -77,9 +76,9 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
         b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
         b->tops[c + 1] = (int)((long long)b->across * (long long)(c + 1) / (long long)chains);
         setup.places = b->tops[c + 1] - b->tops[c];
-        err = bead_area_create(&setup, &b->areas[c], msg);
+        BEAD_TRY(bead_area_create(&setup, &b->areas[c], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error bare_create(const struct bead_output *output, const struct bead_run_context *context, struct bead_still *b,

@@ -27,9 +27,7 @@ void contact_sheet_clear(struct contact_sheet *s)
 static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
 {
     struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_sweep_chain_create(s->sweep, image->panel, image->index, &made, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_chain_create(s->sweep, image->panel, image->index, &made, msg));
     const struct bead_chain *chain = bead_sweep_chain_of(made);
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
     const char *spin = bead_chain_spins(chain);
@@ -49,7 +47,7 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
     const size_t values = s->of_contacts ? bead_chain_contacts(chain) : image->beads;
     const int columns = contact_columns(s, image), places = image->picture.width + image->picture.height - columns;
     const struct bead_area_setup setup = {{0, values - 1}, {0, s->end}, places, columns, BEAD_SAMPLING_AREA};
-    err =
+    enum bead_error err =
         image->spin ? bead_area_create(&setup, &image->area, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     bead_sweep_chain_destroy(made);
     return err;

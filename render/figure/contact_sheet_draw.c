@@ -109,11 +109,10 @@ static enum bead_error find_indices(const struct contact_sheet *s, const struct 
     const int columns = contact_columns(s, image), places = image->picture.width + image->picture.height - columns;
     const struct bead_area_image to = bead_orientation_image(s->orientation, places, indices, image->picture.width);
     struct bead_colour_table table;
-    enum bead_error err = BEAD_OK;
     bead_colour_table_make(&s->colours, &table);
-    for (int c = 0, done; !err && c < columns; c = done + 1)
-        err = bead_area_colour(image->area, &table, c, columns, &to, &done, msg);
-    return err;
+    for (int c = 0, done; c < columns; c = done + 1)
+        BEAD_TRY(bead_area_colour(image->area, &table, c, columns, &to, &done, msg));
+    return BEAD_OK;
 }
 
 static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image,

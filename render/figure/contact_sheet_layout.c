@@ -209,9 +209,7 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
     if (s->output->sheet.configurations > 0)
         s->columns = s->output->sheet.configurations;
     s->columns = s->columns < most ? s->columns : most;
-    enum bead_error err = sheet_choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg);
-    if (err)
-        return err;
+    BEAD_TRY(sheet_choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg));
     s->label_width = find_label_width(s);
     width = (width - s->label_width + gap) / (double)s->columns - gap;
     const double left = margin + s->label_width, right = left + (double)s->columns * (width + gap) - gap;

@@ -108,19 +108,18 @@ static enum bead_error make_cells(struct bead_figure *f, struct bead_message *ms
     double magnify = f->output->views.magnify;
     if (!(magnify > 0))
         magnify = bead_figure_looks_at_beads(f->output) ? bead_magnify_auto(f->context.chains, f->context.chain_count) : 1;
-    enum bead_error err = BEAD_OK;
-    for (size_t c = 0; !err && c < f->context.chain_count; c++) {
+    for (size_t c = 0; c < f->context.chain_count; c++) {
         if (!is_shown(f, c))
             continue;
         struct bead_cell *cell = &f->cells[f->cell_count++];
         cell->chain = c;
         cell->panel = &f->tiles[f->tile_count];
         f->tile_count += f->view_count;
-        err = fill_cell(f, cell, magnify, msg);
+        BEAD_TRY(fill_cell(f, cell, magnify, msg));
     }
-    if (!err && f->cell_count == 0)
-        err = bead_output_wrong(f->output, msg, "there is no sensor to show; give a bead one: {bead: steel, sensor: first}");
-    return err;
+    if (f->cell_count == 0)
+        return bead_output_wrong(f->output, msg, "there is no sensor to show; give a bead one: {bead: steel, sensor: first}");
+    return BEAD_OK;
 }
 
 enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct bead_canvas *canvas, struct bead_message *msg)
@@ -302,17 +301,16 @@ static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell
 
 enum bead_error bead_figure_feed(struct bead_figure *f, const struct bead_sample *sample, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t c = 0; !err && c < f->cell_count; c++) {
+    for (size_t c = 0; c < f->cell_count; c++) {
         struct bead_cell *cell = &f->cells[c];
         if (cell->chain != sample->chain)
             continue;
-        for (size_t v = 0; !err && v < f->view_count; v++) {
+        for (size_t v = 0; v < f->view_count; v++) {
             if (cell->panel[v].view)
-                err = cell->panel[v].type->feed(cell->panel[v].view, sample, msg);
+                BEAD_TRY(cell->panel[v].type->feed(cell->panel[v].view, sample, msg));
         }
-        if (!err && f->stills)
-            err = keep_moment(f, cell, sample, msg);
+        if (f->stills)
+            BEAD_TRY(keep_moment(f, cell, sample, msg));
     }
-    return err;
+    return BEAD_OK;
 }

@@ -308,9 +308,7 @@ enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, co
     share_axes(f);
     struct plan plan = {.f = f, .trust = f->output->shown.trust ? round(trust_line * f->look.label) : 0};
     struct bead_layout_grid *grid = &plan.grid;
-    enum bead_error err = bead_layout_make(f->columns + has_bar(f), 1 + f->rows * f->view_count, f->tile_count, grid, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_layout_make(f->columns + has_bar(f), 1 + f->rows * f->view_count, f->tile_count, grid, msg));
     for (size_t i = 0; i < grid->count; i++) {
         const struct bead_cell *cell = f->tiles[i].cell;
         grid->boxes[i].column = cell->column;
@@ -320,7 +318,8 @@ enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, co
     want_columns(&plan, least);
     bead_lanes_within(&grid->columns, area.x + f->margin, area.width - 2 * f->margin);
     bead_lanes_within(&grid->rows, area.y + f->margin, area.height - 2 * f->margin);
-    err = bead_layout_settle(grid, 2, false, &(struct bead_layout_owner){&plan, heights, measure_all, too_small}, msg);
+    enum bead_error err =
+        bead_layout_settle(grid, 2, false, &(struct bead_layout_owner){&plan, heights, measure_all, too_small}, msg);
     if (!err)
         place_all(&plan);
     *insets = bead_layout_insets(grid, area);

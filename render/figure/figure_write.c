@@ -88,12 +88,11 @@ enum bead_error bead_figure_draw(struct bead_figure *f, struct bead_frame *frame
                                  struct bead_message *msg)
 {
     struct bead_changes changes = {0};
-    enum bead_error err = BEAD_OK;
-    for (size_t t = 0; !err && t < f->tile_count; t++) {
+    for (size_t t = 0; t < f->tile_count; t++) {
         const struct bead_tile *panel = &f->tiles[t];
-        err = panel->type->draw(panel->view, moment_of(f, panel->cell), frame, background, &changes, msg);
+        BEAD_TRY(panel->type->draw(panel->view, moment_of(f, panel->cell), frame, background, &changes, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 bool bead_figure_needs_canvas(const struct bead_figure *f)
@@ -107,17 +106,16 @@ bool bead_figure_needs_canvas(const struct bead_figure *f)
 
 enum bead_error bead_figure_vector(struct bead_figure *f, cairo_t *cr, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t t = 0; !err && t < f->tile_count; t++) {
+    for (size_t t = 0; t < f->tile_count; t++) {
         const struct bead_tile *panel = &f->tiles[t];
-        err = panel->type->vector(panel->view, moment_of(f, panel->cell), cr, msg);
+        BEAD_TRY(panel->type->vector(panel->view, moment_of(f, panel->cell), cr, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_figure_finish(struct bead_figure *f, struct bead_canvas *canvas, struct bead_message *msg)
 {
     find_horizons(f);
-    enum bead_error err = bead_figure_views(f, false, canvas, msg);
-    return err ? err : feed_moments(f, msg);
+    BEAD_TRY(bead_figure_views(f, false, canvas, msg));
+    return feed_moments(f, msg);
 }

@@ -153,16 +153,15 @@ static void panels_needs(const struct bead_still *still, struct bead_needs *need
 
 static enum bead_error panels_feed(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t p = 0; !err && p < still->count; p++) {
+    for (size_t p = 0; p < still->count; p++) {
         struct still_panel *panel = &still->panels[p];
         const struct bead_grid *grid = &panel->needs.grid;
         double slack = 1.5 * still->grid.every; /* one sample before and behind */
         if (!panel->needs.fields || sample->time < grid->start - slack || sample->time > grid->end + slack)
             continue;
-        err = panel->figure ? bead_figure_feed(panel->figure, sample, msg) : bead_plot_data_feed(panel->plot, sample, msg);
+        BEAD_TRY(panel->figure ? bead_figure_feed(panel->figure, sample, msg) : bead_plot_data_feed(panel->plot, sample, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static const char *panels_painter(const struct bead_still *s)

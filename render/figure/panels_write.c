@@ -69,9 +69,7 @@ static enum bead_error draw_plot(const struct bead_still *s, const struct still_
                                 .explained = is_explained(s, panel, &graph),
                                 .no_across = panel->set.no_across};
     struct graph_layout layout;
-    enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, msg);
-    if (err)
-        return err;
+    BEAD_TRY(graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, msg));
     cairo_save(cr);
     cairo_translate(cr, panel->area.x, panel->area.y);
     graph_draw_all(cr, &layout);
@@ -97,12 +95,12 @@ static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_m
 static enum bead_error draw_vector(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_still *s = context;
-    enum bead_error err = panels_decorate(context, cr, msg);
-    for (size_t p = 0; !err && p < s->count; p++) {
+    BEAD_TRY(panels_decorate(context, cr, msg));
+    for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
-            err = bead_figure_vector(s->panels[p].figure, cr, msg);
+            BEAD_TRY(bead_figure_vector(s->panels[p].figure, cr, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error panels_draw_frame(void *context, struct bead_frame *frame, struct bead_message *msg)

@@ -33,9 +33,7 @@ static enum bead_error plot_create(const struct bead_output *output, const struc
     struct bead_page page;
     s->output = output;
     s->context = *context;
-    enum bead_error err = bead_page_find(output, &page, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_page_find(output, &page, msg));
     return is_drawing(output) ? bead_schematic_check(output, context, msg)
                               : bead_plot_data_create(output, context, SIZE_MAX, &s->plot, msg);
 }

@@ -71,14 +71,13 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
     c->views = calloc(view_count(c) + 1, sizeof *c->views);
     if (!c->views)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for views");
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < view_count(c); i++) {
+    for (size_t i = 0; i < view_count(c); i++) {
         struct bead_view_setup setup = setup_of(c, i);
-        err = type_of(c, i)->create(&setup, &c->views[i], msg);
-        if (!err && overlaid(c, i))
-            err = type_of(c, i)->overlay(c->views[i % c->wants.view_count], c->views[i], msg);
+        BEAD_TRY(type_of(c, i)->create(&setup, &c->views[i], msg));
+        if (overlaid(c, i))
+            BEAD_TRY(type_of(c, i)->overlay(c->views[i % c->wants.view_count], c->views[i], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error composer_fill(struct bead_composer *c, struct bead_message *msg)
@@ -88,9 +87,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
                    output->movie.type == BEAD_TYPE_LARGE);
     bead_look_font(&c->look, output->paper.font);
     c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
-    enum bead_error err = bead_colour_range_map(output, c->setup.chains[0], true, &c->map, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_colour_range_map(output, c->setup.chains[0], true, &c->map, msg));
     c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
     double span = c->setup.time[1] - c->setup.time[0];
@@ -98,6 +95,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     c->setup.film = c->setup.film ? c->setup.film : &c->even;
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
+    enum bead_error err = BEAD_OK;
     if (c->setup.interest)
         err = bead_interest_open(c, msg);
     if (!err)
@@ -243,14 +241,13 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
 
 enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     if (c->fed)
         bead_interest_feed(c, sample);
     if (c->cameras)
-        err = bead_camera_feed(c->cameras[sample->chain], sample, msg);
-    for (size_t v = 0; !err && v < c->wants.view_count; v++)
-        err = c->wants.views[v]->feed(c->views[sample->chain * c->wants.view_count + v], sample, msg);
-    return err;
+        BEAD_TRY(bead_camera_feed(c->cameras[sample->chain], sample, msg));
+    for (size_t v = 0; v < c->wants.view_count; v++)
+        BEAD_TRY(c->wants.views[v]->feed(c->views[sample->chain * c->wants.view_count + v], sample, msg));
+    return BEAD_OK;
 }
 
 enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes *changes, struct bead_message *msg)

@@ -63,14 +63,11 @@ enum bead_error bead_film_prepare(const struct bead_output *output, const struct
                                .context = *context,
                                .fields = bead_composer_fields(output, first),
                                .comparison = bead_composer_comparison(output, first)};
-    enum bead_error err = bead_colour_range_check(output, msg);
-    if (!err)
-        err = find_size(output, &film->width, &film->height, msg);
-    if (!err)
-        err = bead_movie_times_choose(film, msg);
-    if (!err)
-        err = check_times(film, msg);
-    return err ? err : find_beads(film, msg);
+    BEAD_TRY(bead_colour_range_check(output, msg));
+    BEAD_TRY(find_size(output, &film->width, &film->height, msg));
+    BEAD_TRY(bead_movie_times_choose(film, msg));
+    BEAD_TRY(check_times(film, msg));
+    return find_beads(film, msg);
 }
 
 bool bead_film_scouts(const struct bead_film *film)

@@ -117,8 +117,8 @@ static void frame_needs(const struct bead_sink *s, struct bead_needs *needs)
 static enum bead_error frame_begin(struct bead_sink *s, struct bead_range range, struct bead_message *msg)
 {
     s->begun = true;
-    enum bead_error err = bead_film_compose(&s->film, range, s->search, &s->composer, msg);
-    return err ? err : bead_composer_open(s->composer, msg);
+    BEAD_TRY(bead_film_compose(&s->film, range, s->search, &s->composer, msg));
+    return bead_composer_open(s->composer, msg);
 }
 
 /* Draws, judges or skips a frame that has a picture of its own. */
@@ -140,11 +140,9 @@ static enum bead_error pass_frame(struct bead_sink *s, struct bead_message *msg)
 
 static enum bead_error pass_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (; !err && !s->drawn && s->next < s->film.times.frames && bead_movie_time(&s->film.times, (double)s->next) <= until;
-         s->next++)
-        err = bead_movie_draws(&s->film.times, s->next) ? pass_frame(s, msg) : BEAD_OK;
-    return err;
+    for (; !s->drawn && s->next < s->film.times.frames && bead_movie_time(&s->film.times, (double)s->next) <= until; s->next++)
+        BEAD_TRY(bead_movie_draws(&s->film.times, s->next) ? pass_frame(s, msg) : BEAD_OK);
+    return BEAD_OK;
 }
 
 static enum bead_error frame_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)

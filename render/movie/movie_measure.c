@@ -200,9 +200,7 @@ enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_messa
                                    .follow = output->movie.follow == BEAD_FOLLOW_FRONT,
                                    .caption_lines = bead_captions_lines(&output->movie, &c->look, c->setup.width),
                                    .caption_line = bead_caption_height(&c->look)};
-    enum bead_error err = find_views(c, msg);
-    if (err)
-        return err;
+    BEAD_TRY(find_views(c, msg));
     for (size_t i = 0; i < w->chain_count; i++) {
         size_t sensors;
         (void)bead_chain_sensors(c->setup.chains[i], &sensors);
@@ -263,8 +261,7 @@ enum bead_error bead_composer_cameras(struct bead_composer *c, struct bead_messa
     }
     width = fmin(width, longest);
     narrow_moving(c, window_room(c, width, largest));
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < count; i++)
-        err = bead_camera_create(c->setup.chains[i], bead_composer_beads(c, i), width, c->setup.time, &c->cameras[i], msg);
-    return err;
+    for (size_t i = 0; i < count; i++)
+        BEAD_TRY(bead_camera_create(c->setup.chains[i], bead_composer_beads(c, i), width, c->setup.time, &c->cameras[i], msg));
+    return BEAD_OK;
 }

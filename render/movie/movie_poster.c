@@ -37,9 +37,7 @@ enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_compo
     const struct bead_frame *frame = bead_composer_frame(composer);
     if (!bead_poster_prefers(p, composer, time))
         return BEAD_OK;
-    enum bead_error err = p->frame.pixels ? BEAD_OK : bead_frame_create(frame->width, frame->height, &p->frame, msg);
-    if (err)
-        return err;
+    BEAD_TRY(p->frame.pixels ? BEAD_OK : bead_frame_create(frame->width, frame->height, &p->frame, msg));
     p->frame.alpha = frame->alpha;
     bead_frame_copy(&p->frame, frame, (struct bead_rect){0, 0, frame->width, frame->height});
     return BEAD_OK;
@@ -69,6 +67,6 @@ enum bead_error bead_poster_write(const struct bead_poster *p, const char *path,
     *bytes = 0;
     if (!p->taken)
         return BEAD_OK;
-    enum bead_error err = bead_poster_file(path, &p->frame, scene, bytes, msg);
-    return err ? err : set_cover(path, *bytes, movie, msg);
+    BEAD_TRY(bead_poster_file(path, &p->frame, scene, bytes, msg));
+    return set_cover(path, *bytes, movie, msg);
 }

@@ -64,8 +64,8 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
 
 enum bead_error bead_movie_times_choose(struct bead_film *film, struct bead_message *msg)
 {
-    enum bead_error err = choose_frames(film, msg);
-    return err ? err : times_choose_grid(film, msg);
+    BEAD_TRY(choose_frames(film, msg));
+    return times_choose_grid(film, msg);
 }
 
 double bead_movie_time(const struct bead_movie_times *t, double index)

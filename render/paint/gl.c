@@ -12,9 +12,7 @@ _Thread_local void *bead_gl;
 
 enum bead_error bead_gl_open(const struct bead_context_type *type, struct bead_context **context, struct bead_message *msg)
 {
-    enum bead_error err = bead_library_load(type->libraries, type->names, type->table, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_library_load(type->libraries, type->names, type->table, msg));
     *context = calloc(1, type->bytes);
     if (!*context)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a graphics context");
@@ -45,9 +43,7 @@ static enum bead_error compile(const char *asset, GLenum kind, GLuint *shader, s
     char *text = NULL;
     size_t length = 0;
     *shader = 0;
-    enum bead_error err = bead_asset_read(asset, &text, &length, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_asset_read(asset, &text, &length, msg));
     *shader = glCreateShader(kind);
     const GLchar *source = text;
     glShaderSource(*shader, 1, &source, NULL);

@@ -56,9 +56,7 @@ static enum bead_error make_brush(struct bead_canvas *canvas, const char *vertex
                                   const struct attribute *attributes, struct brush *brush, struct bead_message *msg)
 {
     const int margin = canvas->painter->margin;
-    enum bead_error err = bead_gl_program(vertex, fragment, &brush->program, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_gl_program(vertex, fragment, &brush->program, msg));
     glUseProgram(brush->program);
     glUniform2f(glGetUniformLocation(brush->program, "size"), (GLfloat)(canvas->width + 2 * margin),
                 (GLfloat)(canvas->height + 2 * margin));
@@ -153,9 +151,7 @@ static int find_margin(const struct bead_canvas *canvas)
 static enum bead_error fill(struct bead_canvas *canvas, struct bead_message *msg)
 {
     struct bead_painter *p = canvas->painter;
-    enum bead_error err = bead_gl_load(canvas->driver->context, &p->functions, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_gl_load(canvas->driver->context, &p->functions, msg));
     bead_gl = p->functions;
     describe(canvas);
     GLint most = 0;
@@ -199,9 +195,7 @@ static enum bead_error gl_open(struct bead_canvas *canvas, struct bead_message *
 static enum bead_error gl_keep(struct bead_canvas *canvas, struct bead_backdrop *backdrop, const struct bead_frame *frame,
                                struct bead_message *msg)
 {
-    enum bead_error err = use(canvas, msg);
-    if (err)
-        return err;
+    BEAD_TRY(use(canvas, msg));
     const struct bead_rect *place = &backdrop->place;
     const void *pixels = frame->pixels + (size_t)place->y * frame->stride + (size_t)place->x * 4;
     return bead_gl_target(place->width, place->height, pixels, frame->stride, &backdrop->texture, &backdrop->framebuffer, msg);
@@ -217,9 +211,7 @@ static void gl_forget(struct bead_canvas *canvas, struct bead_backdrop *backdrop
 
 static enum bead_error gl_begin(struct bead_canvas *canvas, struct bead_message *msg)
 {
-    enum bead_error err = use(canvas, msg);
-    if (err)
-        return err;
+    BEAD_TRY(use(canvas, msg));
     const struct bead_rect rect = canvas->rect;
     const int margin = canvas->painter->margin;
     glDisable(GL_SCISSOR_TEST);

@@ -8,9 +8,7 @@ enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bea
                                 double height, struct bead_message *msg)
 {
     struct graph_layout layout;
-    enum bead_error err = graph_layout_make(graph, look, width, height, NULL, &layout, msg);
-    if (err)
-        return err;
+    BEAD_TRY(graph_layout_make(graph, look, width, height, NULL, &layout, msg));
     cairo_save(cr);
     graph_draw_all(cr, &layout);
     cairo_restore(cr);
@@ -44,9 +42,7 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, const struct be
     whole.title = title;
     whole.caption = output->still.caption;
     struct job job = {.graph = &whole, .output = output};
-    enum bead_error err = bead_page_find(output, &job.page, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_page_find(output, &job.page, msg));
     if (bead_page_titled(&job.page))
         bead_markup_quote(scene->title, title, sizeof title);
     whole.size = bead_page_size(&job.page, size);

@@ -141,9 +141,7 @@ static enum bead_error make_grid(struct graph_layout *l, struct bead_message *ms
 {
     const struct bead_insets *least = &l->frame.least;
     double em = l->look->label, margin = l->frame.margin;
-    enum bead_error err = bead_layout_make(l->columns + 1, l->rows + 3, l->graph->panel_count, &l->grid, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_layout_make(l->columns + 1, l->rows + 3, l->graph->panel_count, &l->grid, msg));
     struct bead_lane *columns = l->grid.columns.lane, *rows = l->grid.rows.lane;
     for (size_t p = 0; p < l->grid.count; p++) {
         l->grid.boxes[p].column = l->cells[p].column;
@@ -280,10 +278,8 @@ static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message
         columns[c].reach[0] = 4 * em; /* first guesses */
     for (size_t r = 0; r < l->rows; r++)
         rows[1 + r].reach[1] = 2.5 * em;
-    enum bead_error err = bead_layout_settle(
-        &l->grid, FREELY, true, &(struct bead_layout_owner){.user = l, .measure = graph_measure, .no_room = no_room}, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_layout_settle(&l->grid, FREELY, true,
+                                &(struct bead_layout_owner){.user = l, .measure = graph_measure, .no_room = no_room}, msg));
     take_plots(l);
     put_outer_legend(l);
     return BEAD_OK;
@@ -330,9 +326,7 @@ static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, 
     struct graph_mask mask;
     if (cell->panel->ruler_count == 0 && cell->legend.count == 0)
         return BEAD_OK;
-    enum bead_error err = graph_mask_make(cell, l->look, &mask, msg);
-    if (err)
-        return err;
+    BEAD_TRY(graph_mask_make(cell, l->look, &mask, msg));
     bool words = graph_words_place(cell, l->look, &mask);
     if (words)
         move_words(l);

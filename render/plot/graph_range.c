@@ -154,6 +154,6 @@ static enum bead_error find_axis(struct graph_layout *layout, int axis, struct b
 
 enum bead_error graph_find_ranges(struct graph_layout *layout, struct bead_message *msg)
 {
-    enum bead_error err = find_axis(layout, 0, msg);
-    return err ? err : find_axis(layout, 1, msg);
+    BEAD_TRY(find_axis(layout, 0, msg));
+    return find_axis(layout, 1, msg);
 }

@@ -80,9 +80,7 @@ enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct b
                                      uint64_t *bytes, struct bead_message *msg)
 {
     const struct plot_kind *kind = plot_kind_of(data);
-    enum bead_error err = bead_plot_data_finish(data, outcomes, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_plot_data_finish(data, outcomes, msg));
     struct bead_graph graph = {
         .panels = data->panels, .panel_count = data->count, .letters = true, .share_x = kind->share_x, .share_y = true};
     return bead_graph_write(&graph, data->output, data->context.scene, path, bytes, msg);

@@ -44,9 +44,7 @@ static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bea
     size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
         return bead_output_wrong(output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every, times);
-    enum bead_error err = plot_reserve_chains(data, output->curves.modes, times * output->curves.modes, msg);
-    if (err)
-        return err;
+    BEAD_TRY(plot_reserve_chains(data, output->curves.modes, times * output->curves.modes, msg));
     data->sample = calloc(times, sizeof *data->sample);
     for (size_t k = 0; k < output->curves.modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);

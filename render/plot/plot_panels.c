@@ -65,14 +65,14 @@ enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_
 
 enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg)
 {
-    enum bead_error err = plot_reserve(data, data->context.chain_count, msg);
-    for (size_t c = 0; !err && c < data->context.chain_count; c++) {
+    BEAD_TRY(plot_reserve(data, data->context.chain_count, msg));
+    for (size_t c = 0; c < data->context.chain_count; c++) {
         if (!plot_shows(data, c))
             continue;
         struct plot_panel *part = &data->parts[data->count];
         part->chain = c;
         bead_markup_quote(bead_chain_title(data->context.chains[c]), part->title, sizeof part->title);
-        err = plot_reserve_series(data, data->count++, series, values, msg);
+        BEAD_TRY(plot_reserve_series(data, data->count++, series, values, msg));
     }
-    return err;
+    return BEAD_OK;
 }

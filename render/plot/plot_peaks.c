@@ -22,9 +22,7 @@ static size_t only_chain(const struct bead_plot_data *data)
 
 static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bead_message *msg)
 {
-    enum bead_error err = plot_reserve(data, 1, msg);
-    if (err)
-        return err;
+    BEAD_TRY(plot_reserve(data, 1, msg));
     size_t most = 1;
     const struct bead_field_info *own = bead_chain_field(data->context.chains[0], BEAD_FIELD_CONTACT_FORCE);
     const char *unit = own ? own->unit : bead_field_info(BEAD_FIELD_CONTACT_FORCE)->unit;
@@ -107,9 +105,7 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are known only at the end of a run", data->output->path);
         all += 3 * contacts_of(data, c);
     }
-    enum bead_error err = plot_reserve_series(data, 0, 2 * chains + 1, all, msg);
-    if (err)
-        return err;
+    BEAD_TRY(plot_reserve_series(data, 0, 2 * chains + 1, all, msg));
     for (size_t c = 0; c < chains; c++) {
         if (!plot_shows(data, c))
             continue;

@@ -132,15 +132,14 @@ static enum bead_error plot_sensors_add(struct bead_plot_data *data, struct plot
 
 static enum bead_error plot_sensors_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t p = 0; !err && p < data->count; p++) {
+    for (size_t p = 0; p < data->count; p++) {
         if (data->parts[p].chain != sample->chain)
             continue;
-        err = plot_sensors_add(data, &data->parts[p], sample, false, msg);
-        if (!err && data->output->shown.trust)
-            err = plot_sensors_add(data, &data->parts[p], sample, true, msg);
+        BEAD_TRY(plot_sensors_add(data, &data->parts[p], sample, false, msg));
+        if (data->output->shown.trust)
+            BEAD_TRY(plot_sensors_add(data, &data->parts[p], sample, true, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- the end ---- */
@@ -168,9 +167,7 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, 
     const struct bead_curves *curves = &part->curves;
     size_t sensors = curves->curves, room = 4 * curves->count, count;
     const struct bead_sensor *names = bead_chain_sensors(data->context.chains[part->chain], &count);
-    enum bead_error err = plot_reserve_series(data, p, sensors, 2 * room * sensors, msg);
-    if (err)
-        return err;
+    BEAD_TRY(plot_reserve_series(data, p, sensors, 2 * room * sensors, msg));
     for (size_t k = 0; k < sensors; k++) {
         double *x = part->values + 2 * k * room, *y = x + room, factor = plot_sensors_factor_of(data, part, k);
         size_t used = 0;

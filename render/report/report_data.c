@@ -60,14 +60,13 @@ static enum bead_error write_pictures(const void *context, FILE *file, struct be
 {
     const struct bead_sink *s = context;
     const struct bead_scene *scene = s->context.scene;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < scene->output_count && !err; i++) {
+    for (size_t i = 0; i < scene->output_count; i++) {
         const struct bead_output *output = &scene->outputs[i];
         bool still = output->kind == BEAD_OUTPUT_IMAGE || output->kind == BEAD_OUTPUT_PLOT;
         if (still && picture_type(output) && s->context.is_made && s->context.is_made(s->context.asker, output))
-            err = write_picture(s, output, file, msg);
+            BEAD_TRY(write_picture(s, output, file, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- numbers ---- */

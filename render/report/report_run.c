@@ -99,9 +99,7 @@ static enum bead_error choose_times(struct bead_sink *s, struct bead_message *ms
 {
     const double bytes = bytes_a_sample(s), count = fmin(most_samples, fmax(fewest_samples, floor(wanted_bytes / bytes)));
     double time[2], every = s->output->shown.every;
-    enum bead_error err = bead_picture_times(s->output, &s->context, time, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_picture_times(s->output, &s->context, time, msg));
     s->grid = grid_of(&s->context.native, time, every > 0 ? every : (time[1] - time[0]) / (count - 1));
     if (((s->grid.end - s->grid.start) / s->grid.every + 1) * bytes > most_bytes)
         return bead_output_wrong(
@@ -124,10 +122,10 @@ static void choose_stride(struct bead_sink *s)
 
 static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
 {
-    enum bead_error err = bead_colour_range_check(s->output, msg);
-    for (int dark = 0; dark < 2 && !err; dark++)
-        err = bead_colour_range_map(s->output, s->context.chains[0], dark, &s->maps[dark], msg);
-    return err;
+    BEAD_TRY(bead_colour_range_check(s->output, msg));
+    for (int dark = 0; dark < 2; dark++)
+        BEAD_TRY(bead_colour_range_map(s->output, s->context.chains[0], dark, &s->maps[dark], msg));
+    return BEAD_OK;
 }
 
 static void report_describe(struct bead_sink *s)
@@ -198,11 +196,10 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
 
 static enum bead_error report_begin(struct bead_sink *s, struct bead_range, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
     s->magnify = s->output->views.magnify > 0 ? s->output->views.magnify : bead_magnify_auto(s->context.chains, s->chain_count);
-    for (size_t i = 0; i < s->chain_count && !err; i++)
-        err = take_room(s, &s->chains[i], msg);
-    return err;
+    for (size_t i = 0; i < s->chain_count; i++)
+        BEAD_TRY(take_room(s, &s->chains[i], msg));
+    return BEAD_OK;
 }
 
 static void keep(const double *values, struct bead_span span, size_t sample, float *kept)

@@ -86,12 +86,11 @@ static enum bead_error list_images(struct sweep_report *r, struct bead_message *
 
 static enum bead_error prepare_colours(struct sweep_report *r, struct bead_message *msg)
 {
-    enum bead_error err = bead_colour_range_check(r->output, msg);
-    if (!err)
-        err = bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &r->clean, msg);
-    for (int dark = 0; dark < 2 && !err; dark++)
-        err = bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, &r->maps[dark], msg);
-    return err;
+    BEAD_TRY(bead_colour_range_check(r->output, msg));
+    BEAD_TRY(bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &r->clean, msg));
+    for (int dark = 0; dark < 2; dark++)
+        BEAD_TRY(bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, &r->maps[dark], msg));
+    return BEAD_OK;
 }
 
 static enum bead_error make_area(struct sweep_report *r, struct sweep_image *image, struct bead_message *msg)
@@ -100,9 +99,7 @@ static enum bead_error make_area(struct sweep_report *r, struct sweep_image *ima
     struct bead_sweep_chain *made = NULL;
     image->values = beads;
     if (bead_field_info(image->field)->of_contacts) {
-        enum bead_error err = bead_sweep_chain_create(r->sweep, image->panel, image->index, &made, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_sweep_chain_create(r->sweep, image->panel, image->index, &made, msg));
         image->values = bead_chain_contacts(bead_sweep_chain_of(made));
         bead_sweep_chain_destroy(made);
     }
@@ -257,9 +254,7 @@ static void write_rows(const struct bead_sweep_statistics *s, FILE *file)
 static enum bead_error write_place(const struct sweep_report *r, size_t panel, size_t place, FILE *file, struct bead_message *msg)
 {
     struct bead_sweep_statistics s = {0};
-    enum bead_error err = bead_sweep_statistics(r->sweep, panel, place, r->output->sweep_curves.threshold, &s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_statistics(r->sweep, panel, place, r->output->sweep_curves.threshold, &s, msg));
     fputs(place ? ",\n{\"name\":" : "{\"name\":", file);
     report_string(file, bead_sweep_place(r->sweep, panel, place));
     report_named_number(file, "clean", s.clean);

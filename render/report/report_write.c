@@ -195,13 +195,12 @@ static enum bead_error write_scene(const struct filling *filling, FILE *file, st
 
 static enum bead_error write_scripts(const struct filling *filling, FILE *file, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (const char *const *script = filling->page->scripts; *script && !err; script++) {
+    for (const char *const *script = filling->page->scripts; *script; script++) {
         if (script != filling->page->scripts)
             fputc('\n', file);
-        err = include_file(*script, file, msg);
+        BEAD_TRY(include_file(*script, file, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error write_skip(const struct filling *filling, FILE *file, struct bead_message *)

@@ -126,12 +126,10 @@ enum bead_error bead_schematic_check(const struct bead_output *output, const str
                                      struct bead_message *msg)
 {
     struct paper paper;
-    enum bead_error err = open_paper(output, context, &paper, msg);
-    if (err)
-        return err;
+    BEAD_TRY(open_paper(output, context, &paper, msg));
     cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create(nowhere);
-    err = draw_paper(&paper, cr, msg);
+    enum bead_error err = draw_paper(&paper, cr, msg);
     cairo_destroy(cr);
     cairo_surface_destroy(nowhere);
     return err;
@@ -142,6 +140,6 @@ enum bead_error bead_schematic_write(const struct bead_output *output, const str
 {
     struct paper paper;
     const struct bead_drawing drawing = {draw_paper, NULL, &paper};
-    enum bead_error err = open_paper(output, context, &paper, msg);
-    return err ? err : bead_page_write(&paper.page, output, context->scene, &drawing, path, bytes, msg);
+    BEAD_TRY(open_paper(output, context, &paper, msg));
+    return bead_page_write(&paper.page, output, context->scene, &drawing, path, bytes, msg);
 }

@@ -241,25 +241,25 @@ static enum bead_error move_names(struct bead_view *v, struct bead_message *msg)
     struct bead_rect strip = {v->plot.x, v->plot.y, v->plot.width, v->lens.rect.y};
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
-    enum bead_error err = bead_moving_labels_create(&v->look, strip, v->lens.scale, &v->labels, msg);
-    for (size_t i = 0; !err && i < count; i++) {
+    BEAD_TRY(bead_moving_labels_create(&v->look, strip, v->lens.scale, &v->labels, msg));
+    for (size_t i = 0; i < count; i++) {
         char markup[160];
         if (!sensor_name(v, &sensors[i], markup))
             continue;
-        err = bead_moving_labels_add(v->labels, v->position[sensors[i].bead - v->first], markup, v->look.ink, BEAD_LABEL_POINTER,
-                                     msg);
+        BEAD_TRY(bead_moving_labels_add(v->labels, v->position[sensors[i].bead - v->first], markup, v->look.ink, BEAD_LABEL_POINTER,
+                                        msg));
     }
-    if (!err && v->striker)
-        err = bead_moving_labels_add(v->labels, v->position[0], "striker", v->look.faint, BEAD_LABEL_PLAIN, msg);
-    if (!err && v->wall) {
+    if (v->striker)
+        BEAD_TRY(bead_moving_labels_add(v->labels, v->position[0], "striker", v->look.faint, BEAD_LABEL_PLAIN, msg));
+    if (v->wall) {
         char markup[200];
         wall_name(v, markup);
-        err = bead_moving_labels_add(v->labels, v->ends[1] - 4 * v->largest, markup, v->look.faint, BEAD_LABEL_PLAIN, msg);
+        BEAD_TRY(bead_moving_labels_add(v->labels, v->ends[1] - 4 * v->largest, markup, v->look.faint, BEAD_LABEL_PLAIN, msg));
     }
-    if (!err && v->setup.bead_labels)
-        err = bead_moving_labels_count(v->labels, v->position, v->first, v->count, bead_camera_width(v->setup.camera),
-                                       BEAD_LABEL_PLAIN, msg);
-    return err;
+    if (v->setup.bead_labels)
+        BEAD_TRY(bead_moving_labels_count(v->labels, v->position, v->first, v->count, bead_camera_width(v->setup.camera),
+                                          BEAD_LABEL_PLAIN, msg));
+    return BEAD_OK;
 }
 
 enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)

@@ -114,14 +114,13 @@ enum bead_error bead_moving_labels_count(struct bead_moving_labels *l, const dou
     size_t step = axis.count > 1 ? (size_t)lround(axis.ticks[1].value - axis.ticks[0].value) : (size_t)ceil(beads),
            names = l->count;
     step = step > 0 ? step : 1;
-    enum bead_error err = BEAD_OK;
-    for (size_t bead = (first + step - 1) / step * step; !err && bead < first + count; bead += step) {
+    for (size_t bead = (first + step - 1) / step * step; bead < first + count; bead += step) {
         char number[32];
         int digits = snprintf(number, sizeof number, "%zu", bead);
-        err = labels_add(l, names, place[bead - first], digit_width * l->look.tick * digits, number,
-                         sign == BEAD_LABEL_TICK ? l->look.ink : l->look.faint, sign, msg);
+        BEAD_TRY(labels_add(l, names, place[bead - first], digit_width * l->look.tick * digits, number,
+                            sign == BEAD_LABEL_TICK ? l->look.ink : l->look.faint, sign, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error make_mask(const struct bead_moving_labels *l, struct label *label, struct bead_message *msg)

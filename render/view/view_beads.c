@@ -162,13 +162,11 @@ static enum bead_error beads_paint(struct bead_view *v, const struct bead_drawin
         first = i < first ? i : first;
         end = i + 1;
     }
-    enum bead_error err = bead_paint_begin(v->canvas, v->backdrop, frame, rect, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_paint_begin(v->canvas, v->backdrop, frame, rect, msg));
     if (first < end)
         bead_paint_balls(v->canvas, d->now.balls + first, end - first);
     bead_paint_marks(v->canvas, d->now.marks, d->now.mark_count);
-    err = bead_paint_end(v->canvas, msg);
+    enum bead_error err = bead_paint_end(v->canvas, msg);
     if (changes)
         bead_changes_add(changes, (struct bead_rect){v->area.x + rect.x, v->area.y + rect.y, rect.width, rect.height});
     return err;
@@ -178,12 +176,11 @@ static enum bead_error paint_spans(struct bead_view *v, const struct bead_drawin
                                    const struct bead_spans *spans, struct bead_frame *frame, struct bead_changes *changes,
                                    struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < spans->count; i++) {
+    for (size_t i = 0; i < spans->count; i++) {
         struct bead_rect rect = {spans->from[i], limits->y, spans->to[i] - spans->from[i], limits->height};
-        err = beads_paint(v, d, rect, frame, changes, msg);
+        BEAD_TRY(beads_paint(v, d, rect, frame, changes, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,

@@ -222,12 +222,11 @@ static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot,
     profile_find_ends(v);
     if (v->setup.camera)
         profile_find_places(v);
-    enum bead_error err = BEAD_OK;
-    for (size_t k = 0; !err && k <= v->other_count; k++) {
+    for (size_t k = 0; k <= v->other_count; k++) {
         profile_spread(curve_at(v, k), v);
-        err = profile_make_curve(curve_at(v, k), msg);
+        BEAD_TRY(profile_make_curve(curve_at(v, k), msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* Numbers below the plot move with the camera; their title is left of them. */
@@ -236,8 +235,8 @@ static enum bead_error move_labels(struct bead_view *v, cairo_t *cr, struct bead
     bead_panel_name(cr, &v->setup, NULL, v->plot, bead_field_info(v->setup.field)->of_contacts ? "contact" : "bead");
     struct bead_rect strip = {v->plot.x, v->plot.y + v->plot.height, v->plot.width, (int)ceil(1.8 * v->look.tick)};
     double width = bead_camera_width(v->setup.camera);
-    enum bead_error err = bead_moving_labels_create(&v->look, strip, v->plot.width / width, &v->labels, msg);
-    return err ? err : bead_moving_labels_count(v->labels, v->place, v->first, v->count, width, BEAD_LABEL_TICK, msg);
+    BEAD_TRY(bead_moving_labels_create(&v->look, strip, v->plot.width / width, &v->labels, msg));
+    return bead_moving_labels_count(v->labels, v->place, v->first, v->count, width, BEAD_LABEL_TICK, msg);
 }
 
 static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)

@@ -288,9 +288,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
     if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
         return BEAD_OK;
-    enum bead_error err = v->area ? colour_columns(v, until, msg) : BEAD_OK;
-    if (err)
-        return err;
+    BEAD_TRY(v->area ? colour_columns(v, until, msg) : BEAD_OK);
     /* From the cursor's last place, or from the first change of the horizon. */
     double reach = ceil(bead_horizon_reach(&v->look)) + 1;
     int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
@@ -302,7 +300,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     struct bead_rect rect = columns_rect(v, first, to);
     if (v->area && to > first)
         put_pixels(v, rect, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)rect.x, frame->stride);
-    err = spacetime_draw_lines(v, rect, frame, msg);
+    enum bead_error err = spacetime_draw_lines(v, rect, frame, msg);
     if (cursor) {
         int at = smaller(until, last);
         draw_cursor(v, at, thickness, frame);

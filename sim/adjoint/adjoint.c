@@ -317,9 +317,7 @@ static void go_back(struct sweep *w, size_t index, double from, struct traveller
 static enum bead_error step_all(struct sweep *w, size_t index, struct bead_message *msg)
 {
     const struct bead_part touched = touched_by_all(w, index);
-    enum bead_error err = touched.to > touched.from ? bead_adjoint_nodes_load(&w->nodes, index, touched, msg) : BEAD_OK;
-    if (err)
-        return err;
+    BEAD_TRY(touched.to > touched.from ? bead_adjoint_nodes_load(&w->nodes, index, touched, msg) : BEAD_OK);
     for (size_t i = 0; i < w->count; i++) {
         if (w->traveller[i].step != index)
             continue;

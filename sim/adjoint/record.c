@@ -36,9 +36,7 @@ static enum bead_error keep(struct bead_record *r, size_t index, double time, si
                             struct bead_message *msg)
 {
     const double *from[ARRAYS] = {state->u, state->v, state->a};
-    enum bead_error err = grow(r, ARRAYS * active, msg);
-    if (err)
-        return err;
+    BEAD_TRY(grow(r, ARRAYS * active, msg));
     r->state[index] = (struct bead_recorded){time, active, r->used};
     for (int i = 0; i < ARRAYS; i++, r->used += active)
         memcpy(r->values + r->used, from[i], active * sizeof *r->values);

@@ -66,6 +66,6 @@ enum bead_error bead_asset_read(const char *name, char **text, size_t *length, s
     char path[PATH_MAX];
     *text = NULL;
     *length = 0;
-    enum bead_error err = bead_asset_path(name, path, sizeof path, msg);
-    return err ? err : bead_file_read(path, MOST_BYTES, text, length, msg);
+    BEAD_TRY(bead_asset_path(name, path, sizeof path, msg));
+    return bead_file_read(path, MOST_BYTES, text, length, msg);
 }

@@ -106,9 +106,7 @@ enum bead_error bead_file_create(const char *part, FILE **file, struct bead_mess
     int descriptor;
     bool created;
     *file = NULL;
-    enum bead_error err = bead_file_open(part, &descriptor, &created, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_file_open(part, &descriptor, &created, msg));
     if (ftruncate(descriptor, 0) == 0 && (*file = fdopen(descriptor, "wb")))
         return BEAD_OK;
     int error = errno;

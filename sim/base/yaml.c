@@ -177,8 +177,8 @@ static enum bead_error take_scalar(struct builder *b, const yaml_event_t *event)
     node->text = bead_yaml_text(b->yaml, value, event->data.scalar.length);
     if (!node->text)
         return out_of_memory(b);
-    enum bead_error err = remember(b, event->data.scalar.anchor, node, event->start_mark);
-    return err ? err : place_node(b, node, event->start_mark);
+    BEAD_TRY(remember(b, event->data.scalar.anchor, node, event->start_mark));
+    return place_node(b, node, event->start_mark);
 }
 
 static enum bead_error open_node(struct builder *b, const yaml_event_t *event, enum bead_node_kind kind)

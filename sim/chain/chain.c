@@ -72,9 +72,7 @@ static void free_arrays(struct bead_chain *chain)
 static enum bead_error allocate(struct bead_chain *chain, struct bead_message *msg)
 {
     size_t n = chain->beads;
-    enum bead_error err = check_memory(chain, msg);
-    if (err)
-        return err;
+    BEAD_TRY(check_memory(chain, msg));
     chain->material = calloc(n, sizeof *chain->material);
     chain->mass = calloc(n, sizeof(double));
     chain->inverse_mass = calloc(n, sizeof(double));
@@ -234,9 +232,7 @@ enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_message *ms
 {
     if (chain->mass)
         return BEAD_OK;
-    enum bead_error err = allocate(chain, msg);
-    if (err)
-        return err;
+    BEAD_TRY(allocate(chain, msg));
     if (chain->spec->system->has_contacts) {
         lay_contacts(chain);
         lay_beads(chain);

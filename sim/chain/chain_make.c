@@ -88,16 +88,16 @@ static enum bead_error check(const struct bead_chain_settings *given, struct bea
         return wrong(given, msg, "count", (double)given->count, "1 or more, with `beads` of that length");
     if (__builtin_mul_overflow(given->count, given->repeat > 0 ? given->repeat : 1, &beads) || beads > most_beads)
         return wrong(given, msg, "repeat", (double)given->repeat, "such that there are no more than 1e8 beads");
-    enum bead_error err = check_numbers(given, msg);
-    for (size_t i = 0; !err && i < given->count; i++)
-        err = check_bead(given, &given->beads[i], "beads", i, msg);
-    if (!err && is_given(&given->striker))
-        err = check_bead(given, &given->striker, "striker", 0, msg);
-    if (!err && given->wall == BEAD_WALL_MATERIAL)
-        err = check_elastic(given, &given->wall_material, "wall_material", 0, msg);
-    if (!err && given->law.row)
-        err = bead_law_check(given->law.row, msg);
-    return err;
+    BEAD_TRY(check_numbers(given, msg));
+    for (size_t i = 0; i < given->count; i++)
+        BEAD_TRY(check_bead(given, &given->beads[i], "beads", i, msg));
+    if (is_given(&given->striker))
+        BEAD_TRY(check_bead(given, &given->striker, "striker", 0, msg));
+    if (given->wall == BEAD_WALL_MATERIAL)
+        BEAD_TRY(check_elastic(given, &given->wall_material, "wall_material", 0, msg));
+    if (given->law.row)
+        BEAD_TRY(bead_law_check(given->law.row, msg));
+    return BEAD_OK;
 }
 
 static struct bead_material material_of(struct own *own, const struct bead_properties *p, size_t index)

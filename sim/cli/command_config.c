@@ -30,9 +30,7 @@ enum bead_error command_load_config(struct command *command, struct bead_message
     const bool asked = command->action == COMMAND_RUN || command->action == COMMAND_PLAN || command->action == COMMAND_INFO;
     if (!asked || command->no_config || !bead_config_find(path, sizeof path))
         return BEAD_OK;
-    enum bead_error err = bead_config_load(path, &command->config, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_config_load(path, &command->config, msg));
     command->job.config = command->config->path;
     if (!command->job.canvas)
         command->job.canvas = command->config->canvas;

@@ -189,14 +189,12 @@ static const double most_values = 5e7;
 static enum bead_error feed(struct bead_trajectory *trajectory, size_t chain, size_t samples, struct bead_measures *measures,
                             struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < samples; i++) {
+    for (size_t i = 0; i < samples; i++) {
         struct bead_sample sample = {.chain = chain, .index = i};
-        err = bead_trajectory_read(trajectory, i, chain, BEAD_MEASURE_FIELDS, &sample, msg);
-        if (!err)
-            err = bead_measures_feed(measures, &sample, msg);
+        BEAD_TRY(bead_trajectory_read(trajectory, i, chain, BEAD_MEASURE_FIELDS, &sample, msg));
+        BEAD_TRY(bead_measures_feed(measures, &sample, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 static void print_measures(FILE *out, size_t chain, const struct bead_measure *found, size_t count)
@@ -243,9 +241,8 @@ static enum bead_error trajectory_info(const struct command *command, FILE *out,
 {
     const struct bead_overrides overrides = command_overrides(command);
     struct bead_trajectory *trajectory;
-    enum bead_error err = bead_trajectory_open(command->job.input, &overrides, &trajectory, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_trajectory_open(command->job.input, &overrides, &trajectory, msg));
+    enum bead_error err = BEAD_OK;
     if (command->json) {
         err = command_describe_trajectory(out, command->job.input, trajectory, command->config, msg);
         bead_trajectory_close(trajectory);
@@ -296,9 +293,7 @@ static enum bead_error sweep_info(const struct command *command, FILE *out, stru
 {
     const struct bead_overrides overrides = command_overrides(command);
     struct bead_sweep *sweep = NULL;
-    enum bead_error err = bead_sweep_open(command->job.input, &overrides, &sweep, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_open(command->job.input, &overrides, &sweep, msg));
     size_t part = 0, parts = 0, known = 0, all = bead_sweep_count(sweep, &known);
     if (command->json) {
         command_describe_sweep(out, command->job.input, sweep, command->config);

@@ -16,9 +16,7 @@ COMMAND_LISTS(command_list_scenes)
 {
     struct bead_ready_scene *scenes;
     size_t count;
-    enum bead_error err = bead_scene_ready(&scenes, &count, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_scene_ready(&scenes, &count, msg));
     for (size_t i = 0; i < count; i++)
         fprintf(out, "%-24s  %s\n", scenes[i].name, scenes[i].title);
     bead_scene_ready_free(scenes, count);
@@ -28,9 +26,7 @@ COMMAND_LISTS(command_list_scenes)
 COMMAND_LISTS(command_list_materials)
 {
     struct bead_scene *scene;
-    enum bead_error err = bead_scene_materials(&scene, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_scene_materials(&scene, msg));
     for (size_t i = 0; i < scene->material_count; i++) {
         const struct bead_material *material = &scene->materials[i];
         char mass[32] = "for walls", radius[32] = "-", modulus[32];

@@ -69,8 +69,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     case COMMAND_RUN:
         break;
     }
-    enum bead_error err = catch_signals(msg);
-    return err ? err : (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
+    BEAD_TRY(catch_signals(msg));
+    return (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
 }
 
 int command_main(const struct command_program *program, int argc, char **argv)

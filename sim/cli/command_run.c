@@ -17,10 +17,8 @@ enum bead_error command_plan(const struct command *command, const volatile sig_a
     struct bead_job job = command->job;
     struct bead_session *session;
     job.stop = stop;
-    enum bead_error err = bead_session_open(&job, &session, msg);
-    if (err)
-        return err;
-    err = command->json ? command_describe_plan(stdout, session, msg) : bead_session_plan(session, stdout, msg);
+    BEAD_TRY(bead_session_open(&job, &session, msg));
+    enum bead_error err = command->json ? command_describe_plan(stdout, session, msg) : bead_session_plan(session, stdout, msg);
     bead_session_close(session);
     return err;
 }

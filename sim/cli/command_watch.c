@@ -72,10 +72,9 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
     static const struct timespec pause = {0, 30000000}; /* s, ns */
     char path[4096], *text = NULL;
     struct stat last = {0};
-    enum bead_error err = bead_scene_find(command->job.input, path, sizeof path, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_scene_find(command->job.input, path, sizeof path, msg));
     (void)changed(path, &last);
+    enum bead_error err = BEAD_OK;
     for (text = read_text(path); !*stop;) {
         err = command_run(command, stop, msg);
         if (err && !*stop) /* a wrong scene is mended and saved again */

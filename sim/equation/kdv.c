@@ -237,9 +237,7 @@ static double time_of(const struct bead_motion *m)
 
 static enum bead_error kdv_step(struct bead_motion *m, struct bead_message *msg)
 {
-    enum bead_error err = bead_kdv_step(&m->kdv, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_kdv_step(&m->kdv, msg));
     watch_step(&m->watch, &m->kdv);
     if (m->kdv.spec->start == BEAD_START_SOLITONS)
         bead_kdv_solitons_watch(&m->solitons, &m->kdv);

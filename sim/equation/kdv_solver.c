@@ -195,9 +195,7 @@ static double square(struct bead_complex z)
 
 static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead_message *msg)
 {
-    enum bead_error err = bead_spectral_create(points, &kdv->spectral, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_spectral_create(points, &kdv->spectral, msg));
     size_t n = kdv->spectral.modes + 1, series = 12;
     size_t bytes =
         n * (sizeof(bead_wide) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
@@ -300,9 +298,7 @@ static enum bead_error kdv_solver_check(struct bead_kdv *kdv, struct bead_messag
 enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, struct bead_kdv *kdv, struct bead_message *msg)
 {
     *kdv = (struct bead_kdv){.spec = settings->spec};
-    enum bead_error err = allocate(kdv, settings->points, msg);
-    if (err)
-        return err;
+    BEAD_TRY(allocate(kdv, settings->points, msg));
     double lost = kdv_solver_begin(kdv);
     if (!(lost <= momentum_limit)) {
         bead_kdv_destroy(kdv);
@@ -313,7 +309,7 @@ enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, str
     kdv->momentum = sum_of_squares(kdv);
     kdv->tail_limit = settings->spec->points ? tail_limit : fmin(tail_limit, tail_by_accuracy * settings->accuracy);
     choose_step(kdv, settings);
-    err = kdv_solver_check(kdv, msg);
+    enum bead_error err = kdv_solver_check(kdv, msg);
     if (err)
         bead_kdv_destroy(kdv);
     return err;

@@ -10,9 +10,7 @@
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)
 {
     *s = (struct bead_spectral){.points = points, .modes = (points - 1) / 3};
-    enum bead_error err = bead_fourier_create(points, &s->fourier, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_fourier_create(points, &s->fourier, msg));
     s->grid = calloc(points, sizeof *s->grid);
     s->bins = calloc(points / 2 + 1, sizeof *s->bins);
     if (s->grid && s->bins)

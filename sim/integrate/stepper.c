@@ -159,9 +159,7 @@ void bead_stepper_destroy(struct bead_stepper *stepper)
 
 enum bead_error bead_stepper_branch(const struct bead_stepper *s, struct bead_stepper **branch, struct bead_message *msg)
 {
-    enum bead_error err = bead_stepper_create(s->chain, s->method, s->kernels, s->full, branch, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_stepper_create(s->chain, s->method, s->kernels, s->full, branch, msg));
     struct bead_stepper *b = *branch;
     const double *from[] = {s->start.u, s->start.v, s->start.a, s->start.f};
     double *to[] = {b->end.u, b->end.v, b->end.a, b->end.f};

@@ -95,23 +95,21 @@ BEAD_OPTION_READER(bead_output_read_captions)
 {
     struct bead_output *output = settings;
     size_t count = at->node->count;
-    enum bead_error err = bead_need_list(reader, at, option->shape, MOST_CAPTIONS, "entries");
-    if (err)
-        return err;
+    BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_CAPTIONS, "entries"));
     output->movie.captions = calloc(count, sizeof *output->movie.captions);
     if (!output->movie.captions)
         return bead_no_memory(reader);
     output->movie.caption_count = count;
-    for (size_t i = 0; !err && i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
         if (element.node->kind != BEAD_NODE_MAP)
             return bead_must_be(reader, &element, "a map such as {at: 0.2 ms, text: The front has left the striker}");
-        err = read_caption(reader, &element, &output->movie.captions[i]);
-        if (!err && i > 0 && output->movie.captions[i].at <= output->movie.captions[i - 1].at)
-            err = BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be later than that of the previous caption, %g%s",
-                                 output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
+        BEAD_TRY(read_caption(reader, &element, &output->movie.captions[i]));
+        if (i > 0 && output->movie.captions[i].at <= output->movie.captions[i - 1].at)
+            return BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be later than that of the previous caption, %g%s",
+                                  output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
     }
-    return err;
+    return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_output_read_speeds)

@@ -67,8 +67,8 @@ BEAD_OUTPUT_CHECK(bead_output_check_views)
     bool modes = bead_views_any(views, BEAD_SHOWS_MODES);
     if (bead_views_any(views, BEAD_SHOWS_BEADS) && !bead_scene_has_beads(reader->scene))
         return BEAD_WRONG_KEY(reader, at, "views", "the equation has no beads to show; must be profile or spacetime");
-    enum bead_error err = modes ? bead_output_need_modes(reader, at, "views") : BEAD_OK;
-    return err ? err : check_orientation(reader, at, output);
+    BEAD_TRY(modes ? bead_output_need_modes(reader, at, "views") : BEAD_OK);
+    return check_orientation(reader, at, output);
 }
 
 BEAD_OUTPUT_CHECK(bead_output_check_still_views)

@@ -28,10 +28,9 @@ static enum bead_error check_sink(const struct bead_sink_type *s, struct bead_me
 
 enum bead_error bead_output_check_own(const struct bead_own *own, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (const struct bead_sink_type *const *sink = own->sinks; !err && sink && *sink; sink++)
-        err = check_sink(*sink, msg);
-    return err;
+    for (const struct bead_sink_type *const *sink = own->sinks; sink && *sink; sink++)
+        BEAD_TRY(check_sink(*sink, msg));
+    return BEAD_OK;
 }
 
 /* The own sink that the entry names by a key; NULL: none. */
@@ -240,14 +239,12 @@ enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct
     size_t count = 0, read = 0;
     if (at->node->kind != BEAD_NODE_LIST)
         return bead_must_be(reader, at, "a list such as [{image: force.png}]");
-    enum bead_error err = count_files(reader, at, &count);
-    if (err)
-        return err;
+    BEAD_TRY(count_files(reader, at, &count));
     scene->outputs = calloc(count, sizeof *scene->outputs);
     if (!scene->outputs)
         return bead_no_memory(reader);
     scene->output_count = count;
-    enum bead_error kept = BEAD_OK;
+    enum bead_error err = BEAD_OK, kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < at->node->count; i++) {
         size_t files = files_of(at->node->items[i]);
         err = BEAD_OK;

@@ -18,8 +18,8 @@ static const char *const follows[] = {"all", "front", NULL};
 static enum bead_error read_end(struct bead_reader *reader, const struct bead_at *at, double *end)
 {
     static const struct bead_option time = {BEAD_TIME_OF_MOTION};
-    enum bead_error err = bead_not_beside(reader, at, "time");
-    return err ? err : bead_read_number(reader, at, &time, end);
+    BEAD_TRY(bead_not_beside(reader, at, "time"));
+    return bead_read_number(reader, at, &time, end);
 }
 
 static BEAD_OPTION_READER(read_from)
@@ -62,9 +62,7 @@ static BEAD_OPTION_READER(read_poster)
 {
     struct bead_output *output = settings;
     char shown[64];
-    enum bead_error err = bead_read_text(reader, at, &output->movie.poster);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_text(reader, at, &output->movie.poster));
     if (strcmp(output->movie.poster, "none") == 0) {
         output->movie.poster[0] = '\0';
         return BEAD_OK;

@@ -15,9 +15,7 @@ static BEAD_OPTION_READER(read_chain)
     struct bead_suggest search;
     const char *name = NULL;
     char shown[64], near[96];
-    enum bead_error err = bead_read_scalar(reader, at, option->shape, &name);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &name));
     if (reader->unsound)
         return BEAD_OK;
     bead_suggest_begin(&search, name);
@@ -102,22 +100,20 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
 static BEAD_OPTION_READER(read_panels)
 {
     struct bead_output *output = settings;
-    enum bead_error err = bead_need_list(reader, at, option->shape, MOST_ROWS, "entries");
-    if (err)
-        return err;
+    BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_ROWS, "entries"));
     output->still.panels = calloc((size_t)MOST_COLUMNS * at->node->count, sizeof *output->still.panels);
     if (!output->still.panels)
         return bead_no_memory(reader);
-    for (size_t r = 0; !err && r < at->node->count; r++) {
+    for (size_t r = 0; r < at->node->count; r++) {
         struct bead_at row = bead_at_item(at, r);
-        err = bead_need_list(reader, &row, "a row: a list of panels such as [{field: force}, {field: velocity}]", MOST_COLUMNS,
-                             "entries");
-        for (size_t i = 0; !err && i < row.node->count; i++) {
+        BEAD_TRY(bead_need_list(reader, &row, "a row: a list of panels such as [{field: force}, {field: velocity}]", MOST_COLUMNS,
+                                "entries"));
+        for (size_t i = 0; i < row.node->count; i++) {
             struct bead_at panel = bead_at_item(&row, i);
-            err = read_panel(reader, &panel, r, &output->still.panels[output->still.panel_count++]);
+            BEAD_TRY(read_panel(reader, &panel, r, &output->still.panels[output->still.panel_count++]));
         }
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* Keys of pictures with panels. */

@@ -34,9 +34,7 @@ static BEAD_OPTION_READER(read_threshold)
     unsigned found = 0;
     for (size_t i = 0; i < BEAD_CHOICES && (info = bead_threshold_info(i)); i++)
         names[i] = info->name;
-    enum bead_error err = bead_read_choice(reader, at, names, &found);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_choice(reader, at, names, &found));
     free(*threshold);
     *threshold = strdup(names[found]);
     return *threshold ? BEAD_OK : bead_no_memory(reader);
@@ -103,9 +101,7 @@ static const struct bead_options sheet_options = {
 /* A row of a sheet must be a magnetism of one of the sweeps. */
 static BEAD_OUTPUT_CHECK(check_sheet)
 {
-    enum bead_error err = bead_output_check_field(reader, at, output);
-    if (err)
-        return err;
+    BEAD_TRY(bead_output_check_field(reader, at, output));
     struct bead_at list = bead_at_key(at, "magnetism");
     for (size_t i = 0; i < output->sheet.magnetism_count; i++) {
         double nearest = INFINITY;

@@ -20,9 +20,7 @@ bool bead_output_ends_like(const char *endings, const char *path)
 BEAD_OPTION_READER(bead_output_read_path)
 {
     struct bead_output *output = settings;
-    enum bead_error err = bead_read_text(reader, at, &output->path);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_text(reader, at, &output->path));
     size_t length = strlen(output->path);
     if (length == 0)
         return bead_wrong(reader, at, "is empty; must be the name of a file");
@@ -65,10 +63,10 @@ BEAD_OPTION_READER(bead_output_read_fields)
         output->trajectory.fields = bead_scene_fields(reader->scene);
         return BEAD_OK;
     }
-    enum bead_error err = need_list(reader, at, option);
-    for (size_t i = 0; !err && i < at->node->count; i++)
-        err = read_name(reader, at, i, names, &output->trajectory.fields, &found);
-    return err;
+    BEAD_TRY(need_list(reader, at, option));
+    for (size_t i = 0; i < at->node->count; i++)
+        BEAD_TRY(read_name(reader, at, i, names, &output->trajectory.fields, &found));
+    return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_output_read_views)
@@ -98,9 +96,7 @@ static enum bead_error read_bead(const struct bead_reader *reader, const struct 
     static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
     double value = 0;
     size_t last = 0;
-    enum bead_error err = bead_read_number(reader, at, &number, &value);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_number(reader, at, &number, &value));
     *bead = (size_t)value;
     for (size_t i = 0; i < reader->scene->chain_count; i++) {
         size_t beads = bead_scene_last_bead(reader->scene, i);
@@ -127,13 +123,12 @@ BEAD_OPTION_READER(bead_output_read_beads)
         return err;
     }
     struct bead_at first = bead_at_item(at, 0), last = bead_at_item(at, 1);
-    enum bead_error err = read_bead(reader, &first, &output->shown.beads.first);
-    if (!err)
-        err = read_bead(reader, &last, &output->shown.beads.last);
-    if (!err && output->shown.beads.first > output->shown.beads.last)
-        err = bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", output->shown.beads.first,
-                         output->shown.beads.last);
-    return err;
+    BEAD_TRY(read_bead(reader, &first, &output->shown.beads.first));
+    BEAD_TRY(read_bead(reader, &last, &output->shown.beads.last));
+    if (output->shown.beads.first > output->shown.beads.last)
+        return bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", output->shown.beads.first,
+                          output->shown.beads.last);
+    return BEAD_OK;
 }
 
 /* One of the two sizes: a plain number is in pixels, a length in metres. */
@@ -187,8 +182,8 @@ BEAD_OPTION_READER(bead_output_read_size)
     struct bead_output *output = settings;
     if (at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "auto") == 0)
         return BEAD_OK; /* settled when the style and the panels are known */
-    enum bead_error err = read_extents(reader, at, option, &output->paper);
-    return err ? err : bead_output_check_size(reader, at, &output->paper);
+    BEAD_TRY(read_extents(reader, at, option, &output->paper));
+    return bead_output_check_size(reader, at, &output->paper);
 }
 
 BEAD_OPTION_READER(bead_output_read_frame_size)
@@ -206,9 +201,7 @@ static enum bead_error read_range(struct bead_reader *reader, const struct bead_
 {
     const struct bead_option number = {.unit = *unit ? unit : NULL, .word = option->word, .word_value = option->word_value};
     const char *space = *unit ? " " : "";
-    enum bead_error err = bead_read_pair(reader, at, &number, option->shape, range);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_pair(reader, at, &number, option->shape, range));
     if (range[0] >= range[1])
         return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", range[0], range[1], space, unit);
     if (scale == BEAD_SCALE_LOG && range[0] <= 0)
@@ -226,9 +219,7 @@ BEAD_OPTION_READER(bead_output_read_colormap)
 {
     char **map = (char **)(void *)((char *)settings + option->offset);
     const char *text = NULL;
-    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
     free(*map);
     *map = strdup(text);
     return *map ? BEAD_OK : bead_no_memory(reader);

@@ -207,9 +207,7 @@ static bool is_noncharacter(const unsigned char *c)
 enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text)
 {
     const char *read = NULL;
-    enum bead_error err = bead_read_scalar(reader, at, "a text", &read);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, "a text", &read));
     if (strlen(read) > LONGEST_TEXT)
         return bead_wrong(reader, at, "is too long: at most %d bytes are allowed", LONGEST_TEXT);
     for (const unsigned char *c = (const unsigned char *)read; *c; c++) {
@@ -241,9 +239,7 @@ static enum bead_error read_seed(const struct bead_reader *reader, const struct 
     static const char wanted[] = "a whole number from 0 to 18446744073709551615";
     const char *text = NULL;
     uint64_t read = 0;
-    enum bead_error err = bead_read_scalar(reader, at, wanted, &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, wanted, &text));
     bool good = *text != 0;
     for (const char *c = text; *c && good; c++) {
         unsigned digit = (unsigned)(*c - '0');

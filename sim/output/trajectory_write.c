@@ -308,11 +308,9 @@ static enum bead_error trajectory_stop(struct bead_sink *sink, const struct bead
 
 static enum bead_error trajectory_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    enum bead_error err = trajectory_stop(sink, outcomes, msg);
-    if (err)
-        return err;
+    BEAD_TRY(trajectory_stop(sink, outcomes, msg));
     sink->finished = true; /* a failing commit removes the part itself */
-    err = bead_file_commit(sink->part, sink->path, msg);
+    enum bead_error err = bead_file_commit(sink->part, sink->path, msg);
     bead_file_release(sink->claim, false); /* HDF5 locks files that it reads */
     sink->claim = NULL;
     return err || !sink->xdmf ? err : bead_trajectory_write_xdmf(sink, msg);

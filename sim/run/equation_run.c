@@ -55,9 +55,7 @@ static enum bead_error pace(const struct bead_chain *chain, const struct bead_si
                             struct bead_pace *pace, struct bead_message *msg)
 {
     struct bead_motion *motion;
-    enum bead_error err = create_motion(chain, asked, tolerance_factor, &motion, msg);
-    if (err)
-        return err;
+    BEAD_TRY(create_motion(chain, asked, tolerance_factor, &motion, msg));
     equation_of(chain)->pace(motion, pace);
     equation_of(chain)->destroy(motion);
     return BEAD_OK;

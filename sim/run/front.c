@@ -87,9 +87,7 @@ static bool arrives(struct bead_stepper *fine, double h, double level)
 static enum bead_error refine(const struct bead_stepper *s, double level, double *arrival, struct bead_message *msg)
 {
     struct bead_stepper *fine;
-    enum bead_error err = bead_stepper_branch(s, &fine, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_stepper_branch(s, &fine, msg));
     *arrival = crossing(s, level);
     double h = s->h;
     for (int i = 0; i < REFINEMENTS && arrives(fine, h / SUBSTEPS, level); i++) {

@@ -35,17 +35,15 @@ enum bead_error bead_play_run(const struct bead_runner *runner, const struct bea
     const struct bead_chain *chain = runner->chain;
     const bool passage = way->patience > 0;
     const double give_up = passage ? way->patience * bead_chain_passage(chain, bead_chain_energy(chain)) : INFINITY;
-    enum bead_error err = BEAD_OK;
-    for (double time; !err && (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
-        err = look_for_stop(way->stop, time, msg);
-        if (!err && time > give_up)
-            err = lost_front(chain, time, msg);
-        if (!err)
-            err = kind->step(runner->run, msg);
-        if (!err && way->stepped)
-            err = way->stepped(way->context, runner, msg);
+    for (double time; (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
+        BEAD_TRY(look_for_stop(way->stop, time, msg));
+        if (time > give_up)
+            BEAD_TRY(lost_front(chain, time, msg));
+        BEAD_TRY(kind->step(runner->run, msg));
+        if (way->stepped)
+            BEAD_TRY(way->stepped(way->context, runner, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- all chains ---- */
@@ -134,12 +132,11 @@ static enum bead_error create_runs(const struct bead_play *p, struct bead_played
         settings.budget |= p->consumers[i].needs.budget;
         settings.states |= p->consumers[i].needs.states;
     }
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < p->chain_count; i++) {
+    for (size_t i = 0; i < p->chain_count; i++) {
         settings.chain = p->chains[i];
-        err = bead_runner_create(&settings, &played->runs[i], msg);
+        BEAD_TRY(bead_runner_create(&settings, &played->runs[i], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- samples ---- */
@@ -269,18 +266,18 @@ enum bead_error bead_play_begin(const struct bead_play *play, struct bead_played
     bead_due_start(play);
     if (play->stored)
         return BEAD_OK;
-    enum bead_error err = create_runs(play, played, msg);
-    return err ? err : bead_compare_create(play, played, msg);
+    BEAD_TRY(create_runs(play, played, msg));
+    return bead_compare_create(play, played, msg);
 }
 
 enum bead_error bead_play_advance(const struct bead_play *play, struct bead_played *played, double time, struct bead_message *msg)
 {
     struct bead_counts unused = {0};
     struct pass pass = {.play = play, .played = played, .counts = &unused};
-    enum bead_error err = give_samples(&pass, time, msg);
-    for (size_t i = 0; !err && i < play->chain_count; i++)
-        err = advance(&pass, i, false, time, msg);
-    return err;
+    BEAD_TRY(give_samples(&pass, time, msg));
+    for (size_t i = 0; i < play->chain_count; i++)
+        BEAD_TRY(advance(&pass, i, false, time, msg));
+    return BEAD_OK;
 }
 
 enum bead_error bead_play_finish(const struct bead_play *play, struct bead_played *played, struct bead_message *msg)
@@ -298,10 +295,8 @@ enum bead_error bead_play(const struct bead_play *play, struct bead_played *play
 {
     struct bead_counts unused = {0};
     struct pass pass = {.play = play, .played = played, .counts = play->counts ? play->counts : &unused};
-    enum bead_error err = bead_play_begin(play, played, msg);
-    if (err)
-        return err;
-    err = give_samples(&pass, INFINITY, msg);
+    BEAD_TRY(bead_play_begin(play, played, msg));
+    enum bead_error err = give_samples(&pass, INFINITY, msg);
     if (play->stored)
         return err;
     if (!err)

@@ -50,12 +50,11 @@ enum bead_error bead_compare_create(const struct bead_play *p, struct bead_playe
         settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < p->chain_count; i++) {
+    for (size_t i = 0; i < p->chain_count; i++) {
         settings.chain = p->chains[i];
-        err = bead_runner_create(&settings, &played->comparison_runs[i], msg);
+        BEAD_TRY(bead_runner_create(&settings, &played->comparison_runs[i], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* A contact and a bead beside it may have equal uncertainties except for rounding: then the contact counts. */
@@ -113,8 +112,7 @@ enum bead_error bead_compare_finish(const struct bead_play *p, struct bead_playe
     played->uncertainty = calloc(2 * p->chain_count, sizeof *played->uncertainty);
     if (!played->uncertainty)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu chains", p->chain_count);
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < p->chain_count; i++)
-        err = compare_peaks(p, played, i, msg);
-    return err;
+    for (size_t i = 0; i < p->chain_count; i++)
+        BEAD_TRY(compare_peaks(p, played, i, msg));
+    return BEAD_OK;
 }

@@ -51,14 +51,13 @@ bool bead_due_next(const struct bead_play *play, struct bead_due *due)
 enum bead_error bead_due_deliver(const struct bead_play *play, const struct bead_due *due, struct bead_sample *sample,
                                  struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < play->consumer_count; i++) {
+    for (size_t i = 0; i < play->consumer_count; i++) {
         const struct bead_consumer *c = &play->consumers[i];
         sample->index = c->next;
         if (wants(c, due->time))
-            err = c->take(c, sample, msg);
+            BEAD_TRY(c->take(c, sample, msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 void bead_due_pass(const struct bead_play *play, const struct bead_due *due)

@@ -91,9 +91,7 @@ static void prepare(struct bead_player *player)
 
 static enum bead_error begin(struct bead_player *player, struct bead_message *msg)
 {
-    enum bead_error err = check(&player->settings, msg);
-    if (err)
-        return err;
+    BEAD_TRY(check(&player->settings, msg));
     prepare(player);
     if (!player->play.kernels)
         return bead_fail(msg, BEAD_ERROR_USAGE, "bead_player_settings: this machine has no kernels `%s`",
@@ -197,10 +195,8 @@ enum bead_error bead_player_finish(struct bead_player *player, const struct bead
 {
     struct bead_message failure = {""};
     *outcome = NULL;
-    enum bead_error err = check_state(player, msg);
-    if (err)
-        return err;
-    err = bead_play_finish(&player->play, &player->played, &failure);
+    BEAD_TRY(check_state(player, msg));
+    enum bead_error err = bead_play_finish(&player->play, &player->played, &failure);
     player->finished = err != BEAD_ERROR_STOPPED;
     if (!err)
         *outcome = player->played.outcomes;

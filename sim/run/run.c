@@ -337,9 +337,7 @@ static void drop_behind(struct bead_run *run)
 enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
-    enum bead_error err = advance(run, msg);
-    if (err)
-        return err;
+    BEAD_TRY(advance(run, msg));
     run->event_error = fmax(run->event_error, s->event_change);
     if (run->settings.record) {
         enum bead_error kept = bead_record_add(run->settings.record, s, msg);
@@ -347,9 +345,8 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
             return kept;
     }
     const bool coming = isnan(run->front.arrival);
-    err = bead_front_watch(&run->front, s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_front_watch(&run->front, s, msg));
+    enum bead_error err = BEAD_OK;
     if (run->arrived && coming && !isnan(run->front.arrival)) {
         keep_state(run, run->front.arrival, run->arrived);
         err = check_state(run, msg);
@@ -403,16 +400,12 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     const struct bead_chain *c = s->chain;
     if (!(t >= s->t0 && t <= s->t1))
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g s lies outside the step from %.9g to %.9g s", t, s->t0, s->t1);
-    enum bead_error err = check_state(run, msg);
-    if (err)
-        return err;
+    BEAD_TRY(check_state(run, msg));
     size_t last = span.last < c->beads ? span.last : c->beads - 1, first = span.first < last ? span.first : last;
     sample->time = t;
     if (run->settings.budget) {
         sample->budget = &run->budget;
-        err = bead_budget_find(s, t, run->lost[0], &run->budget, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_budget_find(s, t, run->lost[0], &run->budget, msg));
     }
     /* Beads under static compression carry a force even at rest, so all are active. */
     sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;

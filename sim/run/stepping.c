@@ -45,9 +45,7 @@ enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct b
 {
     struct bead_method_choice choice;
     const char *file = chain->scene->file;
-    enum bead_error err = bead_choose_method(chain, asked, &choice, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_choose_method(chain, asked, &choice, msg));
     tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
     const struct bead_method_info *method = &choice.method->info;
     double omega = bead_chain_omega(chain, bead_chain_energy(chain)), step = tolerance_factor * asked->step;

@@ -78,10 +78,8 @@ static BEAD_OPTION_READER(read_chains)
     size_t beads = 0, count = at->node->count;
     if (at->node->kind == BEAD_NODE_LIST && bead_sweep_node(at->up->node, 0))
         return BEAD_OK; /* refused with the sweep */
-    enum bead_error err = bead_need_list(reader, at, option->shape, BEAD_SCENE_CHAINS, "chains"), kept = BEAD_OK;
-    if (err)
-        return err;
-    err = bead_scene_make_chains(reader, count);
+    BEAD_TRY(bead_need_list(reader, at, option->shape, BEAD_SCENE_CHAINS, "chains"));
+    enum bead_error err = bead_scene_make_chains(reader, count), kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
         err = bead_scene_read_chain(reader, &element, &scene->chains[i]);

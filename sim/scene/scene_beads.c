@@ -84,8 +84,8 @@ static BEAD_OPTION_READER(read_bead)
 static BEAD_OPTION_READER(read_cell)
 {
     struct bead_segment *segment = &((struct written *)settings)->segment;
-    enum bead_error err = bead_not_beside(reader, at, "bead");
-    return err ? err : bead_scene_read_cell(reader, at, &segment->cell, &segment->cell_beads);
+    BEAD_TRY(bead_not_beside(reader, at, "bead"));
+    return bead_scene_read_cell(reader, at, &segment->cell, &segment->cell_beads);
 }
 
 static BEAD_OPTION_READER(read_spins)
@@ -96,9 +96,7 @@ static BEAD_OPTION_READER(read_spins)
     } words[] = {{"up", BEAD_SPINS_UP}, {"down", BEAD_SPINS_DOWN}, {"random", BEAD_SPINS_RANDOM}};
     struct bead_segment *segment = &((struct written *)settings)->segment;
     const char *text = NULL;
-    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         if (strcmp(text, words[i].word) == 0) {
             segment->spins = words[i].spins;
@@ -198,9 +196,7 @@ static enum bead_error decorate(const struct bead_reader *reader, const struct b
         return BEAD_OK;
     if (all->cell_beads != 1 || beads < 2)
         return BEAD_WRONG_KEY(reader, at, "decorate", "needs two or more of a `bead`, between which it can be placed");
-    enum bead_error err = push_copy(reader, w->chain, w->chain->segment_count - 1);
-    if (err)
-        return err;
+    BEAD_TRY(push_copy(reader, w->chain, w->chain->segment_count - 1));
     all = &w->chain->segments[w->chain->segment_count - 2];
     struct bead_segment *last = all + 1;
     size_t *cell = calloc(2, sizeof *cell), *each = all->each ? calloc(2 * beads, sizeof *each) : NULL;
@@ -271,12 +267,11 @@ static enum bead_error repeat(const struct bead_reader *reader, const struct bea
 {
     const size_t each = w->chain->segment_count - w->first;
     struct bead_at where = bead_at_key(at, "repeat");
-    enum bead_error err = check_random(reader, at, w);
-    if (!err)
-        err = check_length(reader, &where, w->chain, w->repeat);
-    for (size_t i = each; i < w->repeat * each && !err; i++)
-        err = push_copy(reader, w->chain, w->first + i - each);
-    return err;
+    BEAD_TRY(check_random(reader, at, w));
+    BEAD_TRY(check_length(reader, &where, w->chain, w->repeat));
+    for (size_t i = each; i < w->repeat * each; i++)
+        BEAD_TRY(push_copy(reader, w->chain, w->first + i - each));
+    return BEAD_OK;
 }
 
 /* Applies the keys of an entry to its segments, which belong to the chain. */
@@ -383,6 +378,6 @@ static enum bead_error check_sensors(const struct bead_reader *reader, const str
 BEAD_OPTION_READER(bead_scene_read_segments)
 {
     struct bead_chain_spec *chain = settings;
-    enum bead_error err = read_list(reader, at, chain, option->shape);
-    return err ? err : check_sensors(reader, at, chain);
+    BEAD_TRY(read_list(reader, at, chain, option->shape));
+    return check_sensors(reader, at, chain);
 }

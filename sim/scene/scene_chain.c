@@ -15,9 +15,7 @@ static BEAD_OPTION_READER(read_wall)
 {
     struct bead_chain_spec *chain = settings;
     const char *text = NULL;
-    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
     chain->wall = strcmp(text, "none") == 0 ? BEAD_WALL_NONE : strcmp(text, "rigid") == 0 ? BEAD_WALL_RIGID : BEAD_WALL_MATERIAL;
     return chain->wall == BEAD_WALL_MATERIAL ? bead_scene_find_material(reader, at, false, &chain->wall_material) : BEAD_OK;
 }
@@ -150,9 +148,7 @@ enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct b
     chain->node = at->node;
     if (at->node->kind == BEAD_NODE_MAP && bead_node_get(at->node, "equation", NULL))
         return bead_scene_read_equation(reader, at, chain);
-    enum bead_error err = bead_options_read(reader, at, &bead_chain_options, chain);
-    if (err)
-        return err;
+    BEAD_TRY(bead_options_read(reader, at, &bead_chain_options, chain));
     if (chain->tilt > 0 && chain->wall == BEAD_WALL_NONE)
         return BEAD_WRONG_KEY(reader, at, "tilt", "needs a wall that holds the lower end: give `wall`");
     return BEAD_OK;

@@ -243,15 +243,11 @@ enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struc
 {
     const struct bead_node *given = bead_node_get(at->node, "equation", NULL);
     struct bead_at where = {at, "equation", 0, given};
-    enum bead_error err = read_name(reader, &where, &equation_rows[0], chain);
-    if (err)
-        return err;
+    BEAD_TRY(read_name(reader, &where, &equation_rows[0], chain));
     const struct bead_options *options = options_of(chain->system->name);
     if (!options)
         return bead_wrong(reader, &where, "`%s` has no keys that a scene could give", chain->system->name);
-    err = bead_options_read(reader, at, options, chain);
-    if (err)
-        return err;
+    BEAD_TRY(bead_options_read(reader, at, options, chain));
     const char *key = "equation", *wrong = chain->system->equation->check(&chain->equation, &key);
     return wrong ? BEAD_WRONG_KEY(reader, at, key, "%s", wrong) : BEAD_OK;
 }

@@ -60,9 +60,7 @@ static BEAD_OPTION_READER(read_colour)
     struct written *written = settings;
     char shown[64];
     const char *text = NULL;
-    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
     if (text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
         return bead_wrong(reader, at, "is %s; must be %s, with two hexadecimal digits each for red, green and blue",
                           bead_node_show(at->node, shown, sizeof shown), option->shape);
@@ -213,9 +211,7 @@ enum bead_error bead_scene_find_material(const struct bead_reader *reader, const
     const char *name = NULL;
     char shown[64];
     size_t i = 0;
-    enum bead_error err = bead_read_scalar(reader, at, "the name of a material", &name);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, "the name of a material", &name));
     while (i < scene->material_count && strcmp(scene->materials[i].name, name) != 0)
         i++;
     if (i == scene->material_count)

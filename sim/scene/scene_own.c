@@ -246,15 +246,14 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
 /* Every `colormap` of outputs and their panels. */
 static enum bead_error take_all_colours(struct own *own, const struct bead_at *at)
 {
-    enum bead_error err = BEAD_OK;
     const struct bead_node *node = at->node;
-    for (size_t i = 0; !err && node->kind == BEAD_NODE_LIST && i < node->count; i++)
-        err = take_all_colours(own, &(struct bead_at){at, NULL, i, node->items[i]});
-    for (size_t i = 0; !err && node->kind == BEAD_NODE_MAP && i + 1 < node->count; i += 2) {
+    for (size_t i = 0; node->kind == BEAD_NODE_LIST && i < node->count; i++)
+        BEAD_TRY(take_all_colours(own, &(struct bead_at){at, NULL, i, node->items[i]}));
+    for (size_t i = 0; node->kind == BEAD_NODE_MAP && i + 1 < node->count; i += 2) {
         const struct bead_at value = {at, node->items[i]->text, 0, node->items[i + 1]};
-        err = strcmp(value.key, "colormap") == 0 ? take_colours(own, &value) : take_all_colours(own, &value);
+        BEAD_TRY(strcmp(value.key, "colormap") == 0 ? take_colours(own, &value) : take_all_colours(own, &value));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- all ---- */
@@ -262,13 +261,12 @@ static enum bead_error take_all_colours(struct own *own, const struct bead_at *a
 static enum bead_error take_config(struct own *own, struct bead_node *outputs)
 {
     const struct bead_config *c = own->config;
-    enum bead_error err = c->materials ? take_materials(own) : BEAD_OK;
-    for (size_t i = 0; !err && outputs && outputs->kind == BEAD_NODE_LIST && i < outputs->count; i++) {
-        err = take_default(own, outputs->items[i], "style", c->style, c->style_place);
-        if (!err)
-            err = take_default(own, outputs->items[i], "font", c->font, c->font_place);
+    BEAD_TRY(c->materials ? take_materials(own) : BEAD_OK);
+    for (size_t i = 0; outputs && outputs->kind == BEAD_NODE_LIST && i < outputs->count; i++) {
+        BEAD_TRY(take_default(own, outputs->items[i], "style", c->style, c->style_place));
+        BEAD_TRY(take_default(own, outputs->items[i], "font", c->font, c->font_place));
     }
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *path, bool *changed)

@@ -18,8 +18,8 @@ static enum bead_error scene_prepare(struct bead_reader *reader)
     reader->units = bead_units_create();
     if (!reader->units)
         return bead_no_memory(reader);
-    enum bead_error err = bead_yaml_parse("default", "{}", 2, &reader->scratch, reader->msg);
-    return err ? err : bead_scene_add_ready_materials(reader);
+    BEAD_TRY(bead_yaml_parse("default", "{}", 2, &reader->scratch, reader->msg));
+    return bead_scene_add_ready_materials(reader);
 }
 
 /* The scene is the caller's, where all is well. */
@@ -132,16 +132,15 @@ static enum bead_error lay_setting(const struct bead_reader *reader, const char 
 /* Takes the additions of the program, and checks that laws are complete and have names of their own. */
 static enum bead_error take_own(const struct bead_reader *reader, const struct bead_own *own)
 {
-    enum bead_error err = BEAD_OK;
     if (!own)
         return BEAD_OK;
     reader->scene->own = *own;
-    for (const struct bead_law *const *law = own->laws; !err && law && *law; law++) {
-        err = bead_law_check(*law, reader->msg);
-        if (!err && bead_law_find((*law)->name))
-            err = bead_fail(reader->msg, BEAD_ERROR_USAGE, "law `%s`: the library has one of this name", (*law)->name);
+    for (const struct bead_law *const *law = own->laws; law && *law; law++) {
+        BEAD_TRY(bead_law_check(*law, reader->msg));
+        if (bead_law_find((*law)->name))
+            return bead_fail(reader->msg, BEAD_ERROR_USAGE, "law `%s`: the library has one of this name", (*law)->name);
     }
-    return err ? err : bead_output_check_own(own, reader->msg);
+    return bead_output_check_own(own, reader->msg);
 }
 
 static enum bead_error make_scene(const char *name, const char *text, size_t length, const struct bead_yaml *tree,

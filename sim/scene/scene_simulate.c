@@ -19,9 +19,7 @@ static BEAD_OPTION_READER(read_method)
     unsigned found = 0;
     for (size_t i = 0; i + 1 < BEAD_CHOICES && (method = bead_method_info(i)); i++)
         names[i + 1] = method->name;
-    enum bead_error err = bead_read_choice(reader, at, names, &found);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_choice(reader, at, names, &found));
     simulate->method = strdup(names[found]);
     return simulate->method ? BEAD_OK : bead_no_memory(reader);
 }
@@ -73,15 +71,11 @@ static enum bead_error check_equations(const struct bead_reader *reader, const s
 enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struct bead_at *at)
 {
     struct bead_simulate *simulate = &reader->scene->simulate;
-    enum bead_error err = bead_options_read(reader, at, &bead_simulate_options, simulate);
-    if (err)
-        return err;
+    BEAD_TRY(bead_options_read(reader, at, &bead_simulate_options, simulate));
     simulate->accuracy_given = bead_given(at, "accuracy");
     if (reader->faults && reader->faults->count > 0)
         return BEAD_OK; /* of the chains: nothing to check against */
-    err = bead_scene_system(reader->scene)->equation ? check_equations(reader, at) : BEAD_OK;
-    if (err)
-        return err;
+    BEAD_TRY(bead_scene_system(reader->scene)->equation ? check_equations(reader, at) : BEAD_OK);
     if (simulate->verify && simulate->step > 0)
         return BEAD_WRONG_KEY(reader, at, "verify", "chooses the steps itself; cannot be combined with `step`");
     if (simulate->verify && !bead_scene_system(reader->scene)->has_contacts)

@@ -77,9 +77,7 @@ static BEAD_OPTION_READER(read_places)
     static const struct bead_option place = {.type = BEAD_OPTION_COUNT, .low = 1, .high = 1000000};
     struct bead_sweep_measures *measures = settings;
     double beads[2] = {0, 0};
-    enum bead_error err = bead_read_pair(reader, at, &place, option->shape, beads);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_pair(reader, at, &place, option->shape, beads));
     measures->beads[0] = (size_t)beads[0];
     measures->beads[1] = (size_t)beads[1];
     return measures->beads[0] <= measures->beads[1]
@@ -99,16 +97,15 @@ static BEAD_OPTION_READER(read_sensors)
     if (!measures->sensors)
         return bead_no_memory(reader);
     measures->sensor_count = count;
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < count && !err; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        err = bead_read_text(reader, &element, &measures->sensors[i]);
-        for (size_t k = 0; k < i && !err; k++) {
+        BEAD_TRY(bead_read_text(reader, &element, &measures->sensors[i]));
+        for (size_t k = 0; k < i; k++) {
             if (strcmp(measures->sensors[k], measures->sensors[i]) == 0)
-                err = bead_wrong(reader, &element, "`%s` is in the list twice", measures->sensors[i]);
+                return bead_wrong(reader, &element, "`%s` is in the list twice", measures->sensors[i]);
         }
     }
-    return err;
+    return BEAD_OK;
 }
 
 static BEAD_OPTION_READER(read_measure)
@@ -178,9 +175,9 @@ static enum bead_error read_pattern(struct bead_reader *reader, const struct bea
     if (has_chain && bead_given(&chain, "beads"))
         return BEAD_WRONG_KEY(reader, &chain, "beads", "are given beside `cells` of the sweep; give one of them");
     struct bead_node *pattern = NULL;
-    enum bead_error err = bead_sweep_chain_node(reader->yaml, top->node, at->node, NULL, &pattern, reader->msg);
+    BEAD_TRY(bead_sweep_chain_node(reader->yaml, top->node, at->node, NULL, &pattern, reader->msg));
     struct bead_at built = {at->up, at->key, at->index, pattern};
-    return err ? err : bead_scene_read_chain(reader, &built, &reader->scene->chains[sweep->chain]);
+    return bead_scene_read_chain(reader, &built, &reader->scene->chains[sweep->chain]);
 }
 
 /* ---- the configurations ---- */
@@ -334,16 +331,13 @@ static enum bead_error read_sweep(struct bead_reader *reader, const struct bead_
     struct bead_scene *scene = reader->scene;
     struct bead_sweep_spec *sweep = &scene->sweeps[index];
     sweep->chain = index;
-    enum bead_error err = bead_options_read(reader, at, &bead_sweep_options, sweep);
-    if (!err)
-        err = check_sweep_keys(reader, at, sweep);
-    if (!err)
-        err = read_pattern(reader, at, sweep);
-    if (!err && !scene->chains[index].system->has_contacts)
-        err = bead_wrong(reader, at, "needs a chain of beads: an equation has no spins");
-    if (!err)
-        err = read_groups(reader, at, sweep);
-    return err ? err : check_measure(reader, at, sweep);
+    BEAD_TRY(bead_options_read(reader, at, &bead_sweep_options, sweep));
+    BEAD_TRY(check_sweep_keys(reader, at, sweep));
+    BEAD_TRY(read_pattern(reader, at, sweep));
+    if (!scene->chains[index].system->has_contacts)
+        return bead_wrong(reader, at, "needs a chain of beads: an equation has no spins");
+    BEAD_TRY(read_groups(reader, at, sweep));
+    return check_measure(reader, at, sweep);
 }
 
 static enum bead_error read_sweeps(struct bead_reader *reader, const struct bead_at *at, bool list)
@@ -359,25 +353,25 @@ static enum bead_error read_sweeps(struct bead_reader *reader, const struct bead
     if (!scene->sweeps)
         return bead_no_memory(reader);
     scene->sweep_count = count;
-    enum bead_error err = bead_scene_make_chains(reader, count);
-    for (size_t i = 0; i < count && !err; i++) {
+    BEAD_TRY(bead_scene_make_chains(reader, count));
+    for (size_t i = 0; i < count; i++) {
         struct bead_at element = list ? bead_at_item(at, i) : *at;
-        err = read_sweep(reader, &element, i);
-        for (size_t k = 0; k < i && !err; k++) {
+        BEAD_TRY(read_sweep(reader, &element, i));
+        for (size_t k = 0; k < i; k++) {
             if (strcmp(scene->sweeps[k].name, scene->sweeps[i].name) == 0)
-                err = BEAD_WRONG_KEY(reader, &element, "name", "`%s` is the name of another sweep; names must differ",
-                                     scene->sweeps[i].name);
+                return BEAD_WRONG_KEY(reader, &element, "name", "`%s` is the name of another sweep; names must differ",
+                                      scene->sweeps[i].name);
         }
-        if (!err && list && !*scene->sweeps[i].name)
-            err = BEAD_WRONG_KEY(reader, &element, "name", "is missing: every sweep of a list needs a name");
+        if (list && !*scene->sweeps[i].name)
+            return BEAD_WRONG_KEY(reader, &element, "name", "is missing: every sweep of a list needs a name");
     }
-    return err;
+    return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_scene_read_sweep)
 {
-    enum bead_error err = bead_not_beside(reader, at, "sweeps");
-    return err ? err : read_sweeps(reader, at, false);
+    BEAD_TRY(bead_not_beside(reader, at, "sweeps"));
+    return read_sweeps(reader, at, false);
 }
 
 BEAD_OPTION_READER(bead_scene_read_sweeps)

@@ -49,9 +49,7 @@ static enum bead_error read_parts(const struct bead_reader *reader, const struct
 {
     const char *text = NULL, *name = NULL;
     size_t material = 0;
-    enum bead_error err = bead_read_scalar(reader, at, "the name of a material", &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, "the name of a material", &text));
     const size_t parts = parts_of(reader, text, &name);
     struct bead_node node = *at->node;
     struct bead_at named = *at;
@@ -61,7 +59,7 @@ static enum bead_error read_parts(const struct bead_reader *reader, const struct
         return bead_wrong(reader, at, "is none of them; the number must be from 1 on");
     if (*count + parts > BEAD_YAML_NODES)
         return bead_wrong(reader, at, "makes %zu beads of a cell; at most %d are allowed", *count + parts, BEAD_YAML_NODES);
-    err = bead_scene_find_material(reader, &named, true, &material);
+    enum bead_error err = bead_scene_find_material(reader, &named, true, &material);
     size_t *grown = err ? NULL : realloc(*materials, (*count + parts) * sizeof *grown);
     if (!grown)
         return err ? err : bead_no_memory(reader);
@@ -75,12 +73,11 @@ enum bead_error bead_scene_read_cell(struct bead_reader *reader, const struct be
 {
     if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0)
         return bead_must_be(reader, at, "[MATERIAL, MATERIAL, ...]");
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; i < at->node->count && !err; i++) {
+    for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        err = read_parts(reader, &element, materials, count);
+        BEAD_TRY(read_parts(reader, &element, materials, count));
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- taper ---- */
@@ -126,9 +123,7 @@ static BEAD_OPTION_READER(read_distribution)
     const char *text = NULL;
     char low[64] = "";
     bool absolute[2] = {false, false};
-    enum bead_error err = bead_read_scalar(reader, at, option->shape, &text);
-    if (err)
-        return err;
+    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
     const char *dots = strstr(text, "..");
     if (strncmp(text, "normal ", 7) == 0) {
         *d = (struct bead_distribution){.kind = BEAD_NORMAL};
@@ -308,7 +303,6 @@ enum bead_error bead_scene_vary_each(const struct bead_reader *reader, const str
 {
     bool any = !isnan(v->ratio) || !isnan(v->ends[1]) || v->material_count > 0;
     size_t beads = 0, k = 0;
-    enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < BEAD_VARIED_COUNT; i++)
         any = any || v->random[i].kind != BEAD_ALWAYS;
     if (!any || count == 0)
@@ -318,10 +312,10 @@ enum bead_error bead_scene_vary_each(const struct bead_reader *reader, const str
     if (beads + reader->scene->material_count > MOST_VARIED)
         return bead_wrong(reader, at, "makes %zu beads that differ; a scene may have %d", beads, MOST_VARIED);
     const double first = reader->scene->materials[segments[0].each ? segments[0].each[0] : segments[0].cell[0]].radius;
-    for (size_t s = 0; s < count && !err; s++) {
-        err = spread(reader, &segments[s]);
-        for (size_t i = 0; i < segments[s].cell_beads * segments[s].count && !err; i++)
-            err = vary_bead(reader, at, v, k++, beads, first, &segments[s].each[i]);
+    for (size_t s = 0; s < count; s++) {
+        BEAD_TRY(spread(reader, &segments[s]));
+        for (size_t i = 0; i < segments[s].cell_beads * segments[s].count; i++)
+            BEAD_TRY(vary_bead(reader, at, v, k++, beads, first, &segments[s].each[i]));
     }
-    return err;
+    return BEAD_OK;
 }

@@ -155,9 +155,7 @@ enum bead_error bead_sweep_single_node(struct bead_yaml *yaml, size_t index, con
     if (!sweep)
         return bead_fail(msg, BEAD_ERROR_SCENE, "the scene has no sweep number %zu", index);
     struct maker m = {.yaml = yaml, .place = root->place};
-    enum bead_error err = bead_sweep_chain_node(yaml, root, sweep, digits, &chain, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_chain_node(yaml, root, sweep, digits, &chain, msg));
     *scene = make(&m, BEAD_NODE_MAP, false);
     put_rest(&m, *scene, root, replaced);
     put(&m, *scene, "chain", chain);

@@ -52,14 +52,12 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
         asked = asked || (s->made[i].asked && s->made[i].type && bead_output_needs_end(s->made[i].output));
     if (!asked)
         return BEAD_OK;
-    enum bead_error err = bead_session_lay(s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_session_lay(s, msg));
     struct bead_play play = bead_session_play(s, "scouting the end");
     play.hash = false;
     play.counts = &s->counts;
     struct bead_played played;
-    err = bead_play(&play, &played, msg);
+    enum bead_error err = bead_play(&play, &played, msg);
     double end = 0, asked_end = 0;
     for (size_t i = 0; !err && i < played.count; i++)
         end = fmax(end, played.outcomes[i].end);
@@ -87,15 +85,13 @@ static void find_accuracy(struct bead_session *s)
 
 static enum bead_error open_scene(struct bead_session *s, struct bead_message *msg)
 {
-    enum bead_error err = bead_session_load(s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_session_load(s, msg));
     s->source = s->scene;
     if (s->scene->sweep_count > 0)
         return bead_session_open_sweep(s, msg);
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
-    err = create_chains(s, msg);
+    enum bead_error err = create_chains(s, msg);
     if (!err)
         err = bead_session_list_outputs(s, msg);
     if (err)
@@ -129,9 +125,7 @@ static enum bead_error open_input(struct bead_session *s, struct bead_message *m
 {
     if (s->job.configuration || !bead_trajectory_is(s->job.input))
         return open_scene(s, msg);
-    enum bead_error err = bead_trajectory_begin(s->job.input, s->job.own, &s->trajectory, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_trajectory_begin(s->job.input, s->job.own, &s->trajectory, msg));
     if (!s->trajectory)
         return bead_session_open_sweep_file(s, msg);
     return s->job.sheet ? bead_fail(msg, BEAD_ERROR_USAGE, "--sheet: %s is the trajectory of a single run", s->job.input)

@@ -113,10 +113,8 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
                          s->job.input);
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
-    enum bead_error err = check_settings(s, msg);
-    if (err)
-        return err;
-    err = bead_session_choose(s, bead_trajectory_scene(s->trajectory), BEAD_OF_TRAJECTORY, NULL, &changed, msg);
+    BEAD_TRY(check_settings(s, msg));
+    enum bead_error err = bead_session_choose(s, bead_trajectory_scene(s->trajectory), BEAD_OF_TRAJECTORY, NULL, &changed, msg);
     if (!err)
         err = bead_trajectory_settle(s->trajectory, changed, msg);
     if (err)

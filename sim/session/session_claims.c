@@ -11,13 +11,11 @@ static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
     uint64_t bytes;
     const char *beside = m->sink && m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     const char *const files[2] = {m->path, beside};
-    enum bead_error err = BEAD_OK;
-    for (int i = 0; i < 2 && !err && files[i]; i++) {
-        err = bead_file_make_parents(files[i], msg);
-        if (!err)
-            err = bead_file_claim(files[i], &m->claims[i], msg);
+    for (int i = 0; i < 2 && files[i]; i++) {
+        BEAD_TRY(bead_file_make_parents(files[i], msg));
+        BEAD_TRY(bead_file_claim(files[i], &m->claims[i], msg));
     }
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_session_check_inside(const struct bead_session *s, const struct bead_output *output, const char *path,

@@ -133,13 +133,12 @@ static enum bead_error place(const struct bead_session *s, struct bead_made *m, 
 enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_message *msg)
 {
     const bool alone = s->single && !s->amid;
-    enum bead_error err = check_names(s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(check_names(s, msg));
     s->made = calloc(s->source->output_count + 1, sizeof *s->made);
     if (!s->made)
         return bead_session_out_of_memory(msg);
     s->made_count = alone ? 1 : s->source->output_count;
+    enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < s->made_count && !err; i++) {
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[alone ? s->single_index : i];

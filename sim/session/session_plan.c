@@ -152,9 +152,7 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
         return BEAD_OK;
     struct bead_pace pace;
     const double factor = bead_play_comparison_factor(&play, samples);
-    enum bead_error err = bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, factor, &pace, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_run_kind_of(s->chains[0])->pace(s->chains[0], asked, factor, &pace, msg));
     fprintf(out, " needs all chains a second time, for comparison: ");
     if (!(asked->step > 0))
         fprintf(out, "accuracy %.3g instead of %.3g, ", factor * asked->accuracy, asked->accuracy);

@@ -216,9 +216,7 @@ enum bead_error bead_session_finish_all(struct bead_session *s, struct bead_mess
 
 static enum bead_error session_end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
-    enum bead_error err = collect_outcomes(s, msg);
-    if (err)
-        return err;
+    BEAD_TRY(collect_outcomes(s, msg));
     return stopped ? stop_all(s, msg) : bead_session_finish_all(s, msg);
 }
 

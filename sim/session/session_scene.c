@@ -17,8 +17,8 @@ static enum bead_error load(const struct bead_session *s, bool with_settings, st
                                              .config = s->job.config,
                                              .own = s->job.own};
     char path[4096];
-    enum bead_error err = bead_scene_find(s->job.input, path, sizeof path, msg);
-    return err ? err : bead_scene_load(path, &overrides, scene, msg);
+    BEAD_TRY(bead_scene_find(s->job.input, path, sizeof path, msg));
+    return bead_scene_load(path, &overrides, scene, msg);
 }
 
 static enum bead_error load_all(struct bead_session *s, struct bead_message *msg)
@@ -60,8 +60,8 @@ enum bead_error bead_session_choose_sheet(struct bead_session *s, const struct b
                                           struct bead_message *msg)
 {
     const struct bead_override *first = scene->sweep_count > 0 ? NULL : &sweep_of_chain;
-    enum bead_error err = check_sweep(scene, "--sheet", msg);
-    return err ? err : bead_session_choose(s, scene, BEAD_OF_CONFIGURATIONS, first, changed, msg);
+    BEAD_TRY(check_sweep(scene, "--sheet", msg));
+    return bead_session_choose(s, scene, BEAD_OF_CONFIGURATIONS, first, changed, msg);
 }
 
 /* ---- one configuration ---- */
@@ -123,8 +123,8 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
         return BEAD_ERROR_UNSUPPORTED;
     if (bead_trajectory_is(s->job.input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is the trajectory of a single run", s->job.input);
-    enum bead_error err = load_sweep(s, scene, msg);
-    return err ? err : bead_sweep_create(*scene, sweep, msg);
+    BEAD_TRY(load_sweep(s, scene, msg));
+    return bead_sweep_create(*scene, sweep, msg);
 }
 
 /* In a part's file only some are. */
@@ -145,8 +145,8 @@ static enum bead_error make_configuration(struct bead_session *s, const struct b
                                           struct bead_message *msg)
 {
     struct bead_override chain = {.origin = "--configuration", .path = "", .place = {1, 1}};
-    enum bead_error err = bead_sweep_single(sweep, panel, index, &chain.node, msg);
-    return err ? err : bead_session_choose(s, bead_sweep_scene(sweep), BEAD_OF_CONFIGURATION, &chain, &s->scene, msg);
+    BEAD_TRY(bead_sweep_single(sweep, panel, index, &chain.node, msg));
+    return bead_session_choose(s, bead_sweep_scene(sweep), BEAD_OF_CONFIGURATION, &chain, &s->scene, msg);
 }
 
 static enum bead_error load_configuration(struct bead_session *s, struct bead_message *msg)

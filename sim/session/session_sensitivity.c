@@ -80,15 +80,13 @@ static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, 
     struct bead_sensitivities *own = &s->sensitivities[chain];
     struct bead_outcome *o = &s->played.outcomes[chain];
     const struct bead_sensitivity_run run = run_of(s, chain);
-    enum bead_error err = mark_contacts(s, chain, mark, msg);
-    if (err)
-        return err;
+    BEAD_TRY(mark_contacts(s, chain, mark, msg));
     const size_t count = list_peaks(o->contact_peaks, bead_chain_contacts(s->chains[chain]), false, mark, list);
     own->found = calloc(count + 1, sizeof *own->found);
     if (!own->found)
         return bead_session_out_of_memory(msg);
     own->count = count;
-    err = bead_sensitivities_find(&run, list, count, own->found, msg);
+    enum bead_error err = bead_sensitivities_find(&run, list, count, own->found, msg);
     for (size_t i = 0; i < count; i++)
         own->found[i].of_default = mark[own->found[i].index] & 2;
     o->sensitivities = own->found;

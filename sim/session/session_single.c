@@ -234,16 +234,14 @@ static enum bead_error check_setting(const char *setting, size_t entry, struct b
  * of a trajectory. */
 static enum bead_error choose_frame(struct bead_session *s, const struct bead_scene *scene, size_t *entry, struct bead_message *msg)
 {
-    enum bead_error err = find_movie(s, scene, msg);
-    if (err)
-        return err;
+    BEAD_TRY(find_movie(s, scene, msg));
     const struct bead_output *movie = &scene->outputs[s->single_index];
     s->amid = !s->trajectory;
     *entry = movie->entry;
-    err = find_frame_path(s, movie, msg);
-    for (size_t i = 0; !err && i < s->job.setting_count; i++)
-        err = check_setting(s->job.settings[i], movie->entry, msg);
-    return err;
+    BEAD_TRY(find_frame_path(s, movie, msg));
+    for (size_t i = 0; i < s->job.setting_count; i++)
+        BEAD_TRY(check_setting(s->job.settings[i], movie->entry, msg));
+    return BEAD_OK;
 }
 
 enum bead_error bead_session_choose(struct bead_session *s, const struct bead_scene *scene, enum bead_source_kind source,

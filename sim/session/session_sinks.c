@@ -20,10 +20,9 @@ enum bead_error bead_session_out_of_memory(struct bead_message *msg)
 
 enum bead_error bead_session_lay(struct bead_session *s, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && s->own_chains && i < s->chain_count; i++)
-        err = bead_chain_lay(s->own_chains[i], msg);
-    return err;
+    for (size_t i = 0; s->own_chains && i < s->chain_count; i++)
+        BEAD_TRY(bead_chain_lay(s->own_chains[i], msg));
+    return BEAD_OK;
 }
 
 bool bead_output_needs_end(const struct bead_output *output)

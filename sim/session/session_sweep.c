@@ -30,18 +30,18 @@ static enum bead_error find_path(struct bead_session *s, struct bead_made *m, st
 
 enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_message *msg)
 {
-    enum bead_error err = bead_session_list_outputs(s, msg);
+    BEAD_TRY(bead_session_list_outputs(s, msg));
     bool file = false;
-    for (size_t i = 0; !err && i < s->made_count; i++) {
+    for (size_t i = 0; i < s->made_count; i++) {
         struct bead_made *m = &s->made[i];
         bool results = bead_session_holds_sweep(m);
         m->asked = m->asked && (results || s->job.parts == 0); /* a part has no statistics */
         file = file || (results && m->asked);
-        err = find_path(s, m, msg);
+        BEAD_TRY(find_path(s, m, msg));
     }
-    if (!err && s->job.parts > 0 && !file)
-        err = bead_fail(msg, BEAD_ERROR_USAGE, "--shard: the scene has no output {sweep: FILE.h5} for the part's results");
-    return err ? err : bead_sweep_create(s->scene, &s->sweep, msg);
+    if (s->job.parts > 0 && !file)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: the scene has no output {sweep: FILE.h5} for the part's results");
+    return bead_sweep_create(s->scene, &s->sweep, msg);
 }
 
 enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead_message *msg)
@@ -54,12 +54,10 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
             s->job.input);
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s is computed already", s->job.input);
-    enum bead_error err = bead_sweep_open(s->job.input, &(struct bead_overrides){.own = s->job.own}, &s->sweep, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_open(s->job.input, &(struct bead_overrides){.own = s->job.own}, &s->sweep, msg));
     struct bead_scene *changed = NULL;
-    err = s->job.sheet ? bead_session_choose_sheet(s, bead_sweep_scene(s->sweep), &changed, msg)
-                       : bead_session_choose(s, bead_sweep_scene(s->sweep), BEAD_OF_SWEEP, NULL, &changed, msg);
+    enum bead_error err = s->job.sheet ? bead_session_choose_sheet(s, bead_sweep_scene(s->sweep), &changed, msg)
+                                       : bead_session_choose(s, bead_sweep_scene(s->sweep), BEAD_OF_SWEEP, NULL, &changed, msg);
     if (!err)
         err = bead_sweep_show(s->sweep, changed, msg);
     if (err)

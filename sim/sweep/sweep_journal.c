@@ -173,10 +173,8 @@ static enum bead_error journal_begin(struct bead_sweep_journal *j, struct bead_s
     bool fresh = false;
     struct head head = head_of(sweep);
     off_t end = (off_t)sizeof head;
-    enum bead_error err = bead_file_lock(j->path, j->path, &j->file, NULL, msg);
-    if (err)
-        return err;
-    err = check_head(j, sweep, &fresh, msg);
+    BEAD_TRY(bead_file_lock(j->path, j->path, &j->file, NULL, msg));
+    enum bead_error err = check_head(j, sweep, &fresh, msg);
     j->empty = !err && fresh;
     if (!err && fresh &&
         (ftruncate(j->file, 0) != 0 || lseek(j->file, 0, SEEK_SET) != 0 || !write_all(j->file, &head, sizeof head)))

@@ -46,9 +46,7 @@ static enum bead_error play_one(void *context, size_t index, bool calling, struc
     if (calling)
         tell(g, atomic_load(&work->done));
     g->find(g->context, index, &panel, &configuration);
-    enum bead_error err = bead_sweep_chain_create(g->sweep, panel, configuration, &made, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_chain_create(g->sweep, panel, configuration, &made, msg));
     const struct bead_chain *chain = bead_sweep_chain_of(made);
     const struct bead_simulate *simulate = &g->sweep->scene->simulate;
     struct bead_play play = {.chains = &chain,
@@ -60,7 +58,7 @@ static enum bead_error play_one(void *context, size_t index, bool calling, struc
                              .passage = isnan(simulate->until) ? BEAD_PASSAGE_OF_FRONT : BEAD_PASSAGE_NONE,
                              .threads = 1,
                              .stop = g->settings->stop};
-    err = g->play(g->context, index, &play, msg);
+    enum bead_error err = g->play(g->context, index, &play, msg);
     bead_sweep_chain_destroy(made);
     if (!err)
         atomic_fetch_add(&work->done, 1);

@@ -86,12 +86,12 @@ static enum bead_error keep_last(const struct measure *m, struct bead_run *run, 
     static const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
     const size_t beads = m->panel->shown.beads;
     struct bead_sample sample = {.chain = 0};
-    enum bead_error err = bead_run_sample(run, end, fields, (struct bead_span){0, beads - 1}, &sample, msg);
-    for (size_t j = 0; !err && j < beads && j < sample.active; j++) {
+    BEAD_TRY(bead_run_sample(run, end, fields, (struct bead_span){0, beads - 1}, &sample, msg));
+    for (size_t j = 0; j < beads && j < sample.active; j++) {
         profile_of(m, PROFILE_LAST_FORCE)[j] = sample.field[BEAD_FIELD_FORCE][j];
         profile_of(m, PROFILE_LAST_ENERGY)[j] = sample.field[BEAD_FIELD_ENERGY][j];
     }
-    return err;
+    return BEAD_OK;
 }
 
 static void collect(const struct measure *m, const struct bead_peak *found)
@@ -239,9 +239,7 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
                                struct bead_message *msg)
 {
     struct bead_sweep_settings own;
-    enum bead_error err = bead_sweep_settings_take(&own, settings, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_settings_take(&own, settings, msg));
     struct work w = {.sweep = sweep};
     struct sweep_generator generator = {
         .sweep = sweep, .settings = &own, .what = "sweeping", .find = find_job, .play = play_job, .context = &w};
@@ -249,7 +247,7 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
         sweep->part = own.part;
         sweep->parts = own.parts;
     }
-    err = own.journal ? bead_sweep_journal_open(sweep, own.journal, &w.journal, msg) : BEAD_OK;
+    enum bead_error err = own.journal ? bead_sweep_journal_open(sweep, own.journal, &w.journal, msg) : BEAD_OK;
     if (!err)
         err = list_jobs(&w, &generator, msg);
     if (!err && pthread_mutex_init(&w.lock, NULL) != 0)

@@ -107,9 +107,7 @@ enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_swe
                                  const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     struct bead_sweep_settings own;
-    enum bead_error err = bead_sweep_settings_take(&own, settings, msg);
-    if (err)
-        return err;
+    BEAD_TRY(bead_sweep_settings_take(&own, settings, msg));
     struct work work = {.sweep = sweep, .watches = watches};
     struct sweep_generator generator = {.sweep = sweep,
                                         .settings = &own,
@@ -118,7 +116,7 @@ enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_swe
                                         .find = find_watched,
                                         .play = play_watched,
                                         .context = &work};
-    err = find_clean(&work, msg);
+    enum bead_error err = find_clean(&work, msg);
     if (!err)
         err = bead_sweep_play(&generator, msg);
     free(work.clean);
