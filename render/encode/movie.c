@@ -11,6 +11,7 @@
 #include "render/encode/movie_private.h"
 #include "render/encode/tracks.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/base/settings.h"
 #include "sim/base/suggest.h"
 
@@ -162,9 +163,8 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
         err = check(path, &own, &codec, msg);
     if (err)
         return err;
-    struct bead_movie *m = calloc(1, sizeof *m);
-    if (!m)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
+    struct bead_movie *m;
+    BEAD_TRY(bead_new(&m, 1, msg, "%s", path));
     m->codec = codec;
     m->preset = bead_codec_preset(codec, &own);
     m->group = (int64_t)bead_codec_group(codec, own.fps);

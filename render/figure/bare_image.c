@@ -58,10 +58,8 @@ static size_t count_of(const struct bead_still *b, size_t chain)
 static enum bead_error make_areas(struct bead_still *b, const double time[2], struct bead_message *msg)
 {
     size_t chains = b->context.chain_count;
-    b->areas = calloc(chains, sizeof(struct bead_area *));
-    b->tops = calloc(chains + 1, sizeof *b->tops);
-    if (!b->areas || !b->tops)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    BEAD_TRY(bead_new(&b->areas, chains, msg, "an image"));
+    BEAD_TRY(bead_new(&b->tops, chains + 1, msg, "an image"));
     b->columns = time_down(b) ? b->page.height : b->page.width;
     b->across = time_down(b) ? b->page.width : b->page.height;
     if ((size_t)b->across < chains)

@@ -7,6 +7,7 @@
 
 #include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
+#include "sim/base/memory.h"
 
 /* In units of the numbers' font size: the preferred and the smallest size of a picture, and the heights of the parts above and
  * below it. */
@@ -99,9 +100,7 @@ static enum bead_error sheet_choose(struct contact_sheet *s, size_t room, struct
 {
     const size_t panels = bead_sweep_panels(s->sweep);
     const size_t most = panels * (room + s->output->sheet.magnetism_count + 1);
-    s->rows = calloc(most, sizeof *s->rows);
-    if (!s->rows)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    BEAD_TRY(bead_new(&s->rows, most, msg, "a sheet"));
     s->row_count = s->image_count = 0;
     for (size_t p = 0; p < panels; p++) {
         size_t share = room / panels > 0 ? room / panels : 1;
@@ -155,10 +154,8 @@ static enum bead_error make_images(struct contact_sheet *s, double left, double 
                                    struct bead_message *msg)
 {
     size_t i = 0;
-    s->images = calloc(s->image_count + 1, sizeof *s->images);
-    s->watches = calloc(s->image_count + 1, sizeof *s->watches);
-    if (!s->images || !s->watches)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
+    BEAD_TRY(bead_new(&s->images, s->image_count + 1, msg, "a sheet"));
+    BEAD_TRY(bead_new(&s->watches, s->image_count + 1, msg, "a sheet"));
     const double gap = between * s->small, step = width + gap, down = height + (words_height + between) * s->small;
     for (size_t r = 0; r < s->row_count; r++) {
         for (size_t c = 0; c < s->rows[r].count; c++, i++) {

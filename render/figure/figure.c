@@ -9,6 +9,7 @@
 #include "render/figure/figure.h"
 #include "render/view/magnify.h"
 #include "render/view/orientation.h"
+#include "sim/base/memory.h"
 
 bool bead_tile_collects(const struct bead_tile *panel)
 {
@@ -101,10 +102,8 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
 
 static enum bead_error make_cells(struct bead_figure *f, struct bead_message *msg)
 {
-    f->cells = calloc(f->context.chain_count, sizeof *f->cells);
-    f->tiles = calloc(f->context.chain_count * f->view_count, sizeof *f->tiles);
-    if (!f->cells || !f->tiles)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    BEAD_TRY(bead_new(&f->cells, f->context.chain_count, msg, "a figure"));
+    BEAD_TRY(bead_new(&f->tiles, f->context.chain_count * f->view_count, msg, "a figure"));
     double magnify = f->output->views.magnify;
     if (!(magnify > 0))
         magnify = bead_figure_looks_at_beads(f->output) ? bead_magnify_auto(f->context.chains, f->context.chain_count) : 1;
@@ -203,9 +202,8 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
     *figure = NULL;
     if (output->views.count < 1 || output->views.count > BEAD_MOST_VIEWS)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a figure has 1 to %d views of each chain", BEAD_MOST_VIEWS);
-    struct bead_figure *f = *figure = calloc(1, sizeof *f);
-    if (!f)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    BEAD_TRY(bead_new(figure, 1, msg, "a figure"));
+    struct bead_figure *f = *figure;
     f->output = output;
     f->context = *context;
     f->view_count = output->views.count;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
+#include "sim/base/memory.h"
 
 static bool panels_wanted(const struct bead_output *output)
 {
@@ -105,9 +106,7 @@ static enum bead_error panels_create(const struct bead_output *output, const str
                                      struct bead_message *msg)
 {
     size_t count = output->still.panel_count > 0 ? output->still.panel_count : 1;
-    s->panels = calloc(count, sizeof *s->panels);
-    if (!s->panels)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a figure");
+    BEAD_TRY(bead_new(&s->panels, count, msg, "a figure"));
     s->output = output;
     s->context = *context;
     s->count = count;

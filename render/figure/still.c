@@ -7,6 +7,7 @@
 
 #include "render/draw/page.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 static const struct bead_still_kind *const kinds[] = {&bead_panels, &bead_plot_still, &bead_bare_image, &bead_panels};
 
@@ -47,9 +48,8 @@ static bool still_looks_at_beads(const struct bead_output *output)
 static enum bead_error still_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **sink, struct bead_message *msg)
 {
-    struct bead_sink *s = *sink = calloc(1, sizeof *s);
-    if (!s)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture");
+    BEAD_TRY(bead_new(sink, 1, msg, "a picture"));
+    struct bead_sink *s = *sink;
     s->kind = still_kind_of(output);
     s->still = calloc(1, s->kind->size);
     enum bead_error err = s->still ? s->kind->create(output, context, s->still, msg)

@@ -13,6 +13,7 @@
 #include "render/draw/words.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
+#include "sim/base/memory.h"
 
 /* Views are numbered chain by chain. */
 static size_t view_count(const struct bead_composer *c)
@@ -68,9 +69,7 @@ static bool overlaid(const struct bead_composer *c, size_t index)
 
 static enum bead_error create_views(struct bead_composer *c, struct bead_message *msg)
 {
-    c->views = calloc(view_count(c) + 1, sizeof *c->views);
-    if (!c->views)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for views");
+    BEAD_TRY(bead_new(&c->views, view_count(c) + 1, msg, "views"));
     for (size_t i = 0; i < view_count(c); i++) {
         struct bead_view_setup setup = setup_of(c, i);
         BEAD_TRY(type_of(c, i)->create(&setup, &c->views[i], msg));
@@ -117,9 +116,8 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
 enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
                                      struct bead_message *msg)
 {
-    struct bead_composer *c = *composer = calloc(1, sizeof *c);
-    if (!c)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    BEAD_TRY(bead_new(composer, 1, msg, "a movie"));
+    struct bead_composer *c = *composer;
     c->setup = *setup;
     enum bead_error err = setup->output->views.axes ? bead_text_check(msg) : BEAD_OK;
     if (!err)

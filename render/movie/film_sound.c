@@ -6,6 +6,7 @@
  * wider by that factor, which removes all above half the rate of the sound. While the motion pauses, in title cards, pauses and the
  * last frame, the sound fades out and is silent. The loudest sample is scaled to just below full. */
 #include "render/movie/film.h"
+#include "sim/base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,9 +102,7 @@ static enum bead_error find_voices(struct bead_film_sound *s, struct bead_messag
     bool any = false;
     s->voice_count = context->chain_count;
     s->channels = s->voice_count > 1 ? 2 : 1;
-    s->voices = calloc(s->voice_count, sizeof *s->voices);
-    if (!s->voices)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    BEAD_TRY(bead_new(&s->voices, s->voice_count, msg, "the sound of a movie"));
     for (size_t c = 0; c < s->voice_count; c++) {
         struct voice *v = &s->voices[c];
         v->heard = (asked->of == BEAD_SOUND_SENSOR ? find_sensor : find_contact)(context->chains[c], asked, v);
@@ -217,9 +216,8 @@ enum bead_error bead_film_sound_create(const struct bead_film *film, struct bead
         return BEAD_OK;
     if ((double)film->times.frames / film->output->movie.fps > longest)
         return bead_output_wrong(film->output, msg, "sound: a movie with sound lasts at most %g s", longest);
-    struct bead_film_sound *s = *sound = calloc(1, sizeof *s);
-    if (!s)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    BEAD_TRY(bead_new(sound, 1, msg, "the sound of a movie"));
+    struct bead_film_sound *s = *sound;
     s->film = film;
     make_kernel(s);
     return find_voices(s, msg);
@@ -276,9 +274,8 @@ enum bead_error bead_film_sound_write(const struct bead_film_sound *sound, struc
     const struct bead_film *film = sound->film;
     size_t count = (size_t)llround((double)film->times.frames / film->output->movie.fps * BEAD_SOUND_RATE),
            all = count * (size_t)sound->channels;
-    float *samples = calloc(all + 1, sizeof *samples);
-    if (!samples)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sound of a movie");
+    float *samples;
+    BEAD_TRY(bead_new(&samples, all + 1, msg, "the sound of a movie"));
     play(sound, samples, count);
     level(samples, all);
     enum bead_error err = bead_movie_sound(movie, samples, count, msg);

@@ -8,6 +8,7 @@
 #include "render/movie/film.h"
 #include "render/paint/canvas.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 struct bead_sink {
     struct bead_film film;
@@ -86,9 +87,8 @@ static enum bead_error find_frame(struct bead_sink *s, const struct bead_frame_a
 static enum bead_error frame_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **sink, struct bead_message *msg)
 {
-    struct bead_sink *s = *sink = calloc(1, sizeof *s);
-    if (!s)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a frame");
+    BEAD_TRY(bead_new(sink, 1, msg, "a frame"));
+    struct bead_sink *s = *sink;
     enum bead_error err = bead_film_prepare(output, context, &s->film, msg);
     if (!err)
         err = find_frame(s, context->frame, msg);

@@ -10,6 +10,7 @@
 #include "render/view/camera.h"
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
+#include "sim/base/memory.h"
 #include "sim/chain/system.h"
 
 /* The most by which a title below vertical axes widens their margin, in units of the font size. */
@@ -249,9 +250,7 @@ enum bead_error bead_composer_cameras(struct bead_composer *c, struct bead_messa
 {
     size_t count = c->wants.chain_count;
     double width = 0, longest = 0, radius, largest = 0;
-    c->cameras = calloc(count, sizeof(struct bead_camera *));
-    if (!c->cameras)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for cameras");
+    BEAD_TRY(bead_new(&c->cameras, count, msg, "cameras"));
     for (size_t i = 0; i < count; i++) {
         struct bead_span beads = bead_composer_beads(c, i);
         double spacing = bead_chain_spacing(c->setup.chains[i], beads, &radius);

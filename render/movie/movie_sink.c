@@ -13,6 +13,7 @@
 #include "render/movie/ring_buffer.h"
 #include "render/paint/canvas.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/base/stop.h"
 
 /* Frames between drawing and encoding; bytes of samples between the run and drawing. */
@@ -124,9 +125,8 @@ static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_outp
 static enum bead_error movie_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **sink, struct bead_message *msg)
 {
-    struct bead_sink *s = *sink = calloc(1, sizeof *s);
-    if (!s)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a movie");
+    BEAD_TRY(bead_new(sink, 1, msg, "a movie"));
+    struct bead_sink *s = *sink;
     s->seen = NAN;
     enum bead_error err = movie_prepare(s, output, context, msg);
     if (err) {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 
 enum { ALIGN = 64 };
@@ -113,9 +114,8 @@ enum bead_error bead_ring_buffer_create(size_t slots, size_t slot_bytes, int thr
                                         struct bead_ring_buffer **ring, struct bead_message *msg)
 {
     *ring = NULL;
-    struct bead_ring_buffer *r = calloc(1, sizeof *r);
-    if (!r)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a ring buffer");
+    struct bead_ring_buffer *r;
+    BEAD_TRY(bead_new(&r, 1, msg, "a ring buffer"));
     r->slots = slots ? slots : 1;
     r->work = work;
     r->context = context;

@@ -9,6 +9,7 @@
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl_context.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 
 /* Without a name, the first that works is used. */
@@ -56,9 +57,8 @@ static enum bead_error fail_unknown(const char *backend, struct bead_message *ms
 static enum bead_error open_driver(const struct bead_canvas_driver *driver, int width, int height, struct bead_canvas **canvas,
                                    struct bead_message *msg)
 {
-    struct bead_canvas *c = calloc(1, sizeof *c);
-    if (!c)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a canvas");
+    struct bead_canvas *c;
+    BEAD_TRY(bead_new(&c, 1, msg, "a canvas"));
     c->driver = driver;
     c->width = width;
     c->height = height;

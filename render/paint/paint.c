@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "render/paint/canvas_private.h"
+#include "sim/base/memory.h"
 
 static bool inside(struct bead_rect rect, int width, int height)
 {
@@ -20,9 +21,8 @@ enum bead_error bead_backdrop_create(struct bead_canvas *canvas, const struct be
     if (place.width < 1 || place.height < 1 || !inside(place, frame->width, frame->height))
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a backdrop of %d x %d pixels at %d, %d is outside its frame", place.width,
                          place.height, place.x, place.y);
-    struct bead_backdrop *b = calloc(1, sizeof *b);
-    if (!b)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a backdrop");
+    struct bead_backdrop *b;
+    BEAD_TRY(bead_new(&b, 1, msg, "a backdrop"));
     b->place = place;
     enum bead_error err = painting->keep(canvas, b, frame, msg);
     if (err)

@@ -8,6 +8,7 @@
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl.h"
+#include "sim/base/memory.h"
 
 /* A program and the layout of its input: points, with a vertex each, or squares, with an instance each. */
 struct brush {
@@ -181,9 +182,7 @@ static void gl_close(struct bead_canvas *canvas)
 
 static enum bead_error gl_open(struct bead_canvas *canvas, struct bead_message *msg)
 {
-    canvas->painter = calloc(1, sizeof *canvas->painter);
-    if (!canvas->painter)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for drawing");
+    BEAD_TRY(bead_new(&canvas->painter, 1, msg, "drawing"));
     enum bead_error err = bead_gl_open(canvas->driver->context, &canvas->painter->context, msg);
     if (!err)
         err = fill(canvas, msg);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"
+#include "sim/base/memory.h"
 #include "sim/output/profile_times.h"
 
 /* The first is the default. */
@@ -22,9 +23,8 @@ static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 enum bead_error bead_plot_data_create(const struct bead_output *output, const struct bead_run_context *context, size_t chain,
                                       struct bead_plot_data **data, struct bead_message *msg)
 {
-    struct bead_plot_data *d = *data = calloc(1, sizeof *d);
-    if (!d)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    BEAD_TRY(bead_new(data, 1, msg, "a plot"));
+    struct bead_plot_data *d = *data;
     d->output = output;
     d->context = *context;
     d->chain = chain;

@@ -7,6 +7,7 @@
 #include "render/draw/names.h"
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
+#include "sim/base/memory.h"
 
 bool plot_shows(const struct bead_plot_data *data, size_t chain)
 {
@@ -41,10 +42,8 @@ void plot_tell_apart(struct bead_series *series, size_t index)
 
 enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg)
 {
-    data->parts = calloc(panels + 1, sizeof *data->parts);
-    data->panels = calloc(panels + 1, sizeof *data->panels);
-    if (!data->parts || !data->panels)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    BEAD_TRY(bead_new(&data->parts, panels + 1, msg, "a plot"));
+    BEAD_TRY(bead_new(&data->panels, panels + 1, msg, "a plot"));
     for (size_t p = 0; p < panels; p++)
         data->panels[p].title = data->parts[p].title;
     return BEAD_OK;
@@ -53,11 +52,9 @@ enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct 
 enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_t series, size_t values, struct bead_message *msg)
 {
     struct plot_panel *part = &data->parts[p];
-    part->series = calloc(series + 1, sizeof *part->series);
-    part->labels = calloc(series + 1, sizeof *part->labels);
-    part->values = calloc(values + 1, sizeof *part->values);
-    if (!part->series || !part->labels || !part->values)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    BEAD_TRY(bead_new(&part->series, series + 1, msg, "a plot"));
+    BEAD_TRY(bead_new(&part->labels, series + 1, msg, "a plot"));
+    BEAD_TRY(bead_new(&part->values, values + 1, msg, "a plot"));
     data->panels[p].series = part->series;
     data->panels[p].series_count = series;
     return BEAD_OK;

@@ -12,6 +12,7 @@
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
+#include "sim/base/memory.h"
 
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
  * means of a magnetism and their two fits. */
@@ -189,9 +190,7 @@ static enum bead_error find_statistics(struct plot *plot, size_t index, struct b
     struct panel *p = &plot->panels[index];
     const size_t places = bead_sweep_panel(plot->sweep, index)->places;
     enum bead_error err = BEAD_OK;
-    p->statistics = calloc(places + 1, sizeof *p->statistics);
-    if (!p->statistics)
-        return out_of_memory(msg);
+    BEAD_TRY(bead_new(&p->statistics, places + 1, msg, "a plot of a sweep"));
     for (; !err && p->places < places; p->places += !err)
         err = bead_sweep_statistics(plot->sweep, index, p->places, plot->output->sweep_curves.threshold, &p->statistics[p->places],
                                     msg);

@@ -8,6 +8,7 @@
 #include "render/report/report_private.h"
 #include "render/view/magnify.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/chain/system.h"
 
 /* Bytes of samples: wanted, and at most. Base64 makes four of three. */
@@ -16,11 +17,6 @@ static const double wanted_bytes = 1.2e6, most_bytes = 12e6;
 static const double most_samples = 1201, fewest_samples = 201;
 /* Pixels along time of the image that finds the range of colours. */
 enum { IMAGE_TIMES = 400 };
-
-static enum bead_error report_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
-}
 
 static void report_destroy(struct bead_sink *s)
 {
@@ -61,9 +57,7 @@ static void find_spans(const struct bead_sink *s, struct report_chain *c)
 static enum bead_error list_chains(struct bead_sink *s, struct bead_message *msg)
 {
     s->chain_count = s->context.chain_count;
-    s->chains = calloc(s->chain_count, sizeof *s->chains);
-    if (!s->chains)
-        return report_memory(msg);
+    BEAD_TRY(bead_new(&s->chains, s->chain_count, msg, "a report"));
     s->peaks = !s->context.replayed;
     for (size_t i = 0; i < s->chain_count; i++) {
         struct report_chain *c = &s->chains[i];
@@ -138,9 +132,8 @@ static void report_describe(struct bead_sink *s)
 static enum bead_error report_create(const struct bead_output *output, const struct bead_run_context *context,
                                      struct bead_sink **sink, struct bead_message *msg)
 {
-    struct bead_sink *s = *sink = calloc(1, sizeof *s);
-    if (!s)
-        return report_memory(msg);
+    BEAD_TRY(bead_new(sink, 1, msg, "a report"));
+    struct bead_sink *s = *sink;
     s->output = output;
     s->context = *context;
     enum bead_error err = bead_file_join(context->directory, output->path, &s->path, msg);
@@ -189,7 +182,7 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
     c->field = calloc(s->samples * c->values, sizeof *c->field);
     c->displacement = c->beads ? calloc(s->samples * c->beads_shown, sizeof *c->displacement) : NULL;
     if (!c->field || (c->beads && !c->displacement))
-        return report_memory(msg);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
     enum bead_error err = bead_area_create(&setup, &c->area, msg);
     return err || !s->measured ? err : bead_measures_create(c->chain, &c->measures, msg);
 }

@@ -10,6 +10,7 @@
 #include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
+#include "sim/base/memory.h"
 
 /* Pixels of all images together (the wave does not reach about half of them, which cost nothing); of one image along the chain, and
  * along time as a part of that. With more than MOST_IMAGES configurations, each second or third and so on is shown. */
@@ -38,11 +39,6 @@ struct sweep_report {
     struct bead_field_info field;
 };
 
-static enum bead_error sweep_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report of a sweep");
-}
-
 static void sweep_clear(struct sweep_report *r)
 {
     for (size_t i = 0; r->images && i < r->count; i++)
@@ -67,10 +63,8 @@ static enum bead_error list_images(struct sweep_report *r, struct bead_message *
     for (size_t p = 0; p < panels; p++)
         all += bead_sweep_panel(r->sweep, p)->configurations;
     const size_t stride = (all + MOST_IMAGES - 1) / MOST_IMAGES;
-    r->images = calloc(all, sizeof *r->images);
-    r->watches = calloc(all, sizeof *r->watches);
-    if (!r->images || !r->watches)
-        return sweep_memory(msg);
+    BEAD_TRY(bead_new(&r->images, all, msg, "a report of a sweep"));
+    BEAD_TRY(bead_new(&r->watches, all, msg, "a report of a sweep"));
     for (size_t p = 0; p < panels; p++) {
         add_image(r, p, BEAD_SWEEP_CLEAN);
         for (size_t i = 0; i < bead_sweep_panel(r->sweep, p)->configurations; i += stride) {
@@ -182,7 +176,7 @@ static enum bead_error write_image(const struct sweep_report *r, const struct sw
     if (!means || !bytes) {
         free(means);
         free(bytes);
-        return sweep_memory(msg);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report of a sweep");
     }
     for (int t = 0; t < r->times; t++) {
         size_t reached = bead_area_column(image->area, t, means) ? places : 0;

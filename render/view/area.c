@@ -105,9 +105,8 @@ static bool area_allocate(struct bead_area *a)
 
 enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg)
 {
-    struct bead_area *a = *area = calloc(1, sizeof *a);
-    if (!a)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an image");
+    BEAD_TRY(bead_new(area, 1, msg, "an image"));
+    struct bead_area *a = *area;
     a->setup = *setup;
     a->beads = setup->beads.last - setup->beads.first + 1;
     a->rows = a->beads < (size_t)setup->places ? a->beads : (size_t)setup->places;

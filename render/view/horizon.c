@@ -2,6 +2,7 @@
 /* Finds the time from which two runs differ visibly at each bead, and draws the line through these times. Used by pictures with
  * `trust`. */
 #include "render/view/horizon.h"
+#include "sim/base/memory.h"
 
 #include <limits.h>
 #include <math.h>
@@ -22,9 +23,8 @@ struct bead_horizon {
 enum bead_error bead_horizon_create(const struct bead_area_setup *setup, struct bead_horizon **horizon, struct bead_message *msg)
 {
     *horizon = NULL;
-    struct bead_horizon *h = calloc(1, sizeof *h);
-    if (!h)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a horizon");
+    struct bead_horizon *h;
+    BEAD_TRY(bead_new(&h, 1, msg, "a horizon"));
     size_t beads = setup->beads.last - setup->beads.first + 1;
     h->setup = *setup;
     h->setup.places = beads < (size_t)setup->places ? (int)beads : setup->places;

@@ -42,9 +42,8 @@ struct bead_moving_labels {
 enum bead_error bead_moving_labels_create(const struct bead_look *look, struct bead_rect strip, double scale,
                                           struct bead_moving_labels **labels, struct bead_message *msg)
 {
-    struct bead_moving_labels *l = *labels = calloc(1, sizeof *l);
-    if (!l)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for labels");
+    BEAD_TRY(bead_new(labels, 1, msg, "labels"));
+    struct bead_moving_labels *l = *labels;
     l->look = *look;
     l->strip = strip;
     l->scale = scale;

@@ -9,6 +9,7 @@
 #include "render/view/beads.h"
 #include "render/view/magnify.h"
 #include "render/view/views.h"
+#include "sim/base/memory.h"
 #include "sim/chain/system.h"
 
 static unsigned beads_fields(const struct bead_view_setup *setup)
@@ -91,9 +92,8 @@ static void beads_measure(struct bead_view *v)
 static enum bead_error beads_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
     *view = NULL;
-    struct bead_view *v = calloc(1, sizeof *v);
-    if (!v)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of beads");
+    struct bead_view *v;
+    BEAD_TRY(bead_new(&v, 1, msg, "a view of beads"));
     v->setup = *setup;
     v->look = *setup->look;
     v->map = *setup->colours.map;

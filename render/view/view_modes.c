@@ -10,6 +10,7 @@
 #include "render/view/latest.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
+#include "sim/base/memory.h"
 
 /* Width of a bar as a part of its room; end of the axis, in units of the initial energy. */
 static const double fullness = 0.62, high = 1.04;
@@ -45,9 +46,8 @@ static enum bead_error modes_create(const struct bead_view_setup *setup, struct 
     *view = NULL;
     if (!bead_chain_mode_fields(setup->chain))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of modes needs an equation with linear modes");
-    struct bead_view *v = calloc(1, sizeof *v);
-    if (!v)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of modes");
+    struct bead_view *v;
+    BEAD_TRY(bead_new(&v, 1, msg, "a view of modes"));
     v->setup = *setup;
     v->look = *setup->look;
     v->setup.look = &v->look;

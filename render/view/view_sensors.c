@@ -9,6 +9,7 @@
 #include "render/view/panel.h"
 #include "render/view/sensor_curves.h"
 #include "render/view/views.h"
+#include "sim/base/memory.h"
 
 /* In units of axis lines; of the label's font size. */
 static const double curve_width = 2, strip = 1.5, sample_length = 1.6;
@@ -213,9 +214,8 @@ static void make_force_axis(struct bead_view *v, int rows)
 
 static enum bead_error sensors_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
-    struct name *names = calloc(v->count, sizeof *names);
-    if (!names)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for names of sensors");
+    struct name *names;
+    BEAD_TRY(bead_new(&names, v->count, msg, "names of sensors"));
     bool lines = lay_out_names(v, cr, names, true) == 1;
     make_force_axis(v, lay_out_names(v, cr, names, lines));
     if (v->look.dark)

@@ -50,9 +50,8 @@ static enum bead_error spacetime_create(const struct bead_view_setup *setup, str
 {
     if (!(setup->time[1] > setup->time[0]) || setup->beads.last < setup->beads.first)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a space-time image needs a stretch of time and of beads");
-    struct bead_view *v = *view = calloc(1, sizeof *v);
-    if (!v)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
+    BEAD_TRY(bead_new(view, 1, msg, "a space-time image"));
+    struct bead_view *v = *view;
     v->setup = *setup;
     v->look = *setup->look;
     v->setup.look = &v->look;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/adjoint/adjoint_nodes.h"
+#include "sim/base/memory.h"
 
 /* Beads on either side that one step reaches, normally and from an end that is below the part `faded` of the largest r. */
 enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8 };
@@ -44,10 +45,8 @@ static enum bead_error allocate(struct sweep *w, struct bead_adjoint *adjoints, 
 {
     const size_t padded = bead_adjoint_padded(w->chain);
     w->count = count;
-    w->traveller = calloc(count, sizeof *w->traveller);
-    w->memory = calloc(padded * (OWN_ARRAYS + ARRAYS * count), sizeof *w->memory);
-    if (!w->traveller || !w->memory)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the sensitivities of %zu beads", w->chain->beads);
+    BEAD_TRY(bead_new(&w->traveller, count, msg, "the sensitivities of %zu beads", w->chain->beads));
+    BEAD_TRY(bead_new(&w->memory, padded * (OWN_ARRAYS + ARRAYS * count), msg, "the sensitivities of %zu beads", w->chain->beads));
     double *at = w->memory + BEAD_ADJOINT_MARGIN, **const own[] = {&w->y, &w->spare};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++, at += padded)
         *own[i] = at;

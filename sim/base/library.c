@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens libraries at run time and finds their functions, for libraries that most runs do not need. */
 #include "sim/base/library.h"
+#include "sim/base/memory.h"
 
 #include <dlfcn.h>
 #include <pthread.h>
@@ -45,9 +46,8 @@ static enum bead_error load(const struct bead_library_info *libraries, const cha
         if (!library)
             return bead_fail(msg, BEAD_ERROR_GRAPHICS, "cannot open a library: %s", why ? why : file);
     }
-    void **table = calloc(count_names(names), sizeof *table);
-    if (!table)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the functions of %s", file);
+    void **table;
+    BEAD_TRY(bead_new(&table, count_names(names), msg, "the functions of %s", file));
     enum bead_error err = find_all(library, file, names, table, msg);
     if (err)
         free(table);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the memory that is left, before large arrays are allocated. */
+/* Allocates cleared arrays, and finds the memory that is left before large ones are allocated. */
 #include "sim/base/memory.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,4 +61,18 @@ enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_
         return BEAD_OK;
     return bead_fail(msg, BEAD_ERROR_MEMORY, "%s need %.3g GB of memory; %.3g GB are free", what, 1e-9 * (double)bytes,
                      1e-9 * (double)left);
+}
+
+enum bead_error bead_allocate(void *pointer, size_t count, size_t size, struct bead_message *msg, const char *what, ...)
+{
+    char words[200];
+    va_list arguments;
+    void *made = calloc(count, size);
+    memcpy(pointer, &made, sizeof made);
+    if (made)
+        return BEAD_OK;
+    va_start(arguments, what);
+    vsnprintf(words, sizeof words, what, arguments);
+    va_end(arguments);
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %s", words);
 }

@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 
 #include "beadreel/error.h"
+#include "sim/base/internal.h"
 
 /* Bytes; smaller arrays are not checked. */
 enum { BEAD_MEMORY_SMALL = 64 << 20 };
@@ -19,6 +20,11 @@ enum { BEAD_MEMORY_SMALL = 64 << 20 };
 uint64_t bead_memory_left(void);
 /* `what` begins the message: "chain.yaml:3:1: chain: 100 beads". Up to BEAD_MEMORY_SMALL bytes pass unchecked. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_message *msg);
+/* Make *pointer a cleared array of `count` elements. Where there is no memory it is NULL, and the message says so:
+ * bead_new(&s->rows, rows, msg, "a table of %zu rows", rows): "out of memory for a table of 12 rows". Errors: MEMORY. */
+#define bead_new(pointer, count, msg, ...) bead_allocate((pointer), (count), sizeof **(pointer), (msg), __VA_ARGS__)
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_allocate(void *pointer, size_t count, size_t size, struct bead_message *msg,
+                                                       const char *what, ...) BEAD_PRINTF(5, 6);
 /* Make room for `count` elements of `size` bytes, and some more, in an array that keeps its contents. False: out of memory. */
 static inline bool bead_memory_grow(void **array, size_t *room, size_t count, size_t size)
 {

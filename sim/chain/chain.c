@@ -21,11 +21,6 @@ static const double gravity = 9.80665; /* m/s^2, standard */
 /* Radius of the drawn masses of a string, as a part of their distance. */
 static const double radius_of_points = 0.3;
 
-static enum bead_error out_of_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a chain");
-}
-
 const char *bead_chain_place(const struct bead_chain *chain, char *text, size_t size)
 {
     const struct bead_node *node = chain->spec->node;
@@ -86,7 +81,7 @@ static enum bead_error allocate(struct bead_chain *chain, struct bead_message *m
     if (all)
         return BEAD_OK;
     free_arrays(chain);
-    return out_of_memory(msg);
+    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a chain");
 }
 
 /* Write the spins of a segment into `digits`. */
@@ -121,7 +116,7 @@ static enum bead_error draw_spins(struct bead_chain *chain, struct bead_message 
     const struct bead_chain_spec *spec = chain->spec;
     char *spin = chain->spins = calloc(count_spins(spec) + 1, 1);
     if (!spin)
-        return out_of_memory(msg);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a chain");
     for (size_t s = 0; s < spec->segment_count; s++) {
         if (spec->segments[s].cell_beads == 1)
             continue;
@@ -138,9 +133,7 @@ static enum bead_error find_sensors(struct bead_chain *chain, struct bead_messag
     size_t sensors = 0, at = 1;
     for (size_t s = 0; s < spec->segment_count; s++)
         sensors += spec->segments[s].sensor != NULL;
-    chain->sensors = calloc(sensors + 1, sizeof *chain->sensors);
-    if (!chain->sensors)
-        return out_of_memory(msg);
+    BEAD_TRY(bead_new(&chain->sensors, sensors + 1, msg, "a chain"));
     for (size_t s = 0; s < spec->segment_count; s++) {
         if (spec->segments[s].sensor)
             chain->sensors[chain->sensor_count++] = (struct bead_sensor){spec->segments[s].sensor, at};
@@ -254,9 +247,8 @@ enum bead_error bead_chain_outline(const struct bead_scene *scene, const struct 
                                    struct bead_message *msg)
 {
     *chain = NULL;
-    struct bead_chain *made = calloc(1, sizeof *made);
-    if (!made)
-        return out_of_memory(msg);
+    struct bead_chain *made;
+    BEAD_TRY(bead_new(&made, 1, msg, "a chain"));
     made->scene = scene;
     made->spec = spec;
     made->law = spec->law.row;

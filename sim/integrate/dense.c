@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dense output: interpolates states, compressions and forces between the ends of a step, for samples, peaks and the front. */
 #include "sim/integrate/dense.h"
+#include "sim/base/memory.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,9 +16,7 @@ enum bead_error bead_dense_create(const struct bead_stepper *s, struct bead_dens
     *dense = (struct bead_dense){.septic = !bead_stepper_damped(s)};
     if (!dense->septic)
         return BEAD_OK;
-    dense->memory = calloc(3 * (s->beads + padding), sizeof *dense->memory);
-    if (!dense->memory)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the samples of %zu beads", s->beads);
+    BEAD_TRY(bead_new(&dense->memory, 3 * (s->beads + padding), msg, "the samples of %zu beads", s->beads));
     dense->jerk[0] = dense->memory;
     dense->jerk[1] = dense->memory + s->beads + padding;
     dense->rate = dense->memory + 2 * (s->beads + padding); /* the element before it is 0 */

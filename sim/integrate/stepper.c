@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/subnormals.h"
@@ -104,9 +105,8 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
                                     struct bead_message *msg)
 {
     *stepper = NULL;
-    struct bead_stepper *s = calloc(1, sizeof *s);
-    if (!s)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stepper");
+    struct bead_stepper *s;
+    BEAD_TRY(bead_new(&s, 1, msg, "a stepper"));
     s->chain = chain;
     s->method = method;
     s->kernels = kernels;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/output/measure_place.h"
 #include "sim/run/play.h"
@@ -131,9 +132,8 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
         return BEAD_OK;
     for (size_t s = 0; s < chain->spec->segment_count; s++)
         most = chain->spec->segments[s].cell_beads > most ? chain->spec->segments[s].cell_beads : most;
-    size_t *cell = calloc(most, sizeof *cell);
-    if (!cell)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a cell of %zu beads", most);
+    size_t *cell;
+    BEAD_TRY(bead_new(&cell, most, msg, "a cell of %zu beads", most));
     const size_t beads = find_cell(chain, cell), all = chain->beads - 1 < BEAD_ORDER_BEADS ? chain->beads - 1 : BEAD_ORDER_BEADS;
     /* The chain, but of equal cells. */
     struct bead_segment segment = {.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Collects the profiles of a field at given times, for tables and plots. */
 #include "sim/output/profile_times.h"
+#include "sim/base/memory.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -110,9 +111,8 @@ enum bead_error bead_profile_times_create(const struct bead_output *output, cons
     double last = output->curves.profile_times[output->curves.profile_time_count - 1];
     if (last > context->end * (1 + 1e-9)) /* possible if the run ends when the front arrives */
         return bead_output_wrong(output, msg, "at: the last time is %g, but the run ends at %g", last, context->end);
-    struct bead_profile_times *m = calloc(1, sizeof *m);
-    if (!m)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
+    struct bead_profile_times *m;
+    BEAD_TRY(bead_new(&m, 1, msg, "profiles"));
     m->output = output;
     m->context = *context;
     m->grid = choose_grid(output, context);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/base/clock.h"
+#include "sim/base/memory.h"
 #include "sim/base/stop.h"
 #include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
@@ -112,10 +113,8 @@ static enum bead_error advance(struct pass *pass, size_t chain, bool comparison,
 
 static enum bead_error create_runs(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
 {
-    played->runs = calloc(p->chain_count, sizeof *played->runs);
-    played->outcomes = calloc(p->chain_count, sizeof *played->outcomes);
-    if (!played->runs || !played->outcomes)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    BEAD_TRY(bead_new(&played->runs, p->chain_count, msg, "%zu chains", p->chain_count));
+    BEAD_TRY(bead_new(&played->outcomes, p->chain_count, msg, "%zu chains", p->chain_count));
     played->count = p->chain_count;
     struct bead_run_settings settings = {.simulate = p->simulate,
                                          .kernels = p->kernels,

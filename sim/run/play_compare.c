@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
@@ -36,9 +37,7 @@ enum bead_error bead_compare_create(const struct bead_play *p, struct bead_playe
 {
     if (!compares_samples(p) && !bead_compare_peaks(p))
         return BEAD_OK;
-    played->comparison_runs = calloc(p->chain_count, sizeof *played->comparison_runs);
-    if (!played->comparison_runs)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu chains", p->chain_count);
+    BEAD_TRY(bead_new(&played->comparison_runs, p->chain_count, msg, "%zu chains", p->chain_count));
     struct bead_run_settings settings = {.simulate = p->simulate,
                                          .kernels = p->kernels,
                                          .end = p->end,
@@ -109,9 +108,7 @@ enum bead_error bead_compare_finish(const struct bead_play *p, struct bead_playe
 {
     if (!bead_compare_peaks(p))
         return BEAD_OK;
-    played->uncertainty = calloc(2 * p->chain_count, sizeof *played->uncertainty);
-    if (!played->uncertainty)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu chains", p->chain_count);
+    BEAD_TRY(bead_new(&played->uncertainty, 2 * p->chain_count, msg, "the peaks of %zu chains", p->chain_count));
     for (size_t i = 0; i < p->chain_count; i++)
         BEAD_TRY(compare_peaks(p, played, i, msg));
     return BEAD_OK;

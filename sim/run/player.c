@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "beadreel/chain.h"
+#include "sim/base/memory.h"
 #include "sim/base/settings.h"
 #include "sim/run/play.h"
 
@@ -105,9 +106,8 @@ enum bead_error bead_player_create(const struct bead_player_settings *settings, 
                                    struct bead_message *msg)
 {
     *player = NULL;
-    struct bead_player *made = calloc(1, sizeof *made);
-    if (!made)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a player");
+    struct bead_player *made;
+    BEAD_TRY(bead_new(&made, 1, msg, "a player"));
     enum bead_error err =
         bead_settings_take(&made->settings, sizeof made->settings, BEAD_SETTINGS_UP_TO(struct bead_player_settings, instructions),
                            settings, "bead_player_settings", msg);

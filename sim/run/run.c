@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/adjoint/record.h"
+#include "sim/base/memory.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/stepper.h"
@@ -68,9 +69,7 @@ static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
         run->field[i] = at;
     if (!run->settings.states)
         return BEAD_OK;
-    run->arrived = calloc(4 * beads, sizeof *run->arrived);
-    if (!run->arrived)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for two states of %zu beads", beads);
+    BEAD_TRY(bead_new(&run->arrived, 4 * beads, msg, "two states of %zu beads", beads));
     run->final = run->arrived + 2 * beads;
     return BEAD_OK;
 }
@@ -78,9 +77,8 @@ static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
 enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg)
 {
     *run = NULL;
-    struct bead_run *r = calloc(1, sizeof *r);
-    if (!r)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a run");
+    struct bead_run *r;
+    BEAD_TRY(bead_new(&r, 1, msg, "a run"));
     r->settings = *settings;
     r->front.arrival = NAN;
     r->passing.time = NAN;

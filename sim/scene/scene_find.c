@@ -20,19 +20,15 @@ struct listing {
     struct bead_message *msg;
 };
 
-static enum bead_error out_of_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
-}
-
 static enum bead_error add(struct listing *list, const char *name, size_t length)
 {
     struct bead_ready_scene *grown = realloc(list->scenes, (list->count + 1) * sizeof *grown);
     if (!grown)
-        return out_of_memory(list->msg);
+        return bead_fail(list->msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
     list->scenes = grown;
     grown[list->count] = (struct bead_ready_scene){strndup(name, length), NULL};
-    return grown[list->count++].name ? BEAD_OK : out_of_memory(list->msg);
+    return grown[list->count++].name ? BEAD_OK
+                                     : bead_fail(list->msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
 }
 
 static enum bead_error walk(struct listing *list, const char *directory, const char *prefix, int depth);
@@ -98,7 +94,7 @@ static enum bead_error read_title(struct bead_ready_scene *scene, struct bead_me
     const struct bead_node *title = bead_node_get(bead_yaml_root(yaml), "title", NULL);
     scene->title = strdup(title && title->kind == BEAD_NODE_SCALAR ? title->text : "");
     bead_yaml_free(yaml);
-    return scene->title ? BEAD_OK : out_of_memory(msg);
+    return scene->title ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the list of ready scenes");
 }
 
 enum bead_error bead_scene_ready(struct bead_ready_scene **scenes, size_t *count, struct bead_message *msg)

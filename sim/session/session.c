@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "beadreel/sweep.h"
+#include "sim/base/memory.h"
 #include "sim/base/settings.h"
 #include "sim/chain/chain_data.h"
 #include "sim/output/trajectory_data.h"
@@ -14,9 +15,7 @@
 static enum bead_error create_chains(struct bead_session *s, struct bead_message *msg)
 {
     s->chain_count = s->scene->chain_count;
-    s->own_chains = calloc(s->chain_count, sizeof *s->own_chains);
-    if (!s->own_chains)
-        return bead_session_out_of_memory(msg);
+    BEAD_TRY(bead_new(&s->own_chains, s->chain_count, msg, "a session"));
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->chain_count; i++)
         err = bead_chain_outline(s->scene, &s->scene->chains[i], &s->own_chains[i], msg);
@@ -157,9 +156,8 @@ static enum bead_error begin(struct bead_session *s, const struct bead_job *give
 enum bead_error bead_session_open(const struct bead_job *job, struct bead_session **session, struct bead_message *msg)
 {
     *session = NULL;
-    struct bead_session *s = calloc(1, sizeof *s);
-    if (!s)
-        return bead_session_out_of_memory(msg);
+    struct bead_session *s;
+    BEAD_TRY(bead_new(&s, 1, msg, "a session"));
     enum bead_error err = begin(s, job, msg);
     if (err)
         bead_session_close(s);
@@ -173,9 +171,7 @@ enum bead_error bead_session_run(struct bead_session *s, struct bead_message *ms
     if (s->begun)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: a session runs once, and this one has: open another", s->job.input);
     s->begun = true;
-    s->results = calloc(2 * s->made_count + 1, sizeof *s->results); /* each with a second file, at most */
-    if (!s->results)
-        return bead_session_out_of_memory(msg);
+    BEAD_TRY(bead_new(&s->results, 2 * s->made_count + 1, msg, "a session")); /* each with a second file, at most */
     return s->sweep ? bead_session_run_sweep(s, msg) : bead_session_run_single(s, msg);
 }
 

@@ -6,6 +6,7 @@
 
 #include "beadreel/chain.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/base/units.h"
 #include "sim/kinds/output_kinds.h"
@@ -134,9 +135,7 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
 {
     const bool alone = s->single && !s->amid;
     BEAD_TRY(check_names(s, msg));
-    s->made = calloc(s->source->output_count + 1, sizeof *s->made);
-    if (!s->made)
-        return bead_session_out_of_memory(msg);
+    BEAD_TRY(bead_new(&s->made, s->source->output_count + 1, msg, "a session"));
     s->made_count = alone ? 1 : s->source->output_count;
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < s->made_count && !err; i++) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
 
@@ -105,9 +106,7 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
 /* The outcomes that sinks get at the end: those of the pass, or those stored in the trajectory. */
 static enum bead_error collect_outcomes(struct bead_session *s, struct bead_message *msg)
 {
-    s->outcomes = calloc(s->chain_count, sizeof *s->outcomes);
-    if (!s->outcomes)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outcomes");
+    BEAD_TRY(bead_new(&s->outcomes, s->chain_count, msg, "outcomes"));
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->chain_count; i++) {
         if (s->trajectory)
@@ -262,9 +261,8 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
 
 enum bead_error bead_session_run_single(struct bead_session *s, struct bead_message *msg)
 {
-    struct bead_consumer *consumers = calloc(s->made_count + 1, sizeof *consumers);
-    if (!consumers)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outputs");
+    struct bead_consumer *consumers;
+    BEAD_TRY(bead_new(&consumers, s->made_count + 1, msg, "outputs"));
     enum bead_error err = session_run(s, consumers, msg);
     free(consumers);
     /* Destroys unfinished sinks, which removes their files. */

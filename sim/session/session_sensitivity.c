@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 #include "sim/run/sensitivity.h"
 #include "sim/session/session_data.h"
@@ -43,9 +44,8 @@ static enum bead_error mark_contacts(const struct bead_session *s, size_t chain,
     const struct bead_chain *c = s->chains[chain];
     size_t sensors = 0;
     bead_chain_sensors(c, &sensors);
-    size_t *list = calloc(2 * sensors + 1, sizeof *list);
-    if (!list)
-        return bead_session_out_of_memory(msg);
+    size_t *list;
+    BEAD_TRY(bead_new(&list, 2 * sensors + 1, msg, "a session"));
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_needs *n = &s->made[i].needs;
         if (!s->made[i].sink || !n->sensitivities)
@@ -82,9 +82,7 @@ static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, 
     const struct bead_sensitivity_run run = run_of(s, chain);
     BEAD_TRY(mark_contacts(s, chain, mark, msg));
     const size_t count = list_peaks(o->contact_peaks, bead_chain_contacts(s->chains[chain]), false, mark, list);
-    own->found = calloc(count + 1, sizeof *own->found);
-    if (!own->found)
-        return bead_session_out_of_memory(msg);
+    BEAD_TRY(bead_new(&own->found, count + 1, msg, "a session"));
     own->count = count;
     enum bead_error err = bead_sensitivities_find(&run, list, count, own->found, msg);
     for (size_t i = 0; i < count; i++)
@@ -102,9 +100,8 @@ static enum bead_error find_deviations(struct bead_session *s, size_t chain, boo
     const struct bead_sensitivity_run run = run_of(s, chain);
     const size_t count = list_peaks(of_beads ? o->bead_peaks : o->contact_peaks,
                                     of_beads ? bead_chain_beads(c) : bead_chain_contacts(c), of_beads, NULL, list);
-    double *deviation = calloc(count, sizeof *deviation);
-    if (!deviation)
-        return bead_session_out_of_memory(msg);
+    double *deviation;
+    BEAD_TRY(bead_new(&deviation, count, msg, "a session"));
     s->sensitivities[chain].deviation[of_beads] = deviation;
     *(of_beads ? &o->bead_deviation : &o->contact_deviation) = deviation;
     return bead_deviations_find(&run, list, count, deviation, msg);
@@ -147,8 +144,6 @@ enum bead_error bead_session_find_sensitivities(struct bead_session *s, struct b
     }
     if (!wanted.sensitivities && !wanted.deviation[0] && !wanted.deviation[1])
         return BEAD_OK;
-    s->sensitivities = calloc(s->chain_count, sizeof *s->sensitivities);
-    if (!s->sensitivities)
-        return bead_session_out_of_memory(msg);
+    BEAD_TRY(bead_new(&s->sensitivities, s->chain_count, msg, "a session"));
     return bead_thread_pool_run(s->chain_count, s->threads, find_of_chain, &wanted, msg);
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/spins.h"
 #include "sim/scene/sweep_yaml.h"
 #include "sim/sweep/sweep_data.h"
@@ -73,9 +74,8 @@ enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_
     *sweep = NULL;
     if (scene->sweep_count == 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: the scene has no sweep", scene->file);
-    struct bead_sweep *s = calloc(1, sizeof *s);
-    if (!s)
-        return out_of_memory(msg);
+    struct bead_sweep *s;
+    BEAD_TRY(bead_new(&s, 1, msg, "a sweep"));
     s->scene = scene;
     s->part = s->parts = 1;
     s->panels = calloc(scene->sweep_count, sizeof *s->panels);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "sim/base/elementary.h"
+#include "sim/base/memory.h"
 #include "sim/base/wide.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
@@ -19,11 +20,6 @@ struct decay_panel {
     size_t index, random, cell; /* random: beads up to the last random one; cell: beads of a random cell */
     double *logs;               /* [2][configurations][random] */
 };
-
-static enum bead_error out_of_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
-}
 
 static size_t random_cell(const struct bead_sweep *sweep, const struct bead_sweep_panel *shown)
 {
@@ -68,10 +64,8 @@ static enum bead_error find_decay(const struct decay_panel *p, const struct swee
                                   struct bead_message *msg)
 {
     const size_t beads = p->shown->beads;
-    d->force = calloc(beads, sizeof *d->force);
-    d->energy = calloc(beads, sizeof *d->energy);
-    if (!d->force || !d->energy)
-        return out_of_memory(msg);
+    BEAD_TRY(bead_new(&d->force, beads, msg, "the decay of a sweep"));
+    BEAD_TRY(bead_new(&d->energy, beads, msg, "the decay of a sweep"));
     for (size_t i = 0; i < d->count; i++) {
         struct bead_sweep_configuration c;
         bead_sweep_configuration(p->sweep, p->index, entries[i].index, &c);
@@ -105,7 +99,8 @@ enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, 
     struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &all);
     *decays = calloc(all + 1, sizeof **decays);
     p.logs = calloc(all + 1, 2 * p.random * sizeof *p.logs);
-    enum bead_error err = entries && *decays && p.logs ? BEAD_OK : out_of_memory(msg);
+    enum bead_error err =
+        entries && *decays && p.logs ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
     for (size_t first = 0; first < all && !err;) {
         struct bead_sweep_decay *d = &(*decays)[(*count)++];
         *d = (struct bead_sweep_decay){.magnetism = entries[first].magnetism, .count = bead_sweep_alike(entries, all, first)};

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/behind.h"
 #include "sim/sweep/sweep_data.h"
@@ -168,9 +169,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     const bool whole = bead_sweep_refusal(m->panel, m->chain) != NULL;
     if (m->panel->profiles) {
         consumer.step = watch_energies;
-        m->seen = calloc(m->panel->shown.beads, sizeof *m->seen);
-        if (!m->seen)
-            return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the energies of %zu beads", m->panel->shown.beads);
+        BEAD_TRY(bead_new(&m->seen, m->panel->shown.beads, msg, "the energies of %zu beads", m->panel->shown.beads));
     }
     enum bead_error err = play_cut(&play, whole ? sizeof widenings / sizeof *widenings - 1 : 0, &played, msg);
     if (!err && !whole && m->row % ALSO_WHOLE == 0)
@@ -221,9 +220,7 @@ static enum bead_error play_job(void *context, size_t index, const struct bead_p
 /* Lists the jobs of the sweep's part that are not known yet. */
 static enum bead_error list_jobs(struct work *w, struct sweep_generator *generator, struct bead_message *msg)
 {
-    w->jobs = calloc(w->sweep->jobs, sizeof *w->jobs);
-    if (!w->jobs)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sweep");
+    BEAD_TRY(bead_new(&w->jobs, w->sweep->jobs, msg, "a sweep"));
     for (size_t job = 0; job < w->sweep->jobs; job++) {
         if (!bead_sweep_mine(w->sweep, job))
             continue;

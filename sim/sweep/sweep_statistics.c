@@ -11,11 +11,6 @@ enum { RESAMPLES = 1000 };
 /* Magnetisms closer than this are equal: they are ratios of whole numbers. */
 static const double same = 1e-9;
 
-static enum bead_error out_of_memory(struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
-}
-
 static int by_magnetism(const void *a, const void *b)
 {
     const struct sweep_entry *p = a, *q = b;
@@ -54,7 +49,7 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
     s->rows = calloc(count + 1, sizeof *s->rows);
     if (!sorted || !s->rows) {
         free(sorted);
-        return out_of_memory(msg);
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
     }
     for (size_t first = 0; first < count;) {
         struct bead_sweep_row *row = &s->rows[s->row_count++];
@@ -76,7 +71,8 @@ static enum bead_error find_threshold(struct bead_sweep_statistics *s, const cha
     struct bead_message why;
     if (!how || !groups) {
         free(groups);
-        return how ? out_of_memory(msg) : bead_fail(msg, BEAD_ERROR_USAGE, "there is no threshold `%s`", name);
+        return how ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep")
+                   : bead_fail(msg, BEAD_ERROR_USAGE, "there is no threshold `%s`", name);
     }
     for (size_t i = 0; i < s->row_count; i++)
         groups[i] = (struct bead_group_results){s->rows[i].magnetism, s->values + s->rows[i].first, s->rows[i].count};
@@ -102,7 +98,9 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
     struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &count);
     s->values = calloc(count + 1, sizeof *s->values);
     s->indices = calloc(count + 1, sizeof *s->indices);
-    enum bead_error err = entries && s->values && s->indices ? BEAD_OK : out_of_memory(msg);
+    enum bead_error err = entries && s->values && s->indices
+                              ? BEAD_OK
+                              : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
     for (size_t i = 0; i < count && !err; i++) {
         bead_sweep_configuration(sweep, panel, entries[i].index, &c);
         s->values[i] = c.peaks[place].force / s->clean;

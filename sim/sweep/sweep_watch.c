@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/output/participation.h"
 #include "sim/sweep/sweep_data.h"
@@ -90,9 +91,7 @@ static enum bead_error play_watched(void *context, size_t index, const struct be
 static enum bead_error find_clean(struct work *work, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
-    work->clean = calloc(work->sweep->panel_count, sizeof *work->clean);
-    if (!work->clean)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the clean waves of a sweep");
+    BEAD_TRY(bead_new(&work->clean, work->sweep->panel_count, msg, "the clean waves of a sweep"));
     for (size_t p = 0; p < work->sweep->panel_count && !err; p++) {
         struct bead_sweep_chain *chain = NULL;
         err = bead_sweep_chain_create(work->sweep, p, BEAD_SWEEP_CLEAN, &chain, msg);
