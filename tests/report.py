@@ -53,7 +53,7 @@ def pixel(page, chain, x, y):
 def check_pixels(page, assets, scheme, rows):
     page.prefer(scheme)
     page.settle()
-    colours = load_map(assets, {"dark": "inferno", "light": "viridis"}[scheme])
+    colours = load_map(assets, {"dark": "inferno", "light": "ember"}[scheme])
     high = page.run("report.data.range.high")
     materials = page.run("report.data.materials.map(m => m.colour)")
     worst = {"bead": 0, "image": 0}

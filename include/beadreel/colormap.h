@@ -20,7 +20,7 @@ struct bead_colormap_info {
     const char *name, *description;
 };
 BEAD_API const struct bead_colormap_info *bead_colormap_list(void);
-/* From assets/colormaps/NAME.txt, or of colours: "#000000 #ff8000 #ffffff", equally far apart. Errors: SCENE (no such map; says
+/* From assets/colormaps/NAME.txt, reversed for NAME_r, or of colours: "#000000 #ff8000 #ffffff", equally far apart. Errors: SCENE (no such map; says
  * which there are), IO, FORMAT, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg);
 

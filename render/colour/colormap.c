@@ -18,7 +18,9 @@ static const struct bead_colormap_info maps[] = {
     {"magma", "black, violet, pink, cream"},
     {"batlow", "dark blue, green, orange, pink; even lightness"},
     {"grey", "black to white in equal steps of lightness"},
+    {"ember", "white, yellow, red, violet, black; for light pages, white where nothing is"},
     {"vik", "blue, white, red, for velocity and displacement"},
+    {"dusk", "blue, black, orange, for velocity and displacement in dark pictures"},
     {NULL, NULL},
 };
 
@@ -32,7 +34,9 @@ static enum bead_error unknown(const char *name, struct bead_message *msg)
     char names[256] = "";
     for (const struct bead_colormap_info *map = maps; map->name; map++)
         bead_list_add(names, sizeof names, ", ", map->name);
-    return bead_fail(msg, BEAD_ERROR_SCENE, "there is no colour map `%.40s`; allowed are %s, or a file of colours such as mine.txt",
+    return bead_fail(msg, BEAD_ERROR_SCENE,
+                     "there is no colour map `%.40s`; allowed are %s, each of them reversed (viridis_r), or a file of colours such as "
+                     "mine.txt",
                      name, names);
 }
 
@@ -70,9 +74,9 @@ static void between(const char *colours, size_t count, int place, uint8_t rgb[3]
 }
 
 /* Makes a map of the user's own colours: "#000000 #ff8000 #ffffff". */
-static enum bead_error own(const char *colours, struct bead_colormap *map, struct bead_message *msg)
+static enum bead_error own(const char *colours, size_t length, struct bead_colormap *map, struct bead_message *msg)
 {
-    const size_t length = strlen(colours), count = (length + 1) / 8;
+    const size_t count = (length + 1) / 8;
     bool good = count >= 2 && length == 8 * count - 1;
     for (size_t i = 0; i < count && good; i++)
         good = colours[8 * i] == '#' && strspn(colours + 8 * i + 1, "0123456789abcdefABCDEF") == 6 &&
@@ -85,12 +89,17 @@ static enum bead_error own(const char *colours, struct bead_colormap *map, struc
     return BEAD_OK;
 }
 
-enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg)
+static void reverse(struct bead_colormap *map)
 {
-    if (*name == '#')
-        return own(name, map, msg);
+    const struct bead_colormap forwards = *map;
+    for (int i = 0; i < 256; i++)
+        memcpy(map->rgb[i], forwards.rgb[255 - i], sizeof map->rgb[i]);
+}
+
+static enum bead_error load(const char *name, size_t end, struct bead_colormap *map, struct bead_message *msg)
+{
     const struct bead_colormap_info *info = maps;
-    while (info->name && strcmp(info->name, name) != 0)
+    while (info->name && (strlen(info->name) != end || strncmp(info->name, name, end) != 0))
         info++;
     if (!info->name)
         return unknown(name, msg);
@@ -98,9 +107,18 @@ enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, 
     size_t length = 0;
     snprintf(file, sizeof file, "colormaps/%s.txt", info->name);
     BEAD_TRY(bead_asset_read(file, &text, &length, msg));
-    snprintf(map->name, sizeof map->name, "%s", info->name);
+    snprintf(map->name, sizeof map->name, "%s", name);
     enum bead_error err = parse(file, text, map, msg);
     free(text);
+    return err;
+}
+
+enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg)
+{
+    const size_t length = strlen(name), end = length > 2 && strcmp(name + length - 2, "_r") == 0 ? length - 2 : length;
+    enum bead_error err = *name == '#' ? own(name, end, map, msg) : load(name, end, map, msg);
+    if (!err && end < length)
+        reverse(map);
     return err;
 }
 

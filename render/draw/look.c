@@ -60,9 +60,9 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
         .background = {1, 1, 1},
         .panel = {0.945, 0.95, 0.96},
         .ink = {0.13, 0.14, 0.17},
-        .faint = {0.42, 0.44, 0.48},
-        .accent = {0.72, 0.32, 0.05},
-        .axis = {0.42, 0.44, 0.48},
+        .faint = {0.40, 0.42, 0.46},
+        .accent = {0.70, 0.31, 0.05},
+        .axis = {0.40, 0.42, 0.46},
     };
     if (dark)
         bead_look_darken(look);
@@ -117,10 +117,10 @@ void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, 
     cairo_fill(cr);
 }
 
-/* Colours that differ in print and for colour-blind readers: first row on light, second on dark backgrounds. */
+/* First row on light, second on dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue. */
 static const struct bead_rgb inks[2][6] = {
-    {{0.10, 0.32, 0.60}, {0.80, 0.33, 0.07}, {0.08, 0.49, 0.36}, {0.55, 0.27, 0.60}, {0.70, 0.52, 0.00}, {0.35, 0.37, 0.41}},
-    {{0.45, 0.72, 0.98}, {0.98, 0.58, 0.30}, {0.35, 0.82, 0.62}, {0.84, 0.58, 0.90}, {0.96, 0.80, 0.31}, {0.74, 0.77, 0.81}},
+    {{0.02, 0.34, 0.84}, {0.82, 0.33, 0.07}, {0.17, 0.40, 0.27}, {0.69, 0.01, 0.52}, {0.48, 0.47, 0.47}, {0.24, 0.16, 0.11}},
+    {{0.22, 0.57, 0.98}, {0.99, 0.58, 0.31}, {0.08, 0.83, 0.65}, {0.91, 0.68, 0.95}, {0.86, 0.26, 0.32}, {0.94, 0.99, 0.67}},
 };
 
 struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index)

@@ -79,9 +79,6 @@ static const struct bead_option movie_rows[] = {
     BEAD_FILE_ROW("movie", "FILE.mp4, .mov, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
     {"size", BEAD_OPTION_CUSTOM, .initial = "[1920, 1080]", .shape = "[width, height] in pixels, 1 to 32768", .like = "[2 number]",
      .read = bead_output_read_frame_size, .help = "size of the frame", .example = "[1280, 720]"},
-    {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
-     .like = "text", .read = bead_output_read_colormap,
-     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno", .example = "batlow"},
     {"views", BEAD_OPTION_CUSTOM, .initial = "[beads, profile, spacetime]", .shape = BEAD_VIEWS_LISTED "in a list",
      .like = "[text]", .read = bead_output_read_views, .help = "the views, from top to bottom", .example = "[beads, spacetime]"},
     {"layout", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.layout), .initial = "auto", .choices = layouts,
@@ -144,7 +141,8 @@ static const struct bead_option_rows movie_shared[] = {
     {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(span_rows)},
     {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
     {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_theme_rows)},
-    {BEAD_OPTIONS(bead_axes_row)},    {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
+    {BEAD_OPTIONS(bead_axes_row)},    {BEAD_OPTIONS(bead_orientation_row)}, {BEAD_OPTIONS(bead_colormap_row)},
+    {NULL, 0}};
 static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
                                                   movie_shared, &bead_output_family};
 

@@ -45,6 +45,7 @@ static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_
                                                              {BEAD_OPTIONS(bead_every_row)},
                                                              {BEAD_OPTIONS(bead_colormap_row)},
                                                              {BEAD_OPTIONS(bead_image_rows)},
+                                                             {BEAD_OPTIONS(bead_square_root_row)},
                                                              {BEAD_OPTIONS(bead_range_row)},
                                                              {BEAD_OPTIONS(bead_magnify_row)},
                                                              {BEAD_OPTIONS(bead_trust_row)},

@@ -4,16 +4,12 @@
 
 static const struct bead_option report_file[] = {
     BEAD_FILE_ROW("report", "FILE.html", "report.html"),
-    {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
-     .like = "text", .read = bead_output_read_colormap,
-     .help = "colour map, one of --list colormaps; auto: vik for velocity and displacement, else inferno where the reader's "
-             "browser is dark, and viridis where it is light",
-     .example = "batlow"},
 };
 static const struct bead_option_rows report_shared[] = {{BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},
                                                         {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_every_row)},
                                                         {BEAD_OPTIONS(bead_range_row)},   {BEAD_OPTIONS(bead_square_root_row)},
-                                                        {BEAD_OPTIONS(bead_magnify_row)}, {NULL, 0}};
+                                                        {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_colormap_row)},
+                                                        {NULL, 0}};
 static const struct bead_options report_options = {
     "report", "a page for browsers: one file, with the samples to play, the peaks with their uncertainty, pictures and scene",
     BEAD_OPTIONS(report_file), report_shared, &bead_output_family};
@@ -22,6 +18,7 @@ static const struct bead_option_rows sweep_report_shared[] = {{BEAD_OPTIONS(bead
                                                               {BEAD_OPTIONS(bead_range_row)},
                                                               {BEAD_OPTIONS(bead_square_root_row)},
                                                               {BEAD_OPTIONS(bead_threshold_row)},
+                                                              {BEAD_OPTIONS(bead_colormap_row)},
                                                               {NULL, 0}};
 static const struct bead_options sweep_report_options = {
     "report of a sweep", "a page for browsers: force against magnetism, and behind each point the image of its configuration",

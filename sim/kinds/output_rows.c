@@ -78,8 +78,8 @@ const struct bead_option bead_caption_row[1] = {
 const struct bead_option bead_colormap_row[1] = {
     {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
      .like = "text", .read = bead_output_read_colormap,
-     .help =
-         "colour map, one of --list colormaps; auto: vik for velocity and displacement, inferno for dark pictures, else viridis",
+     .help = "colour map, one of --list colormaps, reversed with _r; auto: zero looks like the page, with ember in light pictures, "
+             "inferno in dark ones, and vik and dusk for velocity and displacement",
      .example = "batlow"},
 };
 const struct bead_option bead_square_root_row[1] = {
@@ -113,9 +113,7 @@ const struct bead_option bead_orientation_row[1] = {
 /* ---- images and movies ---- */
 
 /* Keys of images and of panels that are images. */
-const struct bead_option bead_image_rows[4] = {
-    {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(colours.scale), .initial = "linear", .choices = scales,
-     .help = "scale from values to colours"},
+const struct bead_option bead_image_rows[3] = {
     {"sample", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(image.sampling), .initial = "area", .choices = samplings,
      .help = "what a pixel of spacetime shows; area: the mean of its samples; max: the sample furthest from 0, so that thin pulses "
              "keep their height"},

@@ -25,7 +25,7 @@ extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_
 /* Curves and tables of their numbers; sweeps: */
 extern const struct bead_option bead_curves_rows[3], bead_plot_rows[4], bead_threshold_row[1];
 /* Images and panels that are images; pictures with panels: */
-extern const struct bead_option bead_image_rows[4], bead_panels_rows[2];
+extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];
 /* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */
 #define BEAD_COLORMAP_SHAPE "a name, a text file such as mine.txt, or colours such as \"#000000 #ff8000 #ffffff\""
 extern const struct bead_option bead_page_rows[4], bead_theme_rows[3], bead_caption_row[1], bead_colormap_row[1],

@@ -141,8 +141,8 @@ static bool read_row(const char *line, double rgb[3])
     return at[strspn(at, " \t\r,;")] == '\n' || !at[strspn(at, " \t\r,;")];
 }
 
-/* "#rrggbb #rrggbb ..." of rows that go from 0 to 1 or from 0 to 255. To be freed; NULL: no memory. */
-static char *colours_text(double (*rgb)[3], size_t count)
+/* "#rrggbb #rrggbb ..." of rows that go from 0 to 1 or from 0 to 255, then `turned`. To be freed; NULL: no memory. */
+static char *colours_text(double (*rgb)[3], size_t count, const char *turned)
 {
     double most = 0;
     char *text = NULL;
@@ -158,6 +158,7 @@ static char *colours_text(double (*rgb)[3], size_t count)
         for (int c = 0; c < 3; c++)
             fprintf(out, "%02lx", (unsigned long)lround(scale * rgb[i][c]));
     }
+    fputs(turned, out);
     if (fclose(out) == 0)
         return text;
     free(text);
@@ -165,7 +166,7 @@ static char *colours_text(double (*rgb)[3], size_t count)
 }
 
 /* Errors in words, without the file. */
-static char *read_colours(const char *text, char *why, size_t size)
+static char *read_colours(const char *text, const char *turned, char *why, size_t size)
 {
     static const char shape[] = "must be a row of red, green and blue, all from 0 to 255 or all from 0 to 1";
     double(*rgb)[3] = calloc(MOST_COLOURS, sizeof *rgb);
@@ -187,24 +188,40 @@ static char *read_colours(const char *text, char *why, size_t size)
     if (rgb && count < 2)
         snprintf(why, size, "has %zu colours; must have from 2 to %d, a row each", count, MOST_COLOURS);
     else if (rgb)
-        colours = colours_text(rgb, count);
+        colours = colours_text(rgb, count, turned);
     free(rgb);
     return colours;
 }
 
 /* Names of files in scenes are relative to the scene, those in options to the working directory. */
-static char *colours_path(const struct own *own, const struct bead_node *node)
+static char *colours_path(const struct own *own, const struct bead_node *node, const char *name)
 {
     const char *scene = bead_yaml_name(own->reader->yaml, NULL), *slash = strrchr(scene, '/');
     char *path = NULL;
     for (size_t i = 0; own->config && i < own->config->colormap_count; i++) {
-        if (strcmp(own->config->colormaps[i].name, node->text) == 0)
+        if (strcmp(own->config->colormaps[i].name, name) == 0)
             return strdup(own->config->colormaps[i].file);
     }
-    if (!bead_colours_are_file(node->text))
+    if (!bead_colours_are_file(name))
         return strdup("");
-    const bool beside = !node->origin && *node->text != '/' && slash;
-    return asprintf(&path, "%.*s%s", beside ? (int)(slash - scene) + 1 : 0, scene, node->text) < 0 ? NULL : path;
+    const bool beside = !node->origin && *name != '/' && slash;
+    return asprintf(&path, "%.*s%s", beside ? (int)(slash - scene) + 1 : 0, scene, name) < 0 ? NULL : path;
+}
+
+/* The file of a map, or of that which NAME_r turns round; "": it has none. */
+static char *colours_file(const struct own *own, const struct bead_node *node, const char **turned)
+{
+    const size_t length = node->kind == BEAD_NODE_SCALAR ? strlen(node->text) : 0;
+    char *path = length ? colours_path(own, node, node->text) : strdup("");
+    *turned = "";
+    if (!path || *path || length < 3 || strcmp(node->text + length - 2, "_r") != 0)
+        return path;
+    free(path);
+    char *name = strndup(node->text, length - 2);
+    path = name ? colours_path(own, node, name) : NULL;
+    *turned = "_r";
+    free(name);
+    return path;
 }
 
 /* A stranger's scene must not make the program wait at a pipe. */
@@ -218,8 +235,8 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
 {
     struct bead_reader *reader = own->reader;
     struct bead_message why = {""};
-    char *path = at->node->kind == BEAD_NODE_SCALAR ? colours_path(own, at->node) : strdup(""), *text = NULL, *colours = NULL,
-         wrong[160];
+    const char *turned;
+    char *path = colours_file(own, at->node, &turned), *text = NULL, *colours = NULL, wrong[160];
     size_t length = 0;
     if (path && !*path) {
         free(path);
@@ -230,7 +247,7 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
                                                         : bead_fail(&why, BEAD_ERROR_IO, "%s: is no plain file", path);
     if (err == BEAD_ERROR_IO || err == BEAD_ERROR_SCENE)
         err = bead_wrong(reader, at, "%s", why.text);
-    if (!err && !(colours = read_colours(text, wrong, sizeof wrong)))
+    if (!err && !(colours = read_colours(text, turned, wrong, sizeof wrong)))
         err = bead_wrong(reader, at, "%s: %s", path, wrong);
     struct bead_node *node = (struct bead_node *)(uintptr_t)at->node; /* of the document that is changed here */
     if (!err && !(node->text = bead_yaml_text(reader->yaml, colours, strlen(colours))))

@@ -93,6 +93,9 @@ ok "... by its file" exits 0 "$beadreel" run/run.h5 -o filed/b.png --colormap "$
 ok "... by its colours" exits 0 "$beadreel" run/run.h5 -o listed/b.png --colormap '"#000000 #ff8000 #ffffff"'
 ok "... all the same" cmp named/b.png filed/b.png
 ok "... all of them" cmp named/b.png listed/b.png
+ok "its other way round" exits 0 "$beadreel" run/run.h5 -o turned/b.png --colormap mine_r
+ok "... by its colours" exits 0 "$beadreel" run/run.h5 -o white/b.png --colormap '"#000000 #ff8000 #ffffff_r"'
+ok "... is that" cmp turned/b.png white/b.png
 printf '0 0 0\n1 0.501961 0\n1 1 1\n' >unit.txt
 ok "colours from 0 to 1, where the program runs" exits 0 "$beadreel" run/run.h5 -o unit/b.png --colormap unit.txt
 ok "... are those" cmp named/b.png unit/b.png

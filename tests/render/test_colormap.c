@@ -14,19 +14,22 @@
 
 #include "beadreel/colormap.h"
 #include "render/draw/axis.h"
+#include "tests/eyes.h"
 
-static double linear(double c)
+static void lab_of(const uint8_t rgb[3], double lab[3])
 {
-    return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1.055, 2.4);
+    eyes_lab(EYES_ALL_CONES, (const double[3]){rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0}, lab);
 }
 
-/* CIELAB L* of an sRGB colour, D65. */
+/* CIELAB L* of an sRGB colour. */
 static double lightness(const uint8_t rgb[3])
 {
-    double y = 0.2126 * linear(rgb[0] / 255.0) + 0.7152 * linear(rgb[1] / 255.0) + 0.0722 * linear(rgb[2] / 255.0);
-    return y > 0.008856 ? 116 * cbrt(y) - 16 : 903.3 * y;
+    double lab[3];
+    lab_of(rgb, lab);
+    return lab[0];
 }
 
+/* Sequential maps go one way in even steps, diverging ones to a middle and back. */
 static void test_lightness_rises(void **state)
 {
     (void)state;
@@ -34,52 +37,79 @@ static void test_lightness_rises(void **state)
         struct bead_colormap map;
         assert_int_equal(bead_colormap_load(info->name, &map, NULL), BEAD_OK);
         assert_string_equal(map.name, info->name);
-        bool diverging = strcmp(info->name, "vik") == 0;
+        const double ends = lightness(map.rgb[255]) - lightness(map.rgb[0]), half = lightness(map.rgb[127]) - lightness(map.rgb[0]);
+        const bool diverging = fabs(ends) < 10;
+        const double first = copysign(1, half), second = diverging ? -first : first; /* which way it goes */
         for (int i = 0; i < 255; i++) {
             double step = lightness(map.rgb[i + 1]) - lightness(map.rgb[i]);
-            bool rises = diverging ? (i < 120 ? step > -0.1 : i < 136 ? fabs(step) < 1.5 : step < 0.1) : step > -0.15;
-            if (!rises)
+            bool middle = diverging && i >= 120 && i < 136;
+            if (!(middle ? fabs(step) < 1.5 : (i < 128 ? first : second) * step > -0.15))
                 fail_msg("%s: lightness steps by %g at %d", info->name, step, i);
         }
-        double whole = lightness(map.rgb[255]) - lightness(map.rgb[0]), first = lightness(map.rgb[127]) - lightness(map.rgb[0]);
         if (!diverging) /* evenly: half of the way in the middle */
-            assert_true(whole > 60 && fabs(first / whole - 0.5) < 0.12);
+            assert_true(fabs(ends) > 60 && fabs(half / ends - 0.5) < 0.12);
         else
-            assert_true(fabs(lightness(map.rgb[255]) - lightness(map.rgb[0])) < 10 && first > 70);
+            assert_true(fabs(half) > 70);
     }
 }
 
-static double lab_root(double t)
+/* Where nothing is, an automatic map looks like the page: white paper, dark screen. */
+static void test_zero_looks_like_the_page(void **state)
 {
-    return t > 0.008856 ? cbrt(t) : 7.787 * t + 16.0 / 116;
+    (void)state;
+    static const struct {
+        const char *map;
+        int zero;
+        bool dark;
+    } cases[] = {{"ember", 0, false}, {"vik", 127, false}, {"inferno", 0, true}, {"dusk", 127, true}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct bead_colormap map;
+        struct bead_look look;
+        double page[3], zero[3];
+        assert_int_equal(bead_colormap_load(cases[i].map, &map, NULL), BEAD_OK);
+        bead_look_screen(&look, 1280, 720, cases[i].dark);
+        eyes_lab(EYES_ALL_CONES, (const double[3]){look.background.r, look.background.g, look.background.b}, page);
+        lab_of(map.rgb[cases[i].zero], zero);
+        if (!(fabs(page[0] - zero[0]) < 9))
+            fail_msg("%s: lightness %g at zero, on a page of %g", cases[i].map, zero[0], page[0]);
+    }
 }
 
-/* CIELAB of an sRGB colour, D65. */
-static void to_lab(const uint8_t rgb[3], double lab[3])
+/* NAME_r is every map from its other end: those of the project, and colours of one's own. */
+static void test_every_map_turns_round(void **state)
 {
-    double r = linear(rgb[0] / 255.0), g = linear(rgb[1] / 255.0), b = linear(rgb[2] / 255.0);
-    double x = lab_root((0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.95047), y = lab_root(0.2126 * r + 0.7152 * g + 0.0722 * b);
-    double z = lab_root((0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.08883);
-    lab[0] = 116 * y - 16;
-    lab[1] = 500 * (x - y);
-    lab[2] = 200 * (y - z);
+    (void)state;
+    struct bead_colormap map, turned;
+    for (const struct bead_colormap_info *info = bead_colormap_list(); info->name; info++) {
+        char name[40];
+        snprintf(name, sizeof name, "%s_r", info->name);
+        assert_int_equal(bead_colormap_load(info->name, &map, NULL), BEAD_OK);
+        assert_int_equal(bead_colormap_load(name, &turned, NULL), BEAD_OK);
+        assert_string_equal(turned.name, name);
+        for (int i = 0; i < 256; i++)
+            assert_memory_equal(map.rgb[i], turned.rgb[255 - i], 3);
+    }
+    assert_int_equal(bead_colormap_load("#000000 #ff8000 #ffffff_r", &turned, NULL), BEAD_OK);
+    assert_memory_equal(turned.rgb[0], ((const uint8_t[]){255, 255, 255}), 3);
+    assert_int_equal(bead_colormap_load("_r", &turned, NULL), BEAD_ERROR_SCENE);
+    assert_int_equal(bead_colormap_load("viridis_r_r", &turned, NULL), BEAD_ERROR_SCENE);
 }
 
 /* How far two colours of a map are apart in CIELAB. */
 static double apart(const struct bead_colormap *map, int i, int j)
 {
     double a[3], b[3];
-    to_lab(map->rgb[i], a);
-    to_lab(map->rgb[j], b);
+    lab_of(map->rgb[i], a);
+    lab_of(map->rgb[j], b);
     return sqrt(pow(a[0] - b[0], 2) + pow(a[1] - b[1], 2) + pow(a[2] - b[2], 2));
 }
 
 /* Equal steps of a value look alike: over 16 of 256 colours, so that rounding to 8 bits does not count. Measured: largest to
- * least 1.9 for batlow, 2.3 for viridis, 3.3 for cividis, which was made uniform in another space than CIELAB. */
+ * least 1.9 for batlow, 2.1 for ember, 2.3 for viridis, 3.3 for cividis, which was made uniform in another space than CIELAB. */
 static void test_maps_are_uniform(void **state)
 {
     (void)state;
-    static const char *const names[] = {"viridis", "cividis", "batlow"};
+    static const char *const names[] = {"viridis", "cividis", "batlow", "ember"};
     enum { STEP = 16 };
     for (size_t m = 0; m < sizeof names / sizeof names[0]; m++) {
         struct bead_colormap map;
@@ -99,11 +129,13 @@ static void test_diverging_map_is_symmetric(void **state)
 {
     (void)state;
     struct bead_colormap map;
-    assert_int_equal(bead_colormap_load("vik", &map, NULL), BEAD_OK);
-    for (int i = 0; i < 128; i++) {
-        double difference = lightness(map.rgb[i]) - lightness(map.rgb[255 - i]);
-        if (!(fabs(difference) < 10))
-            fail_msg("lightness differs by %g at %d", difference, i);
+    for (const char *const *name = (const char *const[]){"vik", "dusk", NULL}; *name; name++) {
+        assert_int_equal(bead_colormap_load(*name, &map, NULL), BEAD_OK);
+        for (int i = 0; i < 128; i++) {
+            double difference = lightness(map.rgb[i]) - lightness(map.rgb[255 - i]);
+            if (!(fabs(difference) < 10))
+                fail_msg("%s: lightness differs by %g at %d", *name, difference, i);
+        }
     }
 }
 
@@ -113,7 +145,7 @@ static void test_unknown_map(void **state)
     struct bead_colormap map;
     struct bead_message msg = {""};
     assert_int_equal(bead_colormap_load("jet", &map, &msg), BEAD_ERROR_SCENE);
-    assert_non_null(strstr(msg.text, "viridis"));
+    assert_non_null(strstr(msg.text, "viridis_r"));
     assert_int_equal(bead_colormap_load("../materials", &map, &msg), BEAD_ERROR_SCENE);
 }
 
@@ -180,6 +212,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lightness_rises),
+        cmocka_unit_test(test_zero_looks_like_the_page),
+        cmocka_unit_test(test_every_map_turns_round),
         cmocka_unit_test(test_maps_are_uniform),
         cmocka_unit_test(test_diverging_map_is_symmetric),
         cmocka_unit_test(test_unknown_map),

@@ -93,10 +93,12 @@ static void test_dark_pictures_have_a_dark_map(void **state)
     (void)state;
     static const struct {
         const char *output, *map;
-    } cases[] = {{"image: a.png", "viridis"},
+    } cases[] = {{"image: a.png", "ember"},
+                 {"image: a.png, colormap: grey_r", "grey_r"},
+                 {"image: a.png, field: velocity", "vik"},
                  {"image: a.png, theme: dark", "inferno"},
                  {"image: a.png, theme: dark, colormap: batlow", "batlow"},
-                 {"image: a.png, theme: dark, field: velocity", "vik"}};
+                 {"image: a.png, theme: dark, field: velocity", "dusk"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[300];
         struct bead_chain *chain;

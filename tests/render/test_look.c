@@ -14,7 +14,8 @@
 #include <cmocka.h>
 
 #include "beadreel/colormap.h"
-#include "render/draw/axis.h"
+#include "render/draw/page.h"
+#include "tests/eyes.h"
 
 /* ---- axes ---- */
 
@@ -337,6 +338,95 @@ static void test_round_ends_have_ticks(void **state)
     }
 }
 
+/* ---- colours ---- */
+
+/* All looks, on light and dark pages. */
+enum { LOOKS = 8 };
+static const char *make_look(int index, struct bead_look *look)
+{
+    const bool dark = index % 2;
+    if (index / 2 == 0) {
+        bead_look_paper(look, 300);
+        if (dark)
+            bead_look_darken(look);
+        return dark ? "dark paper" : "paper";
+    }
+    if (index / 2 == 1)
+        bead_look_screen(look, 1280, 720, dark);
+    else if (index / 2 == 2)
+        bead_look_slide(look, 1280, 720, dark);
+    else
+        bead_look_film(look, 1280, 720, dark, false);
+    return dark ? "dark screen" : "screen";
+}
+
+static void take(struct bead_rgb colour, double srgb[3])
+{
+    srgb[0] = colour.r;
+    srgb[1] = colour.g;
+    srgb[2] = colour.b;
+}
+
+/* WCAG 2.2, 1.4.3 and 1.4.11: 4.5 for letters, 3 for lines and curves, on the page and on panels. */
+static void test_contrast(void **state)
+{
+    (void)state;
+    for (int l = 0; l < LOOKS; l++) {
+        struct bead_look look;
+        const char *name = make_look(l, &look);
+        const struct bead_rgb grounds[] = {look.background, look.panel};
+        for (size_t g = 0; g < 2; g++) {
+            const struct bead_rgb letters[] = {look.ink, look.faint, look.accent};
+            double ground[3], colour[3];
+            take(grounds[g], ground);
+            for (size_t i = 0; i < 3 + 1 + 6; i++) {
+                const double least = i < 3 ? 4.5 : 3;
+                take(i < 3 ? letters[i] : i == 3 ? look.axis : bead_look_curve(&look, i - 4), colour);
+                if (!(eyes_contrast(colour, ground) >= least))
+                    fail_msg("%s: colour %zu has a contrast of %.2f on ground %zu", name, i, eyes_contrast(colour, ground), g);
+            }
+        }
+    }
+}
+
+/* Pairs 1, 4, 9, 17 and 20 of the test data of Sharma, Wu and Dalal 2005. */
+static void test_differences_as_published(void **state)
+{
+    (void)state;
+    static const double pairs[][7] = {{50, 2.6772, -79.7751, 50, 0, -82.7485, 2.0425},
+                                      {50, -1.3802, -84.2814, 50, 0, -82.7485, 1},
+                                      {50, 2.49, -0.001, 50, -2.49, 0.0009, 7.1792},
+                                      {50, 2.5, 0, 73, 25, -18, 27.1492},
+                                      {50, 2.5, 0, 58, 24, 15, 19.4535}};
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        const double found = eyes_difference(pairs[i], pairs[i] + 3);
+        if (!(fabs(found - pairs[i][6]) < 1e-4))
+            fail_msg("pair %zu: %.4f, not %.4f", i, found, pairs[i][6]);
+    }
+}
+
+/* Any two curves of a picture, with all cones and without one kind. */
+static void test_curves_are_told_apart_by_all_eyes(void **state)
+{
+    (void)state;
+    for (int l = 0; l < 2; l++) {
+        struct bead_look look;
+        (void)make_look(2 + l, &look);
+        for (int eyes = 0; eyes < EYES_KINDS; eyes++) {
+            for (size_t i = 0; i < 6 * 6; i++) {
+                double one[3], two[3], lab[2][3];
+                take(bead_look_curve(&look, i / 6), one);
+                take(bead_look_curve(&look, i % 6), two);
+                eyes_lab((enum eyes)eyes, one, lab[0]);
+                eyes_lab((enum eyes)eyes, two, lab[1]);
+                if (i / 6 != i % 6 && !(eyes_difference(lab[0], lab[1]) >= 12))
+                    fail_msg("%s, eyes %d: curves %zu and %zu differ by %.1f", l ? "dark" : "light", eyes, i / 6, i % 6,
+                             eyes_difference(lab[0], lab[1]));
+            }
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -352,6 +442,9 @@ int main(void)
         cmocka_unit_test(test_text_is_measured_alike_everywhere),
         cmocka_unit_test(test_lines_have_their_height),
         cmocka_unit_test(film_type_is_a_part_of_the_frame),
+        cmocka_unit_test(test_contrast),
+        cmocka_unit_test(test_differences_as_published),
+        cmocka_unit_test(test_curves_are_told_apart_by_all_eyes),
     };
     return cmocka_run_group_tests_name("looks", tests, NULL, NULL);
 }

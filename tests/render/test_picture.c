@@ -159,7 +159,7 @@ static void test_png_errors(void **state)
 static void check_bare_pixels(const char *orientation, bool down, bool upside)
 {
     char path[512], output[160];
-    snprintf(output, sizeof output, "image: bare.png, axes: false, size: %s, range: [0, 10 N]%s", down ? "[20, 40]" : "[40, 20]",
+    snprintf(output, sizeof output, "image: bare.png, axes: false, size: %s, range: [0, 10 N], scale: linear%s", down ? "[20, 40]" : "[40, 20]",
              orientation);
     struct built built = build_chain(output);
     draw_output(&built, pulse_down_the_chain);
@@ -168,7 +168,7 @@ static void check_bare_pixels(const char *orientation, bool down, bool upside)
     const int width = down ? 20 : 40;
     assert_true(png.width == width && png.height == 60 - width && png.colour_type == PNG_COLOR_TYPE_PALETTE);
     struct bead_colormap map;
-    assert_int_equal(bead_colormap_load("viridis", &map, NULL), BEAD_OK);
+    assert_int_equal(bead_colormap_load("ember", &map, NULL), BEAD_OK);
     /* 2 pixels a bead, 4 of time a bead. */
     for (int place = 0; place < 20; place++) {
         for (int time = 0; time < 40; time++) {

@@ -69,7 +69,7 @@ static void outputs_have_the_defaults_of_their_kind(void **state)
     assert_true(o[0].shown.beads.first == 0 && o[0].shown.beads.last == SIZE_MAX);
     assert_true(o[1].paper.size[0] == 1920 && o[1].paper.size[1] == 1080 && !o[1].paper.size_is_length);
     assert_string_equal(o[1].colours.colormap, "auto");
-    assert_int_equal(o[1].colours.scale, BEAD_SCALE_LINEAR);
+    assert_int_equal(o[1].colours.scale, BEAD_SCALE_SQRT);
     assert_int_equal(o[1].shown.field, BEAD_FIELD_FORCE);
     assert_true(o[1].views.axes && isnan(o[1].colours.range[0]) && isnan(o[1].colours.range[1]) && isnan(o[1].image.at) &&
                 o[1].views.magnify == 0);
