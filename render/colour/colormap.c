@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "sim/base/assets.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 
 static const struct bead_colormap_info maps[] = {
@@ -103,14 +104,13 @@ static enum bead_error load(const char *name, size_t end, struct bead_colormap *
         info++;
     if (!info->name)
         return unknown(name, msg);
-    char file[64], *text = NULL;
+    char file[64];
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     snprintf(file, sizeof file, "colormaps/%s.txt", info->name);
     BEAD_TRY(bead_asset_read(file, &text, &length, msg));
     snprintf(map->name, sizeof map->name, "%s", name);
-    enum bead_error err = parse(file, text, map, msg);
-    free(text);
-    return err;
+    return parse(file, text, map, msg);
 }
 
 enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg)

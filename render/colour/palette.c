@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "render/colour/palette.h"
+#include "sim/base/memory.h"
 
 enum { MOST_BOXES = 256, ROUNDS = 4 };
 
@@ -242,7 +243,7 @@ enum bead_error bead_palette_choose(struct bead_palette *palette, struct bead_me
     size_t count = 0, n = 0;
     for (uint32_t c = 0; c < COLOURS; c++)
         count += palette->histogram[c] > 0;
-    struct bead_tone *tones = malloc((count + 1) * sizeof *tones);
+    BEAD_FREED struct bead_tone *tones = malloc((count + 1) * sizeof *tones);
     if (!tones)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a palette");
     for (uint32_t c = 0; c < COLOURS; c++) {
@@ -252,7 +253,6 @@ enum bead_error bead_palette_choose(struct bead_palette *palette, struct bead_me
     palette->used = bead_palette_cut(tones, count, BEAD_PALETTE_MOST, palette->colour);
     if (count > BEAD_PALETTE_MOST)
         refine(tones, count, palette->colour, palette->used);
-    free(tones);
     return BEAD_OK;
 }
 

@@ -157,7 +157,7 @@ static enum bead_error bare_write(struct bead_still *b, const struct bead_outcom
     struct bead_picture_notes notes;
     char description[512];
     const size_t count = (size_t)b->page.width * (size_t)b->page.height;
-    uint8_t *indices = bead_large_take(count);
+    BEAD_FREED uint8_t *indices = bead_large_take(count);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for an image", path);
     memset(indices, 0, count);
@@ -168,7 +168,6 @@ static enum bead_error bare_write(struct bead_still *b, const struct bead_outcom
         err = bead_vector_write(path, b->page.width, b->page.height, draw_pixels, &pixels, &notes, bytes, msg);
     else if (!err)
         err = bead_png_write_indexed(path, b->page.width, b->page.height, indices, b->map.rgb, &notes, bytes, msg);
-    free(indices);
     return err;
 }
 

@@ -10,6 +10,7 @@
 #include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
 #include "render/view/orientation.h"
+#include "sim/base/memory.h"
 
 /* ---- words ---- */
 
@@ -118,14 +119,11 @@ static enum bead_error find_indices(const struct contact_sheet *s, const struct 
 static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image,
                                     struct bead_message *msg)
 {
-    uint8_t *indices = calloc((size_t)image->picture.width, (size_t)image->picture.height);
+    BEAD_FREED uint8_t *indices = calloc((size_t)image->picture.width, (size_t)image->picture.height);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
-    enum bead_error err = find_indices(s, image, indices, msg);
-    if (!err)
-        err = bead_raster_indices(cr, image->picture, indices, &s->map, msg);
-    free(indices);
-    return err;
+    BEAD_TRY(find_indices(s, image, indices, msg));
+    return bead_raster_indices(cr, image->picture, indices, &s->map, msg);
 }
 
 enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_message *msg)

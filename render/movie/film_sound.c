@@ -274,11 +274,9 @@ enum bead_error bead_film_sound_write(const struct bead_film_sound *sound, struc
     const struct bead_film *film = sound->film;
     size_t count = (size_t)llround((double)film->times.frames / film->output->movie.fps * BEAD_SOUND_RATE),
            all = count * (size_t)sound->channels;
-    float *samples;
+    BEAD_FREED float *samples;
     BEAD_TRY(bead_new(&samples, all + 1, msg, "the sound of a movie"));
     play(sound, samples, count);
     level(samples, all);
-    enum bead_error err = bead_movie_sound(movie, samples, count, msg);
-    free(samples);
-    return err;
+    return bead_movie_sound(movie, samples, count, msg);
 }

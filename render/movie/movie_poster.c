@@ -3,10 +3,10 @@
 #include "render/movie/film.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "render/draw/picture.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 /* A frame replaces the one kept only if it is better by this factor, to save copying. */
 static const double better = 1.002;
@@ -45,13 +45,10 @@ enum bead_error bead_poster_offer(struct bead_poster *p, const struct bead_compo
 
 static enum bead_error set_cover(const char *path, uint64_t bytes, struct bead_movie *movie, struct bead_message *msg)
 {
-    char *png;
+    BEAD_FREED char *png = NULL;
     size_t length;
-    enum bead_error err = bead_file_read(path, bytes, &png, &length, msg);
-    if (!err)
-        err = bead_movie_cover(movie, (const uint8_t *)png, length, msg);
-    free(png);
-    return err;
+    BEAD_TRY(bead_file_read(path, bytes, &png, &length, msg));
+    return bead_movie_cover(movie, (const uint8_t *)png, length, msg);
 }
 
 enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const struct bead_scene *scene, uint64_t *bytes,

@@ -7,6 +7,7 @@
 
 #include "render/draw/markup.h"
 #include "render/plot/graph_private.h"
+#include "sim/base/memory.h"
 
 /* In units of the label's font size. */
 static const double head_gap = 0.35, between_columns = 1.0, between_rows = 0.8;
@@ -35,9 +36,8 @@ static bool make_head(struct graph_cell *cell, const char *letter)
     const char *title = has(cell->panel->title) ? cell->panel->title : "";
     if (!*letter && !*title)
         return true;
-    char *markup = bead_markup_new(title);
+    BEAD_FREED char *markup = bead_markup_new(title);
     bool good = markup && asprintf(&cell->head, "<b>%s</b>%s%s", letter, *letter && *title ? "\u2002" : "", markup) > 0;
-    free(markup);
     return good;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contents of a run's page: its pictures as HTML, and all numbers as JSON. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -9,6 +8,7 @@
 #include "render/draw/names.h"
 #include "render/report/report_private.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 /* Larger pictures are not put into the page. */
 enum { MOST_PICTURE = 1500000, MOST_MEASURES = 128 };
@@ -33,8 +33,8 @@ static const char *picture_type(const struct bead_output *output)
 static enum bead_error write_picture(const struct bead_sink *s, const struct bead_output *output, FILE *file,
                                      struct bead_message *msg)
 {
-    char *path = NULL;
-    char *bytes = NULL;
+    BEAD_FREED char *path = NULL;
+    BEAD_FREED char *bytes = NULL;
     size_t count = 0;
     enum bead_error err = bead_file_join(s->context.directory, output->path, &path, msg);
     const uint64_t size = err ? 0 : bead_file_bytes(path);
@@ -50,8 +50,6 @@ static enum bead_error write_picture(const struct bead_sink *s, const struct bea
         report_html(file, output->path);
         fputs("</figcaption></figure>\n", file);
     }
-    free(bytes);
-    free(path);
     return err;
 }
 

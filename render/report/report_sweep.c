@@ -170,12 +170,10 @@ static enum bead_error write_image(const struct sweep_report *r, const struct sw
     const struct bead_colours colours = {&r->maps[0], r->output->colours.scale, r->range.low, r->range.high};
     const size_t places = bead_area_places(image->area), room = (places + 2) * (size_t)r->times;
     const uint8_t rest = bead_colours_index(&colours, 0);
-    double *means = malloc(places * sizeof *means);
-    unsigned char *bytes = malloc(room);
+    BEAD_FREED double *means = malloc(places * sizeof *means);
+    BEAD_FREED unsigned char *bytes = malloc(room);
     size_t used = 0;
     if (!means || !bytes) {
-        free(means);
-        free(bytes);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report of a sweep");
     }
     for (int t = 0; t < r->times; t++) {
@@ -188,8 +186,6 @@ static enum bead_error write_image(const struct sweep_report *r, const struct sw
             bytes[used++] = bead_colours_index(&colours, means[i]);
     }
     report_base64(file, bytes, used);
-    free(means);
-    free(bytes);
     return BEAD_OK;
 }
 

@@ -10,6 +10,7 @@
 #include "beadreel/api.h"
 #include "sim/base/assets.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 /* ---- HTML and JSON ---- */
 
@@ -135,7 +136,7 @@ enum bead_error report_samples(FILE *file, const float *values, size_t count, st
     }
     const bool has_sign = low < 0;
     const double step = fmax(high, -low) / (has_sign ? INT16_MAX : UINT16_MAX);
-    unsigned char *bytes = malloc(2 * count + 1);
+    BEAD_FREED unsigned char *bytes = malloc(2 * count + 1);
     if (!bytes)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
     for (size_t i = 0; i < count; i++) {
@@ -148,7 +149,6 @@ enum bead_error report_samples(FILE *file, const float *values, size_t count, st
     fprintf(file, ",\"signed\":%s,\"data\":\"", has_sign ? "true" : "false");
     report_base64(file, bytes, 2 * count);
     fputs("\"}", file);
-    free(bytes);
     return BEAD_OK;
 }
 
@@ -164,12 +164,11 @@ static enum bead_error read_file(const char *name, char **text, size_t *length, 
 /* A file of assets/report as it is. */
 static enum bead_error include_file(const char *name, FILE *file, struct bead_message *msg)
 {
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     enum bead_error err = read_file(name, &text, &length, msg);
     if (!err)
         fwrite(text, 1, length, file);
-    free(text);
     return err;
 }
 
@@ -254,7 +253,7 @@ static enum bead_error fill(const struct filling *filling, const char *name, con
 /* Leaves out the first line, the licence, which the page already has. */
 static enum bead_error write_body(const struct filling *filling, FILE *file, struct bead_message *msg)
 {
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     const char *name = filling->page->body;
     enum bead_error err = read_file(name, &text, &length, msg);
@@ -263,7 +262,6 @@ static enum bead_error write_body(const struct filling *filling, FILE *file, str
         err = bead_fail(msg, BEAD_ERROR_FORMAT, "report/%s: its first line is not the licence, or it contains {{body}}", name);
     if (!err)
         err = fill(filling, name, licence_end + 1, file, msg);
-    free(text);
     return err;
 }
 
@@ -277,7 +275,7 @@ static enum bead_error fill_page(void *context, FILE *file, const char *part, st
 enum bead_error report_write_page(const struct report_page *page, const struct bead_scene *scene, const void *context,
                                   const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     enum bead_error err = plain == (locale_t)0 ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report") : BEAD_OK;
@@ -291,6 +289,5 @@ enum bead_error report_write_page(const struct report_page *page, const struct b
     }
     if (plain != (locale_t)0)
         freelocale(plain);
-    free(text);
     return err;
 }

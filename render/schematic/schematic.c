@@ -2,10 +2,9 @@
 /* Entry to schematic drawings: finds the drawing of an output, checks that there is room for it, and writes it as a file. */
 #include "render/schematic/schematic.h"
 
-#include <stdlib.h>
-
 #include "render/draw/markup.h"
 #include "render/draw/picture.h"
+#include "sim/base/memory.h"
 
 static const struct drawing {
     enum bead_show show;
@@ -50,7 +49,7 @@ static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
     const char *text = d->output->still.caption;
     if (!text || !*text)
         return true;
-    char *markup = bead_markup_new(text);
+    BEAD_FREED char *markup = bead_markup_new(text);
     if (!markup) {
         d->sketch->failed = true;
         return false;
@@ -62,7 +61,6 @@ static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
     bool room = area->height > 0;
     if (room)
         bead_text_draw_lines(d->sketch->cr, &style, area->width, area->x, area->y + area->height + 0.8 * em, markup);
-    free(markup);
     return room;
 }
 

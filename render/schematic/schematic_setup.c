@@ -7,6 +7,7 @@
 
 #include "render/schematic/schematic_plan.h"
 #include "render/schematic/schematic_words.h"
+#include "sim/base/memory.h"
 
 enum { MOST_ENTRIES = 8, PIECES = MOST_ENTRIES + 1 };
 /* In units of the label's font size. */
@@ -196,7 +197,7 @@ static size_t last_alike(const struct bead_scene *scene, bool *used, size_t firs
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
     const struct bead_scene *scene = d->context->scene;
-    bool *used = calloc(scene->material_count + 1, sizeof *used);
+    BEAD_FREED bool *used = calloc(scene->material_count + 1, sizeof *used);
     size_t count = 0;
     d->sketch->failed = d->sketch->failed || !used;
     for (size_t c = 0; used && c < d->context->chain_count; c++) {
@@ -216,7 +217,6 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
     }
     if (listed < all)
         snprintf(pieces[count++].markup, sizeof pieces->markup, "and %zu more", all - listed);
-    free(used);
     return count;
 }
 
@@ -230,7 +230,7 @@ static bool say_rest(const struct bead_drafting *d, struct bead_box *area, size_
 
 bool bead_schematic_setup(const struct bead_drafting *d)
 {
-    struct bead_piece *pieces = calloc(PIECES, sizeof *pieces);
+    BEAD_FREED struct bead_piece *pieces = calloc(PIECES, sizeof *pieces);
     struct bead_plan plan = {0};
     struct bead_box area = d->area;
     d->sketch->failed = d->sketch->failed || !pieces;
@@ -245,6 +245,5 @@ bool bead_schematic_setup(const struct bead_drafting *d)
     for (size_t i = 0; room && i < plan.row_count; i++)
         setup_draw_row(&plan, &plan.rows[i]);
     bead_plan_free(&plan);
-    free(pieces);
     return room;
 }

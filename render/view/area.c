@@ -377,14 +377,13 @@ static size_t find_most(const struct bead_area *a, double *of_column, double *of
 double bead_area_typical(const struct bead_area *area)
 {
     static const double of_time = 0.95, of_chain = 0.9;
-    double *of_column = calloc((size_t)area->setup.columns, sizeof *of_column), *of_row = calloc(area->rows, sizeof *of_row);
+    BEAD_FREED double *of_column = calloc((size_t)area->setup.columns, sizeof *of_column),
+                      *of_row = calloc(area->rows, sizeof *of_row);
     double typical = INFINITY;
     if (of_column && of_row) {
         size_t columns = find_most(area, of_column, of_row);
         typical = fmax(quantile(of_column, columns, of_time), quantile(of_row, area->rows, of_chain));
     }
-    free(of_column);
-    free(of_row);
     return typical;
 }
 

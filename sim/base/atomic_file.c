@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "sim/base/fingerprint.h"
+#include "sim/base/memory.h"
 
 /* The first `length` bytes of `a`, `b` and `c` as one text. */
 static enum bead_error concatenate(const char *a, size_t length, const char *b, const char *c, char **text,
@@ -243,7 +244,7 @@ uint64_t bead_file_bytes(const char *path)
 
 enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes, struct bead_message *msg)
 {
-    char *part = NULL;
+    BEAD_FREED char *part = NULL;
     FILE *file = NULL;
     enum bead_error err = bead_file_part_name(path, &part, msg);
     if (!err)
@@ -259,7 +260,6 @@ enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *con
     }
     if (!err && bytes)
         *bytes = bead_file_bytes(path);
-    free(part);
     return err;
 }
 
@@ -292,10 +292,8 @@ enum bead_error bead_file_make_parents(const char *path, struct bead_message *ms
     const char *slash = strrchr(path, '/');
     if (!slash || slash == path)
         return BEAD_OK;
-    char *directory = strndup(path, (size_t)(slash - path));
+    BEAD_FREED char *directory = strndup(path, (size_t)(slash - path));
     if (!directory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
-    enum bead_error err = bead_file_make_directory(directory, msg);
-    free(directory);
-    return err;
+    return bead_file_make_directory(directory, msg);
 }

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 
 #include "beadreel/error.h"
@@ -25,6 +26,14 @@ BEAD_CHECK enum bead_error bead_memory_check(uint64_t bytes, const char *what, s
 #define bead_new(pointer, count, msg, ...) bead_allocate((pointer), (count), sizeof **(pointer), (msg), __VA_ARGS__)
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_allocate(void *pointer, size_t count, size_t size, struct bead_message *msg,
                                                        const char *what, ...) BEAD_PRINTF(5, 6);
+/* Before the declaration of a pointer: what it then points to is freed where it goes out of scope. */
+#define BEAD_FREED __attribute__((cleanup(bead_free_variable)))
+static inline void bead_free_variable(void *pointer)
+{
+    void *memory;
+    memcpy(&memory, pointer, sizeof memory);
+    free(memory);
+}
 /* Make room for `count` elements of `size` bytes, and some more, in an array that keeps its contents. False: out of memory. */
 static inline bool bead_memory_grow(void **array, size_t *room, size_t count, size_t size)
 {

@@ -7,6 +7,7 @@
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
+#include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
@@ -120,7 +121,7 @@ static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, co
 enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene, const struct bead_config *config,
                                        struct bead_message *msg)
 {
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t size = 0;
     FILE *memory = open_memstream(&text, &size);
     enum bead_error err =
@@ -129,7 +130,6 @@ enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a description");
     if (!err)
         fputs(text, out);
-    free(text);
     return err;
 }
 
@@ -152,32 +152,29 @@ enum bead_error command_describe_trajectory(FILE *out, const char *file, struct 
     const struct bead_chain *const *chains = bead_trajectory_chains(trajectory, &count);
     const struct bead_grid *grid = bead_trajectory_grid(trajectory);
     const struct bead_span beads = bead_trajectory_beads(trajectory);
-    struct bead_outcome *outcomes = calloc(count, sizeof *outcomes);
-    enum bead_error err = outcomes ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outcomes");
-    for (size_t i = 0; i < count && !err; i++)
-        err = bead_trajectory_outcome(trajectory, i, &outcomes[i], msg);
-    if (!err) {
-        describe_begin(&json, file, bead_trajectory_complete(trajectory) ? "trajectory" : "part of a trajectory",
-                       bead_trajectory_scene(trajectory));
-        write_chains(&json, chains, count);
-        json_open(&json, "samples", '{');
-        json_number(&json, "count", (double)samples);
-        json_number(&json, "start_s", samples ? grid->start : NAN);
-        json_number(&json, "every_s", samples ? grid->every : NAN);
-        json_number(&json, "end_s", samples ? bead_grid_time(grid, samples - 1) : NAN);
-        json_number(&json, "first_bead", (double)beads.first);
-        json_number(&json, "last_bead", beads.last == SIZE_MAX ? NAN : (double)beads.last);
-        json_open(&json, "fields", '[');
-        for (int field = 0; field < BEAD_FIELD_COUNT; field++) {
-            if (bead_trajectory_fields(trajectory) & BEAD_FIELD_BIT(field))
-                json_text(&json, NULL, bead_field_info((enum bead_field)field)->name);
-        }
-        json_close(&json, "]}");
-        command_write_runs(&json, chains, outcomes, count);
-        end_with(&json, config);
+    BEAD_FREED struct bead_outcome *outcomes = calloc(count, sizeof *outcomes);
+    BEAD_TRY(outcomes ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for outcomes"));
+    for (size_t i = 0; i < count; i++)
+        BEAD_TRY(bead_trajectory_outcome(trajectory, i, &outcomes[i], msg));
+    describe_begin(&json, file, bead_trajectory_complete(trajectory) ? "trajectory" : "part of a trajectory",
+                   bead_trajectory_scene(trajectory));
+    write_chains(&json, chains, count);
+    json_open(&json, "samples", '{');
+    json_number(&json, "count", (double)samples);
+    json_number(&json, "start_s", samples ? grid->start : NAN);
+    json_number(&json, "every_s", samples ? grid->every : NAN);
+    json_number(&json, "end_s", samples ? bead_grid_time(grid, samples - 1) : NAN);
+    json_number(&json, "first_bead", (double)beads.first);
+    json_number(&json, "last_bead", beads.last == SIZE_MAX ? NAN : (double)beads.last);
+    json_open(&json, "fields", '[');
+    for (int field = 0; field < BEAD_FIELD_COUNT; field++) {
+        if (bead_trajectory_fields(trajectory) & BEAD_FIELD_BIT(field))
+            json_text(&json, NULL, bead_field_info((enum bead_field)field)->name);
     }
-    free(outcomes);
-    return err;
+    json_close(&json, "]}");
+    command_write_runs(&json, chains, outcomes, count);
+    end_with(&json, config);
+    return BEAD_OK;
 }
 
 void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep, const struct bead_config *config)
@@ -207,7 +204,7 @@ static void write_lines(struct json *json, char *text)
 enum bead_error command_describe_plan(FILE *out, const struct bead_session *session, struct bead_message *msg)
 {
     struct json json = {.out = out};
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t size = 0, count = 0;
     FILE *lines = open_memstream(&text, &size);
     if (!lines)
@@ -233,6 +230,5 @@ enum bead_error command_describe_plan(FILE *out, const struct bead_session *sess
         write_lines(&json, text);
         end(&json);
     }
-    free(text);
     return err;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 
 static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
@@ -258,13 +259,12 @@ static char *as_list(const char *value, const char *separators)
 static enum bead_error add_look(struct command *command, const struct command_option *row, const char *value,
                                 struct bead_message *msg)
 {
-    char *list = as_list(value, row->separators);
+    BEAD_FREED char *list = as_list(value, row->separators);
     char **look = &command->looks[command->job.look_count];
     enum bead_error err = check_draws(command, row->name, msg);
     if (!err && (!list || asprintf(look, "--%s=%s", row->name, list) < 0))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
     command->job.look_count += !err;
-    free(list);
     return err;
 }
 

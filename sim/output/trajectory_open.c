@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"
 #include "sim/output/file_kinds.h"
@@ -100,12 +101,11 @@ static enum bead_error read_summary(struct bead_trajectory *t)
 
 static enum bead_error read_scene(struct bead_trajectory *t, const struct bead_own *own)
 {
-    char *text = bead_h5_read_text(&t->h5, BEAD_PROFILE_GROUP "/scene", longest_scene);
+    BEAD_FREED char *text = bead_h5_read_text(&t->h5, BEAD_PROFILE_GROUP "/scene", longest_scene);
     if (!text)
         return t->h5.error;
     enum bead_error error =
         bead_scene_parse(t->path, text, strlen(text), &(struct bead_overrides){.own = own}, &t->scene, t->h5.msg);
-    free(text);
     return error;
 }
 
@@ -129,7 +129,7 @@ static enum bead_error rebuild(struct bead_trajectory *t)
 /* Check the stored beads against those of the scene: materials may have changed since the run. */
 static enum bead_error check_beads(struct bead_trajectory *t, const char *name, const double *(*values)(const struct bead_chain *))
 {
-    double *stored = t->h5.error ? NULL : calloc(t->beads, sizeof *stored);
+    BEAD_FREED double *stored = t->h5.error ? NULL : calloc(t->beads, sizeof *stored);
     if (!stored)
         return bead_trajectory_no_memory(t);
     bead_h5_read_numbers(&t->h5, name, BEAD_H5_DOUBLE, stored, sizeof *stored, t->beads);
@@ -144,7 +144,6 @@ static enum bead_error check_beads(struct bead_trajectory *t, const char *name, 
             break;
         }
     }
-    free(stored);
     return t->h5.error;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "sim/base/assets.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/scene/scene_private.h"
 
@@ -160,7 +161,8 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
 {
     static const char file[] = "materials.yaml";
     static const struct bead_option option = {"", BEAD_OPTION_NUMBER, .shape = "a map of materials"};
-    char path[4096], *text = NULL;
+    char path[4096];
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     struct bead_yaml *yaml = NULL, *scene_yaml = reader->yaml;
     enum bead_error err = bead_asset_path(file, path, sizeof path, reader->msg);
@@ -175,7 +177,6 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
         reader->yaml = scene_yaml;
     }
     bead_yaml_free(yaml);
-    free(text);
     return err;
 }
 

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"
@@ -80,7 +81,7 @@ static enum bead_error take_materials(struct own *own)
     const struct bead_config *config = own->config;
     struct bead_message *msg = own->reader->msg, why = {""};
     struct bead_yaml *library = NULL;
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     enum bead_error err = bead_file_read(config->materials, BEAD_YAML_BYTES, &text, &length, &why);
     if (err)
@@ -94,7 +95,6 @@ static enum bead_error take_materials(struct own *own)
     for (size_t i = 0; !err && i + 1 < root->count; i += 2)
         err = take_material(own, library, root->items[i], root->items[i + 1]);
     bead_yaml_free(library);
-    free(text);
     return err;
 }
 

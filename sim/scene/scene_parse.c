@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "sim/base/fingerprint.h"
+#include "sim/base/memory.h"
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"
@@ -177,14 +178,11 @@ enum bead_error bead_scene_change(const struct bead_scene *before, const struct 
 enum bead_error bead_scene_load(const char *path, const struct bead_overrides *overrides, struct bead_scene **scene,
                                 struct bead_message *msg)
 {
-    char *text = NULL;
+    BEAD_FREED char *text = NULL;
     size_t length = 0;
     *scene = NULL;
-    enum bead_error err = bead_file_read(path, BEAD_YAML_BYTES, &text, &length, msg);
-    if (!err)
-        err = bead_scene_parse(path, text, length, overrides, scene, msg);
-    free(text);
-    return err;
+    BEAD_TRY(bead_file_read(path, BEAD_YAML_BYTES, &text, &length, msg));
+    return bead_scene_parse(path, text, length, overrides, scene, msg);
 }
 
 static void free_chain(struct bead_chain_spec *chain)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sim/base/fingerprint.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 
 /* Keys of a chain that are taken from the sweep, or else from `chain`. */
@@ -168,13 +169,12 @@ enum bead_error bead_sweep_hash_scene(struct bead_yaml *yaml, uint64_t *hash, st
     const struct bead_node *root = bead_yaml_root(yaml);
     struct maker m = {.yaml = yaml, .place = root->place};
     struct bead_node *kept = make(&m, BEAD_NODE_MAP, false);
-    char *rest = NULL;
+    BEAD_FREED char *rest = NULL;
     put_rest(&m, kept, root, unimportant);
     if (m.failed)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the fingerprint of a scene");
     enum bead_error err = bead_yaml_emit(yaml, kept, &rest, msg);
     if (!err)
         *hash = bead_fingerprint(*hash, rest, strlen(rest));
-    free(rest);
     return err;
 }

@@ -44,7 +44,7 @@ static enum bead_error mark_contacts(const struct bead_session *s, size_t chain,
     const struct bead_chain *c = s->chains[chain];
     size_t sensors = 0;
     bead_chain_sensors(c, &sensors);
-    size_t *list;
+    BEAD_FREED size_t *list;
     BEAD_TRY(bead_new(&list, 2 * sensors + 1, msg, "a session"));
     for (size_t i = 0; i < s->made_count; i++) {
         const struct bead_needs *n = &s->made[i].needs;
@@ -58,7 +58,6 @@ static enum bead_error mark_contacts(const struct bead_session *s, size_t chain,
         for (size_t k = 0; k < meant; k++)
             mark[list[k]] |= 3;
     }
-    free(list);
     return BEAD_OK;
 }
 
@@ -117,18 +116,16 @@ static enum bead_error find_of_chain(void *context, size_t chain, bool, struct b
 {
     const struct wanted *wanted = context;
     const size_t beads = bead_chain_beads(wanted->session->chains[chain]);
-    struct bead_sensitive *list = calloc(beads, sizeof *list);
-    unsigned char *mark = calloc(beads, 1);
-    enum bead_error err = list && mark ? BEAD_OK : bead_session_out_of_memory(msg);
-    if (!err && wanted->sensitivities)
-        err = find_sensitivities(wanted->session, chain, list, mark, msg);
-    for (int of_beads = 0; !err && of_beads < 2; of_beads++) {
+    BEAD_FREED struct bead_sensitive *list = calloc(beads, sizeof *list);
+    BEAD_FREED unsigned char *mark = calloc(beads, 1);
+    BEAD_TRY(list && mark ? BEAD_OK : bead_session_out_of_memory(msg));
+    if (wanted->sensitivities)
+        BEAD_TRY(find_sensitivities(wanted->session, chain, list, mark, msg));
+    for (int of_beads = 0; of_beads < 2; of_beads++) {
         if (wanted->deviation[of_beads])
-            err = find_deviations(wanted->session, chain, of_beads, list, msg);
+            BEAD_TRY(find_deviations(wanted->session, chain, of_beads, list, msg));
     }
-    free(list);
-    free(mark);
-    return err;
+    return BEAD_OK;
 }
 
 enum bead_error bead_session_find_sensitivities(struct bead_session *s, struct bead_message *msg)

@@ -9,6 +9,7 @@
 
 #include "beadreel/sink.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
@@ -130,7 +131,7 @@ static enum bead_error change(const struct bead_session *s, const struct bead_sc
 {
     const struct bead_job *job = &s->job;
     size_t count = changes->count;
-    struct bead_override *all = calloc(count + job->look_count + 1, sizeof *all);
+    BEAD_FREED struct bead_override *all = calloc(count + job->look_count + 1, sizeof *all);
     char below[32];
     if (!all)
         return bead_session_out_of_memory(msg);
@@ -142,9 +143,7 @@ static enum bead_error change(const struct bead_session *s, const struct bead_sc
             .origin = look, .path = look + 2, .below = below, .place = {1, 1}, .value = look + strcspn(look, "=") + 1};
     }
     const struct bead_overrides overrides = {all, count, job->settings, job->setting_count, job->config, NULL};
-    enum bead_error err = bead_scene_change(scene, &overrides, changed, msg);
-    free(all);
-    return err;
+    return bead_scene_change(scene, &overrides, changed, msg);
 }
 
 /* An output of the scene where the file means one, else a new one. */

@@ -7,6 +7,7 @@
 #include "beadreel/sweep.h"
 #include "sim/base/file.h"
 #include "sim/base/h5.h"
+#include "sim/base/memory.h"
 #include "sim/integrate/stepper.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/run/run.h"
@@ -100,7 +101,7 @@ static enum bead_error compute(struct bead_session *s, struct bead_made *results
 enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_message *msg)
 {
     struct bead_made *results = NULL;
-    char *journal = NULL;
+    BEAD_FREED char *journal = NULL;
     for (size_t i = 0; i < s->made_count; i++) {
         if (bead_session_makes(&s->made[i]) && bead_session_holds_sweep(&s->made[i]))
             results = &s->made[i];
@@ -120,7 +121,6 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     if (!err && journal)
         bead_file_discard(journal);
     bead_session_release(s);
-    free(journal);
     return err;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "sim/base/elementary.h"
+#include "sim/base/memory.h"
 #include "sim/base/random.h"
 #include "sim/statistics/statistics.h"
 
@@ -137,19 +138,15 @@ enum bead_error bead_decay_of(const struct bead_decay_profiles *profiles, size_t
                               struct bead_decay *of_force, struct bead_decay *of_energy, struct bead_message *msg)
 {
     struct bead_decay decay[2];
-    size_t *drawn = calloc(profiles->rows + 1, sizeof *drawn);
-    double *mean = calloc(profiles->places + 1, sizeof *mean);
-    enum bead_error err = drawn && mean ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for decay lengths");
-    if (!err) {
-        for (size_t i = 0; i < profiles->rows; i++)
-            drawn[i] = i;
-        fit_both(profiles, drawn, mean, decay);
-        if (profiles->rows > 1)
-            find_errors(profiles, resamples, seed, drawn, mean, decay);
-        *of_force = decay[0];
-        *of_energy = decay[1];
-    }
-    free(drawn);
-    free(mean);
-    return err;
+    BEAD_FREED size_t *drawn = calloc(profiles->rows + 1, sizeof *drawn);
+    BEAD_FREED double *mean = calloc(profiles->places + 1, sizeof *mean);
+    BEAD_TRY(drawn && mean ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for decay lengths"));
+    for (size_t i = 0; i < profiles->rows; i++)
+        drawn[i] = i;
+    fit_both(profiles, drawn, mean, decay);
+    if (profiles->rows > 1)
+        find_errors(profiles, resamples, seed, drawn, mean, decay);
+    *of_force = decay[0];
+    *of_energy = decay[1];
+    return BEAD_OK;
 }

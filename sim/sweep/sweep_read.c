@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/base/h5.h"
+#include "sim/base/memory.h"
 #include "sim/base/yaml.h"
 #include "sim/output/file_kinds.h"
 #include "sim/sweep/sweep_data.h"
@@ -130,8 +131,8 @@ static enum bead_error read_panel(struct bead_h5 *h5, struct bead_sweep *sweep, 
         if (bead_sweep_mine(sweep, r.panel->first_job + row))
             r.row[r.count++] = row;
     }
-    double *numbers = calloc((r.count + 1) * (r.panel->profiles ? wide : shown->places + 1), sizeof *numbers);
-    int64_t *whole = calloc((r.count + 1) * (shown->places + 1), sizeof *whole);
+    BEAD_FREED double *numbers = calloc((r.count + 1) * (r.panel->profiles ? wide : shown->places + 1), sizeof *numbers);
+    BEAD_FREED int64_t *whole = calloc((r.count + 1) * (shown->places + 1), sizeof *whole);
     enum bead_error err =
         r.row && numbers && whole ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a sweep", h5->path);
     memset(r.panel->spins, '1', jobs * shown->spec->cells);
@@ -142,22 +143,19 @@ static enum bead_error read_panel(struct bead_h5 *h5, struct bead_sweep *sweep, 
     if (!err)
         read_results(&r, "reference_", &clean, bead_sweep_mine(sweep, r.panel->first_job), numbers, whole);
     free(r.row);
-    free(numbers);
-    free(whole);
     return err ? err : h5->error;
 }
 
 static enum bead_error read_scene(struct bead_h5 *h5, const struct bead_own *own, struct bead_scene **scene,
                                   struct bead_message *msg)
 {
-    char *text = bead_h5_read_text(h5, "/scene", BEAD_YAML_BYTES + 1);
+    BEAD_FREED char *text = bead_h5_read_text(h5, "/scene", BEAD_YAML_BYTES + 1);
     if (!text)
         return h5->error;
-    enum bead_error err = bead_scene_parse(h5->path, text, strlen(text), &(struct bead_overrides){.own = own}, scene, msg);
-    if (!err && (*scene)->sweep_count == 0)
-        err = bead_fail(msg, BEAD_ERROR_FORMAT, "%s: its scene has no sweep", h5->path);
-    free(text);
-    return err;
+    BEAD_TRY(bead_scene_parse(h5->path, text, strlen(text), &(struct bead_overrides){.own = own}, scene, msg));
+    if ((*scene)->sweep_count == 0)
+        return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: its scene has no sweep", h5->path);
+    return BEAD_OK;
 }
 
 static enum bead_error read_head(struct bead_h5 *h5, struct bead_sweep *sweep, struct bead_message *msg)

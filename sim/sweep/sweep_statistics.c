@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 
@@ -45,10 +46,9 @@ size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t 
 static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct sweep_entry *entries, size_t count,
                                  struct bead_message *msg)
 {
-    double *sorted = calloc(count + 1, sizeof *sorted);
+    BEAD_FREED double *sorted = calloc(count + 1, sizeof *sorted);
     s->rows = calloc(count + 1, sizeof *s->rows);
     if (!sorted || !s->rows) {
-        free(sorted);
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
     }
     for (size_t first = 0; first < count;) {
@@ -59,7 +59,6 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
         bead_summary_of(sorted, row->count, &row->summary);
         first += row->count;
     }
-    free(sorted);
     return BEAD_OK;
 }
 
@@ -67,10 +66,9 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
 static enum bead_error find_threshold(struct bead_sweep_statistics *s, const char *name, uint64_t seed, struct bead_message *msg)
 {
     const struct bead_threshold_info *how = bead_threshold_info_named(name);
-    struct bead_group_results *groups = calloc(s->row_count + 1, sizeof *groups);
+    BEAD_FREED struct bead_group_results *groups = calloc(s->row_count + 1, sizeof *groups);
     struct bead_message why;
     if (!how || !groups) {
-        free(groups);
         return how ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep")
                    : bead_fail(msg, BEAD_ERROR_USAGE, "there is no threshold `%s`", name);
     }
@@ -78,7 +76,6 @@ static enum bead_error find_threshold(struct bead_sweep_statistics *s, const cha
         groups[i] = (struct bead_group_results){s->rows[i].magnetism, s->values + s->rows[i].first, s->rows[i].count};
     enum bead_error err = bead_threshold_fit(groups, s->row_count, how, RESAMPLES, seed, &s->threshold, &why);
     s->has_threshold = !err;
-    free(groups);
     return err == BEAD_ERROR_NUMBERS ? BEAD_OK : err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/base/file.h"
 #include "sim/base/h5.h"
+#include "sim/base/memory.h"
 #include "sim/output/file_kinds.h"
 #include "sim/sweep/sweep_data.h"
 
@@ -148,8 +149,8 @@ static enum bead_error write_panel(struct bead_h5 *h5, const struct bead_sweep *
     snprintf(name, sizeof name, "/sweeps/%zu", index);
     enum bead_error err = list_rows(&w, msg);
     size_t wide = shown->places > shown->beads ? shown->places : shown->beads;
-    double *numbers = calloc((w.rows.count + 1) * wide, sizeof *numbers);
-    int64_t *whole = calloc(w.rows.count * (shown->places + 1) + shown->beads + 1, sizeof *whole);
+    BEAD_FREED double *numbers = calloc((w.rows.count + 1) * wide, sizeof *numbers);
+    BEAD_FREED int64_t *whole = calloc(w.rows.count * (shown->places + 1) + shown->beads + 1, sizeof *whole);
     if (!err && (!numbers || !whole))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
     if (!err) {
@@ -168,8 +169,6 @@ static enum bead_error write_panel(struct bead_h5 *h5, const struct bead_sweep *
         bead_h5_close(h5, &w.group);
     }
     free(w.rows.row);
-    free(numbers);
-    free(whole);
     return err ? err : h5->error;
 }
 
@@ -213,7 +212,7 @@ static enum bead_error name_of_new(const char *path, char **name, struct bead_me
 
 enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg)
 {
-    char *name = NULL;
+    BEAD_FREED char *name = NULL;
     int lock = -1;
     enum bead_error err = name_of_new(path, &name, msg);
     if (!err)
@@ -226,7 +225,6 @@ enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *pat
             err = bead_file_commit(name, path, msg);
         close(lock);
     }
-    free(name);
     return err;
 }
 
