@@ -3,7 +3,9 @@
  *
  * Bead 0 is the striker, beads 1..N the chain. Contact k is between beads k and k+1; the contact with
  * the wall, where there is one, is the last. Displacement u_j is from the rest position, positive
- * towards the wall. Compression of contact k: d_k = d0_k + u_k - u_{k+1} (the wall's u is 0). */
+ * towards the wall. Compression of contact k: d_k = d0_k + u_k - u_{k+1} (the wall's u is 0); beads apart by a gap g have d0_k =
+ * -g.
+ */
 #ifndef BEADREEL_CHAIN_H
 #define BEADREEL_CHAIN_H
 
@@ -73,7 +75,7 @@ BEAD_API const size_t *bead_chain_material(const struct bead_chain *chain); /* i
 /* Arrays of length contacts. */
 BEAD_API const double *bead_chain_stiffness(const struct bead_chain *chain);    /* A_k, N/m^power, physics of Hertz: see law.h */
 BEAD_API const double *bead_chain_static_force(const struct bead_chain *chain); /* N: precompression and weight */
-BEAD_API const double *bead_chain_static_compression(const struct bead_chain *chain); /* m */
+BEAD_API const double *bead_chain_static_compression(const struct bead_chain *chain); /* m; below 0: a gap */
 
 /* Spins of all segments with cells of two or more beads, left to right, as '0' and '1'; "" where there are none. */
 BEAD_API const char *bead_chain_spins(const struct bead_chain *chain);
@@ -117,8 +119,11 @@ BEAD_API double bead_chain_omega(const struct bead_chain *chain, double energy);
 /* About how long a wave of this energy takes from end to end, s: the sum of sqrt(m/K) over the contacts, m the mass of the heavier
  * bead, K the largest stiffness that the energy allows. Within a factor of a few. */
 BEAD_API double bead_chain_passage(const struct bead_chain *chain, double energy);
-/* Energy put in by the striker, J. */
+/* Energy put in by the striker, and by other beads that do not start at rest, J. */
 BEAD_API double bead_chain_energy(const struct bead_chain *chain);
+/* The largest velocity at the start, m/s, or that which the energy of displaced beads can give one of them, if that is larger: the
+ * unit of velocities. */
+BEAD_API double bead_chain_speed(const struct bead_chain *chain);
 
 BEAD_END
 

@@ -42,7 +42,8 @@ struct bead_material {
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
     /* Standard deviations of beads of it, as parts of the value; 0: they are all alike. Their density is that of the material. */
     double radius_tolerance, modulus_tolerance;
-    size_t of; /* the material that it is with other values, or itself */
+    double gap; /* m: free space to the left of a bead of it, where it is not the first */
+    size_t of;  /* the material that it is with other values, or itself */
 };
 
 enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };
@@ -101,6 +102,12 @@ struct bead_equation_spec {
 
 struct bead_system; /* system.h */
 
+/* What a bead does at time 0 that is not at rest. */
+struct bead_start {
+    size_t bead;
+    double velocity, displacement; /* m/s, m */
+};
+
 struct bead_chain_spec {
     const struct bead_system *system; /* what it is; never NULL */
     char *name;                       /* "" for a single unnamed chain */
@@ -108,13 +115,16 @@ struct bead_chain_spec {
     char *label;                      /* a line under the name, or "" */
     /* For beads: */
     size_t striker_material;
-    double striker_velocity; /* m/s */
+    double striker_velocity;   /* m/s */
+    struct bead_start *starts; /* besides the striker's velocity, which bead 0 has: by rising numbers of beads */
+    size_t start_count;
     struct bead_segment *segments;
     size_t segment_count;
     enum bead_wall wall;
     size_t wall_material; /* BEAD_WALL_MATERIAL */
     struct bead_law_spec law;
     double precompression;      /* N, >= 0: static force in every contact */
+    double gap;                 /* m, >= 0: free space between every two beads behind the striker, besides those of materials */
     double tilt;                /* rad, >= 0: the wall end is the lower one */
     double damping_coefficient; /* N (s/m)^exponent */
     double damping_exponent;

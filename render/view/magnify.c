@@ -9,10 +9,10 @@
 /* In radii: the compression of the striker's hit as drawn, and the limit for any contact that stores all of the hit's energy. */
 static const double share = 0.25, limit = 0.5;
 
-/* Energy of the hit that the first contact stores, J. */
+/* Energy of the hit that the first contact stores, J; or would, were it hit with the largest velocity. */
 static double hit_energy(const struct bead_chain *chain)
 {
-    const double *mass = bead_chain_mass(chain), v = bead_chain_spec(chain)->striker_velocity;
+    const double *mass = bead_chain_mass(chain), v = bead_chain_speed(chain);
     double reduced = bead_chain_beads(chain) < 2 ? mass[0] : mass[0] * mass[1] / (mass[0] + mass[1]);
     return 0.5 * reduced * v * v;
 }

@@ -124,7 +124,7 @@ enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *n, size_t ste
     const struct bead_stepper *s = n->stepper;
     size_t count;
     bead_record_load(n->record, step, n->stepper);
-    bead_between_find(n->dense.between, s, part, least * fabs(s->chain->spec->striker_velocity));
+    bead_between_find(n->dense.between, s, part, least * s->chain->speed);
     const struct bead_between_point *found = bead_between_points(n->dense.between, &count);
     if (bead_between_failed(n->dense.between) || !bead_memory_grow((void **)&n->point, &n->point_room, count, sizeof *n->point))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the contacts that open or close");

@@ -156,6 +156,29 @@ static enum bead_error check_contacts(const struct bead_chain *chain, struct bea
     return BEAD_OK;
 }
 
+/* The energy of the beads that do not start at rest, and the largest velocity. One that is displaced, of mass m, is counted with
+ * the velocity that the energy E of its contacts can give it, sqrt(2 E/m). */
+static void find_start(struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = chain->spec;
+    const struct bead_start *left = spec->starts, *end = left + spec->start_count, rest = {0};
+    struct bead_contact_walk w;
+    chain->speed = fabs(spec->striker_velocity);
+    for (bead_contact_walk_start(&w, chain, false); left < end && bead_contact_walk_next(&w);) {
+        const struct bead_start *next = left->bead == w.k ? left + 1 : left;
+        const struct bead_start *right = next < end && next->bead == w.k + 1 ? next : &rest, *here = next > left ? left : &rest;
+        const double change = here->displacement - right->displacement;
+        const double stored = change != 0 ? bead_contact_walk_excess(&w, w.static_compression + change) : 0;
+        chain->started += 0.5 * w.left_mass * (here->velocity * here->velocity) + stored;
+        chain->speed = fmax(chain->speed, fmax(fabs(here->velocity), sqrt(2 * fmax(stored, 0) / w.left_mass)));
+        if (right != &rest && w.k + 2 == chain->beads && w.k + 1 == chain->contacts) { /* at a free end */
+            chain->started += 0.5 * w.right_mass * (right->velocity * right->velocity);
+            chain->speed = fmax(chain->speed, fabs(right->velocity));
+        }
+        left = next;
+    }
+}
+
 static enum bead_error outline(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
@@ -173,6 +196,7 @@ static enum bead_error outline(struct bead_chain *chain, struct bead_message *ms
         err = check_contacts(chain, msg);
     if (err || !spec->system->has_contacts)
         return err;
+    find_start(chain);
     const double energy = bead_chain_energy(chain);
     chain->energy = NAN; /* until omega is known */
     chain->omega = bead_chain_omega(chain, energy);
@@ -200,7 +224,7 @@ static void lay_contacts(struct bead_chain *chain)
         if (w.k + 1 < chain->beads)
             chain->material[w.k + 1] = w.right;
         chain->stiffness[w.k] = w.stiffness;
-        if (!(w.static_force > 0)) /* already zero: untouched pages take no memory */
+        if (w.static_compression == 0) /* already zero: untouched pages take no memory */
             continue;
         chain->static_compression[w.k] = w.static_compression;
         chain->static_force[w.k] = w.static_force;
@@ -218,7 +242,8 @@ static void lay_beads(struct bead_chain *chain)
     /* The centre of bead 1 is at 0, the striker to its left. */
     chain->position[0] = -(chain->radius[0] + chain->radius[1]);
     for (size_t i = 2; i < chain->beads; i++)
-        chain->position[i] = chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i];
+        chain->position[i] =
+            chain->position[i - 1] + chain->radius[i - 1] + chain->radius[i] + fmax(0 - chain->static_compression[i - 1], 0);
 }
 
 enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_message *msg)

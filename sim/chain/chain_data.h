@@ -16,6 +16,8 @@ struct bead_chain {
     double slope;         /* m/s^2: gravity along the chain */
     double striker_mass;  /* kg */
     double striker_force; /* N: constant force on the striker: its weight, on a tilt */
+    double started;       /* J: energy of the beads that do not start at rest, without the striker's velocity */
+    double speed;         /* m/s: bead_chain_speed */
     double energy, omega; /* bead_chain_energy, and bead_chain_omega at this energy */
     char *spins;
     double magnetism;
@@ -29,7 +31,7 @@ struct bead_chain {
     double *position;           /* [beads] m */
     double *stiffness;          /* [contacts] */
     double *static_force;       /* [contacts] N */
-    double *static_compression; /* [contacts] m */
+    double *static_compression; /* [contacts] m; below 0: a gap */
 };
 
 /* Part of a contact's energy that counts as the energy of the bead beside it: half of it, or all at the wall. */

@@ -86,11 +86,15 @@ static const double tilt_reach = 1e-3;
 double bead_chain_energy(const struct bead_chain *chain)
 {
     double v = chain->spec->striker_velocity;
-    return 0.5 * chain->striker_mass * v * v + chain->striker_force * tilt_reach;
+    return 0.5 * chain->striker_mass * v * v + chain->striker_force * tilt_reach + chain->started;
 }
 
-/* Energy of a contact above its static state at compression d. */
-static double excess(const struct bead_contact_walk *w, double d)
+double bead_chain_speed(const struct bead_chain *chain)
+{
+    return chain->speed;
+}
+
+double bead_contact_walk_excess(const struct bead_contact_walk *w, double d)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;
     return law->row->energy(w->stiffness, law, d) - law->row->energy(w->stiffness, law, w->static_compression) -
@@ -101,15 +105,15 @@ static double excess(const struct bead_contact_walk *w, double d)
 static double bound(const struct bead_contact_walk *w, double energy)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;
-    double d0 = w->static_compression, high = d0 + law->row->energy_compression(w->stiffness, law, energy);
+    double d0 = fmax(w->static_compression, 0), high = d0 + law->row->energy_compression(w->stiffness, law, energy);
     if (d0 == 0)
         return high;
-    while (excess(w, high) < energy && high < 1e30)
+    while (bead_contact_walk_excess(w, high) < energy && high < 1e30)
         high = d0 + 2 * (high - d0);
     double low = d0;
     for (int i = 0; i < 40; i++) {
         double middle = 0.5 * (low + high);
-        *(excess(w, middle) < energy ? &low : &high) = middle;
+        *(bead_contact_walk_excess(w, middle) < energy ? &low : &high) = middle;
     }
     return high;
 }
@@ -168,6 +172,8 @@ double bead_chain_passage(const struct bead_chain *chain, double energy)
         const double stiffness = remembered_bound(&bounds, &w, energy)->pushed;
         const double mass = isfinite(w.right_mass) ? fmax(w.left_mass, w.right_mass) : w.left_mass;
         time += stiffness > 0 ? sqrt(mass / stiffness) : 0;
+        if (w.static_compression < 0 && chain->speed > 0)
+            time -= w.static_compression / chain->speed;
     }
     return time;
 }

@@ -59,10 +59,15 @@ static double stiffness_of(const struct bead_contact_walk *w)
 }
 
 /* Store the force of the stored compression, to the bit, so that the forces in a chain at rest cancel exactly. */
-static struct bead_known_contact solve(const struct bead_contact_walk *w, double force)
+static struct bead_known_contact solve(const struct bead_contact_walk *w, double force, double gap)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;
-    struct bead_known_contact found = {.left = w->left, .right = w->right, .force = force, .stiffness = stiffness_of(w)};
+    struct bead_known_contact found = {.left = w->left,
+                                       .right = w->right,
+                                       .force = force,
+                                       .gap = gap,
+                                       .stiffness = stiffness_of(w),
+                                       .static_compression = 0 - gap};
     if (force > 0) {
         found.static_compression = law->row->compression(found.stiffness, law, force);
         found.static_force = law->row->force(found.stiffness, law, found.static_compression);
@@ -70,12 +75,18 @@ static struct bead_known_contact solve(const struct bead_contact_walk *w, double
     return found;
 }
 
-static const struct bead_known_contact *known_contact(struct bead_contact_walk *w, double force)
+static const struct bead_known_contact *known_contact(struct bead_contact_walk *w, double force, double gap)
 {
     struct bead_known_contact *known = &w->known[(3 * w->left + w->right) % BEAD_KNOWN_CONTACTS];
-    if (known->left != w->left || known->right != w->right || known->force != force)
-        *known = solve(w, force);
+    if (known->left != w->left || known->right != w->right || known->force != force || known->gap != gap)
+        *known = solve(w, force, gap);
     return known;
+}
+
+/* Free space between the beads of the contact: the striker touches the first, the last touches the wall. */
+static double gap_of(const struct bead_contact_walk *w)
+{
+    return w->k > 0 && w->right != SIZE_MAX ? w->chain->spec->gap + w->chain->scene->materials[w->right].gap : 0;
 }
 
 bool bead_contact_walk_next(struct bead_contact_walk *w)
@@ -92,7 +103,7 @@ bool bead_contact_walk_next(struct bead_contact_walk *w)
     /* Static force: the precompression and, on a tilt, the weight of the beads above. The striker has not landed, so its own weight
      * is not balanced. */
     w->weight += w->k > 0 ? w->left_mass * c->slope : 0;
-    const struct bead_known_contact *known = known_contact(w, c->spec->precompression + w->weight);
+    const struct bead_known_contact *known = known_contact(w, c->spec->precompression + w->weight, gap_of(w));
     w->stiffness = known->stiffness;
     w->static_force = known->static_force;
     w->static_compression = known->static_compression;

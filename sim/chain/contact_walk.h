@@ -11,7 +11,7 @@
 /* A solved contact, known by its materials. */
 struct bead_known_contact {
     size_t left, right; /* right SIZE_MAX: wall; left SIZE_MAX: none */
-    double force;       /* N: the force asked for */
+    double force, gap;  /* N, m: as asked for */
     double stiffness, static_force, static_compression;
 };
 enum { BEAD_KNOWN_CONTACTS = 8 };
@@ -23,7 +23,7 @@ struct bead_contact_walk {
     double right_mass;         /* kg; INFINITY: wall */
     double stiffness;          /* N/m^power */
     double static_force;       /* N: precompression and weight */
-    double static_compression; /* m */
+    double static_compression; /* m; below 0: a gap */
 
     /* The walk's own. */
     const struct bead_chain *chain;
@@ -37,5 +37,7 @@ struct bead_contact_walk {
 /* `kinds`: skip most of many equal cells in a row. All sequences of four neighbours in the chain are still visited, so this suits
  * results that depend on neighbouring contacts, but not on their number. Not for equations. */
 void bead_contact_walk_start(struct bead_contact_walk *walk, const struct bead_chain *chain, bool kinds);
+/* Energy of the contact at compression d above its static state, J. */
+double bead_contact_walk_excess(const struct bead_contact_walk *walk, double d);
 /* Go to the next contact, at first to the first; false after the last. */
 bool bead_contact_walk_next(struct bead_contact_walk *walk);

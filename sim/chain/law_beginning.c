@@ -19,7 +19,7 @@ static const double near = 1e-3, highest = 8;
 static double largest(const struct bead_chain *chain, double stiffness, double static_compression)
 {
     const struct bead_law_spec *law = &chain->spec->law;
-    return static_compression + law->row->energy_compression(stiffness, law, bead_chain_energy(chain));
+    return fmax(static_compression, 0) + law->row->energy_compression(stiffness, law, bead_chain_energy(chain));
 }
 
 /* d f'/f, which is p + O(d). */

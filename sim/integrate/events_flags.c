@@ -24,7 +24,7 @@ void bead_events_bound(struct bead_events *e, const struct bead_stepper *s)
     e->fastest = s->chain->striker_force == 0 ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
     e->limits =
         (struct bead_event_limits){&e->rule, e->speeds.weighed, BEAD_EFFECT_OUTSIDE, BEAD_EFFECT_DECAY, BEAD_EVENTS_REACH, 0, 0};
-    e->unit = fabs(s->chain->spec->striker_velocity);
+    e->unit = s->chain->speed;
     e->speeds.unit = e->unit * usual_speed;
     e->speeds.least = e->speeds.unit * least_speed;
 }

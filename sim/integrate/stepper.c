@@ -69,7 +69,7 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
 static bool has_static(const struct bead_chain *chain)
 {
     for (size_t k = 0; k < chain->contacts; k++) {
-        if (chain->static_force[k] != 0)
+        if (chain->static_compression[k] != 0)
             return true;
     }
     return false;
@@ -121,7 +121,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
                                            .law = &chain->spec->law,
                                            .damping = chain->spec->damping_coefficient,
                                            .damping_exponent = chain->spec->damping_exponent};
-    s->event_tolerance = ldexp(fabs(chain->spec->striker_velocity), -43);
+    s->event_tolerance = ldexp(chain->speed, -43);
     enum bead_error err = allocate(s, msg);
     if (!err && chain->spec->damping_coefficient > 0 && chain->law->one_sided) {
         s->table.closed = s->closed = calloc(s->beads + 1, 1);
@@ -138,6 +138,12 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->last_a = s->end.a;
     s->end.v[0] = chain->spec->striker_velocity;
     s->active = 1;
+    for (size_t i = 0; i < chain->spec->start_count; i++) {
+        const struct bead_start *start = &chain->spec->starts[i];
+        s->end.u[start->bead] = start->displacement;
+        s->end.v[start->bead] = start->bead > 0 ? start->velocity : s->end.v[0];
+        s->active = start->bead + 1;
+    }
     open_window(s, &s->end);
     if (s->closed) /* all beads touch, ahead of the window too */
         memset(s->closed, 1, s->beads);

@@ -93,7 +93,7 @@ static inline double bead_stepper_compression(const struct bead_stepper *stepper
     return stepper->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
 }
 
-/* Chain at rest, striker moving, at time 0. Errors: MEMORY. */
+/* Chain as it starts: at rest but for the striker, and what the scene says besides. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
                                                const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,
                                                struct bead_message *msg);

@@ -19,7 +19,11 @@ const char *bead_behind_refusal(const struct bead_chain *chain)
         return "damping changes the speed of signals";
     if (chain->striker_force != 0)
         return "gravity acts on all beads";
+    if (chain->spec->start_count > 0)
+        return "not only the striker moves at first";
     for (size_t k = 0; k < chain->contacts; k++) {
+        if (chain->static_compression[k] < 0)
+            return "beads that are apart hold the front up";
         if (chain->static_force[k] != 0)
             return "in a precompressed chain signals overtake the front";
     }

@@ -102,7 +102,7 @@ static enum bead_error refine(const struct bead_stepper *s, double level, double
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)
 {
     const size_t last = s->chain->contacts - 1;
-    if (!isnan(front->arrival))
+    if (!isnan(front->arrival) || s->chain->spec->start_count > 0) /* several waves have no front */
         return BEAD_OK;
     update_record(front, s, bead_stepper_contacts(s));
     const double level = part * front->largest_force;

@@ -5,7 +5,7 @@
 #include "sim/integrate/stepper.h"
 
 /* The front has arrived when the last contact's force first exceeds 1e-4 of the largest contact force so far, both without their
- * static part. */
+ * static part. Where other beads than the striker move at first, there is no front. */
 struct bead_front {
     double arrival;       /* s; NaN before */
     double largest_force; /* N, of all contacts so far, including maxima within steps */

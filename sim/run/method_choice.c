@@ -43,10 +43,10 @@ static double opening_energy(const struct bead_contact_walk *w)
     return w->static_force * w->static_compression - law->row->energy(w->stiffness, law, w->static_compression);
 }
 
-/* No contact can store more energy above the static state than the striker brings. */
+/* No contact can store more energy above the static state than the striker and what else moves at first bring. */
 static bool never_opens(const struct bead_chain *chain)
 {
-    const double v = chain->spec->striker_velocity, energy = 0.5 * chain->striker_mass * v * v;
+    const double v = chain->spec->striker_velocity, energy = 0.5 * chain->striker_mass * v * v + chain->started;
     bool never = chain->law->one_sided;
     struct bead_contact_walk w;
     for (bead_contact_walk_start(&w, chain, true); never && bead_contact_walk_next(&w);)

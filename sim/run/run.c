@@ -102,7 +102,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return err;
     }
     if (!(settings->simulate->step > 0))
-        r->stepper->event_tolerance = event_part * r->stepping.accuracy * fabs(settings->chain->spec->striker_velocity);
+        r->stepper->event_tolerance = event_part * r->stepping.accuracy * settings->chain->speed;
     if (settings->passage == BEAD_PASSAGE_OF_FRONT && settings->peak_span && !bead_behind_refusal(settings->chain) &&
         r->stepping.method->tableau)
         r->behind = (struct bead_behind){.widening = settings->widening, .target = settings->peak_span->first};
@@ -437,7 +437,7 @@ static struct bead_moment moment(const struct bead_run *run, double time, const 
 void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outcome)
 {
     const struct bead_stepper *s = run->stepper;
-    double speed = fabs(s->chain->spec->striker_velocity);
+    double speed = s->chain->speed;
     if (!is_noted(run))
         keep_errors(run, energy_off(run));
     *outcome = (struct bead_outcome){

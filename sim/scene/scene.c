@@ -2,6 +2,7 @@
 /* The keys at the top of a scene. Every structure has a file of its own, scene_*.c, with its table of keys. */
 #include "beadreel/scene.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "sim/kinds/outputs.h"
@@ -96,8 +97,15 @@ static BEAD_OPTION_READER(read_chains)
 
 static BEAD_OPTION_READER(read_simulate)
 {
-    reader->without_units = !*bead_scene_system(reader->scene)->time_unit;
-    return bead_scene_read_simulate(reader, at);
+    const struct bead_scene *scene = reader->scene;
+    reader->without_units = !*bead_scene_system(scene)->time_unit;
+    enum bead_error err = bead_scene_read_simulate(reader, at);
+    for (size_t i = 0; i < scene->chain_count && !err && isnan(scene->simulate.until); i++) {
+        if (scene->chains[i].start_count > 0)
+            err = BEAD_WRONG_KEY(reader, at, "until",
+                                 "is missing: where `start` says what moves, no front says when the run is over");
+    }
+    return err;
 }
 
 /* Outputs cannot be checked without chains. If the chains are wrong, outputs are read as if there were none. */

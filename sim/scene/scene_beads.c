@@ -24,7 +24,7 @@ struct written {
     size_t first; /* segment of the chain that it begins with */
 };
 #define SEGMENT(member) offsetof(struct written, segment.member)
-#define VALUE(what)     offsetof(struct written, variation.value[what])
+#define VARIED(...)     BEAD_VARIED_ROW(offsetof(struct written, variation), __VA_ARGS__)
 
 static const struct bead_option rows[] = {
     {"bead", BEAD_OPTION_CUSTOM, .shape = "the name of a material", .like = "text", .read = read_bead,
@@ -43,12 +43,16 @@ static const struct bead_option rows[] = {
      .help = "seed of random spins; the same seed gives the same spins on every machine", .example = "7"},
     {"sensor", BEAD_OPTION_TEXT, SEGMENT(sensor), .help = "name of a sensor in this single bead, which records its bead force",
      .example = "first"},
-    {"radius", BEAD_OPTION_NUMBER, VALUE(BEAD_VARIED_RADIUS), .unit = "m", .low = 1e-9, .high = 1e3,
-     .help = "radius of these beads, instead of that of the material; the mass follows with the density", .example = "3 mm"},
-    {"mass", BEAD_OPTION_NUMBER, VALUE(BEAD_VARIED_MASS), .unit = "kg", .low = 0, .high = 1e9, .open = BEAD_OPEN_LOW,
-     .help = "mass of each of these beads, instead of that of the material", .example = "2 g"},
-    {"modulus", BEAD_OPTION_NUMBER, VALUE(BEAD_VARIED_MODULUS), .unit = "Pa", .low = 1, .high = 1e15,
-     .help = "Young's modulus of these beads, instead of that of the material", .example = "70 GPa"},
+    VARIED(BEAD_VARIED_RADIUS, "radius", "m", 1e-9, 1e3, 0,
+           "radius of these beads, instead of that of the material; the mass follows with the density", "3 mm"),
+    VARIED(BEAD_VARIED_MASS, "mass", "kg", 0, 1e9, BEAD_OPEN_LOW, "mass of each of these beads, instead of that of the material",
+           "2 g"),
+    VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "Young's modulus of these beads, instead of that of the material",
+           "70 GPa"),
+    VARIED(BEAD_VARIED_GAP, "gap", "m", 0, 1e3, 0,
+           "free space to the left of each of these beads; the first of the chain has none, because the striker touches it at "
+           "time 0. For random gaps see chain.beads.disorder",
+           "10 um"),
     {"taper", BEAD_OPTION_CUSTOM, offsetof(struct written, variation), .unit = "1", .low = -1, .high = 1, .open = BEAD_OPEN_HIGH,
      .shape = "from -100 % to below 100 %, or {from: RADIUS, to: RADIUS}", .like = "number|chain.beads.taper",
      .read = bead_scene_read_taper,
@@ -63,8 +67,9 @@ static const struct bead_option rows[] = {
     {"repeat", BEAD_OPTION_COUNT, offsetof(struct written, repeat), .low = 1, .high = BEAD_SCENE_BEADS,
      .help = "how many times the entries `of` follow each other; random spins are the same each time", .example = "3"},
     {"of", BEAD_OPTION_CUSTOM, .shape = "a list of entries", .like = "[chain.beads]", .read = read_group,
-     .help = "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, taper and disorder apply to the "
-             "whole",
+     .help =
+         "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, gap, taper and disorder apply to the "
+         "whole",
      .example = "[{bead: brass, count: 5}, {cell: [large-steel, ptfe], count: 2}]"},
 };
 

@@ -57,14 +57,144 @@ static BEAD_OPTION_READER(read_law)
                       bead_suggest_text(&search, near, sizeof near));
 }
 
+/* As written. */
+struct striker {
+    size_t material;
+    double velocity;
+    struct bead_variation variation;
+};
+#define STRIKER(member) offsetof(struct striker, member)
+#define VARIED(...)     BEAD_VARIED_ROW(STRIKER(variation), __VA_ARGS__)
+
 static const struct bead_option striker_rows[] = {
-    {"bead", BEAD_OPTION_CUSTOM, CHAIN(striker_material), .initial = "large-steel", .shape = "the name of a material",
-     .like = "text", .read = bead_scene_read_material, .help = "material of the striker", .example = "small-steel"},
-    {"velocity", BEAD_OPTION_NUMBER, CHAIN(striker_velocity), .unit = "m/s", .initial = "0.443 m/s", .low = 0, .high = 1e4,
-     .help = "velocity of the striker when it touches the first bead, at time 0", .example = "1 m/s"},
+    {"bead", BEAD_OPTION_CUSTOM, STRIKER(material), .initial = "large-steel", .shape = "the name of a material", .like = "text",
+     .read = bead_scene_read_material, .help = "material of the striker", .example = "small-steel"},
+    {"velocity", BEAD_OPTION_NUMBER, STRIKER(velocity), .unit = "m/s", .initial = "0.443 m/s", .low = 0, .high = 1e4,
+     .help = "velocity of the striker when it touches the first bead, at time 0; where `start` says what moves, 0 if not given",
+     .example = "1 m/s"},
+    VARIED(BEAD_VARIED_RADIUS, "radius", "m", 1e-9, 1e3, 0, "its radius, instead of that of the material", "3 mm"),
+    VARIED(BEAD_VARIED_MASS, "mass", "kg", 0, 1e9, BEAD_OPEN_LOW, "its mass, instead of that of the material", "2 g"),
+    VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "its Young's modulus, instead of that of the material", "70 GPa"),
 };
 const struct bead_options bead_striker_options = {"chain.striker", "the bead that strikes the chain", BEAD_OPTIONS(striker_rows),
                                                   NULL, NULL};
+
+static BEAD_OPTION_READER(read_striker)
+{
+    struct bead_chain_spec *chain = settings;
+    struct striker striker = {.variation = bead_variation_none};
+    struct bead_segment segment = {.cell = &chain->striker_material, .cell_beads = 1, .count = 1};
+    enum bead_error err = bead_options_read(reader, at, &bead_striker_options, &striker);
+    chain->striker_material = striker.material;
+    chain->striker_velocity = striker.velocity;
+    return err ? err : bead_scene_vary_alike(reader, at, &striker.variation, &segment, 1);
+}
+
+/* ---- what starts otherwise than at rest ---- */
+
+/* An entry, as written. */
+struct starting {
+    size_t beads[2];
+    double velocity, displacement;
+    const struct bead_chain_spec *chain;
+};
+#define STARTING(member) offsetof(struct starting, member)
+
+static enum bead_error read_starting_bead(const struct bead_reader *reader, const struct bead_at *at, size_t last, size_t *bead)
+{
+    const struct bead_option number = {
+        .type = BEAD_OPTION_COUNT, .low = 0, .high = (double)last, .word = "last", .word_value = (double)last};
+    double value = 0;
+    enum bead_error err = bead_read_number(reader, at, &number, &value);
+    *bead = (size_t)value;
+    return err;
+}
+
+static BEAD_OPTION_READER(read_starting_beads)
+{
+    struct starting *starting = settings;
+    const size_t last = bead_scene_count_beads(starting->chain);
+    if (at->node->kind == BEAD_NODE_MAP || (at->node->kind == BEAD_NODE_LIST && at->node->count != 2))
+        return bead_must_be(reader, at, option->shape);
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < 2 && !err; i++) {
+        const struct bead_at end = at->node->kind == BEAD_NODE_LIST ? bead_at_item(at, i) : *at;
+        err = read_starting_bead(reader, &end, last, &starting->beads[i]);
+    }
+    return !err && starting->beads[0] > starting->beads[1]
+               ? bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", starting->beads[0],
+                            starting->beads[1])
+               : err;
+}
+
+static const struct bead_option starting_rows[] = {
+    {"bead", BEAD_OPTION_CUSTOM, .required = true, .shape = "a number, last, or [first, last]; 0 is the striker",
+     .like = "number|last|[2 any]", .read = read_starting_beads, .help = "which bead, or which beads", .example = "last"},
+    {"velocity", BEAD_OPTION_NUMBER, STARTING(velocity), .unit = "m/s", .initial = "0 m/s", .low = -1e4, .high = 1e4,
+     .help = "velocity at time 0; negative: away from the wall, to the left", .example = "-0.443 m/s"},
+    {"displacement", BEAD_OPTION_NUMBER, STARTING(displacement), .unit = "m", .initial = "0 m", .low = -1e3, .high = 1e3,
+     .help = "displacement at time 0; positive: to the right", .example = "2 um"},
+};
+const struct bead_options bead_starting_options = {"chain.start", "beads that move, or are displaced, at time 0",
+                                                   BEAD_OPTIONS(starting_rows), NULL, NULL};
+
+/* Beads that start otherwise than at rest. */
+enum { MOST_STARTS = 100000 };
+
+static int by_bead(const void *a, const void *b)
+{
+    const struct bead_start *p = a, *q = b;
+    return (p->bead > q->bead) - (p->bead < q->bead);
+}
+
+static enum bead_error add_starts(const struct bead_reader *reader, const struct bead_at *at, const struct starting *from,
+                                  struct bead_chain_spec *chain)
+{
+    const size_t count = from->beads[1] - from->beads[0] + 1;
+    if (count + chain->start_count > MOST_STARTS)
+        return bead_wrong(reader, at, "is given for more than %d beads, the most that is allowed", MOST_STARTS);
+    struct bead_start *grown = realloc(chain->starts, (chain->start_count + count) * sizeof *grown);
+    if (!grown)
+        return bead_no_memory(reader);
+    chain->starts = grown;
+    for (size_t i = 0; i < count; i++)
+        grown[chain->start_count++] = (struct bead_start){from->beads[0] + i, from->velocity, from->displacement};
+    return BEAD_OK;
+}
+
+/* The striker's velocity has one place: an entry for bead 0 gives it. */
+static enum bead_error settle_starts(const struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
+{
+    const struct bead_at map = *at->up, striker = bead_at_key(&map, "striker");
+    const bool given = bead_given(&map, "striker") && bead_given(&striker, "velocity");
+    qsort(chain->starts, chain->start_count, sizeof *chain->starts, by_bead);
+    for (size_t i = 1; i < chain->start_count; i++) {
+        if (chain->starts[i].bead == chain->starts[i - 1].bead)
+            return bead_wrong(reader, at, "has bead %zu twice", chain->starts[i].bead);
+    }
+    chain->striker_velocity = given ? chain->striker_velocity : 0;
+    if (chain->starts[0].bead > 0)
+        return BEAD_OK;
+    if (given && chain->starts[0].velocity != 0)
+        return bead_wrong(reader, at, "gives the velocity of bead 0, the striker, as does `striker`; give one of them");
+    chain->striker_velocity = given ? chain->striker_velocity : chain->starts[0].velocity;
+    chain->starts[0].velocity = 0;
+    return BEAD_OK;
+}
+
+static BEAD_OPTION_READER(read_starts)
+{
+    struct bead_chain_spec *chain = settings;
+    enum bead_error err = bead_need_list(reader, at, option->shape, MOST_STARTS, "entries");
+    for (size_t i = 0; i < at->node->count && !err; i++) {
+        const struct bead_at entry = bead_at_item(at, i);
+        struct starting starting = {.chain = chain};
+        err = bead_options_read(reader, &entry, &bead_starting_options, &starting);
+        if (!err)
+            err = add_starts(reader, &entry, &starting, chain);
+    }
+    return err ? err : settle_starts(reader, at, chain);
+}
 
 static const struct bead_option damping_rows[] = {
     {"coefficient", BEAD_OPTION_NUMBER, CHAIN(damping_coefficient), .initial = "0", .low = 0, .high = 1e12,
@@ -109,12 +239,17 @@ static const struct bead_option chain_rows[] = {
      .example = "disordered"},
     {"label", BEAD_OPTION_TEXT, CHAIN(label), .initial = "", .help = "a line about the chain, for pictures",
      .example = "half of the dimers reversed at random"},
-    {"striker", BEAD_OPTION_MAP, .initial = "{}", .map = &bead_striker_options, .help = "see chain.striker",
-     .example = "{bead: large-steel, velocity: 0.443 m/s}"},
+    {"striker", BEAD_OPTION_CUSTOM, .initial = "{}", .shape = "a map", .like = "chain.striker", .read = read_striker,
+     .help = "see chain.striker", .example = "{bead: large-steel, velocity: 0.443 m/s}"},
     {"beads", BEAD_OPTION_CUSTOM, .required = true, .shape = "a list such as [{bead: large-steel, count: 50}]",
      .like = "[chain.beads]", .read = bead_scene_read_segments,
      .help = "the beads behind the striker, from left to right: see chain.beads",
      .example = "[{cell: [large-steel, aluminium], count: 32}, {bead: small-steel}]"},
+    {"start", BEAD_OPTION_CUSTOM, .shape = "a list such as [{bead: last, velocity: -0.443 m/s}]", .like = "[chain.start]",
+     .read = read_starts,
+     .help = "beads that do not start at rest, so that there are several strikers, or strikes from both sides; needs "
+             "simulate.until: see chain.start",
+     .example = "[{bead: 0, velocity: 1 m/s}, {bead: last, velocity: -1 m/s}]"},
     {"wall", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none, rigid or a material", .like = "text", .read = read_wall,
      .help = "the wall behind the last bead", .example = "brass"},
     {"law", BEAD_OPTION_CUSTOM, .initial = "hertz",
@@ -122,6 +257,10 @@ static const struct bead_option chain_rows[] = {
      .read = read_law, .help = "the force between two beads", .example = "{power: 2.5, coefficient: 1e9}"},
     {"precompression", BEAD_OPTION_NUMBER, CHAIN(precompression), .unit = "N", .initial = "0 N", .low = 0, .high = 1e12,
      .help = "static force that presses the chain together", .example = "10 N"},
+    {"gap", BEAD_OPTION_NUMBER, CHAIN(gap), .unit = "m", .initial = "0 m", .low = 0, .high = 1e3,
+     .help = "free space between every two beads; the striker touches the first at time 0. For single ones see chain.beads, for "
+             "random ones chain.beads.disorder",
+     .example = "10 um"},
     {"tilt", BEAD_OPTION_NUMBER, CHAIN(tilt), .unit = "rad", .initial = "0 deg", .low = 0, .high = 1.5707963267948966,
      .open = BEAD_OPEN_HIGH, .shape = "from 0 to below 90 deg (1.5708 rad)",
      .help = "slope of the chain, with its wall at the lower end", .example = "3.5 deg"},
@@ -131,6 +270,28 @@ static const struct bead_option chain_rows[] = {
 const struct bead_options bead_chain_options = {
     "chain", "a chain of beads; `chains` is a list of chains with a `name` each, run and shown together", BEAD_OPTIONS(chain_rows),
     NULL, NULL};
+
+static bool has_gaps(const struct bead_reader *reader, const struct bead_chain_spec *chain)
+{
+    bool any = chain->gap > 0;
+    for (size_t s = 0; s < chain->segment_count; s++) {
+        const struct bead_segment *segment = &chain->segments[s];
+        const size_t *of = segment->each ? segment->each : segment->cell;
+        for (size_t i = 0; i < segment->cell_beads * (segment->each ? segment->count : 1); i++)
+            any = any || reader->scene->materials[of[i]].gap > 0;
+    }
+    return any;
+}
+
+/* Nothing presses beads together that are apart, nor do they pull at each other. */
+static enum bead_error check_gaps(const struct bead_reader *reader, const struct bead_at *at, const struct bead_chain_spec *chain)
+{
+    const char *key = chain->precompression > 0 ? "precompression" : chain->tilt > 0 ? "tilt" : "law";
+    if ((chain->precompression == 0 && chain->tilt == 0 && chain->law.row->one_sided) || !has_gaps(reader, chain))
+        return BEAD_OK;
+    return BEAD_WRONG_KEY(reader, at, key, "%s, but there are gaps between beads: give one or the other",
+                          *key == 'l' ? "pulls as well as pushes" : "presses the chain together");
+}
 
 enum bead_error bead_scene_make_chains(const struct bead_reader *reader, size_t count)
 {
@@ -151,5 +312,5 @@ enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct b
     BEAD_TRY(bead_options_read(reader, at, &bead_chain_options, chain));
     if (chain->tilt > 0 && chain->wall == BEAD_WALL_NONE)
         return BEAD_WRONG_KEY(reader, at, "tilt", "needs a wall that holds the lower end: give `wall`");
-    return BEAD_OK;
+    return check_gaps(reader, at, chain);
 }

@@ -190,6 +190,7 @@ static void free_chain(struct bead_chain_spec *chain)
     for (size_t i = 0; i < chain->segment_count; i++)
         bead_scene_free_segment(&chain->segments[i]);
     free(chain->segments);
+    free(chain->starts);
     free(chain->name);
     free(chain->title);
     free(chain->label);

@@ -9,8 +9,8 @@
 enum { BEAD_SCENE_CHAINS = 64 };
 
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
-    bead_striker_options, bead_segment_options, bead_damping_options, bead_simulate_options, bead_soliton_options,
-    bead_sweep_options, bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
+    bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_simulate_options,
+    bead_soliton_options, bead_sweep_options, bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
 /* The laws that have settings, the equations, and their starts: NULL behind the last. */
 const struct bead_options *bead_law_options(size_t index);
 const struct bead_options *bead_equation_options(size_t index);
@@ -60,9 +60,10 @@ bool bead_colours_are_file(const char *value);
  * something. Errors: SCENE, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *config, bool *changed);
 
-/* ---- beads that differ from their material: radius, mass and modulus of an entry of `beads`, taper, disorder ---- */
+/* ---- beads that differ from their material: radius, mass and modulus of an entry of `beads`, or of the striker, taper, disorder;
+ * and the gaps before them ---- */
 
-enum bead_varied { BEAD_VARIED_RADIUS, BEAD_VARIED_MASS, BEAD_VARIED_MODULUS, BEAD_VARIED_COUNT };
+enum bead_varied { BEAD_VARIED_RADIUS, BEAD_VARIED_MASS, BEAD_VARIED_MODULUS, BEAD_VARIED_GAP, BEAD_VARIED_COUNT };
 
 /* Random values: of their own, or factors. */
 struct bead_distribution {
@@ -90,6 +91,13 @@ BEAD_OPTION_READER(bead_scene_read_taper);
  * SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_read_cell(struct bead_reader *reader, const struct bead_at *at, size_t **materials,
                                                 size_t *count);
+
+/* Rows of radius, mass and modulus; `at`: where the table's structure has a bead_variation. */
+#define BEAD_VARIED_ROW(at, what, name, si, least, most, opened, words, sample)                                             \
+    {                                                                                                                       \
+        .key = name, .type = BEAD_OPTION_NUMBER, .offset = (at) + offsetof(struct bead_variation, value[what]), .unit = si, \
+        .low = least, .high = most, .open = opened, .help = words, .example = sample                                        \
+    }
 
 /* Give `count` segments, left to right, their values: of the cell where all are alike, else of each bead. Errors: SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const struct bead_at *at,

@@ -13,15 +13,19 @@
 /* Beads that differ one by one, in a scene: each takes a material. */
 enum { MOST_VARIED = 100000 };
 
-const struct bead_variation bead_variation_none = {.value = {NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}};
+const struct bead_variation bead_variation_none = {.value = {NAN, NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}};
 
+/* `draws`: number of the random numbers; 1003 are those of materials. */
 static const struct {
     const char *key, *unit;
     size_t offset;
     double low, high;
-} varied[BEAD_VARIED_COUNT] = {[BEAD_VARIED_RADIUS] = {"radius", "m", offsetof(struct bead_material, radius), 1e-9, 1e3},
-                               [BEAD_VARIED_MASS] = {"mass", "kg", offsetof(struct bead_material, mass), 1e-30, 1e15},
-                               [BEAD_VARIED_MODULUS] = {"modulus", "Pa", offsetof(struct bead_material, modulus), 1, 1e15}};
+    unsigned draws;
+} varied[BEAD_VARIED_COUNT] = {[BEAD_VARIED_RADIUS] = {"radius", "m", offsetof(struct bead_material, radius), 1e-9, 1e3, 1000},
+                               [BEAD_VARIED_MASS] = {"mass", "kg", offsetof(struct bead_material, mass), 1e-30, 1e15, 1001},
+                               [BEAD_VARIED_MODULUS] = {"modulus", "Pa", offsetof(struct bead_material, modulus), 1, 1e15, 1002},
+                               [BEAD_VARIED_GAP] = {"gap", "m", offsetof(struct bead_material, gap), 0, 1e3, 1004}};
+enum { MATERIAL_DRAWS = 1003 };
 
 static double *value_of(struct bead_material *material, enum bead_varied what)
 {
@@ -107,11 +111,13 @@ BEAD_OPTION_READER(bead_scene_read_taper)
 /* ---- disorder ---- */
 
 /* A factor, or where that fails a value with its unit. */
-static bool read_end(const struct bead_reader *reader, const char *text, const char *unit, bool *absolute, double *value)
+static bool read_end(const struct bead_reader *reader, const char *text, size_t what, bool *absolute, double *value)
 {
+    const char *unit = varied[what].unit;
     char why[200];
     *absolute = bead_units_read(reader->units, text, "1", value, why, sizeof why) != BEAD_OK;
-    return (!*absolute || bead_units_read(reader->units, text, unit, value, why, sizeof why) == BEAD_OK) && *value > 0;
+    return (!*absolute || bead_units_read(reader->units, text, unit, value, why, sizeof why) == BEAD_OK) &&
+           (*value > 0 || (*value == 0 && varied[what].low == 0));
 }
 
 /* "uniform 0.3..1", "uniform 2 mm..4 mm", "normal 5 %" */
@@ -127,19 +133,18 @@ static BEAD_OPTION_READER(read_distribution)
     const char *dots = strstr(text, "..");
     if (strncmp(text, "normal ", 7) == 0) {
         *d = (struct bead_distribution){.kind = BEAD_NORMAL};
-        bool good = read_end(reader, text + 7, varied[what].unit, &absolute[0], &d->high) && !absolute[0] && d->high <= widest;
+        bool good = read_end(reader, text + 7, what, &absolute[0], &d->high) && !absolute[0] && d->high <= widest;
         return good ? BEAD_OK : bead_must_be(reader, at, option->shape);
     }
     if (strncmp(text, "uniform ", 8) != 0 || !dots || strstr(dots + 2, "..") || (size_t)(dots - text - 8) >= sizeof low)
         return bead_must_be(reader, at, option->shape);
     snprintf(low, sizeof low, "%.*s", (int)(dots - text - 8), text + 8);
     *d = (struct bead_distribution){.kind = BEAD_UNIFORM};
-    bool good = read_end(reader, low, varied[what].unit, &absolute[0], &d->low) &&
-                read_end(reader, dots + 2, varied[what].unit, &absolute[1], &d->high);
+    bool good = read_end(reader, low, what, &absolute[0], &d->low) && read_end(reader, dots + 2, what, &absolute[1], &d->high);
     if (absolute[1] && !absolute[0]) { /* "2..4 mm": the unit is that of both */
         const size_t used = strlen(low);
         snprintf(low + used, sizeof low - used, "%s", dots + 2 + strspn(dots + 2, " +-.0123456789eE"));
-        good = good && read_end(reader, low, varied[what].unit, &absolute[0], &d->low);
+        good = good && read_end(reader, low, what, &absolute[0], &d->low);
     }
     d->absolute = absolute[0];
     return good && absolute[0] == absolute[1] && d->low <= d->high ? BEAD_OK : bead_must_be(reader, at, option->shape);
@@ -162,6 +167,7 @@ static const struct bead_option disorder_rows[] = {
                "random radii; masses follow with the densities. normal: cut off at three standard deviations", "uniform 0.3..1"),
     RANDOM_ROW("mass", BEAD_VARIED_MASS, "random masses at the same radius", "normal 5 %"),
     RANDOM_ROW("modulus", BEAD_VARIED_MODULUS, "random Young's moduli", "uniform 100 GPa..193 GPa"),
+    RANDOM_ROW("gap", BEAD_VARIED_GAP, "random gaps before the beads", "uniform 0..10 um"),
     {"material", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]", .read = read_materials,
      .help = "each bead is one of these at random, instead of its own; `3 ptfe` has three chances",
      .example = "[large-steel, 3 ptfe]"},
@@ -174,7 +180,7 @@ const struct bead_options bead_disorder_options = {"chain.beads.disorder", "bead
 /* In (0, 1); `what` and `turn` tell draws of a bead apart. */
 static double draw(const struct bead_variation *v, size_t bead, unsigned what, unsigned turn)
 {
-    return ((double)(bead_draw(v->seed, 1000 + what, 64 * (uint64_t)bead + turn) >> 11) + 0.5) * 0x1p-53;
+    return ((double)(bead_draw(v->seed, varied[what].draws, 64 * (uint64_t)bead + turn) >> 11) + 0.5) * 0x1p-53;
 }
 
 static double draw_value(const struct bead_variation *v, size_t bead, enum bead_varied what, double value)
@@ -239,7 +245,10 @@ enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const st
                                       struct bead_segment *segments, size_t count)
 {
     enum bead_error err = BEAD_OK;
-    if (isnan(v->value[BEAD_VARIED_RADIUS]) && isnan(v->value[BEAD_VARIED_MASS]) && isnan(v->value[BEAD_VARIED_MODULUS]))
+    bool any = false;
+    for (size_t i = 0; i < BEAD_VARIED_COUNT; i++)
+        any = any || !isnan(v->value[i]);
+    if (!any)
         return BEAD_OK;
     for (size_t s = 0; s < count; s++) {
         size_t *of = segments[s].each ? segments[s].each : segments[s].cell;
@@ -273,7 +282,7 @@ static enum bead_error vary_bead(const struct bead_reader *reader, const struct 
 {
     double value[BEAD_VARIED_COUNT];
     if (v->material_count > 0)
-        *material = v->materials[bead_draw_below(v->seed, 1000 + BEAD_VARIED_COUNT, k, v->material_count)];
+        *material = v->materials[bead_draw_below(v->seed, MATERIAL_DRAWS, k, v->material_count)];
     take_values(reader, *material, value);
     const double radius = tapered(v, k, beads, first, value[BEAD_VARIED_RADIUS]);
     if (radius != value[BEAD_VARIED_RADIUS])
