@@ -135,8 +135,8 @@ static const struct bead_option starting_rows[] = {
     {"displacement", BEAD_OPTION_NUMBER, STARTING(displacement), .unit = "m", .initial = "0 m", .low = -1e3, .high = 1e3,
      .help = "displacement at time 0; positive: to the right", .example = "2 um"},
 };
-const struct bead_options bead_starting_options = {"chain.start", "beads that move, or are displaced, at time 0",
-                                                   BEAD_OPTIONS(starting_rows), NULL, NULL};
+const struct bead_options bead_starting_options = {
+    "chain.starts", "entries of `start`: beads that move, or are displaced, at time 0", BEAD_OPTIONS(starting_rows), NULL, NULL};
 
 /* Beads that start otherwise than at rest. */
 enum { MOST_STARTS = 100000 };
@@ -245,10 +245,10 @@ static const struct bead_option chain_rows[] = {
      .like = "[chain.beads]", .read = bead_scene_read_segments,
      .help = "the beads behind the striker, from left to right: see chain.beads",
      .example = "[{cell: [large-steel, aluminium], count: 32}, {bead: small-steel}]"},
-    {"start", BEAD_OPTION_CUSTOM, .shape = "a list such as [{bead: last, velocity: -0.443 m/s}]", .like = "[chain.start]",
+    {"start", BEAD_OPTION_CUSTOM, .shape = "a list such as [{bead: last, velocity: -0.443 m/s}]", .like = "[chain.starts]",
      .read = read_starts,
      .help = "beads that do not start at rest, so that there are several strikers, or strikes from both sides; needs "
-             "simulate.until: see chain.start",
+             "simulate.until: see chain.starts",
      .example = "[{bead: 0, velocity: 1 m/s}, {bead: last, velocity: -1 m/s}]"},
     {"wall", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none, rigid or a material", .like = "text", .read = read_wall,
      .help = "the wall behind the last bead", .example = "brass"},

@@ -46,6 +46,7 @@ base() {
     case $1 in
     scene) prefix= ;;
     chain | chain.striker | chain.damping | simulate) prefix=$1. ;;
+    chain.starts) prefix=chain.start.0. before=('chain.start=[{bead: 1}]' simulate.until=1ms) ;;
     chain.beads) prefix=chain.beads.0. ;;
     chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
     chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
@@ -82,6 +83,7 @@ base() {
 # What a key needs besides, or instead.
 needs() { # SECTION KEY
     case "$1: $2" in
+    'chain: start') before=(simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
     'outputs (movie): background') before=('outputs=[{movie: m.webm}]') ;;
