@@ -46,7 +46,7 @@ base() {
     case $1 in
     scene) prefix= ;;
     chain | chain.striker | chain.damping | simulate) prefix=$1. ;;
-    chain.starts) prefix=chain.start.0. before=('chain.start=[{bead: 1}]' simulate.until=1ms) ;;
+    chain.starts) prefix=chain.start.0. before=('chain.start=[{bead: 1, velocity: 1 m/s}]' simulate.until=1ms) ;;
     chain.beads) prefix=chain.beads.0. ;;
     chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
     chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
