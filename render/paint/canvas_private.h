@@ -4,6 +4,7 @@
 
 #include "render/paint/canvas.h"
 #include "render/paint/paint.h"
+#include "render/paint/pixel_kernels.h"
 
 struct bead_painter;      /* of OpenGL */
 struct bead_context_type; /* gl_context.h */
@@ -28,6 +29,8 @@ struct bead_painting {
     void (*balls)(struct bead_canvas *canvas, const struct bead_ball *balls, size_t count);
     void (*marks)(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count);
     enum bead_error (*end)(struct bead_canvas *canvas, struct bead_message *msg);
+    enum bead_error (*stage)(struct bead_canvas *canvas, const struct bead_stage *stage, const struct bead_ground *ground,
+                             struct bead_message *msg);
 };
 
 struct bead_canvas_driver {

@@ -77,3 +77,16 @@ enum bead_error bead_paint_end(struct bead_canvas *canvas, struct bead_message *
     canvas->frame = NULL;
     return err;
 }
+
+enum bead_error bead_paint_stage(struct bead_canvas *canvas, const struct bead_stage *stage, struct bead_rect place, int skip,
+                                 struct bead_frame *frame, struct bead_message *msg)
+{
+    const struct bead_rect clip = {0, skip, place.width, place.height - skip};
+    if (clip.width <= 0 || clip.height <= 0)
+        return BEAD_OK;
+    if (!inside(place, frame->width, frame->height) || place.width > stage->width || place.height > stage->height)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "painting a stage of %d x %d pixels at %d, %d: outside its frame", place.width,
+                         place.height, place.x, place.y);
+    const struct bead_ground ground = {frame->pixels, frame->stride, {place.x, place.y}, clip};
+    return canvas->driver->painting->stage(canvas, stage, &ground, msg);
+}

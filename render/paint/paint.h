@@ -49,3 +49,9 @@ void bead_paint_balls(struct bead_canvas *canvas, const struct bead_ball *balls,
 void bead_paint_marks(struct bead_canvas *canvas, const struct bead_mark *marks, size_t count);
 /* Finish: the frame now shows all. Errors: GRAPHICS, MEMORY. */
 BEAD_CHECK enum bead_error bead_paint_end(struct bead_canvas *canvas, struct bead_message *msg);
+
+struct bead_stage; /* stage.h */
+/* Paint a prepared stage, all of it but its first `skip` rows, at `place` of a frame. Not between begin and end: it has no
+ * background. Errors: GRAPHICS, MEMORY. */
+BEAD_CHECK enum bead_error bead_paint_stage(struct bead_canvas *canvas, const struct bead_stage *stage, struct bead_rect place,
+                                            int skip, struct bead_frame *frame, struct bead_message *msg);

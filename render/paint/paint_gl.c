@@ -280,6 +280,15 @@ static enum bead_error gl_end(struct bead_canvas *canvas, struct bead_message *m
     return bead_gl_check("reading pixels", msg);
 }
 
+static enum bead_error gl_stage(struct bead_canvas *, const struct bead_stage *stage, const struct bead_ground *ground,
+                                struct bead_message *)
+{
+    const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(NULL);
+    kernels->stage_floor(stage);
+    kernels->stage(ground, stage);
+    return BEAD_OK;
+}
+
 const struct bead_painting bead_painting_gl = {
     .open = gl_open,
     .close = gl_close,
@@ -289,4 +298,5 @@ const struct bead_painting bead_painting_gl = {
     .balls = gl_balls,
     .marks = gl_marks,
     .end = gl_end,
+    .stage = gl_stage,
 };

@@ -68,6 +68,15 @@ static enum bead_error plain_end(struct bead_canvas *, struct bead_message *)
     return BEAD_OK;
 }
 
+static enum bead_error plain_stage(struct bead_canvas *, const struct bead_stage *stage, const struct bead_ground *ground,
+                                   struct bead_message *)
+{
+    const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(NULL);
+    kernels->stage_floor(stage);
+    kernels->stage(ground, stage);
+    return BEAD_OK;
+}
+
 const struct bead_painting bead_painting_plain = {
     .open = plain_open,
     .close = plain_close,
@@ -77,4 +86,5 @@ const struct bead_painting bead_painting_plain = {
     .balls = plain_balls,
     .marks = plain_marks,
     .end = plain_end,
+    .stage = plain_stage,
 };

@@ -7,6 +7,7 @@
 
 #include "beadreel/frame.h"
 #include "render/paint/paint.h"
+#include "render/paint/stage.h"
 
 /* The part of a frame to paint on. Rows begin at multiples of 64 bytes. Places of balls and marks count from `origin`. */
 struct bead_ground {
@@ -37,6 +38,9 @@ struct bead_pixel_kernels {
     /* The way from a magnified part to its lens: from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its
      * bottom; any kind. */
     void (*zoom)(const struct bead_ground *ground, const struct bead_mark *way);
+    /* A stage that is prepared (stage.h): its floor's grid; then its picture, whose corner is the ground's origin. */
+    void (*stage_floor)(const struct bead_stage *stage);
+    void (*stage)(const struct bead_ground *ground, const struct bead_stage *stage);
     /* `pixels`: of y = 0. Groups without rows do not change. */
     void (*curve)(const struct bead_columns *columns, uint8_t *pixels, size_t stride);
     /* Two rows of a frame (B G R X), one of chroma; `width` a multiple of 16, `y` and `bgrx` at multiples of 16 bytes. */

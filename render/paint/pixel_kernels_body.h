@@ -85,8 +85,9 @@ static inline void blend(words_anywhere *pixels, const words bgr[3], words cover
 #include "render/paint/pixel_kernels_balls.h"
 #include "render/paint/pixel_kernels_curve.h"
 #include "render/paint/pixel_kernels_marks.h"
+#include "render/paint/pixel_kernels_stage.h"
 #include "render/paint/pixel_kernels_yuv.h"
 
 extern const struct bead_pixel_kernels KERNELS_TABLE;
-const struct bead_pixel_kernels KERNELS_TABLE = {KERNELS_NAME, paint_balls,   paint_marks,
-                                                 paint_way,    curve_columns, two_rows_to_yuv420};
+const struct bead_pixel_kernels KERNELS_TABLE = {KERNELS_NAME, paint_balls, paint_marks,   paint_way,
+                                                 stage_floor,  stage_rows,  curve_columns, two_rows_to_yuv420};
