@@ -241,6 +241,9 @@ enum bead_orientation {
     BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of pictures without axes only */
 };
 
+/* What lights up on the stage by its force: contacts, or whole beads. */
+enum bead_light { BEAD_LIGHT_CONTACTS, BEAD_LIGHT_BEADS, BEAD_LIGHT_NONE };
+
 /* Views of an image or a movie, from top to bottom. */
 enum { BEAD_MOST_VIEWS = 8 };
 struct bead_views_asked {
@@ -250,6 +253,7 @@ struct bead_views_asked {
     bool axes;                               /* false: bare pixels */
     double magnify;                          /* factor on displacements; 0: automatic */
     enum bead_orientation orientation;
+    enum bead_light light;
 };
 
 /* From values to colours: image, movie, sheet. */

@@ -48,7 +48,8 @@ struct bead_view_setup {
     bool time_shared;                  /* spacetime, sensors: no labels on the time axis; a view below has them */
     bool fill;                         /* spacetime: show only what has passed, with a cursor at the present (movies) */
     enum bead_sampling sampling;       /* spacetime */
-    double magnify;                    /* beads: factor on displacements, > 0 */
+    double magnify;                    /* beads, stage: factor on displacements, > 0 */
+    enum bead_light light;             /* stage */
     const struct bead_camera *camera;  /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
     size_t modes;                      /* modes: how many */
     bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */

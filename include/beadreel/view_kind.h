@@ -35,6 +35,9 @@ enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES }
     VIEW(BEADS, beads, .help = "the beads, coloured by the field; a lens follows the front",                                  \
          .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,    \
          .shape = 8, .movie_share = 1, .movie_most = 0.135)                                                                   \
+    VIEW(STAGE, stage, .help = "large beads in their materials' colours, lit at each contact by its force; a camera follows", \
+         .traits = BEAD_SHOWS_BEADS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.4, .shape = 5.5,            \
+         .movie_share = 2.2, .movie_most = 0.16)                                                                              \
     VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT | BEAD_OVERLAYS,     \
          .still_share = 0.22, .shape = 1.35, .movie_share = 1.6, .movie_most = 0.5)                                           \
     VIEW(SPACETIME, spacetime, .help = "the field over chain and time, area-averaged; fills as time passes in movies",        \

@@ -91,6 +91,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .marked = moments,
                                                 .mark = f->at,
                                                 .magnify = magnify,
+                                                .light = f->output->views.light,
                                                 .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }

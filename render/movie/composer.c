@@ -56,6 +56,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
                                     .time_shared = time && !labels,
                                     .fill = true,
                                     .magnify = c->magnify,
+                                    .light = output->views.light,
                                     .camera = c->cameras ? c->cameras[chain] : NULL,
                                     .modes = output->movie.modes,
                                     .trust = output->shown.trust};

@@ -13,6 +13,7 @@ static const char *const samplings[] = {"area", "max", NULL};
 static const char *const styles[] = {"auto", "paper", "slide", "movie", NULL};
 static const char *const themes[] = {"auto", "light", "dark", NULL};
 static const char *const backgrounds[] = {"theme", "none", NULL};
+static const char *const lights[] = {"contacts", "beads", "none", NULL};
 static const char *const orientations[] = {"auto", "time-right", "time-down", "matrix", NULL};
 #define FIELD_NAME(id, name, unit, title, place) name,
 static const char *const fields[] = {BEAD_FIELDS(FIELD_NAME) NULL};
@@ -96,7 +97,13 @@ const struct bead_option bead_range_row[1] = {
 };
 const struct bead_option bead_magnify_row[1] = {
     {"magnify", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(views.magnify), .initial = "auto", .low = 0, .high = 1e9, .open = BEAD_OPEN_LOW,
-     .word = "auto", .help = "factor by which the view beads enlarges displacements", .example = "1000"},
+     .word = "auto", .help = "factor by which the views stage and beads enlarge displacements", .example = "1000"},
+};
+const struct bead_option bead_light_row[1] = {
+    {"light", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(views.light), .initial = "contacts", .choices = lights,
+     .help =
+         "what lights up in the view stage. contacts: each contact by its force, brighter the larger it is; beads: whole beads, by "
+         "the mean force of their contacts, or by the field where there are none; none: nothing"},
 };
 const struct bead_option bead_axes_row[1] = {
     {"axes", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(views.axes), .initial = "true",

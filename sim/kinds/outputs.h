@@ -29,7 +29,7 @@ extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];
 /* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */
 #define BEAD_COLORMAP_SHAPE "a name, a text file such as mine.txt, or colours such as \"#000000 #ff8000 #ffffff\""
 extern const struct bead_option bead_page_rows[4], bead_theme_rows[3], bead_caption_row[1], bead_colormap_row[1],
-    bead_square_root_row[1], bead_range_row[1], bead_magnify_row[1], bead_axes_row[1], bead_orientation_row[1];
+    bead_square_root_row[1], bead_range_row[1], bead_magnify_row[1], bead_light_row[1], bead_axes_row[1], bead_orientation_row[1];
 
 /* ---- readers of values that are more than a number, a word or a choice ---- */
 

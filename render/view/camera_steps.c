@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "render/view/camera_steps.h"
+
+#include <math.h>
+
+/* A contact is part of the wave from this part of the largest load on; the head are so many contacts behind the first of them. */
+static const double part_of_wave = 0.05, least_load = 1e-3;
+enum { HEAD = 9 };
+/* Each frame the head goes this part of the way to where the loads are, and the speed to that of the head. */
+static const double quickness = 0.5, steadiness = 0.1;
+
+double bead_pan_eased(double t)
+{
+    t = fmin(1, fmax(0, t));
+    return t * t * t * (10 + t * (6 * t - 15));
+}
+
+static double largest(const double *load, size_t count)
+{
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, load[i]);
+    return most;
+}
+
+/* Centre of squared loads from..to. */
+static double centre(const double *load, size_t from, size_t to, double otherwise)
+{
+    double sum = 0, weight = 0;
+    for (size_t i = from; i < to; i++) {
+        sum += load[i] * load[i] * (double)i;
+        weight += load[i] * load[i];
+    }
+    return weight > least_load * least_load ? sum / weight : otherwise;
+}
+
+double bead_step_camera_find(struct bead_step_camera *c, const double *load, size_t count)
+{
+    const double most = largest(load, count);
+    size_t front = 0;
+    for (size_t i = 0; i < count && most > least_load; i++)
+        front = load[i] > part_of_wave * most ? i : front;
+    size_t from, to;
+    if (!c->arrived) {
+        c->arrived = front + 1 >= count;
+        to = front + 1;
+        from = to > HEAD ? to - HEAD : 0;
+    } else {
+        const size_t near = (size_t)fmax(0, round(c->head));
+        from = near > HEAD ? near - HEAD : 0;
+        to = near + HEAD + 1 < count ? near + HEAD + 1 : count;
+    }
+    const double found = centre(load, from, to, c->head);
+    const double moved = c->begun ? c->head + quickness * (found - c->head) : found;
+    c->head = c->arrived ? moved : fmax(c->head, moved);
+    return c->head;
+}
+
+/* The middle of the window within its ends. */
+static double within(const struct bead_step_camera *c, double middle)
+{
+    const double low = c->ends[0] + 0.5 * c->width, high = c->ends[1] - 0.5 * c->width;
+    return high > low ? fmin(high, fmax(low, middle)) : 0.5 * (low + high);
+}
+
+void bead_step_camera_advance(struct bead_step_camera *c, double place)
+{
+    if (!c->begun)
+        c->middle = c->goal = within(c, c->last = place);
+    c->begun = true;
+    c->speed += steadiness * (place - c->last - c->speed);
+    c->last = place;
+    const double off = place - c->goal, next = within(c, c->goal + copysign(c->step, off));
+    const bool leaves = off * c->speed > 0 && fabs(off) > 0.5 * c->step - c->lead;
+    if (leaves && fabs(next - c->goal) >= 1 && c->pan_count < BEAD_MOST_PANS) {
+        c->pans[c->pan_count++] = (struct bead_pan){.by = next - c->goal};
+        c->goal = next;
+    }
+    c->middle = c->goal;
+    size_t left = 0;
+    for (size_t i = 0; i < c->pan_count; i++) {
+        struct bead_pan *pan = &c->pans[i];
+        pan->frame++;
+        c->middle -= pan->by * (1 - bead_pan_eased((double)pan->frame / BEAD_PAN_FRAMES));
+        if (pan->frame < BEAD_PAN_FRAMES)
+            c->pans[left++] = *pan;
+    }
+    c->pan_count = left;
+}

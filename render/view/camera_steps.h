@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Camera of the stage: a window that stands still while the wave crosses it, and moves on in steps with eased pans.
+ *
+ * It follows the head of the wave, and once that has arrived at the end of the chain, the pulse that comes back from there: the
+ * centre of squared loads near the place where it was before. Moving with the front would make beads of two materials alternate
+ * several times a second. All places are along the stage, in whole pixels where they are shown. */
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { BEAD_PAN_FRAMES = 16, BEAD_MOST_PANS = 16 };
+
+struct bead_step_camera {
+    double width, step, ends[2]; /* of the window, of a pan; places that the window may show */
+    double lead;                 /* pans begin so long before the head is half a step from the middle */
+    double middle;               /* of the window, now */
+    double goal;                 /* and after all pans */
+    struct bead_pan {
+        double by;
+        int frame; /* 0..BEAD_PAN_FRAMES */
+    } pans[BEAD_MOST_PANS];
+    size_t pan_count;
+    double head;        /* place of the wave, in contacts from the first */
+    double last, speed; /* of the place, a frame */
+    bool begun, arrived;
+};
+
+/* The part of a pan that has passed, from 0 to 1: starts and stops with neither speed nor acceleration. */
+double bead_pan_eased(double part);
+/* The head of the wave, in contacts, of `load` now (>= 0, 1: strong). */
+double bead_step_camera_find(struct bead_step_camera *camera, const double *load, size_t count);
+/* Moves on by a frame, with the wave's head at `place`. */
+void bead_step_camera_advance(struct bead_step_camera *camera, double place);

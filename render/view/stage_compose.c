@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the stage shows at one time: where its beads are, the light at their contacts, and the row of all beads. */
+#include <math.h>
+#include <string.h>
+
+#include "render/view/stage_view.h"
+
+/* Beads beyond the edges whose light and shadow reach the stage, in radii of the largest. */
+static const double reach = 9;
+/* In radii: neighbours further away than this leave a bead alone. */
+static const double alone = 0.58;
+
+static double contact_load(const struct bead_view *v, double value)
+{
+    return v->full > 0 ? fmin(1, fabs(value) / v->full) : 0;
+}
+
+void bead_stage_advance(struct bead_view *v, double time)
+{
+    const struct bead_latest *l = &v->latest;
+    const double weight = bead_latest_weight(l, time);
+    for (size_t i = 0; i < v->count; i++)
+        v->shift[i] = v->setup.magnify * bead_latest_value(l, v->u, i, weight);
+    for (size_t k = 0; k < v->contacts; k++)
+        v->load[k] = contact_load(v, bead_latest_value(l, v->force, k, weight));
+    if (v->setup.camera) {
+        const double middle = bead_camera_left(v->setup.camera) + 0.5 * bead_camera_width(v->setup.camera);
+        size_t i = 0;
+        while (i + 2 < v->count && v->position[i + 1] < middle)
+            i++;
+        const double part = v->count < 2 ? 0 : (middle - v->position[i]) / (v->position[i + 1] - v->position[i]);
+        const double there = v->place[i] + part * (v->count < 2 ? 0 : v->place[i + 1] - v->place[i]);
+        v->camera.middle = there * v->scale;
+    } else if (v->camera.width > 0) {
+        const double head = bead_step_camera_find(&v->camera, v->load, v->contacts), whole = floor(head);
+        const size_t i = (size_t)fmin(whole, (double)(v->count - 1)), next = i + 1 < v->count ? i + 1 : i;
+        bead_step_camera_advance(&v->camera, v->scale * (v->place[i] + (head - whole + 0.5) * (v->place[next] - v->place[i])));
+    }
+    if (v->camera.width > 0)
+        v->left = round(v->camera.middle - 0.5 * v->strip.width);
+}
+
+/* ---- on the stage ---- */
+
+/* Positions are rounded to this fraction of a pixel: motion is smooth, and a bead at rest does not change. */
+static float on_grid(double x)
+{
+    return (float)(round(64 * x) / 64);
+}
+
+static double stage_x(const struct bead_view *v, size_t i)
+{
+    return v->scale * (v->place[i] + v->shift[i]) - v->left;
+}
+
+static void set_colour(const double *from, float to[3])
+{
+    for (int c = 0; c < 3; c++)
+        to[c] = (float)fmin(1, fmax(0, from[c]));
+}
+
+static void set_light(const struct bead_view *v, struct bead_stage_bead *b, size_t i)
+{
+    const bool contacts = v->has_contacts && v->setup.light == BEAD_LIGHT_CONTACTS;
+    const double left = v->has_contacts && i > 0 ? v->load[i - 1] : 0, right = v->has_contacts && i < v->contacts ? v->load[i] : 0;
+    if (contacts) {
+        bead_stage_glow(left, b->light[0]);
+        bead_stage_glow(right, b->light[1]);
+    } else if (v->setup.light != BEAD_LIGHT_NONE) {
+        float light[3];
+        bead_stage_glow(v->has_contacts ? 0.5 * (left + right) : v->load[i], light);
+        for (int c = 0; c < 3; c++)
+            b->own[c] = 0.4f * light[c];
+    }
+}
+
+/* Where two neighbours touch, or would: a plane between them that leans towards the smaller. */
+static void join(const struct bead_view *v, struct bead_stage_bead *a, struct bead_stage_bead *b)
+{
+    const double dx = fmax(1e-3, b->x - a->x), rise = b->r - a->r, distance = hypot(dx, rise), gap = distance - a->r - b->r;
+    const double near = fmin(1, fmax(0, 1.15 - gap / (alone * v->stage.unit)));
+    const double plane = a->x + dx * (0.5 + 0.5 * ((double)a->r * a->r - (double)b->r * b->r) / (distance * distance));
+    const double high = BEAD_STAGE_COSINE * (a->r + rise * (plane - a->x) / dx), slope = -BEAD_STAGE_COSINE * rise / dx;
+    a->near[1] = b->near[0] = (float)near;
+    a->tilt[1] = (float)(rise / distance);
+    b->tilt[0] = (float)(-rise / distance);
+    a->edge[1] = b->edge[0] = (float)(plane - slope * high);
+    a->slope[1] = b->slope[0] = (float)slope;
+}
+
+static void put_wall(struct bead_view *v)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
+    struct bead_stage_wall *w = &v->stage.wall;
+    *w = (struct bead_stage_wall){.width = 0};
+    const double x = v->scale * v->ends[1] - v->left;
+    if (!v->wall || x > v->strip.width)
+        return;
+    w->x = on_grid(x);
+    w->width = 1.2f * v->stage.unit;
+    for (int c = 0; c < 3; c++)
+        w->colour[c] = 0.09f;
+    if (spec->wall == BEAD_WALL_MATERIAL) {
+        const double *own = bead_chain_scene(v->setup.chain)->materials[spec->wall_material].colour;
+        for (int c = 0; c < 3; c++)
+            w->colour[c] = (float)(0.30 * own[c] * own[c]);
+    }
+    if (v->has_contacts && v->setup.light == BEAD_LIGHT_CONTACTS)
+        bead_stage_glow(v->load[v->contacts - 1], w->light);
+}
+
+void bead_stage_compose(struct bead_view *v)
+{
+    struct bead_stage *s = &v->stage;
+    s->count = 0;
+    size_t before = 0;
+    for (size_t i = 0; i < v->count; i++) {
+        const double x = stage_x(v, i);
+        if (x < -reach * s->unit || x > s->width + reach * s->unit || s->count == s->room)
+            continue;
+        struct bead_stage_bead *b = &s->beads[s->count++];
+        *b = (struct bead_stage_bead){.x = on_grid(x), .edge = {-INFINITY, INFINITY}};
+        b->r = (float)(fmax(2, round(4 * v->radius[i] * v->scale)) / 4);
+        set_colour(bead_chain_colour(v->setup.chain, v->first + i), b->colour);
+        set_light(v, b, i);
+        if (s->count > 1 && before + 1 == i)
+            join(v, b - 1, b);
+        before = i;
+    }
+    put_wall(v);
+    if (s->count > 0 && s->wall.width > 0 && before + 1 == v->count) {
+        struct bead_stage_bead *last = &s->beads[s->count - 1];
+        last->edge[1] = s->wall.x;
+        last->near[1] = (float)fmin(1, fmax(0, 1.15 - (s->wall.x - last->x - last->r) / (alone * s->unit)));
+    }
+}
+
+/* ---- the row of all beads ---- */
+
+static uint8_t level(double x)
+{
+    return (uint8_t)lround(255 * fmin(1, fmax(0, x)));
+}
+
+static void row_ball(const struct bead_view *v, size_t i, struct bead_ball *ball)
+{
+    const double left = i > 0 ? v->load[i - 1] : 0, right = i < v->contacts ? v->load[i] : 0;
+    const double load = v->setup.light == BEAD_LIGHT_NONE ? 0 : v->has_contacts ? 0.5 * (left + right) : v->load[i];
+    const double *own = bead_chain_colour(v->setup.chain, v->first + i);
+    const double room = 0.5 * v->row.height - 2, r = fmin(room, fmax(0.7, 0.8 * v->radius[i] * v->row_scale));
+    float light[3];
+    bead_stage_glow(load, light);
+    const float x = on_grid(v->row_left + (v->position[i] - v->position[0]) * v->row_scale);
+    const float size = on_grid(fmin(room, r * (1 + 0.5 * load)));
+    *ball = (struct bead_ball){.x = x, .y = 0.5f * (float)v->row.height, .r = size, .left = x - size - 2, .right = x + size + 2};
+    for (int c = 0; c < 3; c++)
+        ball->rgba[c] = level(own[c] + (1 - own[c]) * fmin(1, 0.9 * light[c]));
+    ball->rgba[3] = 255;
+}
+
+/* A position along the chain at a place on the stage. */
+static double position_of(const struct bead_view *v, double place)
+{
+    size_t i = 0;
+    while (i + 2 < v->count && v->place[i + 1] < place)
+        i++;
+    if (v->count < 2)
+        return v->position[0] + place - v->place[0];
+    return v->position[i] + (place - v->place[i]) * (v->position[i + 1] - v->position[i]) / (v->place[i + 1] - v->place[i]);
+}
+
+static double row_x(const struct bead_view *v, double place)
+{
+    return v->row_left + (position_of(v, place) - v->position[0]) * v->row_scale;
+}
+
+static void mark_window(struct bead_view *v)
+{
+    const double line = round(fmax(1, v->look.line)), high = v->row.height;
+    const double from = round(fmax(0, row_x(v, v->left / v->scale)));
+    const double to = round(fmin(v->row.width, row_x(v, (v->left + v->strip.width) / v->scale)));
+    const double boxes[4][4] = {
+        {from, 0, to, line}, {from, high - line, to, high}, {from, 0, from + line, high}, {to - line, 0, to, high}};
+    const double rgb[3] = {v->look.accent.r, v->look.accent.g, v->look.accent.b};
+    for (int k = 0; k < 4; k++) {
+        v->window[k] = (struct bead_mark){.kind = BEAD_MARK_BOX};
+        for (int c = 0; c < 4; c++)
+            v->window[k].box[c] = (float)boxes[k][c];
+        for (int c = 0; c < 3; c++)
+            v->window[k].rgba[c] = level(rgb[c]);
+        v->window[k].rgba[3] = 255;
+    }
+}
+
+void bead_stage_compose_row(struct bead_view *v)
+{
+    for (size_t i = 0; i < v->count; i++)
+        row_ball(v, i, &v->balls[i]);
+    mark_window(v);
+}

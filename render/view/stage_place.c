@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Places the stage and the row of all beads in the view's rectangle, and draws what never changes. */
+#include <math.h>
+#include <stdio.h>
+
+#include "render/draw/axis.h"
+#include "render/view/panel.h"
+#include "render/view/stage_view.h"
+
+/* Beads side by side: more are in view where the stage is low, less only where there are no more. */
+static const double least_across = 14.5, best_across = 16;
+/* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
+static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
+/* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. It begins so many beads early. */
+static const double pulse = 5, early = 2;
+
+static double length_of(const struct bead_view *v, double ends[2])
+{
+    const bool striker = v->first == 0 && bead_chain_spec(v->setup.chain)->striker_velocity > 0;
+    ends[0] = v->ends[0] - (striker ? before_striker : beyond_rest) * v->largest;
+    ends[1] = v->ends[1] + (v->wall ? beyond_wall : beyond_rest) * v->largest;
+    return ends[1] - ends[0];
+}
+
+/* The largest radius, px, that fits; all beads are in view if they can be nearly as large. */
+static double choose_radius(const struct bead_view *v, double width, double height, double length, bool *all)
+{
+    const double high = height / (bead_stage_above + bead_stage_below), whole = width * v->largest / length;
+    const double wanted = fmin(high, width / (2 * best_across));
+    *all = whole >= 0.8 * wanted;
+    const double r = *all ? fmin(high, whole) : fmin(high, width / (2 * least_across));
+    return fmax(1, floor(2 * r) / 2);
+}
+
+double bead_stage_height(double width)
+{
+    return (bead_stage_above + bead_stage_below) * width / (2 * least_across);
+}
+
+static void set_camera(struct bead_view *v, const double ends[2])
+{
+    const double spacing = v->count > 1 ? (v->place[v->count - 1] - v->place[0]) / (double)(v->count - 1) : 2 * v->largest;
+    const double across = v->strip.width / (spacing * v->scale), beads = floor(fmax(across - pulse, 0.5 * across));
+    v->camera = (struct bead_step_camera){.width = v->strip.width,
+                                          .step = round(beads * spacing * v->scale),
+                                          .lead = fmin(early, 0.25 * beads) * spacing * v->scale,
+                                          .ends = {ends[0] * v->scale, ends[1] * v->scale}};
+}
+
+static void set_row(struct bead_view *v, int height)
+{
+    const double length = v->position[v->count - 1] - v->position[0] + v->radius[0] + v->radius[v->count - 1];
+    v->row = (struct bead_rect){v->strip.x, v->strip.y + v->strip.height, v->strip.width, height};
+    v->row_scale = v->plot.width / length;
+    v->row_left = v->plot.x - v->strip.x + v->radius[0] * v->row_scale;
+}
+
+enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
+{
+    const struct bead_look *look = &v->look;
+    const int *beyond = v->setup.beyond;
+    double ends[2];
+    const double length = length_of(v, ends), em = look->tick, width = v->plot.width + beyond[0] + beyond[1];
+    const double head = v->setup.axes && v->plot.height > 9 * em ? ceil(1.5 * look->label) : 0;
+    const double numbers = v->setup.axes && v->setup.bead_labels && v->plot.height > 6 * em ? ceil(1.45 * em) : 0;
+    const double row = ceil(fmax(6, 0.8 * em));
+    bool all;
+    choose_radius(v, width, v->plot.height - head - numbers, length, &all);
+    const double below = numbers + (all ? 0 : row);
+    const double r = choose_radius(v, width, v->plot.height - head - below, length, &all);
+    v->strip = (struct bead_rect){v->plot.x - beyond[0], v->plot.y, (int)width, (int)(v->plot.height - below)};
+    v->scale = r / v->largest;
+    if (all)
+        v->left = floor(0.5 * ((ends[0] + ends[1]) * v->scale - width));
+    else
+        set_camera(v, ends);
+    if (all)
+        v->row = (struct bead_rect){v->strip.x, v->strip.y + v->strip.height, v->strip.width, 0};
+    else
+        set_row(v, (int)row);
+    /* What is left over goes above and below. */
+    const double spare = fmax(0, v->strip.height - head - (bead_stage_above + bead_stage_below) * r);
+    const double centre = floor(head + bead_stage_above * r + 0.5 * spare);
+    v->head = (int)fmax(0, floor(centre - bead_stage_above * r));
+    v->stage.theme = look->dark ? &bead_stage_dark : &bead_stage_light;
+    v->stage.width = v->strip.width;
+    v->stage.height = v->strip.height;
+    v->stage.unit = (float)r;
+    v->stage.centre = (float)centre;
+    v->stage.room = v->count;
+    return bead_stage_open(&v->stage, msg);
+}
+
+/* ---- what never changes ---- */
+
+static void draw_backdrop(const struct bead_view *v, cairo_t *cr)
+{
+    for (int y = 0; y < v->strip.height; y++) {
+        float base[3];
+        bead_stage_base(&v->stage, (float)y + 0.5f, base);
+        cairo_set_source_rgb(cr, bead_stage_shown(base[0]), bead_stage_shown(base[1]), bead_stage_shown(base[2]));
+        cairo_rectangle(cr, v->strip.x, v->strip.y + y, v->strip.width, 1);
+        cairo_fill(cr);
+    }
+}
+
+/* Numbers below the row, or below the beads where all are on the stage. */
+static void draw_numbers(const struct bead_view *v, cairo_t *cr)
+{
+    const struct bead_look *look = &v->look;
+    const struct bead_chain_axis along = bead_chain_axis(v->setup.chain, false);
+    const int bottom = v->row.y + v->row.height;
+    struct bead_axis axis;
+    struct bead_text_style style = {.family = look->family,
+                                    .size = look->tick,
+                                    .colour = look->faint,
+                                    .across = BEAD_ALIGN_MIDDLE,
+                                    .down = BEAD_ALIGN_BASELINE};
+    if (!v->setup.axes || !v->setup.bead_labels || bottom + look->tick > v->plot.y + v->plot.height)
+        return;
+    bead_axis_along_chain(&axis, v->setup.chain, false, v->first, v->first + v->count - 1, v->plot.width, look->tick, true);
+    for (size_t k = 0; k < axis.count; k++) {
+        const double bead = (axis.ticks[k].value - along.first) / along.spacing - (double)v->first;
+        if (bead < 0 || bead >= (double)v->count)
+            continue;
+        const size_t i = (size_t)bead;
+        const double x =
+            v->row.height > 0 ? v->row_left + (v->position[i] - v->position[0]) * v->row_scale : v->place[i] * v->scale - v->left;
+        bead_text_draw(cr, &style, v->strip.x + x, bottom + 1.1 * look->tick, axis.ticks[k].label);
+    }
+}
+
+enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *)
+{
+    draw_backdrop(v, cr);
+    draw_numbers(v, cr);
+    return BEAD_OK;
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stage view's own state: large beads on the stage, and below it the row of all beads with the window marked. */
+#pragma once
+
+#include "beadreel/view.h"
+#include "render/paint/paint.h"
+#include "render/paint/stage.h"
+#include "render/view/camera.h"
+#include "render/view/camera_steps.h"
+#include "render/view/latest.h"
+
+struct bead_view {
+    struct bead_view_setup setup;
+    struct bead_look look;
+
+    /* The chain's beads first .. first + count - 1, and the contacts between them, are shown; with the wall, one contact more. */
+    size_t first, count, contacts;
+    const double *position, *radius; /* of bead `first` on */
+    double largest;                  /* m: radius */
+    double *place;                   /* m: centres on the floor at rest, where beads of unlike radii touch */
+    double ends[2];                  /* m: outer edges there */
+    double full;                     /* N, or the field's unit: full light */
+    bool has_contacts, wall;
+
+    /* The last two samples: displacement (m), force (N) of each contact or value of each bead, and where they are now. */
+    double *u[2], *force[2], *shift, *load;
+    struct bead_latest latest;
+    double *numbers; /* memory of these */
+
+    /* px of the frame: plot; the stage with its headroom; rows that only decorate draws; the row of all beads. */
+    struct bead_rect plot, strip;
+    int head;
+    double scale; /* px a metre, of the stage */
+    struct bead_stage stage;
+    struct bead_step_camera camera; /* px; width 0: all beads are shown */
+    double left;                    /* px along the stage at the strip's left edge */
+
+    struct bead_rect row; /* height 0: none */
+    double row_left, row_scale;
+    struct bead_ball *balls, *old_balls;
+    struct bead_mark window[4], old_window[4];
+    struct bead_canvas *canvas; /* borrowed */
+    struct bead_backdrop *backdrop;
+    bool drawn;
+};
+
+/* Divides the plot. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
+/* Brings displacements, loads and camera to `time`; once for each frame. */
+void bead_stage_advance(struct bead_view *v, double time);
+/* Puts the beads in view on the stage. */
+void bead_stage_compose(struct bead_view *v);
+/* Balls of the row, and the mark around the window. */
+void bead_stage_compose_row(struct bead_view *v);
+/* Height, px, of a stage of this width with the largest beads that it may have. */
+double bead_stage_height(double width);

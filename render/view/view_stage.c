@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* View: beads as actors. Large beads in their materials' colours on a floor, with light at each contact for its force; a camera
+ * follows the wave, and a row of all beads shows where it is. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/law.h"
+#include "render/draw/raster.h"
+#include "render/view/magnify.h"
+#include "render/view/stage_view.h"
+#include "render/view/views.h"
+#include "sim/chain/system.h"
+
+static bool contacts_of(const struct bead_chain *chain)
+{
+    return bead_chain_spec(chain)->system->has_contacts;
+}
+
+static unsigned stage_fields(const struct bead_view_setup *setup)
+{
+    return BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) |
+           BEAD_FIELD_BIT(contacts_of(setup->chain) ? BEAD_FIELD_CONTACT_FORCE : setup->field);
+}
+
+static void stage_destroy(struct bead_view *v)
+{
+    if (!v)
+        return;
+    bead_stage_close(&v->stage);
+    bead_backdrop_destroy(v->canvas, v->backdrop);
+    free(v->numbers);
+    free(v->balls);
+    free(v);
+}
+
+/* Beads stand on the floor: centres of neighbours that touch are nearer to each other along it than the sum of unlike radii. */
+static void place_beads(struct bead_view *v)
+{
+    v->ends[0] = INFINITY;
+    v->ends[1] = -INFINITY;
+    for (size_t i = 0; i < v->count; i++) {
+        if (i > 0) {
+            const double along = v->position[i] - v->position[i - 1], rise = v->radius[i] - v->radius[i - 1];
+            v->place[i] = v->place[i - 1] + sqrt(fmax(0.01 * along * along, along * along - rise * rise));
+        }
+        v->largest = fmax(v->largest, v->radius[i]);
+        v->ends[0] = fmin(v->ends[0], v->place[i] - v->radius[i]);
+        v->ends[1] = fmax(v->ends[1], v->place[i] + v->radius[i]);
+    }
+}
+
+/* Force of full light: the largest shown, or where another field is, that of the striker's hit. */
+static double full_light(const struct bead_view_setup *setup)
+{
+    const bool force = setup->field == BEAD_FIELD_FORCE || setup->field == BEAD_FIELD_CONTACT_FORCE;
+    if (force || !contacts_of(setup->chain))
+        return fmax(fabs(setup->colours.low), fabs(setup->colours.high));
+    const struct bead_law_spec *spec = &bead_chain_spec(setup->chain)->law;
+    const double compression = bead_compression_scale(setup->chain);
+    return compression > 0 ? spec->row->force(bead_chain_stiffness(setup->chain)[0], spec, compression) : 0;
+}
+
+static bool make_arrays(struct bead_view *v)
+{
+    const size_t n = v->count, k = v->contacts;
+    v->numbers = calloc(4 * n + 3 * k + 1, sizeof *v->numbers);
+    v->balls = calloc(2 * n, sizeof *v->balls);
+    if (!v->numbers || !v->balls)
+        return false;
+    v->old_balls = v->balls + n;
+    v->u[0] = v->numbers;
+    v->u[1] = v->u[0] + n;
+    v->shift = v->u[1] + n;
+    v->place = v->shift + n;
+    v->force[0] = v->place + n;
+    v->force[1] = v->force[0] + k;
+    v->load = v->force[1] + k;
+    return true;
+}
+
+static enum bead_error stage_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
+{
+    struct bead_view *v = *view = calloc(1, sizeof *v);
+    if (!v)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage");
+    const struct bead_chain *chain = setup->chain;
+    const size_t beads = bead_chain_beads(chain), last = setup->beads.last < beads ? setup->beads.last : beads - 1;
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->setup.look = &v->look;
+    v->first = setup->beads.first < last ? setup->beads.first : last;
+    v->count = last - v->first + 1;
+    v->position = bead_chain_position(chain) + v->first;
+    v->radius = bead_chain_radius(chain) + v->first;
+    v->has_contacts = contacts_of(chain);
+    v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
+    v->contacts = v->has_contacts ? v->count - 1 + v->wall : v->count;
+    v->full = full_light(setup);
+    if (!make_arrays(v)) {
+        stage_destroy(v);
+        *view = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage of %zu beads", last - setup->beads.first + 1);
+    }
+    place_beads(v);
+    return BEAD_OK;
+}
+
+static enum bead_error stage_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)
+{
+    v->plot = plot;
+    v->canvas = canvas;
+    return bead_stage_divide(v, msg);
+}
+
+static enum bead_error stage_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
+{
+    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT];
+    const double *value = sample->field[v->has_contacts ? BEAD_FIELD_CONTACT_FORCE : v->setup.field];
+    if (!u || !value)
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a stage needs displacements and forces of contacts");
+    bead_latest_feed(&v->latest, sample->time);
+    memcpy(v->u[v->latest.newest], u + v->first, v->count * sizeof *u);
+    memcpy(v->force[v->latest.newest], value + v->first, v->contacts * sizeof *value);
+    return BEAD_OK;
+}
+
+static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, const struct bead_frame *background,
+                                 struct bead_changes *changes, struct bead_message *msg)
+{
+    bead_stage_compose_row(v);
+    const bool same = v->drawn && changes && memcmp(v->balls, v->old_balls, v->count * sizeof *v->balls) == 0 &&
+                      memcmp(v->window, v->old_window, sizeof v->window) == 0;
+    if (same)
+        return BEAD_OK;
+    memcpy(v->old_balls, v->balls, v->count * sizeof *v->balls);
+    memcpy(v->old_window, v->window, sizeof v->window);
+    enum bead_error err = v->backdrop ? BEAD_OK : bead_backdrop_create(v->canvas, background, v->row, &v->backdrop, msg);
+    if (!err)
+        err = bead_paint_begin(v->canvas, v->backdrop, frame, (struct bead_rect){0, 0, v->row.width, v->row.height}, msg);
+    if (err)
+        return err;
+    bead_paint_balls(v->canvas, v->balls, v->count);
+    bead_paint_marks(v->canvas, v->window, sizeof v->window / sizeof *v->window);
+    if (changes)
+        bead_changes_add(changes, v->row);
+    return bead_paint_end(v->canvas, msg);
+}
+
+static enum bead_error stage_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
+                                  struct bead_changes *changes, struct bead_message *msg)
+{
+    if (!v->canvas)
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a stage needs a canvas to be painted on");
+    if (v->latest.fed == 0)
+        return BEAD_OK;
+    bead_stage_advance(v, time);
+    bead_stage_compose(v);
+    enum bead_error err = bead_stage_prepare(&v->stage, msg);
+    if (!err)
+        err = bead_paint_stage(v->canvas, &v->stage, v->strip, v->head, frame, msg);
+    if (!err && changes)
+        bead_changes_add(changes, (struct bead_rect){v->strip.x, v->strip.y + v->head, v->strip.width, v->strip.height - v->head});
+    if (!err && v->row.height > 0)
+        err = paint_row(v, frame, background, changes, msg);
+    v->drawn = !err;
+    return err;
+}
+
+/* The camera follows the wave also in frames that are not drawn. */
+static void stage_pass(struct bead_view *v, double time)
+{
+    if (v->latest.fed > 0)
+        bead_stage_advance(v, time);
+}
+
+static void draw_row(struct bead_view *v, cairo_t *cr)
+{
+    bead_stage_compose_row(v);
+    for (size_t i = 0; i < v->count; i++) {
+        const struct bead_ball *ball = &v->balls[i];
+        cairo_set_source_rgb(cr, ball->rgba[0] / 255.0, ball->rgba[1] / 255.0, ball->rgba[2] / 255.0);
+        cairo_arc(cr, v->row.x + ball->x, v->row.y + ball->y, ball->r, 0, 2 * M_PI);
+        cairo_fill(cr);
+    }
+    cairo_set_source_rgb(cr, v->look.accent.r, v->look.accent.g, v->look.accent.b);
+    for (size_t k = 0; k < sizeof v->window / sizeof *v->window; k++) {
+        const float *box = v->window[k].box;
+        cairo_rectangle(cr, v->row.x + box[0], v->row.y + box[1], box[2] - box[0], box[3] - box[1]);
+        cairo_fill(cr);
+    }
+}
+
+/* Light has no paths: the stage is an image there. */
+static enum bead_error draw_stage(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
+{
+    struct bead_frame frame = {0};
+    struct bead_canvas *canvas = NULL;
+    const struct bead_rect all = {0, 0, v->strip.width, v->strip.height};
+    enum bead_error err = bead_frame_create(all.width, all.height, &frame, msg);
+    if (!err)
+        err = bead_canvas_create("plain", all.width, all.height, &canvas, msg);
+    if (!err)
+        err = bead_paint_stage(canvas, &v->stage, all, v->head, &frame, msg);
+    if (!err) {
+        cairo_surface_t *surface = bead_raster_surface(&frame);
+        cairo_set_source_surface(cr, surface, v->strip.x, v->strip.y);
+        cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
+        cairo_rectangle(cr, v->strip.x, v->strip.y + v->head, all.width, all.height - v->head);
+        cairo_fill(cr);
+        cairo_surface_destroy(surface);
+    }
+    bead_canvas_destroy(canvas);
+    bead_frame_free(&frame);
+    return err;
+}
+
+static enum bead_error stage_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *msg)
+{
+    if (v->latest.fed == 0)
+        return BEAD_OK;
+    bead_stage_advance(v, time);
+    bead_stage_compose(v);
+    enum bead_error err = bead_stage_prepare(&v->stage, msg);
+    if (!err)
+        err = draw_stage(v, cr, msg);
+    if (!err && v->row.height > 0)
+        draw_row(v, cr);
+    return err;
+}
+
+/* Natural height of a plot of this width: beads as large as they get, and what is above and below. */
+static double stage_most_height(const struct bead_view_setup *setup, double width)
+{
+    const double em = setup->look->tick;
+    return ceil(bead_stage_height(width) + 1.5 * setup->look->label + 2.3 * em);
+}
+
+const struct bead_view_type bead_view_stage_type = {
+    .info = &bead_view_infos[BEAD_VIEW_STAGE],
+    .fields = stage_fields,
+    .create = stage_create,
+    .place = stage_place,
+    .decorate = bead_stage_decorate,
+    .feed = stage_feed,
+    .draw = stage_draw,
+    .pass = stage_pass,
+    .vector = stage_vector,
+    .destroy = stage_destroy,
+    .most_height = stage_most_height,
+};
