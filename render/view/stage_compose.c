@@ -148,13 +148,12 @@ static void row_ball(const struct bead_view *v, size_t i, struct bead_ball *ball
     const double load = v->setup.light == BEAD_LIGHT_NONE ? 0 : v->has_contacts ? 0.5 * (left + right) : v->load[i];
     const double *own = bead_chain_colour(v->setup.chain, v->first + i);
     const double room = 0.5 * v->row.height - 2, r = fmin(room, fmax(0.7, 0.8 * v->radius[i] * v->row_scale));
-    float light[3];
-    bead_stage_glow(load, light);
+    const double lit = fmin(1, 1.5 * load), accent[3] = {v->look.accent.r, v->look.accent.g, v->look.accent.b};
     const float x = on_grid(v->row_left + (v->position[i] - v->position[0]) * v->row_scale);
     const float size = on_grid(fmin(room, r * (1 + 0.5 * load)));
     *ball = (struct bead_ball){.x = x, .y = 0.5f * (float)v->row.height, .r = size, .left = x - size - 2, .right = x + size + 2};
     for (int c = 0; c < 3; c++)
-        ball->rgba[c] = level(own[c] + (1 - own[c]) * fmin(1, 0.9 * light[c]));
+        ball->rgba[c] = level(own[c] + lit * (accent[c] - own[c]));
     ball->rgba[3] = 255;
 }
 

@@ -14,6 +14,12 @@ static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
 /* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. It begins so many beads early. */
 static const double pulse = 5, early = 2;
 
+/* Height for the key, and for a heading at its left. */
+static double headroom(const struct bead_view *v)
+{
+    return ceil(1.5 * v->look.label);
+}
+
 static double length_of(const struct bead_view *v, double ends[2])
 {
     const bool striker = v->first == 0 && bead_chain_spec(v->setup.chain)->striker_velocity > 0;
@@ -61,7 +67,7 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
     const int *beyond = v->setup.beyond;
     double ends[2];
     const double length = length_of(v, ends), em = look->tick, width = v->plot.width + beyond[0] + beyond[1];
-    const double head = v->setup.axes && v->plot.height > 9 * em ? ceil(1.5 * look->label) : 0;
+    const double head = v->setup.axes && v->plot.height > 9 * em ? headroom(v) : 0;
     const double numbers = v->setup.axes && v->setup.bead_labels && v->plot.height > 6 * em ? ceil(1.45 * em) : 0;
     const double row = ceil(fmax(6, 0.8 * em));
     bool all;
@@ -134,5 +140,7 @@ enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bea
 {
     draw_backdrop(v, cr);
     draw_numbers(v, cr);
+    if (v->setup.axes && v->head >= headroom(v))
+        bead_stage_draw_key(v, cr);
     return BEAD_OK;
 }

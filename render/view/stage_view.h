@@ -47,6 +47,12 @@ struct bead_view {
 /* Divides the plot. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
+/* The key, into the headroom. */
+void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr);
+/* The field that lights up, and its value of full light: the largest that colours show, or where they show another field, the force
+ * of the striker's hit. */
+enum bead_field bead_stage_field(const struct bead_view_setup *setup);
+double bead_stage_full(const struct bead_view_setup *setup);
 /* Brings displacements, loads and camera to `time`; once for each frame. */
 void bead_stage_advance(struct bead_view *v, double time);
 /* Puts the beads in view on the stage. */

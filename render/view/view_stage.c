@@ -19,8 +19,7 @@ static bool contacts_of(const struct bead_chain *chain)
 
 static unsigned stage_fields(const struct bead_view_setup *setup)
 {
-    return BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) |
-           BEAD_FIELD_BIT(contacts_of(setup->chain) ? BEAD_FIELD_CONTACT_FORCE : setup->field);
+    return BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(bead_stage_field(setup));
 }
 
 static void stage_destroy(struct bead_view *v)
@@ -50,8 +49,12 @@ static void place_beads(struct bead_view *v)
     }
 }
 
-/* Force of full light: the largest shown, or where another field is, that of the striker's hit. */
-static double full_light(const struct bead_view_setup *setup)
+enum bead_field bead_stage_field(const struct bead_view_setup *setup)
+{
+    return contacts_of(setup->chain) ? BEAD_FIELD_CONTACT_FORCE : setup->field;
+}
+
+double bead_stage_full(const struct bead_view_setup *setup)
 {
     const bool force = setup->field == BEAD_FIELD_FORCE || setup->field == BEAD_FIELD_CONTACT_FORCE;
     if (force || !contacts_of(setup->chain))
@@ -96,7 +99,7 @@ static enum bead_error stage_create(const struct bead_view_setup *setup, struct 
     v->has_contacts = contacts_of(chain);
     v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
     v->contacts = v->has_contacts ? v->count - 1 + v->wall : v->count;
-    v->full = full_light(setup);
+    v->full = bead_stage_full(setup);
     if (!make_arrays(v)) {
         stage_destroy(v);
         *view = NULL;
@@ -116,7 +119,7 @@ static enum bead_error stage_place(struct bead_view *v, struct bead_rect plot, s
 static enum bead_error stage_feed(struct bead_view *v, const struct bead_sample *sample, struct bead_message *msg)
 {
     const double *u = sample->field[BEAD_FIELD_DISPLACEMENT];
-    const double *value = sample->field[v->has_contacts ? BEAD_FIELD_CONTACT_FORCE : v->setup.field];
+    const double *value = sample->field[bead_stage_field(&v->setup)];
     if (!u || !value)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a stage needs displacements and forces of contacts");
     bead_latest_feed(&v->latest, sample->time);

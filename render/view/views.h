@@ -7,3 +7,6 @@
 #define BEAD_VIEW_TYPE(ID, name, ...) extern const struct bead_view_type bead_view_##name##_type;
 BEAD_VIEWS(BEAD_VIEW_TYPE)
 #undef BEAD_VIEW_TYPE
+
+/* Room, px, that the key of a stage takes at the right of its headroom. */
+double bead_stage_key_room(const struct bead_view_setup *setup);

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The key in the headroom of the stage: materials in their colours, and a scale for the light. */
+#include <math.h>
+#include <stdio.h>
+
+#include "render/draw/axis.h"
+#include "render/view/stage_view.h"
+#include "render/view/views.h"
+
+/* In units of the type's size: between entries, from a sample to its word, radius of a ball; width and height of the scale. */
+static const double between = 1.1, to_word = 0.3, ball = 0.36, scale_width = 4, scale_height = 0.5;
+enum { MOST_MATERIALS = 6 };
+
+struct key {
+    cairo_t *cr; /* NULL: measures only */
+    struct bead_text_style style;
+    double right, middle; /* the key's next entry ends here */
+};
+
+/* A word that ends at the right of what is left. */
+static void add_word(struct key *key, const char *plain)
+{
+    char markup[300];
+    double width, height;
+    bead_text_escape(plain, markup, sizeof markup);
+    bead_text_size(key->cr, &key->style, markup, &width, &height);
+    if (key->cr)
+        bead_text_draw(key->cr, &key->style, key->right, key->middle, markup);
+    key->right -= width;
+}
+
+static void add_ball(struct key *key, const double colour[3])
+{
+    const double r = ball * key->style.size, x = key->right - to_word * key->style.size - r;
+    key->right = x - r;
+    if (!key->cr)
+        return;
+    cairo_pattern_t *shades = cairo_pattern_create_radial(x - 0.3 * r, key->middle - 0.4 * r, 0.1 * r, x, key->middle, r);
+    cairo_pattern_add_color_stop_rgb(shades, 0, fmin(1, 1.25 * colour[0]), fmin(1, 1.25 * colour[1]), fmin(1, 1.25 * colour[2]));
+    cairo_pattern_add_color_stop_rgb(shades, 1, 0.6 * colour[0], 0.6 * colour[1], 0.6 * colour[2]);
+    cairo_set_source(key->cr, shades);
+    cairo_arc(key->cr, x, key->middle, r, 0, 2 * M_PI);
+    cairo_fill(key->cr);
+    cairo_pattern_destroy(shades);
+}
+
+/* Materials of the beads shown, in their order along the chain. */
+static void add_materials(struct key *key, const struct bead_view_setup *setup)
+{
+    const struct bead_scene *scene = bead_chain_scene(setup->chain);
+    const size_t *material = bead_chain_material(setup->chain);
+    size_t found[MOST_MATERIALS], count = 0;
+    for (size_t i = setup->beads.first; material && i <= setup->beads.last && i < bead_chain_beads(setup->chain); i++) {
+        const size_t own = scene->materials[material[i]].of;
+        size_t k = 0;
+        while (k < count && found[k] != own)
+            k++;
+        if (k == MOST_MATERIALS)
+            return; /* too many to be told apart by their colours */
+        found[k] = own;
+        count += k == count;
+    }
+    while (count-- > 0) {
+        key->right -= between * key->style.size;
+        add_word(key, scene->materials[found[count]].label);
+        add_ball(key, scene->materials[found[count]].colour);
+    }
+}
+
+/* From no light to full light, as on a bead beside the contact. */
+static void add_scale(struct key *key, const struct bead_view_setup *setup, double full)
+{
+    const struct bead_field_info *info = bead_chain_field(setup->chain, bead_stage_field(setup));
+    const double width = scale_width * key->style.size, height = scale_height * key->style.size;
+    char words[64];
+    bead_quantity(full, info->unit, 2, words, sizeof words);
+    add_word(key, words);
+    key->right -= to_word * key->style.size;
+    for (int i = 0; key->cr && i < 64; i++) {
+        float light[3];
+        bead_stage_glow((63 - i) / 63.0, light);
+        cairo_set_source_rgb(key->cr, bead_stage_shown(0.05 + light[0]), bead_stage_shown(0.05 + light[1]),
+                             bead_stage_shown(0.06 + light[2]));
+        cairo_rectangle(key->cr, key->right - (i + 1) * width / 64, key->middle - 0.5 * height, width / 64 + 0.5, height);
+        cairo_fill(key->cr);
+    }
+    key->right -= width + to_word * key->style.size;
+    snprintf(words, sizeof words, "light: %s  0",
+             setup->light == BEAD_LIGHT_BEADS && info->of_contacts ? bead_field_info(BEAD_FIELD_FORCE)->title : info->title);
+    add_word(key, words);
+}
+
+/* Draws the key, or measures it; returns its width, px. */
+static double add_key(cairo_t *cr, const struct bead_view_setup *setup, double right, double middle, bool materials)
+{
+    const struct bead_look *look = setup->look;
+    struct key key = {.cr = cr,
+                      .style = {.family = look->family,
+                                .size = look->tick,
+                                .colour = look->ink,
+                                .across = BEAD_ALIGN_END,
+                                .down = BEAD_ALIGN_MIDDLE},
+                      .right = right,
+                      .middle = middle};
+    const double full = bead_stage_full(setup);
+    if (setup->light != BEAD_LIGHT_NONE && setup->chain_index == 0 && full > 0)
+        add_scale(&key, setup, full);
+    if (materials)
+        add_materials(&key, setup);
+    return right - key.right;
+}
+
+double bead_stage_key_room(const struct bead_view_setup *setup)
+{
+    return setup->axes ? add_key(NULL, setup, 0, 0, true) : 0;
+}
+
+void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr)
+{
+    const double right = v->strip.x + v->strip.width - 0.5 * v->look.tick, middle = v->strip.y + 0.75 * v->look.label;
+    const double most = v->strip.width - v->look.tick;
+    for (int materials = 1; materials >= 0; materials--) {
+        if (add_key(NULL, &v->setup, 0, 0, materials) > most)
+            continue;
+        add_key(cr, &v->setup, right, middle, materials);
+        return;
+    }
+}
