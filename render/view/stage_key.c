@@ -3,13 +3,31 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "beadreel/law.h"
 #include "render/draw/axis.h"
+#include "render/view/magnify.h"
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
+#include "sim/chain/system.h"
 
 /* In units of the type's size: between entries, from a sample to its word, radius of a ball; width and height of the scale. */
 static const double between = 1.1, to_word = 0.3, ball = 0.36, scale_width = 4, scale_height = 0.5;
 enum { MOST_MATERIALS = 6 };
+
+enum bead_field bead_stage_field(const struct bead_view_setup *setup)
+{
+    return bead_chain_spec(setup->chain)->system->has_contacts ? BEAD_FIELD_CONTACT_FORCE : setup->field;
+}
+
+double bead_stage_full(const struct bead_view_setup *setup)
+{
+    const bool force = setup->field == BEAD_FIELD_FORCE || setup->field == BEAD_FIELD_CONTACT_FORCE;
+    if (force || !bead_chain_spec(setup->chain)->system->has_contacts)
+        return fmax(fabs(setup->colours.low), fabs(setup->colours.high));
+    const struct bead_law_spec *spec = &bead_chain_spec(setup->chain)->law;
+    const double compression = bead_compression_scale(setup->chain);
+    return compression > 0 ? spec->row->force(bead_chain_stiffness(setup->chain)[0], spec, compression) : 0;
+}
 
 struct key {
     cairo_t *cr; /* NULL: measures only */

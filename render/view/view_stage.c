@@ -5,9 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/law.h"
 #include "render/draw/raster.h"
-#include "render/view/magnify.h"
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/system.h"
@@ -47,21 +45,6 @@ static void place_beads(struct bead_view *v)
         v->ends[0] = fmin(v->ends[0], v->place[i] - v->radius[i]);
         v->ends[1] = fmax(v->ends[1], v->place[i] + v->radius[i]);
     }
-}
-
-enum bead_field bead_stage_field(const struct bead_view_setup *setup)
-{
-    return contacts_of(setup->chain) ? BEAD_FIELD_CONTACT_FORCE : setup->field;
-}
-
-double bead_stage_full(const struct bead_view_setup *setup)
-{
-    const bool force = setup->field == BEAD_FIELD_FORCE || setup->field == BEAD_FIELD_CONTACT_FORCE;
-    if (force || !contacts_of(setup->chain))
-        return fmax(fabs(setup->colours.low), fabs(setup->colours.high));
-    const struct bead_law_spec *spec = &bead_chain_spec(setup->chain)->law;
-    const double compression = bead_compression_scale(setup->chain);
-    return compression > 0 ? spec->row->force(bead_chain_stiffness(setup->chain)[0], spec, compression) : 0;
 }
 
 static bool make_arrays(struct bead_view *v)
