@@ -186,13 +186,22 @@ static void keep_if_room(struct bead_axis *axis, const struct room *room)
     axis->count++;
 }
 
-/* Logarithmic axes wider than this are labelled at 1, 2 ... 9 times powers of ten only. */
+/* Uneven axes wider than this are labelled at 1, 2 ... 9 times powers of ten only. */
 static const double wide = 5;
 
 static bool has_one_digit(double number)
 {
-    double mantissa = number / bead_power_of_ten((int)floor(log10(number) + 1e-9));
+    double mantissa = number == 0 ? 0 : fabs(number) / bead_power_of_ten((int)floor(log10(fabs(number)) + 1e-9));
     return fabs(mantissa - round(mantissa)) < 1e-6;
+}
+
+/* Uneven axes over several numbers of one digit have ticks only there, and with square roots below the highest power of ten only 1, 2
+ * and 5 of it: 0, 2, 5, 10, 20, 30, not 14.5. */
+static bool only_round(const struct bead_axis *axis)
+{
+    if (axis->scale == BEAD_SCALE_LOG)
+        return axis->high / axis->low > wide;
+    return axis->low <= 0 || axis->high / axis->low > wide;
 }
 
 /* On nonlinear scales: adds the roundest numbers first, while there is room between the ticks. */
@@ -207,7 +216,8 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
             return;
         for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < ENOUGH_UNEVEN; k++) {
             double shown = multiple(k, mantissa, exponent);
-            if (axis->scale == BEAD_SCALE_LOG && (!(shown > 0) || (high / low > wide && !has_one_digit(shown))))
+            const bool root = axis->scale == BEAD_SCALE_SQRT, below = i >= 3 && fabs(k) > 1; /* 7 between 5 and 10 */
+            if ((!root && !(shown > 0)) || (only_round(axis) && (!has_one_digit(shown) || (root && below))))
                 continue;
             axis_add(axis, shown, decimals_of(shown, exponent));
             keep_if_room(axis, room);

@@ -130,12 +130,17 @@ static bool words_fit(const struct drawing *d, const struct bead_text_style *sty
     return true;
 }
 
-void bead_axis_title(const struct bead_axis *axis, const char *title, char *out, size_t size)
+static void title_of(const struct bead_axis *axis, const char *title, const char *space, char *out, size_t size)
 {
     char name[2048], symbols[512];
     bead_markup_symbols(title, symbols, sizeof symbols);
     bead_markup(symbols, name, sizeof name);
-    snprintf(out, size, *axis->unit ? "%s (%s)" : "%s", name, axis->unit);
+    snprintf(out, size, *axis->unit ? "%s%s(%s)" : "%s", name, space, axis->unit);
+}
+
+void bead_axis_title(const struct bead_axis *axis, const char *title, char *out, size_t size)
+{
+    title_of(axis, title, " ", out, size);
 }
 
 /* Shrinks a title to the room, down to `least` of its full size. */
@@ -148,7 +153,8 @@ static bool shrink(const struct drawing *d, double least, double room, const cha
     return fits(d, style, 0, markup, room, INFINITY);
 }
 
-/* Finds a title that fits: a little smaller, then in lines (*wrap), then small, then only its unit, then none. */
+/* Finds a title that fits: a little smaller, then in lines (*wrap) that break neither words nor name from unit, then small, then only
+ * its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
@@ -158,9 +164,11 @@ static bool fit_title(const struct drawing *d, const char *title, struct bead_te
         return true;
     style->size = d->look->label;
     *wrap = room;
+    title_of(d->axis, title, "\u00a0", markup, size);
     if (words_fit(d, style, markup, room) && fits(d, style, room, markup, room, most_lines * line_height * style->size))
         return true;
     *wrap = 0;
+    bead_axis_title(d->axis, title, markup, size);
     if (shrink(d, smallest_title, room, markup, style))
         return true;
     if (*d->axis->unit)

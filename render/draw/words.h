@@ -4,6 +4,9 @@
 
 #include "beadreel/look.h"
 
+/* From the baseline of a heading, of images and of plots, to the plot below it, in units of the label's font size. */
+static const double bead_heading_drop = 0.6;
+
 /* Text in the look's family, from the left. */
 struct bead_text_style bead_words_style(const struct bead_look *look, double size, struct bead_rgb colour, enum bead_align down);
 /* px, of markup. */

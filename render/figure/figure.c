@@ -67,6 +67,18 @@ bool bead_figure_looks_at_beads(const struct bead_output *output)
     return !bead_views_all(&output->views, BEAD_SHOWS_ALL_TIMES);
 }
 
+/* Panels reach as far as the striker and the wall of the beads above them. */
+static void reach_beyond(const struct bead_figure *f, struct bead_cell *cell)
+{
+    int beyond[2] = {0, 0};
+    for (size_t v = 0; v < f->view_count; v++) {
+        if (f->output->views.axes && bead_view_has(cell->panel[v].type, BEAD_SHOWS_BEADS))
+            cell->panel[v].type->margins(&f->look, &beyond[0], &beyond[1]);
+    }
+    for (size_t v = 0; v < f->view_count; v++)
+        memcpy(cell->panel[v].setup.beyond, beyond, sizeof beyond);
+}
+
 static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, double magnify, struct bead_message *msg)
 {
     const struct bead_views_asked *views = &f->output->views;
@@ -95,6 +107,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }
+    reach_beyond(f, cell);
     f->coloured = bead_views_any(views, BEAD_SHOWS_COLOURS);
     f->collects = bead_views_any(views, BEAD_SHOWS_ALL_TIMES);
     f->stills = f->stills || moments;

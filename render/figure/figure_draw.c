@@ -9,6 +9,7 @@
 #include "render/draw/quantity.h"
 #include "render/draw/words.h"
 #include "render/figure/figure.h"
+#include "render/view/panel.h"
 #include "render/view/trust_words.h"
 
 struct words {
@@ -17,22 +18,20 @@ struct words {
     bool marked; /* the name is a panel's title, with markup */
 };
 
-/* "t = 1.64 ms" with as many digits as the time needs, at most three decimals; "": no view shows one moment. */
+/* "t = 1.64 ms" in the unit of the axis of time, with as many decimals as the time needs, at most three; "": no view shows one
+ * moment. */
 static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 {
-    double time = f->at;
     const char *unit = bead_chain_time_unit(f->context.chains[0]);
+    const int exponent = bead_prefix_exponent(f->time[1], unit);
+    const double shown = f->at / bead_power_of_ten(exponent);
     char text[64];
-    int exponent = bead_prefix_exponent(time, unit), digits = 1;
-    double shown = time / bead_power_of_ten(exponent);
-    int whole = shown >= 100 ? 3 : shown >= 10 ? 2 : 1;
-    for (digits = whole; digits < whole + 3; digits++) {
-        double part = bead_power_of_ten(digits - whole);
-        if (fabs(round(shown * part) / part - shown) < 1e-6 * shown)
-            break;
-    }
-    bead_quantity(time, unit, digits, text, sizeof text);
-    snprintf(markup, f->stills ? size : 1, BEAD_SYMBOL("t") " = %s", text);
+    int decimals = 0;
+    while (decimals < 3 && fabs(remainder(shown, bead_power_of_ten(-decimals))) > 1e-6 * shown)
+        decimals++;
+    bead_number(shown, decimals, text, sizeof text);
+    snprintf(markup, f->stills ? size : 1, BEAD_SYMBOL("t") " = %s%s%s%s", text, *unit ? "\u2009" : "", bead_prefix_sign(exponent),
+             unit);
 }
 
 /* A panel's heading has the letter, the title and the moment; other figures show the moment above everything. */
@@ -80,6 +79,7 @@ struct heading {
     struct words words;
     struct bead_text_style letter, name, magnetism, label;
     double gap;
+    bool comma; /* "ordered, M = 1" as in legends; else M stands apart, in its colour */
 };
 
 static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
@@ -92,8 +92,9 @@ static void make_heading(const struct bead_figure *f, const struct bead_cell *ce
     h->magnetism = bead_words_style(look, size, plain ? look->ink : look->accent, BEAD_ALIGN_BASELINE);
     h->label = bead_words_style(look, look->label, look->faint, BEAD_ALIGN_BASELINE);
     h->name.bold = !plain;
-    h->gap = 0.7 * look->label;
+    h->gap = (plain ? 0.5 : 0.7) * look->label; /* 0.5: an en space, as in headings of plots */
     h->letter.bold = true;
+    h->comma = plain;
     if (plain)
         h->words.label = h->words.moment;
 }
@@ -113,19 +114,21 @@ static void shorten(struct words *words, enum terseness terse)
 /* Returns the width of the heading with a name no longer than `longest`; draws it if `draw` is set. */
 static double put_heading(cairo_t *cr, const struct heading *h, double x, double y, double room, double longest, bool draw)
 {
-    char name[4096], label[1024], letters[2048];
+    char name[4096], label[1024], letters[2048], magnetism[160];
     const struct bead_text_style *styles[] = {&h->letter, &h->name, &h->magnetism, &h->label};
-    const double after[] = {h->gap, h->gap, 2 * h->gap, 0};
+    const bool comma = h->comma && *h->words.name;
+    const double after[] = {h->gap, comma ? 0 : h->gap, 2 * h->gap, 0};
+    snprintf(magnetism, sizeof magnetism, "%s%s", comma && *h->words.magnetism ? ", " : "", h->words.magnetism);
     if (h->words.label == h->words.moment)
         snprintf(label, sizeof label, "%s", h->words.moment);
     else
         bead_text_escape(h->words.label, label, sizeof label);
     bead_markup(h->words.letter, letters, sizeof letters);
     double letter = *h->words.letter ? bead_words_width(cr, &h->letter, letters) + h->gap : 0;
-    double after_name = *h->words.magnetism ? h->gap + bead_words_width(cr, &h->magnetism, h->words.magnetism) : 0;
+    double after_name = *magnetism ? after[1] + bead_words_width(cr, &h->magnetism, magnetism) : 0;
     after_name += *label ? 2 * h->gap + bead_words_width(cr, &h->label, label) : 0;
     bead_words_fit(cr, &h->name, h->words.name, h->words.marked, draw ? room - letter - after_name : INFINITY, name, sizeof name);
-    const char *words[] = {letters, name, h->words.magnetism, label};
+    const char *words[] = {letters, name, magnetism, label};
     double begin = x, end = x;
     for (size_t i = 0; i < 4; i++) {
         if (!*words[i])
@@ -139,9 +142,9 @@ static double put_heading(cairo_t *cr, const struct heading *h, double x, double
     return end - begin;
 }
 
-static enum terseness find_terseness(const struct bead_figure *f, cairo_t *cr)
+int bead_figure_terseness(const struct bead_figure *f, cairo_t *cr)
 {
-    enum terseness terse = NAME_M_LABEL;
+    enum terseness terse = (enum terseness)f->set.terseness;
     for (size_t c = 0; c < f->cell_count; c++) {
         for (; terse < CUT_NAME; terse++) {
             struct heading h;
@@ -165,8 +168,8 @@ bool bead_figure_heading(const struct bead_figure *f, const struct bead_cell *ce
         return any;
     const struct bead_rect *box = &cell->heading;
     make_heading(f, cell, &h);
-    shorten(&h.words, find_terseness(f, cr));
-    put_heading(cr, &h, box->x, box->y + box->height - 0.6 * f->look.label, box->width, INFINITY, true);
+    shorten(&h.words, (enum terseness)bead_figure_terseness(f, cr));
+    put_heading(cr, &h, box->x, box->y + box->height - bead_heading_drop * f->look.label, box->width, INFINITY, true);
     return true;
 }
 
@@ -221,7 +224,8 @@ static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell
 
 void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
 {
-    const char *name = bead_chain_field(f->context.chains[0], f->output->shown.field)->title;
+    const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->shown.field);
+    const char *name = f->view_count > 1 ? bead_field_short(field) : field->title; /* as the profile's axis has it */
     bool largest = false;
     for (size_t v = 0; v < f->view_count; v++)
         largest = largest || bead_view_has(f->cells[0].panel[v].type, BEAD_SHOWS_IMAGE);

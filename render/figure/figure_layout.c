@@ -176,7 +176,7 @@ static void measure_bar(struct plan *plan)
         reach = box->column + 1 == f->columns ? fmax(reach, ceil(box->reach.right)) : reach;
         box->reach.right = box->column + 1 == f->columns ? 0 : box->reach.right;
     }
-    plan->bar_gap = fmax(reach + round(0.3 * em), round(bar_gap * em));
+    plan->bar_gap = fmax(reach + round(0.5 * em), round(bar_gap * em));
     bar->least = fmax(plan->bar_least, plan->bar_gap + bar_width(f) + ceil(bar_labels(f, f->bar.height)));
 }
 

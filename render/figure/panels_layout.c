@@ -104,15 +104,22 @@ static bool same_axis(const struct still_panel *a, const struct still_panel *b, 
     return x.title && y.title && strcmp(x.title, y.title) == 0 && x.low == y.low && x.high == y.high;
 }
 
+/* The row below has the numbers of all axes of this row, so that they are in the same places, in all panels or in none. */
+static bool numbers_below(const struct bead_still *s, size_t row)
+{
+    bool all = panels_columns(s, row) == panels_columns(s, row + 1);
+    for (size_t p = 0; all && p < s->count; p++)
+        all = s->panels[p].row != row || same_axis(&s->panels[p], panels_at(s, row + 1, s->panels[p].column), false);
+    return all;
+}
+
 static void share(struct bead_still *s)
 {
     panels_find_groups(s);
     for (size_t p = 0; p < s->count; p++) {
         struct still_panel *panel = &s->panels[p];
-        const struct still_panel *below = panels_at(s, panel->row + 1, panel->column);
         const struct still_panel *left = panel->column > 0 ? panels_at(s, panel->row, panel->column - 1) : NULL;
-        bool aligned = below && panels_columns(s, panel->row) == panels_columns(s, panel->row + 1);
-        panel->set.no_across = aligned && same_axis(panel, below, false);
+        panel->set.no_across = numbers_below(s, panel->row);
         panel->set.no_upwards = panel->figure && left && left->figure && same_axis(panel, left, true);
         panel->set.no_bar = panel->figure && !has_own_bar(s, panel);
         if (panel->figure)

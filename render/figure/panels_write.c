@@ -84,6 +84,15 @@ static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_m
     enum bead_error err = BEAD_OK;
     bead_look_paint(&s->look, cr);
     graph_page_draw(&s->words, &s->look, cr, s->panels[0].area.x + s->panels[0].insets.left);
+    int terseness = 0; /* all headings say as much as the one with least room */
+    for (size_t p = 0; p < s->count; p++) {
+        const int least = s->panels[p].figure ? bead_figure_terseness(s->panels[p].figure, cr) : 0;
+        terseness = least > terseness ? least : terseness;
+    }
+    for (size_t p = 0; p < s->count; p++) {
+        if (s->panels[p].figure)
+            s->panels[p].figure->set.terseness = terseness;
+    }
     for (size_t p = 0; !err && p < s->count; p++) {
         const struct still_panel *panel = &s->panels[p];
         err = panel->figure ? bead_figure_decorate(panel->figure, cr, msg) : draw_plot(s, panel, cr, msg);

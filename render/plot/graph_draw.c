@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A graph onto a page: panels with their axes, words and legends. The last step: the layout is known. */
+#include "render/draw/words.h"
 #include "render/plot/graph_private.h"
 
 static void graph_draw_words(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell)
@@ -16,8 +17,10 @@ static void graph_draw_words(cairo_t *cr, const struct bead_look *look, const st
 static void graph_draw_head(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
 {
     struct bead_text_style style = graph_text(layout->look);
+    style.down = BEAD_ALIGN_BASELINE; /* as high as headings of images */
     if (cell->head)
-        bead_text_draw_lines(cr, &style, cell->plot.width, cell->plot.x, cell->plot.y - layout->head[cell->row], cell->head);
+        bead_text_draw_lines(cr, &style, -cell->plot.width, cell->plot.x, cell->plot.y - bead_heading_drop * layout->look->label,
+                             cell->head);
 }
 
 static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)

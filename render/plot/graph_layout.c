@@ -90,8 +90,7 @@ static enum bead_error graph_prepare(struct graph_layout *l, struct bead_message
     const struct bead_graph *graph = l->graph;
     size_t entries = 1;
     l->cells = calloc(graph->panel_count, sizeof *l->cells);
-    l->head = calloc(l->rows, sizeof *l->head);
-    bool good = l->cells && l->head;
+    bool good = l->cells;
     for (size_t p = 0; good && p < graph->panel_count; p++) {
         struct graph_cell *cell = &l->cells[p];
         cell->panel = &graph->panels[p];
@@ -126,7 +125,6 @@ void graph_layout_free(struct graph_layout *l)
         free(cell->head);
     }
     free(l->cells);
-    free(l->head);
     bead_layout_free(&l->grid);
     free(l->legend.entries);
     free(l->page.title);
@@ -189,7 +187,7 @@ static double head_height(const struct graph_layout *l, const struct graph_cell 
     double width, height;
     if (!cell->head)
         return 0;
-    bead_text_size_lines(NULL, &style, cell->plot.width, cell->head, &width, &height);
+    bead_text_size_lines(NULL, &style, -cell->plot.width, cell->head, &width, &height);
     return ceil(height + head_gap * l->look->label);
 }
 
@@ -221,13 +219,11 @@ static enum bead_error graph_measure(void *user, struct bead_message *)
 {
     struct graph_layout *l = user;
     take_plots(l);
-    memset(l->head, 0, l->rows * sizeof *l->head);
     for (size_t p = 0; p < l->grid.count; p++) {
         struct graph_cell *cell = &l->cells[p];
         struct bead_insets *reach = &l->grid.boxes[p].reach;
         *reach = reach_of(l, cell);
-        l->head[cell->row] = fmax(l->head[cell->row], head_height(l, cell));
-        reach->top = fmax(reach->top, l->head[cell->row]);
+        reach->top = fmax(reach->top, head_height(l, cell));
     }
     return BEAD_OK;
 }

@@ -91,7 +91,6 @@ struct graph_layout {
     struct graph_page page;
     struct graph_legend legend; /* outside of all panels */
     bool legend_right;
-    double *head;                 /* [rows]: heights of letters and titles */
     struct bead_layout_grid grid; /* its boxes are the plots */
 };
 

@@ -90,6 +90,13 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
     return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
 }
 
+/* On dark pages the panel itself is seen. */
+static void draw_frame(const struct bead_view *v, cairo_t *cr)
+{
+    if (v->setup.axes && !v->look.dark)
+        bead_box_draw(cr, &v->look, bead_panel_rect(&v->setup, v->plot));
+}
+
 static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *)
 {
     const struct bead_view_setup *s = &v->setup;
@@ -101,8 +108,7 @@ static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, stru
     bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->columns, v->look.tick, !down(v));
     const char *name = bead_axis_along_chain(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first,
                                              s->beads.last, v->places, v->look.tick, down(v));
-    if (!v->look.dark)
-        bead_box_draw(cr, &v->look, bead_panel_rect(s, v->plot));
+    draw_frame(v, cr);
     if (down(v)) {
         bead_panel_axis(cr, s, &time, v->plot, true, "time");
         bead_panel_chain_axis(cr, s, &beads, v->plot, s->bead_labels ? name : NULL);
@@ -361,6 +367,7 @@ static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_
         status = cairo_status(cr);
     }
     stroke_mark(v, cr);
+    draw_frame(v, cr); /* again: viewers stretch the image to whole pixels of theirs, over its frame */
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 

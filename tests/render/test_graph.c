@@ -60,9 +60,9 @@ static void assert_nothing_hidden(const struct graph_layout *layout, const char 
         double width, height = 0;
         struct bead_text_style style = graph_text(layout->look);
         if (cell->head)
-            bead_text_size_lines(NULL, &style, cell->plot.width, cell->head, &width, &height);
-        if (height > layout->head[cell->row] || layout->head[cell->row] > layout->grid.rows.lane[1 + cell->row].reach[0])
-            fail_msg("%s: the heading of panel %zu reaches into it", what, p);
+            bead_text_size_lines(NULL, &style, -cell->plot.width, cell->head, &width, &height);
+        if (height > 1.8 * style.size || height > layout->grid.rows.lane[1 + cell->row].reach[0])
+            fail_msg("%s: the heading of panel %zu has more than its line", what, p);
     }
 }
 

@@ -129,8 +129,14 @@ static void test_uneven_ticks(void **state)
         bead_axis_make(&axis, 0, high, "J", BEAD_SCALE_SQRT, length, look.tick, horizontal);
         check_axis(&look, &axis, length, horizontal);
         assert_true(axis.count >= 2 && axis.ticks[0].value == 0);
-        bead_axis_make(&axis, -high, high, "m/s", BEAD_SCALE_SQRT, length, look.tick, horizontal);
-        check_axis(&look, &axis, length, horizontal);
+        for (int both = 0; both < 2; both++) {
+            bead_axis_make(&axis, both ? -high : 0, high, "m/s", BEAD_SCALE_SQRT, length, look.tick, horizontal);
+            check_axis(&look, &axis, length, horizontal);
+            for (size_t t = 0; t < axis.count; t++) { /* 2, 5, 10, 20, 30: never 14.5 */
+                const double shown = fabs(axis.ticks[t].value * axis.factor), digit = shown > 0 ? log10(shown) : 0;
+                assert_true(shown == 0 || fabs(remainder(pow(10, digit - floor(digit + 1e-9)), 1)) < 1e-6);
+            }
+        }
         bead_axis_make(&axis, high * pow(10, -draw(&random, 0.2, 12)), high, "N", BEAD_SCALE_LOG, length, look.tick, horizontal);
         check_axis(&look, &axis, length, horizontal);
         assert_true(axis.count >= 1);

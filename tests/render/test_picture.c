@@ -274,6 +274,52 @@ static void test_pdf_raster_is_the_png_s(void **state)
     free(part.rgb);
 }
 
+/* The longest run of pixels darker than paper in a row or column, from which the frame around an image stands out. */
+static int longest_line(const struct png_file *png, bool column, int index)
+{
+    int longest = 0, run = 0;
+    for (int i = 0; i < (column ? png->height : png->width); i++) {
+        const uint8_t *pixel = png->rgb + 3 * (column ? i * png->width + index : index * png->width + i);
+        run = pixel[1] < 225 ? run + 1 : 0;
+        longest = run > longest ? run : longest;
+    }
+    return longest;
+}
+
+/* At the 100 dpi of a screen, poppler paints images over whole pixels: the frame must be above them on all four sides. The image
+ * is white but for the pulse. */
+static void test_pdf_frames_are_seen_on_screens(void **state)
+{
+    (void)state;
+    char pdf[512], raster[512], command[1200];
+    if (!has_program("pdftoppm"))
+        skip_without("pdftoppm (poppler-utils)");
+    for (int size = 50; size < 60; size++) { /* the frame at other parts of a pixel */
+        char output[160];
+        snprintf(output, sizeof output, "image: s.pdf, style: paper, size: [86 mm, %d mm], dpi: 300", size);
+        struct built built = build_chain(output);
+        draw_output(&built, pulse_down_the_chain);
+        release_chain(&built);
+        in_directory("s.pdf", pdf, sizeof pdf);
+        in_directory("s.png", raster, sizeof raster);
+        snprintf(command, sizeof command, "pdftoppm -r 100 -png -singlefile %s %.*s", pdf, (int)(strlen(pdf) - 4), pdf);
+        assert_int_equal(system(command), 0);
+        struct png_file png = read_png(raster);
+        int sides[2] = {0, 0}, last[2] = {-9, -9};
+        for (int k = 0; k < 2; k++) {
+            for (int i = 0; i < (k ? png.width : png.height); i++) {
+                if (longest_line(&png, k, i) < 0.5 * (k ? png.height : png.width))
+                    continue;
+                sides[k] += i > last[k] + 2;
+                last[k] = i;
+            }
+        }
+        if (sides[0] != 2 || sides[1] < 2)
+            fail_msg("%d mm: %d lines across and %d upright", size, sides[0], sides[1]);
+        free(png.rgb);
+    }
+}
+
 static void assert_same_twice(const char *name, const char *output)
 {
     char *text[2], path[512];
@@ -360,6 +406,7 @@ int main(void)
         cmocka_unit_test(test_needs_are_no_more_than_shown),
         cmocka_unit_test(test_sensors_view_without_sensors_is_refused),
         cmocka_unit_test(test_pdf_raster_is_the_png_s),
+        cmocka_unit_test(test_pdf_frames_are_seen_on_screens),
         cmocka_unit_test(test_same_picture_same_bytes),
         cmocka_unit_test(test_svg_keeps_letters),
         cmocka_unit_test(test_nothing_is_cut),
