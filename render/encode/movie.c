@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Movies: checks, and the steps from open to close. The functions of the format are in encoder.c and hashes.c. */
+/* Movies: checks, and the steps from open to close. The functions of the format are in encoder.c and codecs.c. */
 #include "beadreel/movie.h"
 
 #include <math.h>

@@ -33,7 +33,7 @@ struct bead_movie_way {
     void (*destroy)(struct bead_movie *movie);
 };
 
-extern const struct bead_movie_way bead_movie_libav, bead_movie_hashes;
+extern const struct bead_movie_way bead_movie_libav;
 
 /* The encoder of one quality. */
 struct bead_preset {
@@ -66,10 +66,6 @@ struct bead_codec {
     int most_fps; /* 1/s: above it frames are left out, as players slow such files down; 0: no limit */
 };
 
-/* For files whose muxers write no comments: insert the text (UTF-8) before the end of a finished file. Errors: IO (also if the file
- * does not end like such files). */
-BEAD_CHECK enum bead_error bead_comment_gif(int descriptor, const char *text, struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_comment_png(int descriptor, const char *text, struct bead_message *msg);
 
 /* By the extension of `path`, ignoring case; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);

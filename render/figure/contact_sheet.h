@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
- * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_words.c, contact_sheet_draw.c. */
+ * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_draw.c (with its words). */
 #pragma once
 
 #include <stdint.h>
@@ -72,8 +72,5 @@ double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, doubl
 void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);
 /* `spin` of a cell: 1 up, 0 reversed, -1 none. */
 struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int spin);
-/* From a to b. */
-struct bead_rgb contact_sheet_mix(struct bead_rgb a, struct bead_rgb b, double part);
-void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height);
 
 extern const struct bead_sink_type bead_contact_sheet_sink;

@@ -26,5 +26,5 @@ struct bead_still_kind {
     void (*destroy)(struct bead_still *still); /* all but the struct itself */
 };
 
-extern const struct bead_still_kind bead_panels, bead_plot_still, bead_bare_image;
+extern const struct bead_still_kind bead_panels, bead_bare_image;
 extern const struct bead_sink_type bead_image_sink, bead_plot_sink;

@@ -63,10 +63,10 @@ static void *run_worker(void *argument)
 {
     struct bead_ring_buffer *ring = argument;
     struct bead_message message;
-    enum bead_error error = call(ring, NULL, BEAD_RING_MORE, &message);
+    enum bead_error err = call(ring, NULL, BEAD_RING_MORE, &message);
     pthread_mutex_lock(&ring->lock);
     for (;;) {
-        keep_error(ring, error, &message);
+        keep_error(ring, err, &message);
         if (ring->error || has_room(ring))
             pthread_cond_signal(&ring->changed);
         while (!ring->error && !ring->abandoned && !ring->closing && ring->finished == ring->submitted)
@@ -75,16 +75,16 @@ static void *run_worker(void *argument)
             break;
         void *slot = slot_at(ring, ring->finished);
         pthread_mutex_unlock(&ring->lock);
-        error = call(ring, slot, BEAD_RING_MORE, &message);
+        err = call(ring, slot, BEAD_RING_MORE, &message);
         pthread_mutex_lock(&ring->lock);
         ring->finished++;
     }
     /* The last call of `work` frees its resources, in this thread; after an error at once, as the producer may be busy for long. */
     int last = ring->error || ring->abandoned ? BEAD_RING_ABANDONED : BEAD_RING_DONE;
     pthread_mutex_unlock(&ring->lock);
-    error = call(ring, NULL, last, &message);
+    err = call(ring, NULL, last, &message);
     pthread_mutex_lock(&ring->lock);
-    keep_error(ring, error, &message);
+    keep_error(ring, err, &message);
     pthread_mutex_unlock(&ring->lock);
     return NULL;
 }

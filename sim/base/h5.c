@@ -68,10 +68,10 @@ static bool take_file(struct bead_h5 *h5)
 static bool load(struct bead_h5 *h5)
 {
     struct bead_message why;
-    enum bead_error error = bead_h5_load(&why);
-    if (error)
-        h5->error = bead_fail(h5->msg, error, "%s: %s", h5->path, why.text);
-    return !error;
+    enum bead_error err = bead_h5_load(&why);
+    if (err)
+        h5->error = bead_fail(h5->msg, err, "%s: %s", h5->path, why.text);
+    return !err;
 }
 
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg)

@@ -98,11 +98,6 @@ enum { COMMAND_MOST_WORDS = 16 };
 size_t command_words(const struct command_program *program, const struct command_option *row,
                      const char *words[COMMAND_MOST_WORDS]);
 
-/* Texts from the table of options: --help, the options of the man page, a line per option for completions, --version. */
-void command_print_help(const struct command_program *program, FILE *out);
-void command_print_man(const struct command_program *program, FILE *out);
-void command_print_words(const struct command_program *program, FILE *out);
-void command_print_version(const struct command_program *program, FILE *out);
 
 /* The exit status: that of the error, or 128 + N where signal N stopped the run. */
 int command_status(enum bead_error err, int signal);

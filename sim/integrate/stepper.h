@@ -127,7 +127,3 @@ double bead_stepper_momentum(const struct bead_stepper *stepper, const struct be
  * or close, whose quadrature is replaced (events.h). 0 for methods without an embedded one. */
 double bead_nystrom_error(const struct bead_stepper *stepper);
 
-/* step functions of the methods */
-void bead_step_rk4(struct bead_stepper *stepper, double h);
-void bead_step_nystrom(struct bead_stepper *stepper, double h);
-void bead_step_composition(struct bead_stepper *stepper, double h);

@@ -22,4 +22,4 @@ struct bead_composition {
     const double *coefficient;
 };
 
-extern const struct bead_composition bead_composition_verlet, bead_composition_pefrl, bead_composition_vefrl;
+extern const struct bead_composition bead_composition_verlet;

@@ -104,9 +104,7 @@ static enum bead_error read_scene(struct bead_trajectory *t, const struct bead_o
     BEAD_FREED char *text = bead_h5_read_text(&t->h5, BEAD_PROFILE_GROUP "/scene", longest_scene);
     if (!text)
         return t->h5.error;
-    enum bead_error error =
-        bead_scene_parse(t->path, text, strlen(text), &(struct bead_overrides){.own = own}, &t->scene, t->h5.msg);
-    return error;
+    return bead_scene_parse(t->path, text, strlen(text), &(struct bead_overrides){.own = own}, &t->scene, t->h5.msg);
 }
 
 static enum bead_error rebuild(struct bead_trajectory *t)
@@ -118,9 +116,7 @@ static enum bead_error rebuild(struct bead_trajectory *t)
     if (!t->chains || !t->rows || !t->outcomes || !t->methods)
         return bead_trajectory_no_memory(t);
     for (; t->chain_count < t->scene->chain_count; t->chain_count++) {
-        enum bead_error error = bead_chain_create(t->scene, t->chain_count, &t->chains[t->chain_count], t->h5.msg);
-        if (error)
-            return error;
+        BEAD_TRY(bead_chain_create(t->scene, t->chain_count, &t->chains[t->chain_count], t->h5.msg));
     }
     bead_trajectory_rows((const struct bead_chain *const *)t->chains, t->chain_count, t->span, t->rows, &t->beads, &t->contacts);
     return t->beads > 0 ? BEAD_OK : bead_h5_fail(&t->h5, false, "holds no bead of its scene");
@@ -219,19 +215,19 @@ static enum bead_error read_outcomes(struct bead_trajectory *t)
 
 static enum bead_error load(struct bead_trajectory *t)
 {
-    enum bead_error error = rebuild(t);
-    const bool beads = !error && t->scene->chains[0].system->has_contacts;
+    enum bead_error err = rebuild(t);
+    const bool beads = !err && t->scene->chains[0].system->has_contacts;
     if (beads)
-        error = check_beads(t, "/particles/chain/mass", bead_chain_mass);
-    if (beads && !error)
-        error = check_beads(t, "/particles/chain/radius", bead_chain_radius);
-    if (!error)
-        error = check_beads(t, "/particles/chain/rest_position", bead_chain_position);
-    if (!error)
-        error = open_sources(t);
-    if (!error)
-        error = check_times(t);
-    return error ? error : read_outcomes(t);
+        err = check_beads(t, "/particles/chain/mass", bead_chain_mass);
+    if (beads && !err)
+        err = check_beads(t, "/particles/chain/radius", bead_chain_radius);
+    if (!err)
+        err = check_beads(t, "/particles/chain/rest_position", bead_chain_position);
+    if (!err)
+        err = open_sources(t);
+    if (!err)
+        err = check_times(t);
+    return err ? err : read_outcomes(t);
 }
 
 /* Forces can be computed from the displacements of all beads, unless they depend on velocities, too. */
@@ -259,9 +255,7 @@ static enum bead_error open_file(struct bead_trajectory *t, const char *path, bo
     t->h5.file = -1;
     for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
         t->sources[i].value = -1;
-    enum bead_error error = bead_file_join(NULL, path, &t->path, msg);
-    if (error)
-        return error;
+    BEAD_TRY(bead_file_join(NULL, path, &t->path, msg));
     bead_h5_open(&t->h5, t->path, msg);
     *sweep = !t->h5.error && is_sweep(t);
     if (!t->h5.error && !*sweep)
@@ -276,15 +270,15 @@ enum bead_error bead_trajectory_begin(const char *path, const struct bead_own *o
     struct bead_trajectory *t = *trajectory = calloc(1, sizeof *t);
     if (!t)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: no memory to read it", path);
-    enum bead_error error = open_file(t, path, &sweep, msg);
-    if (!error && !sweep)
-        error = read_scene(t, own);
+    enum bead_error err = open_file(t, path, &sweep, msg);
+    if (!err && !sweep)
+        err = read_scene(t, own);
     t->h5.msg = NULL;
     if (sweep) {
         bead_trajectory_close(t);
         *trajectory = NULL;
     }
-    return error;
+    return err;
 }
 
 enum bead_error bead_trajectory_settle(struct bead_trajectory *t, struct bead_scene *changed, struct bead_message *msg)
@@ -294,27 +288,27 @@ enum bead_error bead_trajectory_settle(struct bead_trajectory *t, struct bead_sc
         bead_scene_free(t->scene);
         t->scene = changed;
     }
-    enum bead_error error = load(t);
-    if (!error)
+    enum bead_error err = load(t);
+    if (!err)
         t->derived = derivable(t);
     t->h5.msg = NULL;
-    return error;
+    return err;
 }
 
 enum bead_error bead_trajectory_open(const char *path, const struct bead_overrides *overrides, struct bead_trajectory **trajectory,
                                      struct bead_message *msg)
 {
     struct bead_scene *changed = NULL;
-    enum bead_error error = bead_trajectory_begin(path, overrides ? overrides->own : NULL, trajectory, msg);
-    if (!error && !*trajectory)
+    enum bead_error err = bead_trajectory_begin(path, overrides ? overrides->own : NULL, trajectory, msg);
+    if (!err && !*trajectory)
         return bead_fail(msg, BEAD_ERROR_FORMAT, "%s: is a sweep's file, not a trajectory", path);
-    if (!error && overrides)
-        error = bead_scene_change((*trajectory)->scene, overrides, &changed, msg);
-    if (!error)
-        error = bead_trajectory_settle(*trajectory, changed, msg);
-    if (error) {
+    if (!err && overrides)
+        err = bead_scene_change((*trajectory)->scene, overrides, &changed, msg);
+    if (!err)
+        err = bead_trajectory_settle(*trajectory, changed, msg);
+    if (err) {
         bead_trajectory_close(*trajectory);
         *trajectory = NULL;
     }
-    return error;
+    return err;
 }

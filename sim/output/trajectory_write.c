@@ -88,22 +88,22 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
         sink->fields =
             BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
     sink->rows = calloc(context->chain_count ? context->chain_count : 1, sizeof *sink->rows);
-    enum bead_error error = sink->rows ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
-    if (!error)
-        error = bead_file_join(context->directory, output->path, &sink->path, msg);
-    if (!error)
-        error = bead_file_part_name(sink->path, &sink->part, msg);
-    if (!error && output->trajectory.xdmf)
-        error = bead_file_join(context->directory, output->trajectory.xdmf, &sink->xdmf, msg);
-    if (!error)
-        error = bead_sink_grid(output, context, &sink->grid, msg);
-    if (!error)
-        error = trajectory_measure(sink, msg);
-    if (error)
+    enum bead_error err = sink->rows ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
+    if (!err)
+        err = bead_file_join(context->directory, output->path, &sink->path, msg);
+    if (!err)
+        err = bead_file_part_name(sink->path, &sink->part, msg);
+    if (!err && output->trajectory.xdmf)
+        err = bead_file_join(context->directory, output->trajectory.xdmf, &sink->xdmf, msg);
+    if (!err)
+        err = bead_sink_grid(output, context, &sink->grid, msg);
+    if (!err)
+        err = trajectory_measure(sink, msg);
+    if (err)
         trajectory_destroy(sink);
     else
         *made = sink;
-    return error;
+    return err;
 }
 
 static void trajectory_needs(const struct bead_sink *sink, struct bead_needs *needs)
@@ -153,14 +153,13 @@ static void place_rows(struct bead_sink *sink)
 
 static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_range, struct bead_message *msg)
 {
-    enum bead_error error = reserve(sink, msg);
-    if (error)
-        return error;
+    BEAD_TRY(reserve(sink, msg));
     place_rows(sink);
+    enum bead_error err = BEAD_OK;
     if (!sink->context.claimed)
-        error = bead_file_claim(sink->path, &sink->claim, msg);
-    if (error)
-        return error;
+        err = bead_file_claim(sink->path, &sink->claim, msg);
+    if (err)
+        return err;
     bead_h5_create(&sink->h5, sink->part, msg);
     if (sink->h5.error)
         return sink->h5.error;

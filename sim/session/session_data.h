@@ -92,10 +92,6 @@ static inline bool bead_session_makes(const struct bead_made *made)
     return made->sink || (made->asked && made->type && made->type->write);
 }
 
-/* session_claims.c */
-/* A scene may be a stranger's: files that it names stay in the output directory, unless the job allows more. Errors: SCENE. */
-BEAD_CHECK enum bead_error bead_session_check_inside(const struct bead_session *session, const struct bead_output *output,
-                                                     const char *path, struct bead_message *msg);
 /* Claim the files of all outputs before any is touched. On failure none is claimed. Errors: USAGE (another run is writing one), IO,
  * MEMORY. */
 BEAD_CHECK enum bead_error bead_session_claim(struct bead_session *session, struct bead_message *msg);

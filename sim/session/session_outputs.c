@@ -12,6 +12,57 @@
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
 
+/* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
+
+static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
+{
+    /* The unfinished file of a sweep's results is a journal, which locks itself. */
+    if (bead_session_holds_sweep(m) || !bead_session_makes(m))
+        return BEAD_OK;
+    uint64_t bytes;
+    const char *beside = m->sink && m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
+    const char *const files[2] = {m->path, beside};
+    for (int i = 0; i < 2 && files[i]; i++) {
+        BEAD_TRY(bead_file_make_parents(files[i], msg));
+        BEAD_TRY(bead_file_claim(files[i], &m->claims[i], msg));
+    }
+    return BEAD_OK;
+}
+
+/* A scene may be a stranger's: files that it names stay in the output directory, unless the job allows more. Errors: SCENE. */
+static enum bead_error session_check_inside(const struct bead_session *s, const struct bead_output *output, const char *path,
+                                            struct bead_message *msg)
+{
+    if (s->job.allow_outside || !path || bead_file_is_inside(path))
+        return BEAD_OK;
+    return bead_output_wrong(output, msg, "outputs: `%s` leaves the output directory; a scene may do so only with --allow-outside",
+                             path);
+}
+
+enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t i = 0; i < s->made_count && !err; i++)
+        err = claim(&s->made[i], msg);
+    if (err)
+        bead_session_release(s);
+    return err;
+}
+
+void bead_session_release_output(struct bead_made *m)
+{
+    for (int c = 0; c < 2; c++) {
+        bead_file_release(m->claims[c], c == 0 && m->part != NULL);
+        m->claims[c] = NULL;
+    }
+}
+
+void bead_session_release(struct bead_session *s)
+{
+    for (size_t i = 0; s->made && i < s->made_count; i++)
+        bead_session_release_output(&s->made[i]);
+}
+
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output, bool of_sweep)
 {
     if (output->own)
@@ -122,9 +173,9 @@ static enum bead_error place_single(const struct bead_session *s, struct bead_ma
 static enum bead_error place(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     const bool single = s->single && m == &s->made[s->amid ? s->single_index : 0];
-    enum bead_error err = single ? BEAD_OK : bead_session_check_inside(s, m->output, m->output->path, msg);
+    enum bead_error err = single ? BEAD_OK : session_check_inside(s, m->output, m->output->path, msg);
     if (!err)
-        err = bead_session_check_inside(s, m->output, m->output->movie.poster, msg);
+        err = session_check_inside(s, m->output, m->output->movie.poster, msg);
     if (!err && single)
         err = place_single(s, m, msg);
     m->asked = s->single ? single : bead_session_is_asked(s, m->output);
