@@ -290,15 +290,23 @@ struct bead_panel_asked {
     char *title;  /* or NULL */
 };
 
+/* Numbers of beads or contacts, rising. */
+struct bead_listed {
+    size_t *all; /* NULL: none are listed */
+    size_t count;
+};
+
 /* Curves and their numbers: plot, table. */
 struct bead_curves_asked {
     enum bead_show show;
     size_t modes;                             /* how many, `show: modes` */
     double profile_times[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
     size_t profile_time_count;
-    bool uncertainty; /* tables of peaks: with a column for it */
-    size_t *contacts; /* `show: sensitivities`, rising; NULL: those of the beads with sensors, or the last that has a maximum */
-    size_t contact_count;
+    bool uncertainty;            /* tables of peaks: with a column for it */
+    struct bead_listed beads;    /* that have curves or rows; none: the beads with sensors have curves, and all beads rows */
+    struct bead_listed contacts; /* the same; `show: sensitivities`: none: those of the beads with sensors, or the last that has a
+                                    maximum */
+    bool overlay;                /* the curves of all chains have one panel */
 };
 
 /* Contents of plots and tables of sweeps. */

@@ -2,6 +2,7 @@
 /* Plots: gathers their data from samples, by the functions of their kind, and makes panels of graphs. */
 #include "render/plot/plot_data.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"
@@ -47,6 +48,8 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
         free(data->parts[p].values);
         free(data->parts[p].labels);
     }
+    free(data->overlaid);
+    free(data->overlaid_labels);
     free(data->parts);
     free(data->panels);
     free(data->sample);
@@ -65,14 +68,50 @@ enum bead_error bead_plot_data_feed(struct bead_plot_data *data, const struct be
     return kind->feed ? kind->feed(data, sample, msg) : BEAD_OK;
 }
 
+/* Moves the series of all panels into the first, under the names of their chains. */
+static enum bead_error overlay(struct bead_plot_data *data, struct bead_message *msg)
+{
+    size_t all = 0, used = 0;
+    for (size_t p = 0; p < data->count; p++)
+        all += data->panels[p].series_count;
+    data->overlaid = calloc(all + 1, sizeof *data->overlaid);
+    data->overlaid_labels = calloc(all + 1, sizeof *data->overlaid_labels);
+    if (!data->overlaid || !data->overlaid_labels)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_panel *panel = &data->panels[p];
+        for (size_t k = 0; k < panel->series_count; k++, used++) {
+            const struct bead_panel *labelled = panel->series[k].label ? panel : data->panels; /* else as in the first */
+            const char *own = k < labelled->series_count && labelled->series[k].label ? labelled->series[k].label : "";
+            const char *name = panel->title ? panel->title : "";
+            const bool both = *own && *name && panel->series_count > 1;
+            data->overlaid[used] = panel->series[k];
+            snprintf(data->overlaid_labels[used], sizeof *data->overlaid_labels, "%.140s%s%.140s", name, both ? ": " : "",
+                     both || !*name ? own : "");
+            data->overlaid[used].label = data->overlaid_labels[used];
+            plot_tell_apart(&data->overlaid[used], used);
+        }
+    }
+    data->panels[0].series = data->overlaid;
+    data->panels[0].series_count = all;
+    data->panels[0].title = data->count > 1 ? NULL : data->panels[0].title;
+    return BEAD_OK;
+}
+
+static bool is_overlay(const struct bead_plot_data *data)
+{
+    return data->output->curves.overlay && data->count > 1;
+}
+
 enum bead_error bead_plot_data_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    return plot_kind_of(data)->finish(data, outcomes, msg);
+    BEAD_TRY(plot_kind_of(data)->finish(data, outcomes, msg));
+    return is_overlay(data) ? overlay(data, msg) : BEAD_OK;
 }
 
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count)
 {
-    *count = data->count;
+    *count = is_overlay(data) ? 1 : data->count;
     return data->panels;
 }
 
@@ -81,7 +120,10 @@ enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct b
 {
     const struct plot_kind *kind = plot_kind_of(data);
     BEAD_TRY(bead_plot_data_finish(data, outcomes, msg));
-    struct bead_graph graph = {
-        .panels = data->panels, .panel_count = data->count, .letters = true, .share_x = kind->share_x, .share_y = true};
+    struct bead_graph graph = {.panels = data->panels,
+                               .panel_count = is_overlay(data) ? 1 : data->count,
+                               .letters = true,
+                               .share_x = kind->share_x,
+                               .share_y = true};
     return bead_graph_write(&graph, data->output, data->context.scene, path, bytes, msg);
 }

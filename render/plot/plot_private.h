@@ -27,6 +27,8 @@ struct bead_plot_data {
     struct bead_profile_times *moments; /* of profiles */
     struct plot_panel *parts;
     struct bead_panel *panels;
+    struct bead_series *overlaid; /* of all panels, in the first; NULL: each has its own */
+    char (*overlaid_labels)[300];
     size_t count;
     char why[96], axis_title[256];
 };

@@ -10,48 +10,55 @@
 #include "render/plot/plot_private.h"
 #include "render/view/horizon.h"
 #include "render/view/trust_words.h"
+#include "sim/output/places.h"
 
 /* Number of times that a plot can distinguish. */
 static const double moments = 2000;
 
-/* The first chain's field: all chains of a scene are of one kind. */
-static const struct bead_field_info *plot_sensors_force_of(const struct bead_plot_data *data)
+/* The first chain's field: all chains of a scene are of one kind. Contacts alone have theirs. */
+static const struct bead_field_info *plot_sensors_field_of(const struct bead_plot_data *data)
 {
-    const struct bead_field_info *own = bead_chain_field(data->context.chains[data->parts[0].chain], BEAD_FIELD_FORCE);
-    return own ? own : bead_field_info(BEAD_FIELD_FORCE);
+    const struct bead_chain *chain = data->context.chains[data->parts[0].chain];
+    const enum bead_field field = bead_place_shown(data->output, chain, 0).field;
+    const struct bead_field_info *own = bead_chain_field(chain, field);
+    return own ? own : bead_field_info(field);
 }
 
-static const char *first_name(const struct bead_plot_data *data)
+/* The name of the first place of all chains, if they have one. */
+static bool first_name(const struct bead_plot_data *data, char *name, size_t size)
 {
-    size_t sensors;
-    const struct bead_sensor *first = bead_chain_sensors(data->context.chains[data->parts[0].chain], &sensors);
-    for (size_t p = 1; p < data->count; p++) {
-        const struct bead_sensor *other = bead_chain_sensors(data->context.chains[data->parts[p].chain], &sensors);
-        if (strcmp(first->name, other->name) != 0)
-            return NULL;
+    bool same = true;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_place_shown first = bead_place_shown(data->output, data->context.chains[data->parts[p].chain], 0);
+        same = same && (p == 0 || strcmp(first.name, name) == 0);
+        if (p == 0)
+            snprintf(name, size, "%s", first.name);
     }
-    return first->name;
+    return same;
 }
 
 /* All figures name normalised forces alike. */
 static void name_axis(struct bead_plot_data *data)
 {
-    const char *title = plot_sensors_force_of(data)->title, *first = first_name(data);
-    char quoted[128] = "first sensor";
-    if (first)
+    const struct bead_curves_asked *curves = &data->output->curves;
+    const bool mixed = curves->beads.all && curves->contacts.all;
+    const char *title = mixed ? "force" : plot_sensors_field_of(data)->title;
+    const char *sign = plot_sensors_field_of(data)->unit[0] == 'N' ? "F" : "y";
+    char quoted[300] = "first sensor", first[128];
+    if (first_name(data, first, sizeof first))
         bead_markup_quote(first, quoted, sizeof quoted);
     if (data->output->plot.normalise == BEAD_NORMALISE_NONE)
         snprintf(data->axis_title, sizeof data->axis_title, "%s", title);
     else if (data->output->plot.normalise == BEAD_NORMALISE_MAX)
-        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/\u2060*F*_{max}", title);
+        snprintf(data->axis_title, sizeof data->axis_title, "%s *%s*/\u2060*%s*_{max}", title, sign, sign);
     else
-        snprintf(data->axis_title, sizeof data->axis_title, "%s *F*/\u2060*F*_{max}(%s)", title, quoted);
+        snprintf(data->axis_title, sizeof data->axis_title, "%s *%s*/\u2060*%s*_{max}(%s)", title, sign, sign, quoted);
 }
 
 static void plot_sensors_make_axes(struct bead_plot_data *data)
 {
     const double *range = data->output->plot.range;
-    const char *unit = data->output->plot.normalise == BEAD_NORMALISE_NONE ? plot_sensors_force_of(data)->unit : "";
+    const char *unit = data->output->plot.normalise == BEAD_NORMALISE_NONE ? plot_sensors_field_of(data)->unit : "";
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
         const char *seconds = bead_chain_time_unit(data->context.chains[part->chain]);
@@ -69,8 +76,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
     if (!err)
         err = plot_reserve(data, data->context.chain_count, msg);
     for (size_t c = 0; !err && c < data->context.chain_count; c++) {
-        size_t sensors;
-        (void)bead_chain_sensors(data->context.chains[c], &sensors);
+        const size_t sensors = bead_places_count(output, data->context.chains[c]);
         if (sensors == 0 || !plot_shows(data, c))
             continue;
         struct plot_panel *part = &data->parts[data->count++];
@@ -95,39 +101,27 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
 
 static void plot_sensors_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    unsigned force = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
-    struct bead_span beads = {SIZE_MAX, 0};
-    for (size_t p = 0; p < data->count; p++) {
-        size_t count;
-        const struct bead_sensor *sensors = bead_chain_sensors(data->context.chains[data->parts[p].chain], &count);
-        for (size_t k = 0; k < count; k++) {
-            beads.first = sensors[k].bead < beads.first ? sensors[k].bead : beads.first;
-            beads.last = sensors[k].bead > beads.last ? sensors[k].bead : beads.last;
-        }
-    }
-    *needs = (struct bead_needs){.fields = force,
-                                 .beads = beads,
-                                 .grid = data->grid,
-                                 .comparison = data->output->shown.trust ? force : 0,
-                                 .until = data->grid.end,
-                                 .why = data->why};
+    *needs = (struct bead_needs){.beads = {SIZE_MAX, 0}, .grid = data->grid, .until = data->grid.end, .why = data->why};
+    for (size_t p = 0; p < data->count; p++)
+        bead_places_need(data->output, data->context.chains[data->parts[p].chain], needs);
+    needs->comparison = data->output->shown.trust ? needs->fields : 0;
 }
 
 static enum bead_error plot_sensors_add(struct bead_plot_data *data, struct plot_panel *part, const struct bead_sample *sample,
                                         bool difference, struct bead_message *msg)
 {
-    const double *force = sample->field[BEAD_FIELD_FORCE], *comparison = sample->comparison[BEAD_FIELD_FORCE];
     struct bead_curves *curves = difference ? &part->differences : &part->curves;
-    size_t count;
-    const struct bead_sensor *sensors = bead_chain_sensors(data->context.chains[part->chain], &count);
-    if (!force || (difference && !comparison))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no force%s", difference ? " of a comparison run" : "");
-    enum bead_error err = bead_curves_reserve(curves, msg);
-    for (size_t k = 0; !err && k < count; k++)
-        data->sample[k] = force[sensors[k].bead] - (difference ? comparison[sensors[k].bead] : 0);
-    if (!err)
-        bead_curves_add(curves, sample->time, data->sample);
-    return err;
+    for (size_t k = 0; k < curves->curves; k++) {
+        const struct bead_place_shown place = bead_place_shown(data->output, data->context.chains[part->chain], k);
+        const double *value = sample->field[place.field], *comparison = sample->comparison[place.field];
+        if (!value || (difference && !comparison))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s%s", bead_field_info(place.field)->name,
+                             difference ? " of a comparison run" : "");
+        data->sample[k] = value[place.index] - (difference ? comparison[place.index] : 0);
+    }
+    BEAD_TRY(bead_curves_reserve(curves, msg));
+    bead_curves_add(curves, sample->time, data->sample);
+    return BEAD_OK;
 }
 
 static enum bead_error plot_sensors_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
@@ -165,8 +159,7 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, 
 {
     struct plot_panel *part = &data->parts[p];
     const struct bead_curves *curves = &part->curves;
-    size_t sensors = curves->curves, room = 4 * curves->count, count;
-    const struct bead_sensor *names = bead_chain_sensors(data->context.chains[part->chain], &count);
+    const size_t sensors = curves->curves, room = 4 * curves->count;
     BEAD_TRY(plot_reserve_series(data, p, sensors, 2 * room * sensors, msg));
     for (size_t k = 0; k < sensors; k++) {
         double *x = part->values + 2 * k * room, *y = x + room, factor = plot_sensors_factor_of(data, part, k);
@@ -179,7 +172,8 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, 
                 y[used++] = factor * points[i].value;
             }
         }
-        bead_markup_quote(names[k].name, part->labels[k], sizeof part->labels[k]);
+        bead_markup_quote(bead_place_shown(data->output, data->context.chains[part->chain], k).name, part->labels[k],
+                          sizeof part->labels[k]);
         part->series[k] = (struct bead_series){.x = x, .y = y, .count = used, .mark = BEAD_MARK_LINE, .label = part->labels[k]};
         plot_tell_apart(&part->series[k], k);
     }

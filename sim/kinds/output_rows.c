@@ -132,23 +132,40 @@ const struct bead_option bead_image_rows[3] = {
 /* ---- plots and tables ---- */
 
 /* Keys of curves and of tables of their numbers. */
-const struct bead_option bead_curves_rows[3] = {
+const struct bead_option bead_curves_rows[5] = {
     {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(curves.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
      .help = "how many modes `show: modes` shows", .example = "4"},
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
-     .help = "the field that `show: profiles` shows"},
+     .help = "the field that `show: profiles` shows, and that `show: sensors` shows of beads"},
+    {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads), .shape = "a number or a list of numbers; 0 is the striker",
+     .like = "number|[number]", .read = bead_output_read_listed,
+     .help = "with `show: sensors`, the beads whose `field` is shown over time, instead of those with a sensor; with `show: "
+             "bead-peaks`, only these",
+     .example = "[20, 40]"},
+    {"contacts", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.contacts),
+     .shape = "a number or a list of numbers; contact j is between beads j and j + 1, and bead 0 is the striker",
+     .like = "number|[number]", .read = bead_output_read_listed,
+     .help =
+         "with `show: sensors`, the contacts whose force is shown over time, besides or instead of beads; with `show: peaks` of "
+         "tables, only these; and those of `show: sensitivities`: without it both contacts of each bead with a sensor, or else "
+         "the last contact whose force has had its maximum. Derivatives are good to 1e-6 of the largest of their kind where "
+         "peaks are well-conditioned (laws with a power below 1.2: to 1e-4); none with damping. A run more, and about one for "
+         "each contact",
+     .example = "[40, 57]"},
     {"at", BEAD_OPTION_CUSTOM, BEAD_TIME_OF_MOTION, .shape = "a list of times", .like = "number|[number]",
      .read = bead_output_read_profile_times,
      .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12", .example = "[0.2 ms, 0.4 ms]"},
 };
 /* Keys of plots and of panels that are plots. */
-const struct bead_option bead_plot_rows[4] = {
+const struct bead_option bead_plot_rows[5] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "sensors", .choices = plot_shows, .values = plot_values,
      .help = "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot; the "
              "energies of modes against time; profiles, a field along the chain at several times; or a schematic drawing of the "
              "experiment, of a contact or of the cells"},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = scales,
      .help = "scale of the axis of peaks"},
+    {"overlay", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.overlay), .initial = "false",
+     .help = "one panel for the curves of all chains, instead of one each; peaks always have one"},
     {"normalise", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.normalise), .initial = "none", .choices = normalisings,
      .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
              "largest force at the same sensor"},

@@ -103,6 +103,7 @@ void bead_output_free(struct bead_output *output)
     free(output->sweep_curves.threshold);
     free(output->sheet.magnetism);
     free(output->trajectory.xdmf);
-    free(output->curves.contacts);
+    free(output->curves.beads.all);
+    free(output->curves.contacts.all);
     bead_output_free_movie(output);
 }

@@ -16,16 +16,20 @@ static const char no_contacts[] = "peaks are those of contacts between beads, wh
         __VA_ARGS__, NULL \
     }
 static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
-    [BEAD_SHOW_SENSORS] = {.keys = KEYS("every", "time", "normalise"),
-                           .why_not = "sensors have forces against time, on a linear axis",
-                           .ends = PLOT | TABLE},
-    [BEAD_SHOW_PEAKS] = {.keys = KEYS("scale"), .why_not = whole_passage, .without_contacts = no_contacts, .ends = PLOT},
-    [BEAD_SHOW_BEAD_PEAKS] = {.keys = KEYS("scale"), .why_not = whole_passage, .without_contacts = no_contacts},
+    [BEAD_SHOW_SENSORS] = {.keys = KEYS("every", "time", "normalise", "field", "beads", "contacts", "overlay"),
+                           .why_not = "sensors have curves over time, on a linear axis",
+                           .ends = PLOT | TABLE,
+                           .of_field = true},
+    [BEAD_SHOW_PEAKS] = {.keys = KEYS("scale", "contacts", "overlay"),
+                         .why_not = whole_passage,
+                         .without_contacts = no_contacts,
+                         .ends = PLOT},
+    [BEAD_SHOW_BEAD_PEAKS] = {.keys = KEYS("scale", "beads"), .why_not = whole_passage, .without_contacts = no_contacts},
     [BEAD_SHOW_MEASURES] = {.keys = KEYS("every"), .why_not = "measures describe the whole run", .ends = TABLE, .own_times = true},
     [BEAD_SHOW_MODES] = {.keys = KEYS("every", "time", "modes", "scale"),
                          .why_not = "modes have energies over time",
                          .modes = true},
-    [BEAD_SHOW_PROFILES] = {.keys = KEYS("field", "at"),
+    [BEAD_SHOW_PROFILES] = {.keys = KEYS("field", "at", "overlay"),
                             .why_not = "profiles have the times `at`",
                             .ends = PLOT | TABLE,
                             .of_field = true},
@@ -53,7 +57,8 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
-    static const char *const keys[] = {"every", "time", "modes", "field", "at", "scale", "normalise", "contacts"};
+    static const char *const keys[] = {"every", "time",      "modes",    "field", "at",
+                                       "scale", "normalise", "contacts", "beads", "overlay"};
     const struct bead_show_type *show = &shows[output->curves.show];
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         char homes[120] = "";
@@ -84,6 +89,39 @@ static enum bead_error check_moments(const struct bead_reader *reader, const str
     return BEAD_OK;
 }
 
+/* Those listed must be of some chain, and have what is shown. */
+static enum bead_error check_listed(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    const struct bead_scene *scene = reader->scene;
+    const struct bead_curves_asked *curves = &output->curves;
+    const struct {
+        const char *key, *word;
+        const struct bead_listed *listed;
+    } lists[] = {{"beads", "bead", &curves->beads}, {"contacts", "contact", &curves->contacts}};
+    for (size_t i = 0; i < 2; i++) {
+        const size_t count = lists[i].listed->count;
+        size_t most = 0;
+        for (size_t c = 0; c < scene->chain_count; c++) {
+            const struct bead_chain_spec *chain = &scene->chains[c];
+            const size_t last = bead_scene_last_bead(scene, c) - (i == 1 && chain->wall == BEAD_WALL_NONE);
+            most = last > most ? last : most;
+        }
+        if (count > 0 && lists[i].listed->all[count - 1] > most)
+            return BEAD_WRONG_KEY(reader, at, lists[i].key, "has %zu, but the last %s is %zu", lists[i].listed->all[count - 1],
+                                  lists[i].word, most);
+    }
+    if (curves->show != BEAD_SHOW_SENSORS)
+        return BEAD_OK;
+    if (curves->contacts.count > 0 && !bead_scene_system(scene)->has_contacts)
+        return BEAD_WRONG_KEY(reader, at, "contacts", "are between beads, which equations do not have");
+    const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
+    if (of_contacts && !(curves->beads.count == 0 && curves->contacts.count > 0))
+        return BEAD_WRONG_KEY(reader, at, "field", "is one of contacts: say which `contacts`, instead of beads or sensors");
+    if (!of_contacts && output->shown.field != BEAD_FIELD_FORCE && curves->contacts.count > 0)
+        return BEAD_WRONG_KEY(reader, at, "field", "is one of beads, but contacts, which have forces, would share its axis");
+    return BEAD_OK;
+}
+
 enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                        const struct bead_options *options)
 {
@@ -93,8 +131,12 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
     if (show->drawing || output->still.panel_count > 0)
         return BEAD_OK;
     enum bead_error err = show->modes ? bead_output_need_modes(reader, at, "show") : BEAD_OK;
-    if (!err && output->curves.show == BEAD_SHOW_SENSORS && !bead_scene_has_sensors(reader->scene, SIZE_MAX))
-        return BEAD_WRONG_KEY(reader, at, "show", "shows sensors, but no bead of the chain has a `sensor`");
+    if (!err && output->curves.show == BEAD_SHOW_SENSORS && !output->curves.beads.all && !output->curves.contacts.all &&
+        !bead_scene_has_sensors(reader->scene, SIZE_MAX))
+        return BEAD_WRONG_KEY(reader, at, "show",
+                              "shows sensors, but no bead of the chain has a `sensor`; give one, or say which `beads`");
+    if (!err)
+        err = check_listed(reader, at, output);
     if (!err)
         err = check_keys(reader, at, output, bead_options_find(options, "show"));
     if (!err && show->of_field)
@@ -116,7 +158,8 @@ static bool has_cells(const struct bead_scene *scene)
 /* Schematic drawings are of beads, and need no run. */
 BEAD_OUTPUT_CHECK(bead_output_check_drawing)
 {
-    static const char *const of_runs[] = {"every", "time", "scale", "trust", "normalise", "range", "modes", "field", "at", NULL},
+    static const char *const of_runs[] = {"every", "time", "scale", "trust",    "normalise", "range", "modes",
+                                          "field", "at",   "beads", "contacts", "overlay",   NULL},
                              *const of_contacts[] = {"contact", "compression", NULL};
     const struct bead_scene *scene = reader->scene;
     const bool drawing = shows[output->curves.show].drawing;
@@ -144,6 +187,8 @@ BEAD_OUTPUT_CHECK(bead_output_check_drawing)
 /* `trust` needs an axis of time. */
 BEAD_OUTPUT_CHECK(bead_output_check_plot_trust)
 {
+    if (output->shown.trust && output->curves.overlay)
+        return BEAD_WRONG_KEY(reader, at, "trust", "is set, but with `overlay` it has no panel for each chain");
     return !output->shown.trust || output->curves.show == BEAD_SHOW_SENSORS
                ? BEAD_OK
                : BEAD_WRONG_KEY(reader, at, "trust",

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `table`: its tables of keys, of single runs and of sweeps. */
-#include <stdlib.h>
-
 #include "sim/kinds/outputs.h"
 
 static const char *const table_shows[] = {"sensors",  "peaks", "bead-peaks", "measures",      "modes",
@@ -11,39 +9,6 @@ static const unsigned table_values[] = {BEAD_SHOW_SENSORS,  BEAD_SHOW_PEAKS,  BE
                                         BEAD_SHOW_CHAIN,    BEAD_SHOW_ENERGY, BEAD_SHOW_SENSITIVITIES};
 static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
 static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};
-
-static int ascending(const void *a, const void *b)
-{
-    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
-    return (x > y) - (x < y);
-}
-
-static BEAD_OPTION_READER(read_contacts)
-{
-    static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
-    struct bead_curves_asked *curves = &((struct bead_output *)settings)->curves;
-    const bool one = at->node->kind == BEAD_NODE_SCALAR;
-    const size_t count = one ? 1 : at->node->count;
-    if (at->node->kind == BEAD_NODE_MAP || count == 0)
-        return bead_must_be(reader, at, option->shape);
-    curves->contacts = calloc(count, sizeof *curves->contacts);
-    if (!curves->contacts)
-        return bead_no_memory(reader);
-    for (size_t i = 0; i < count; i++) {
-        struct bead_at element = bead_at_item(at, i);
-        double value = 0;
-        enum bead_error err = bead_read_number(reader, &element, &number, &value);
-        if (err)
-            return err;
-        curves->contacts[i] = (size_t)value;
-    }
-    qsort(curves->contacts, count, sizeof *curves->contacts, ascending);
-    for (size_t i = 0; i < count; i++) {
-        if (i == 0 || curves->contacts[i] != curves->contacts[i - 1])
-            curves->contacts[curves->contact_count++] = curves->contacts[i];
-    }
-    return BEAD_OK;
-}
 
 static const struct bead_option table_rows[] = {
     BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
@@ -55,14 +20,6 @@ static const struct bead_option table_rows[] = {
          "beads and contacts of the "
          "chain; the energy budget; or sensitivities, the derivatives of the peaks of `contacts` by the mass (N/kg), radius "
          "(N/m) and modulus (N/Pa) of every bead, the two others kept, and by the velocity of the striker (N s/m)"},
-    {"contacts", BEAD_OPTION_CUSTOM,
-     .shape = "a number or a list of numbers; contact j is between beads j and j + 1, and bead 0 is the striker",
-     .like = "number|[number]", .read = read_contacts,
-     .help =
-         "the contacts of `show: sensitivities`; without it both contacts of each bead with a sensor, or else the last contact "
-         "whose force has had its maximum. Derivatives are good to 1e-6 of the largest of their kind where peaks are "
-         "well-conditioned (laws with a power below 1.2: to 1e-4); none with damping. A run more, and about one for each contact",
-     .example = "[40, 57]"},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help = "tables of peaks: a column that says how well each is known, from a second, coarser run; false: no such run"},
 };
@@ -74,24 +31,6 @@ static const struct bead_options table_options = {"table", "numbers, as CSV", BE
 static BEAD_OUTPUT_CHECK(check_show)
 {
     return bead_output_check_show(reader, at, output, &table_options);
-}
-
-/* Every contact must be one of some chain. */
-static enum bead_error check_contacts(const struct bead_reader *reader, const struct bead_at *at,
-                                      const struct bead_curves_asked *curves)
-{
-    const struct bead_scene *scene = reader->scene;
-    size_t contacts = 0;
-    for (size_t c = 0; c < scene->chain_count; c++) {
-        const size_t own = bead_scene_count_beads(&scene->chains[c]) + (scene->chains[c].wall != BEAD_WALL_NONE);
-        contacts = own > contacts ? own : contacts;
-    }
-    for (size_t i = 0; i < curves->contact_count; i++) {
-        if (curves->contacts[i] >= contacts)
-            return BEAD_WRONG_KEY(reader, at, "contacts", "has %zu, but the last contact is %zu", curves->contacts[i],
-                                  contacts - 1);
-    }
-    return BEAD_OK;
 }
 
 /* A damped contact's force jumps as it closes: the derivatives of what follows would jump with it. */
@@ -113,8 +52,7 @@ static BEAD_OUTPUT_CHECK(check_sensitivities)
     const enum bead_show show = output->curves.show;
     const bool peaks = show == BEAD_SHOW_PEAKS || show == BEAD_SHOW_BEAD_PEAKS;
     if (show == BEAD_SHOW_SENSITIVITIES) {
-        enum bead_error err = check_damping(reader, at, "show", "sensitivities");
-        return err ? err : check_contacts(reader, at, &output->curves);
+        return check_damping(reader, at, "show", "sensitivities");
     }
     return peaks && bead_scene_tolerances(reader->scene) ? check_damping(reader, at, show == BEAD_SHOW_PEAKS ? "table" : "show",
                                                                          "the deviations of peaks that follow from `tolerance`")

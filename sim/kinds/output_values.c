@@ -107,6 +107,36 @@ static enum bead_error read_bead(const struct bead_reader *reader, const struct 
     return BEAD_OK;
 }
 
+static int ascending(const void *a, const void *b)
+{
+    const size_t x = *(const size_t *)a, y = *(const size_t *)b;
+    return (x > y) - (x < y);
+}
+
+BEAD_OPTION_READER(bead_output_read_listed)
+{
+    static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
+    struct bead_listed *listed = (void *)((char *)settings + option->offset);
+    const size_t count = at->node->kind == BEAD_NODE_SCALAR ? 1 : at->node->count;
+    if (at->node->kind == BEAD_NODE_MAP || count == 0)
+        return bead_must_be(reader, at, option->shape);
+    size_t *all = listed->all = calloc(count, sizeof *all);
+    if (!all)
+        return bead_no_memory(reader);
+    for (size_t i = 0; i < count; i++) {
+        struct bead_at element = bead_at_item(at, i);
+        double value = 0;
+        BEAD_TRY(bead_read_number(reader, &element, &number, &value));
+        all[i] = (size_t)value;
+    }
+    qsort(all, count, sizeof *all, ascending);
+    for (size_t i = 0; i < count; i++) {
+        if (i == 0 || all[i] != all[i - 1])
+            all[listed->count++] = all[i];
+    }
+    return BEAD_OK;
+}
+
 BEAD_OPTION_READER(bead_output_read_beads)
 {
     struct bead_output *output = settings;

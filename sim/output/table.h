@@ -10,9 +10,10 @@
 #include "sim/output/profile_times.h"
 
 struct column {
-    size_t chain, bead;
-    char *name;   /* of the column */
-    double value; /* N, of the row being collected */
+    size_t chain, bead;    /* or contact */
+    enum bead_field field; /* of sensors */
+    char *name;            /* of the column */
+    double value;          /* N, of the row being collected */
 };
 
 struct bead_sink {

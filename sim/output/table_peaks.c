@@ -2,6 +2,7 @@
 /* Tables of the peaks of contacts or beads: a row for each, at the end of the run. */
 #include <math.h>
 
+#include "sim/output/places.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
 
@@ -57,6 +58,8 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
         size_t first = sink->output->shown.beads.first;
         size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
         for (size_t i = first; listed.peaks && i < first + count; i++) {
+            if (!bead_is_listed(contacts ? &sink->output->curves.contacts : &sink->output->curves.beads, i))
+                continue;
             bead_table_chain_name(sink, c);
             write_peak(sink, &listed, i);
             sink->rows++;

@@ -51,7 +51,7 @@ enum bead_error bead_table_add_column(struct bead_sink *sink, size_t chain, size
         sink->columns = grown;
     if (!grown || asprintf(&name, "%s%s%s", owner, *owner ? "/" : "", what) < 0)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-    grown[sink->column_count++] = (struct column){chain, bead, name, 0};
+    grown[sink->column_count++] = (struct column){.chain = chain, .bead = bead, .name = name};
     return BEAD_OK;
 }
 

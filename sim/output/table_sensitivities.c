@@ -8,8 +8,8 @@
 static void sensitivities_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
     needs->contact_peaks = needs->sensitivities = true;
-    needs->contacts = sink->output->curves.contacts;
-    needs->contact_count = sink->output->curves.contact_count;
+    needs->contacts = sink->output->curves.contacts.all;
+    needs->contact_count = sink->output->curves.contacts.count;
     needs->until = INFINITY;
 }
 
@@ -43,9 +43,9 @@ static void write_contact(struct bead_sink *sink, size_t chain, const struct bea
 static bool is_asked(const struct bead_sink *sink, const struct bead_sensitivity *s)
 {
     const struct bead_curves_asked *curves = &sink->output->curves;
-    bool asked = !curves->contacts && s->of_default;
-    for (size_t i = 0; i < curves->contact_count; i++)
-        asked = asked || curves->contacts[i] == s->index;
+    bool asked = !curves->contacts.all && s->of_default;
+    for (size_t i = 0; i < curves->contacts.count; i++)
+        asked = asked || curves->contacts.all[i] == s->index;
     return asked;
 }
 

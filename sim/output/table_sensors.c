@@ -1,46 +1,57 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of sensors: a row for each time, a column for the force on each bead with a sensor. */
+/* Tables of sensors: a row for each time, a column for the force on each bead with a sensor, or for what is asked of others. */
+#include "sim/output/places.h"
 #include "sim/output/table.h"
+
+/* "bead_20", "bead_20_velocity": sensors keep their names. */
+static void column_name(const struct bead_place_shown *place, bool listed, char *name, size_t size)
+{
+    const bool force = place->field == BEAD_FIELD_FORCE || place->field == BEAD_FIELD_CONTACT_FORCE;
+    snprintf(name, size, "%s%s%s", place->name, force ? "" : "_", force ? "" : bead_field_info(place->field)->name);
+    for (char *c = name; listed && *c; c++)
+        *c = *c == ' ' ? '_' : *c;
+}
 
 static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    enum bead_error error = BEAD_OK;
+    const struct bead_curves_asked *curves = &sink->output->curves;
+    const bool listed = curves->beads.all || curves->contacts.all;
+    char name[160];
     for (size_t c = 0; c < sink->context.chain_count; c++) {
-        size_t count = 0;
-        const struct bead_sensor *sensors = bead_chain_sensors(sink->context.chains[c], &count);
-        for (size_t i = 0; i < count && !error; i++)
-            error = bead_table_add_column(sink, c, sensors[i].bead, sensors[i].name, msg);
+        const size_t count = bead_places_count(sink->output, sink->context.chains[c]);
+        for (size_t i = 0; i < count; i++) {
+            const struct bead_place_shown place = bead_place_shown(sink->output, sink->context.chains[c], i);
+            column_name(&place, listed, name, sizeof name);
+            BEAD_TRY(bead_table_add_column(sink, c, place.index, name, msg));
+            sink->columns[sink->column_count - 1].field = place.field;
+        }
     }
-    if (error)
-        return error;
     if (sink->column_count == 0)
         return bead_output_wrong(sink->output, msg, "show: sensors, but no bead of the chain has a `sensor`");
     char what[40];
-    snprintf(what, sizeof what, "%zu sensor%s", sink->column_count, sink->column_count == 1 ? "" : "s");
+    snprintf(what, sizeof what, "%zu %s%s", sink->column_count, listed ? "place" : "sensor", sink->column_count == 1 ? "" : "s");
     return bead_table_choose_times(sink, what, msg);
 }
 
 static void sensors_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    needs->fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
     needs->beads = (struct bead_span){SIZE_MAX, 0};
-    for (size_t i = 0; i < sink->column_count; i++) {
-        size_t bead = sink->columns[i].bead;
-        needs->beads.first = bead < needs->beads.first ? bead : needs->beads.first;
-        needs->beads.last = bead > needs->beads.last ? bead : needs->beads.last;
-    }
+    for (size_t c = 0; c < sink->context.chain_count; c++)
+        bead_places_need(sink->output, sink->context.chains[c], needs);
 }
 
 static enum bead_error sensors_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *)
 {
-    for (size_t i = 0; i < sink->column_count; i++)
-        if (sink->columns[i].chain == sample->chain)
-            sink->columns[i].value = sample->field[BEAD_FIELD_FORCE][sink->columns[i].bead];
+    for (size_t i = 0; i < sink->column_count; i++) {
+        struct column *column = &sink->columns[i];
+        if (column->chain == sample->chain)
+            column->value = sample->field[column->field][column->bead];
+    }
     bead_table_end_sample(sink, sample);
     return BEAD_OK;
 }
 
-const struct table bead_table_sensors = {.why = "forces at the sensors",
+const struct table bead_table_sensors = {.why = "curves of sensors, or of the beads and contacts listed",
                                          .prepare = sensors_prepare,
                                          .needs = sensors_needs,
                                          .header = bead_table_columns_header,

@@ -98,6 +98,8 @@ static unsigned fields_of(const struct bead_session *s, const struct bead_output
     unsigned fields = show && !show->of_field ? 0 : BEAD_FIELD_BIT(output->shown.field);
     for (size_t c = 0; modes && c < s->chain_count; c++)
         fields |= bead_chain_mode_fields(s->chains[c]);
+    if (output->curves.contacts.all)
+        fields |= BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
     return fields ? fields : BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
 }
 

@@ -83,6 +83,7 @@ base() {
 # What a key needs besides, or instead.
 needs() { # SECTION KEY
     case "$1: $2" in
+    'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
     'chain: start') before=(simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
