@@ -5,21 +5,17 @@
 static const struct bead_option report_file[] = {
     BEAD_FILE_ROW("report", "FILE.html", "report.html"),
 };
-static const struct bead_option_rows report_shared[] = {{BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},
-                                                        {BEAD_OPTIONS(bead_beads_row)},   {BEAD_OPTIONS(bead_every_row)},
-                                                        {BEAD_OPTIONS(bead_range_row)},   {BEAD_OPTIONS(bead_square_root_row)},
-                                                        {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_colormap_row)},
-                                                        {NULL, 0}};
+static const struct bead_option_rows report_shared[] = {
+    {BEAD_OPTIONS(bead_field_row)},   {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(bead_beads_row)},
+    {BEAD_OPTIONS(bead_every_row)},   {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+    {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_colormap_row)},    {NULL, 0}};
 static const struct bead_options report_options = {
     "report", "a page for browsers: one file, with the samples to play, the peaks with their uncertainty, pictures and scene",
     BEAD_OPTIONS(report_file), report_shared, &bead_output_family};
 
-static const struct bead_option_rows sweep_report_shared[] = {{BEAD_OPTIONS(bead_field_row)},
-                                                              {BEAD_OPTIONS(bead_range_row)},
-                                                              {BEAD_OPTIONS(bead_square_root_row)},
-                                                              {BEAD_OPTIONS(bead_threshold_row)},
-                                                              {BEAD_OPTIONS(bead_colormap_row)},
-                                                              {NULL, 0}};
+static const struct bead_option_rows sweep_report_shared[] = {
+    {BEAD_OPTIONS(bead_field_row)},     {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+    {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_colormap_row)},    {NULL, 0}};
 static const struct bead_options sweep_report_options = {
     "report of a sweep", "a page for browsers: force against magnetism, and behind each point the image of its configuration",
     BEAD_OPTIONS(report_file), sweep_report_shared, &bead_output_family};
