@@ -39,6 +39,7 @@ struct bead_material {
     double radius;  /* m; NaN where the material serves for walls only */
     double modulus; /* Pa, Young's */
     double poisson;
+    double yield;     /* Pa, yield strength; 0: not known */
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
     /* Standard deviations of beads of it, as parts of the value; 0: they are all alike. Their density is that of the material. */
     double radius_tolerance, modulus_tolerance;
@@ -436,6 +437,7 @@ struct bead_scene {
     struct bead_simulate simulate;
     struct bead_output *outputs;
     size_t output_count;
+    char *doubts; /* numbers without a unit that can hardly be meant, a line each, for warnings; NULL: none */
 };
 
 /* Does a material have tolerances: do its beads differ? */

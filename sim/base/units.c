@@ -187,6 +187,12 @@ static enum bead_error read_with_unit(struct bead_units *units, const char *text
     return BEAD_OK;
 }
 
+bool bead_units_bare(const char *text)
+{
+    const size_t from = strspn(text, " \t\r\n"), length = number_length(text + from);
+    return length > 0 && !text[from + length + strspn(text + from + length, " \t\r\n")];
+}
+
 enum bead_error bead_units_read(struct bead_units *units, const char *text, const char *si, double *value, char *why, size_t size)
 {
     char trimmed[LONGEST];

@@ -2,9 +2,13 @@
 /* Numbers with units: "0.443 m/s", "193 GPa", "1.5". */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/error.h"
+
+/* Is the text a number without a unit? */
+bool bead_units_bare(const char *text);
 
 /* The known units. The tables of UDUNITS-2 are read only when a unit is not one of the usual ones. */
 struct bead_units;

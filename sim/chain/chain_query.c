@@ -101,8 +101,8 @@ double bead_contact_walk_excess(const struct bead_contact_walk *w, double d)
            w->static_force * (d - w->static_compression);
 }
 
-/* Largest compression of a contact that `energy` allows; with a static compression, found by bisection. */
-static double bound(const struct bead_contact_walk *w, double energy)
+/* With a static compression, found by bisection. */
+double bead_contact_bound(const struct bead_contact_walk *w, double energy)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;
     double d0 = fmax(w->static_compression, 0), high = d0 + law->row->energy_compression(w->stiffness, law, energy);
@@ -137,7 +137,7 @@ static const struct hardest *remembered_bound(struct bounds *bounds, const struc
             return &bounds->known[i];
     }
     struct hardest *found = &bounds->known[bounds->next++ % BOUNDS];
-    const double d = bound(w, energy), pushed = law->row->stiffness(w->stiffness, law, d);
+    const double d = bead_contact_bound(w, energy), pushed = law->row->stiffness(w->stiffness, law, d);
     *found =
         (struct hardest){w->stiffness, w->static_compression, pushed, fmax(pushed, law->row->stiffness(w->stiffness, law, -d))};
     return found;

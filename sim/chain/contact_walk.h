@@ -41,3 +41,5 @@ void bead_contact_walk_start(struct bead_contact_walk *walk, const struct bead_c
 double bead_contact_walk_excess(const struct bead_contact_walk *walk, double d);
 /* Go to the next contact, at first to the first; false after the last. */
 bool bead_contact_walk_next(struct bead_contact_walk *walk);
+/* Largest compression of this contact if it alone holds all of `energy`, J above the static state; m. */
+double bead_contact_bound(const struct bead_contact_walk *walk, double energy);

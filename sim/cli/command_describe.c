@@ -9,6 +9,7 @@
 #include "beadreel/sweep.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
+#include "sim/chain/validity.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
 #include "sim/kinds/output_kinds.h"
@@ -40,7 +41,11 @@ static void write_chain(struct json *json, const struct bead_chain *chain)
         json_number(json, "contacts", (double)bead_chain_contacts(chain));
         json_text(json, "striker", materials[spec->striker_material].name);
         json_number(json, "velocity_m_s", spec->striker_velocity);
+        const struct bead_validity most = bead_validity_bound(chain);
         json_number(json, "energy_J", bead_chain_energy(chain));
+        json_number(json, "strike_bar_speed", most.strike > 0 ? most.strike : NAN);
+        json_number(json, "compression_radius_most", most.compression > 0 ? most.compression : NAN);
+        json_number(json, "pressure_yield_most", most.pressure > 0 ? most.pressure : NAN);
         json_text(json, "wall",
                   spec->wall == BEAD_WALL_NONE    ? "none"
                   : spec->wall == BEAD_WALL_RIGID ? "rigid"

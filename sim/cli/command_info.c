@@ -14,6 +14,7 @@
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "sim/chain/system.h"
+#include "sim/chain/validity.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/output/measure.h"
 
@@ -37,6 +38,20 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
         fprintf(out, "  tilt %.4g deg\n", spec->tilt * 180 / 3.14159265358979323846);
     if (spec->damping_coefficient > 0)
         fprintf(out, "  damping %.4g N (s/m)^%.3g\n", spec->damping_coefficient, spec->damping_exponent);
+}
+
+/* What the energy of the striker allows. */
+static void print_validity(FILE *out, const struct bead_chain *chain)
+{
+    const struct bead_validity most = bead_validity_bound(chain);
+    if (most.strike > 0)
+        fprintf(out, "  strike at %.3g of the bar speed", most.strike);
+    if (most.compression > 0)
+        fprintf(out, "; compression at most %.3g of the radius", most.compression);
+    if (most.pressure > 0)
+        fprintf(out, ", pressure at most %.3g of the yield strength", most.pressure);
+    if (most.strike > 0 || most.compression > 0)
+        fprintf(out, "\n");
 }
 
 /* Print the equation's own keys, as the scene gives them. */
@@ -67,6 +82,7 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
             command_quantity(spec->striker_velocity, "m/s", velocity, sizeof velocity),
             command_quantity(bead_chain_energy(chain), "J", text, sizeof text));
     print_options(out, spec);
+    print_validity(out, chain);
     if (*spins)
         fprintf(out, "  spins %.*s%s (%zu), M = %.4g\n", SHOWN, spins, strlen(spins) > SHOWN ? "..." : "", strlen(spins),
                 bead_chain_magnetism(chain));
@@ -100,6 +116,8 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
         err = bead_scene_load(path, &overrides, &scene, msg);
     if (err)
         return err;
+    if (scene->doubts)
+        command_warn(command->program, scene->doubts);
     if (command->json) {
         err = command_describe_scene(out, scene, command->config, msg);
         bead_scene_free(scene);

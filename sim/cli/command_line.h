@@ -127,6 +127,8 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
 enum bead_error command_new(const struct command *command, struct bead_message *msg);
 /* The message on stderr. */
 void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);
+/* The same for a warning, which may have several lines. */
+void command_warn(const struct command_program *program, const char *warning);
 /* Is the result to be JSON on stdout? */
 bool command_is_json(const struct command *command);
 /* The result of a run: one line on stdout. `session` is NULL if it could not be opened. */

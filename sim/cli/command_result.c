@@ -14,17 +14,27 @@ int command_status(enum bead_error err, int signal)
     return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
 }
 
-/* One line, whatever is in the message; one for each error of a wrong scene. */
-void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg)
+/* One line, or, with `lines`, one for each line of the text. */
+static void tell(const struct command_program *program, const char *word, const char *text, bool lines)
 {
-    fprintf(stderr, "%s: ", program->name);
-    for (const char *c = msg->text[0] ? msg->text : bead_error_text(err); *c; c++) {
-        if (err == BEAD_ERROR_SCENE && *c == '\n')
-            fprintf(stderr, "\n%s: ", program->name);
+    fprintf(stderr, "%s: %s", program->name, word);
+    for (const char *c = text; *c; c++) {
+        if (lines && *c == '\n')
+            fprintf(stderr, "\n%s: %s", program->name, word);
         else
             fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
     }
     fputc('\n', stderr);
+}
+
+void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg)
+{
+    tell(program, "", msg->text[0] ? msg->text : bead_error_text(err), err == BEAD_ERROR_SCENE);
+}
+
+void command_warn(const struct command_program *program, const char *warning)
+{
+    tell(program, "warning: ", warning, true);
 }
 
 bool command_is_json(const struct command *command)

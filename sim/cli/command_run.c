@@ -19,6 +19,9 @@ enum bead_error command_plan(const struct command *command, const volatile sig_a
     job.stop = stop;
     BEAD_TRY(bead_session_open(&job, &session, msg));
     enum bead_error err = command->json ? command_describe_plan(stdout, session, msg) : bead_session_plan(session, stdout, msg);
+    const char *warning;
+    for (size_t i = 0; (warning = bead_session_warning(session, i)); i++)
+        command_warn(command->program, warning);
     bead_session_close(session);
     return err;
 }
@@ -139,7 +142,7 @@ static void print_text(const struct command *command, const struct bead_session 
     fflush(stdout);
     for (size_t i = 0; (warning = bead_session_warning(session, i)); i++) {
         if (bead_session_verified(session) || bead_session_warning(session, i + 1))
-            fprintf(stderr, "%s: warning: %s\n", command->program->name, warning);
+            command_warn(command->program, warning);
     }
 }
 

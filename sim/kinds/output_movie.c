@@ -15,11 +15,12 @@ static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "ove
 static const char *const types[] = {"normal", "large", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
+static const struct bead_option motion = {BEAD_TIME_OF_MOTION};
+
 static enum bead_error read_end(struct bead_reader *reader, const struct bead_at *at, double *end)
 {
-    static const struct bead_option time = {BEAD_TIME_OF_MOTION};
     BEAD_TRY(bead_not_beside(reader, at, "time"));
-    return bead_read_number(reader, at, &time, end);
+    return bead_read_number(reader, at, &motion, end);
 }
 
 static BEAD_OPTION_READER(read_from)

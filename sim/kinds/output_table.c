@@ -15,7 +15,9 @@ static const struct bead_option table_rows[] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "peaks", .choices = table_shows, .values = table_values,
      .help =
          "what to list: the force at each sensor; the peak of each contact or of each bead (where `until: auto` ends the run, the "
-         "largest before the wave reaches the end of the chain: state `exceeded` says that a later force of this run is larger); "
+         "largest before the wave reaches the end of the chain: state `exceeded` says that a later force of this run is larger; "
+         "`invalid`, that the contact is compressed by more than a tenth "
+         "of a radius, or struck at more than a tenth of the bar speed, where Hertz's law does not hold); "
          "measures of the run (--list measures); the energies of modes; profiles, a field along the chain at several times; the "
          "beads and contacts of the "
          "chain; the energy budget; or sensitivities, the derivatives of the peaks of `contacts` by the mass (N/kg), radius "

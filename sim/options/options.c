@@ -36,17 +36,36 @@ static void add_fault(struct bead_faults *faults, const char *line)
         end[i] = line[i] && (unsigned char)line[i] < ' ' ? ' ' : line[i];
 }
 
+/* One line: what is to say of the value at a place. */
+static void write_line(const struct bead_reader *reader, const struct bead_at *at, const char *what, struct bead_message *line)
+{
+    char path[256] = "", shown[256];
+    add_path(at, path, sizeof path);
+    bead_fail(line, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s%s%s", bead_yaml_name(reader->yaml, at->node), at->node->place.line,
+              at->node->place.column, bead_text_show(path, shown, sizeof shown), *path ? ": " : "", what);
+}
+
+void bead_doubt(const struct bead_reader *reader, const struct bead_at *at, const char *unit, const char *likely)
+{
+    struct bead_message line;
+    char what[200];
+    snprintf(what, sizeof what, "%.40s has no unit and is taken as %.40s %s; is `%.40s %s` meant? Give the unit", at->node->text,
+             at->node->text, unit, at->node->text, likely);
+    if (!reader->doubts)
+        return;
+    write_line(reader, at, what, &line);
+    add_fault(reader->doubts, line.text);
+}
+
 enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_at *at, const char *format, ...)
 {
-    char path[256] = "", shown[256], what[640];
+    char what[640];
     va_list values;
     va_start(values, format);
     vsnprintf(what, sizeof what, format, values);
     va_end(values);
-    add_path(at, path, sizeof path);
     struct bead_message line = {""}, *msg = reader->faults ? &line : reader->msg;
-    bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s%s%s", bead_yaml_name(reader->yaml, at->node), at->node->place.line,
-              at->node->place.column, bead_text_show(path, shown, sizeof shown), *path ? ": " : "", what);
+    write_line(reader, at, what, msg);
     if (reader->faults)
         add_fault(reader->faults, line.text);
     return BEAD_ERROR_SCENE;
@@ -136,10 +155,29 @@ static bool in_range(const struct bead_option *option, double value)
     return above && below;
 }
 
+static bool is_usual(const struct bead_option *option, double value)
+{
+    return value == 0 || (fabs(value) >= option->usual[0] && !(option->usual[1] > 0 && fabs(value) > option->usual[1]));
+}
+
+/* The unit in which a number without one is likely to be meant; NULL: as it is. */
+static const char *likely_unit(const struct bead_reader *reader, const struct bead_option *option, const char *text, double value)
+{
+    char with_unit[160], why[200];
+    if (!option->likely || !option->unit || is_usual(option, value) || !bead_units_bare(text))
+        return NULL;
+    for (size_t i = 0; option->likely[i]; i++) {
+        snprintf(with_unit, sizeof with_unit, "%s %s", text, option->likely[i]);
+        if (bead_units_read(reader->units, with_unit, option->unit, &value, why, sizeof why) == BEAD_OK && is_usual(option, value))
+            return option->likely[i];
+    }
+    return option->likely[0];
+}
+
 enum bead_error bead_read_number(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
                                  double *value)
 {
-    char allowed[200], why[200];
+    char allowed[200], why[200], hint[80] = "";
     const char *text = NULL;
     struct bead_option plain = *option;
     if (option->of_motion && reader->without_units) {
@@ -157,9 +195,14 @@ enum bead_error bead_read_number(const struct bead_reader *reader, const struct 
     if (bead_units_read(reader->units, text, option->unit, &read, why, sizeof why) != BEAD_OK)
         return bead_wrong(reader, at, "%s; must be %s", why, bead_option_allowed(option, allowed, sizeof allowed));
     bool whole = option->type != BEAD_OPTION_COUNT || read == floor(read);
+    const char *likely = likely_unit(reader, option, text, read);
+    if (likely)
+        snprintf(hint, sizeof hint, "; did you mean `%.40s %s`?", text, likely);
     if (!whole || !in_range(option, read))
-        return bead_wrong(reader, at, "%s is %s; must be %s", bead_node_show(at->node, why, 64),
-                          whole ? "out of range" : "not whole", bead_option_allowed(option, allowed, sizeof allowed));
+        return bead_wrong(reader, at, "%s is %s; must be %s%s", bead_node_show(at->node, why, 64),
+                          whole ? "out of range" : "not whole", bead_option_allowed(option, allowed, sizeof allowed), hint);
+    if (likely)
+        bead_doubt(reader, at, option->unit, likely);
     *value = read;
     return BEAD_OK;
 }

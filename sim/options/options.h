@@ -51,6 +51,7 @@ struct bead_reader {
     struct bead_scene *scene; /* being filled, by the tables' own readers */
     struct bead_message *msg;
     struct bead_faults *faults; /* NULL: the first is the only one */
+    struct bead_faults *doubts; /* numbers without a unit that can hardly be meant; NULL: nobody asks */
     bool unsound;               /* the chains are wrong: nothing can be checked against them */
     bool without_units;         /* what moves has none: see bead_option.of_motion */
 };
@@ -82,7 +83,10 @@ struct bead_option {
     bool required;
     double low, high; /* allowed; both 0: anything finite */
     unsigned open;
-    const char *word; /* allowed instead of a number, and means ... */
+    /* A number without a unit outside of these (high 0: no limit) is doubted: one of the units is likely to be meant. */
+    double usual[2];
+    const char *const *likely; /* NULL-terminated, the likeliest first; NULL: never doubted */
+    const char *word;          /* allowed instead of a number, and means ... */
     double word_value;
     const char *const *choices; /* NULL-terminated */
     const unsigned *values;     /* what the choices mean; NULL: their index */
@@ -96,8 +100,13 @@ struct bead_option {
     const struct bead_options *map;
 };
 
-/* In rows: a time of what moves. */
-#define BEAD_TIME_OF_MOTION .unit = "s", .of_motion = true, .low = 0, .high = 1e6
+/* In rows: a time of what moves. In a second, a pulse passes some ten thousand beads. */
+#define BEAD_TIME_OF_MOTION .unit = "s", .of_motion = true, .low = 0, .high = 1e6, .usual = {0, 1}, .likely = BEAD_LIKELY("ms")
+#define BEAD_LIKELY(...)  \
+    (const char *const[]) \
+    {                     \
+        __VA_ARGS__, NULL \
+    }
 
 /* Rows that several tables share; a list of such ends with {NULL, 0}. */
 struct bead_option_rows {
@@ -142,6 +151,8 @@ const char *bead_option_allowed(const struct bead_option *option, char *text, si
 
 /* Fail with `file:line:column: key.path: ...`. */
 enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_at *at, const char *format, ...) BEAD_PRINTF(3, 4);
+/* Tell that a number without a unit can hardly be meant in `unit`, but in `likely`. */
+void bead_doubt(const struct bead_reader *reader, const struct bead_at *at, const char *unit, const char *likely);
 /* Fail at the place of a key in the map at `at`. */
 #define BEAD_WRONG_KEY(reader, at, key, ...) bead_wrong(reader, (const struct bead_at[]){bead_at_key(at, key)}, __VA_ARGS__)
 /* Two keys of which a map may have one: fails where the map around `at` has `other`, too. Errors: SCENE. */

@@ -22,6 +22,7 @@ enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead
     m->chain = chain;
     m->places = bead_places_find(chain);
     m->time = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
+    m->validity = bead_validity_begin(chain);
     enum bead_error err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
     if (!err)
         err = bead_participation_clean(chain, &m->clean, msg);
@@ -52,11 +53,25 @@ static bool at_end(const struct bead_measures *m, const struct bead_sample *samp
            sample->field[BEAD_FIELD_CONTACT_FORCE][last] - bead_chain_static_force(m->chain)[last] > front_part * m->pulses->record;
 }
 
+/* The largest compression of contact k since the last sample: the largest of the cubic through both with their rates. */
+static double deepest(const struct bead_measures *m, const struct bead_sample *sample, size_t k)
+{
+    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *v = sample->field[BEAD_FIELD_VELOCITY], h = sample->time - m->time;
+    const bool wall = k + 1 == bead_chain_beads(m->chain);
+    const double d[2] = {m->u[k] - (wall ? 0 : m->u[k + 1]), u[k] - (wall ? 0 : u[k + 1])};
+    const double r[2] = {h * (m->v[k] - (wall ? 0 : m->v[k + 1])), h * (v[k] - (wall ? 0 : v[k + 1]))};
+    const double x = r[0] > 0 && r[1] < 0 ? r[0] / (r[0] - r[1]) : 1;
+    const double rise = x * r[0] + x * x * (3 * (d[1] - d[0]) - 2 * r[0] - r[1] + x * (r[0] + r[1] - 2 * (d[1] - d[0])));
+    return bead_chain_static_compression(m->chain)[k] + fmax(d[1], d[0] + rise);
+}
+
 enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sample *sample, struct bead_message *msg)
 {
     size_t beads = bead_chain_beads(m->chain), moving = sample->active < beads ? sample->active : beads;
     bead_pulses_feed(m->pulses, sample);
     bead_strike_feed(m, sample);
+    for (size_t k = 0; k < moving && k < bead_chain_contacts(m->chain); k++)
+        bead_validity_add(&m->validity, m->chain, k, deepest(m, sample, k));
     memcpy(m->u, sample->field[BEAD_FIELD_DISPLACEMENT], moving * sizeof *m->u);
     memcpy(m->v, sample->field[BEAD_FIELD_VELOCITY], moving * sizeof *m->v);
     m->time = sample->time;

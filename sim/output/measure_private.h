@@ -2,6 +2,7 @@
 /* The insides of measures: data kept from a run for the rows of measure_rows.c. */
 #pragma once
 
+#include "sim/chain/validity.h"
 #include "sim/output/measure.h"
 #include "sim/output/measure_place.h"
 #include "sim/output/measure_pulses.h"
@@ -30,8 +31,9 @@ struct bead_measures {
     struct bead_pulses *pulses;
     struct bead_trace trace;
     struct bead_strike strike;
-    double *u, *v;       /* [beads], of the last sample: m, m/s; one block of memory */
-    double time;         /* s, of the last sample; NaN: none */
+    double *u, *v; /* [beads], of the last sample: m, m/s; one block of memory */
+    double time;   /* s, of the last sample; NaN: none */
+    struct bead_validity validity;
     double clean;        /* participation of the clean wave, beads; NaN: no clean wave */
     double arrived;      /* participation of the energies at the first sample after the front's arrival; NaN: not arrived */
     double arrived_time; /* s, of that sample */

@@ -209,6 +209,22 @@ static double at_wall(const struct reading *r, int reflected)
     return (reflected ? probe->late.force : wall->pulse[0].force) / probe->pulse[0].force;
 }
 
+/* ---- is the model valid? ---- */
+
+static double strike_speed(const struct reading *r, int)
+{
+    return r->m->validity.strike > 0 ? r->m->validity.strike : NAN;
+}
+
+static double strain(const struct reading *r, int pressure)
+{
+    const struct bead_validity *v = &r->m->validity;
+    const double found = pressure ? v->pressure : v->compression;
+    snprintf(r->note, NOTE, "contact %zu%s", pressure ? v->hardest : v->deepest,
+             found > (pressure ? BEAD_HARDEST : BEAD_DEEPEST) ? "; beyond the model" : "");
+    return found > 0 ? found : NAN;
+}
+
 /* ---- the striker ---- */
 
 static double strike_compression(const struct reading *r, int)
@@ -289,6 +305,18 @@ static const struct row {
     {{"energy past defect", "", "the same to the power 1 + 1/n for forces ~ d^n (5/3 for Hertz's law)"}, past_defect, 1},
     {{"force at wall", "", "first maximum at the wall / leading force at the probe"}, at_wall, 0},
     {{"reflected force", "", "largest force at the probe after the wall's first maximum / leading force there"}, at_wall, 1},
+    {{"compression / radius", "", "largest of a contact, as a part of its smaller radius; Hertz's law holds up to a tenth or so"},
+     strain,
+     0},
+    {{"pressure / yield strength", "",
+      "largest in the centre of a contact / smaller yield strength: 1.6 where yielding begins, 4.5 where it is fully plastic"},
+     strain,
+     1},
+    {{"strike / bar speed", "",
+      "speed of the striker / smaller sqrt(E / density) of it and the first bead; below a tenth an impact is "
+      "quasi-static"},
+     strike_speed,
+     0},
     {{"striker's compression", "m", "largest compression of its contact, until that opens"}, strike_compression, 0},
     {{"striker's contact time", "s", "time until its contact first opens"}, strike_time, 0},
     {{"striker's velocity", "m/s", "at the end, if its contact has opened; negative after a rebound"}, striker_velocity, 0},

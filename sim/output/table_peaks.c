@@ -2,6 +2,7 @@
 /* Tables of the peaks of contacts or beads: a row for each, at the end of the run. */
 #include <math.h>
 
+#include "sim/chain/validity.h"
 #include "sim/output/places.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
@@ -36,12 +37,23 @@ static void write_column(FILE *file, bool wanted, const double *numbers, size_t 
         bead_table_numbers(file, 1, numbers ? &numbers[index] : &unknown);
 }
 
-static void write_peak(const struct bead_sink *sink, const struct listed *listed, size_t index)
+/* Is the model beyond its limits in a contact, or in one of the two of a bead? */
+static bool is_beyond(const struct bead_sink *sink, const struct bead_chain *chain, const struct bead_outcome *o, size_t index)
+{
+    bool beyond = false;
+    size_t k = sink->output->curves.show == BEAD_SHOW_PEAKS || index == 0 ? index : index - 1;
+    for (; o->contact_peaks && k <= index && k < bead_chain_contacts(chain); k++)
+        beyond = beyond || bead_validity_beyond(chain, k, o->contact_peaks[k].value);
+    return beyond;
+}
+
+static void write_peak(const struct bead_sink *sink, const struct listed *listed, size_t index, bool beyond)
 {
     const struct bead_peak *peak = &listed->peaks[index];
+    const char *word = peak->open ? "open" : peak->exceeded ? "exceeded" : "";
     fprintf(sink->file, "%zu", index);
     bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
-    fprintf(sink->file, ",%s", peak->open ? "open" : peak->exceeded ? "exceeded" : "");
+    fprintf(sink->file, ",%s%s%s", word, *word && beyond ? " " : "", beyond ? "invalid" : "");
     write_column(sink->file, sink->output->curves.uncertainty, listed->uncertainty, index);
     write_column(sink->file, bead_scene_tolerances(sink->context.scene), listed->deviation, index);
     fputc('\n', sink->file);
@@ -61,7 +73,7 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
             if (!bead_is_listed(contacts ? &sink->output->curves.contacts : &sink->output->curves.beads, i))
                 continue;
             bead_table_chain_name(sink, c);
-            write_peak(sink, &listed, i);
+            write_peak(sink, &listed, i, is_beyond(sink, chain, o, i));
             sink->rows++;
         }
     }

@@ -44,11 +44,11 @@ static const struct bead_option rows[] = {
     {"sensor", BEAD_OPTION_TEXT, SEGMENT(sensor), .help = "name of a sensor in this single bead, which records its bead force",
      .example = "first"},
     VARIED(BEAD_VARIED_RADIUS, "radius", "m", 1e-9, 1e3, 0,
-           "radius of these beads, instead of that of the material; the mass follows with the density", "3 mm"),
+           "radius of these beads, instead of that of the material; the mass follows with the density", "3 mm", BEAD_USUAL_RADIUS),
     VARIED(BEAD_VARIED_MASS, "mass", "kg", 0, 1e9, BEAD_OPEN_LOW, "mass of each of these beads, instead of that of the material",
            "2 g"),
     VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "Young's modulus of these beads, instead of that of the material",
-           "70 GPa"),
+           "70 GPa", BEAD_USUAL_MODULUS),
     VARIED(BEAD_VARIED_GAP, "gap", "m", 0, 1e3, 0,
            "free space to the left of each of these beads; the first of the chain has none, because the striker touches it at "
            "time 0. For random gaps see chain.beads.disorder",

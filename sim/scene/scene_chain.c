@@ -72,9 +72,11 @@ static const struct bead_option striker_rows[] = {
     {"velocity", BEAD_OPTION_NUMBER, STRIKER(velocity), .unit = "m/s", .initial = "0.443 m/s", .low = 0, .high = 1e4,
      .help = "velocity of the striker when it touches the first bead, at time 0; where `start` says what moves, 0 if not given",
      .example = "1 m/s"},
-    VARIED(BEAD_VARIED_RADIUS, "radius", "m", 1e-9, 1e3, 0, "its radius, instead of that of the material", "3 mm"),
+    VARIED(BEAD_VARIED_RADIUS, "radius", "m", 1e-9, 1e3, 0, "its radius, instead of that of the material", "3 mm",
+           BEAD_USUAL_RADIUS),
     VARIED(BEAD_VARIED_MASS, "mass", "kg", 0, 1e9, BEAD_OPEN_LOW, "its mass, instead of that of the material", "2 g"),
-    VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "its Young's modulus, instead of that of the material", "70 GPa"),
+    VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "its Young's modulus, instead of that of the material", "70 GPa",
+           BEAD_USUAL_MODULUS),
 };
 const struct bead_options bead_striker_options = {"chain.striker", "the bead that strikes the chain", BEAD_OPTIONS(striker_rows),
                                                   NULL, NULL};
@@ -261,8 +263,8 @@ static const struct bead_option chain_rows[] = {
      .help = "free space between every two beads; the striker touches the first at time 0. For single ones see chain.beads, for "
              "random ones chain.beads.disorder",
      .example = "10 um"},
-    {"tilt", BEAD_OPTION_NUMBER, CHAIN(tilt), .unit = "rad", .initial = "0 deg", .low = 0, .high = 1.5707963267948966,
-     .open = BEAD_OPEN_HIGH, .shape = "from 0 to below 90 deg (1.5708 rad)",
+    {"tilt", BEAD_OPTION_NUMBER, CHAIN(tilt), .unit = "rad", .usual = {0, 0.785}, .likely = BEAD_LIKELY("deg"), .initial = "0 deg",
+     .low = 0, .high = 1.5707963267948966, .open = BEAD_OPEN_HIGH, .shape = "from 0 to below 90 deg (1.5708 rad)",
      .help = "slope of the chain, with its wall at the lower end", .example = "3.5 deg"},
     {"damping", BEAD_OPTION_MAP, .initial = "{}", .map = &bead_damping_options, .help = "see chain.damping",
      .example = "{coefficient: 10, exponent: 1.8}"},

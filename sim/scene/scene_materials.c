@@ -12,7 +12,7 @@
 /* As written; a bead_material is made of it. */
 struct written {
     char *label;
-    double density, mass, modulus, poisson, radius;
+    double density, mass, modulus, poisson, radius, yield;
     double colour[3];
     double radius_tolerance, modulus_tolerance;
 };
@@ -31,16 +31,20 @@ const struct bead_options bead_tolerance_options = {"materials.NAME.tolerance",
 static BEAD_OPTION_READER(read_colour);
 
 static const struct bead_option rows[] = {
-    {"modulus", BEAD_OPTION_NUMBER, offsetof(struct written, modulus), .unit = "Pa", .required = true, .low = 1, .high = 1e15,
-     .help = "Young's modulus", .example = "193 GPa"},
+    {"modulus", BEAD_OPTION_NUMBER, offsetof(struct written, modulus), .unit = "Pa", BEAD_USUAL_MODULUS, .required = true, .low = 1,
+     .high = 1e15, .help = "Young's modulus", .example = "193 GPa"},
     {"poisson", BEAD_OPTION_NUMBER, offsetof(struct written, poisson), .required = true, .low = -1, .high = 0.5,
      .open = BEAD_OPEN_LOW, .help = "Poisson's ratio", .example = "0.3"},
-    {"radius", BEAD_OPTION_NUMBER, offsetof(struct written, radius), .unit = "m", .low = 1e-9, .high = 1e3,
+    {"radius", BEAD_OPTION_NUMBER, offsetof(struct written, radius), .unit = "m", BEAD_USUAL_RADIUS, .low = 1e-9, .high = 1e3,
      .help = "radius of a bead; walls need none", .example = "4.76 mm"},
     {"mass", BEAD_OPTION_NUMBER, offsetof(struct written, mass), .unit = "kg", .low = 0, .high = 1e9, .open = BEAD_OPEN_LOW,
      .help = "mass of a bead; give this or density; walls need neither", .example = "3.63 g"},
     {"density", BEAD_OPTION_NUMBER, offsetof(struct written, density), .unit = "kg/m3", .low = 0, .high = 1e6,
-     .open = BEAD_OPEN_LOW, .help = "density, which gives the mass with the radius", .example = "7800 kg/m3"},
+     .open = BEAD_OPEN_LOW, .usual = {BEAD_LIGHTEST, BEAD_HEAVIEST}, .likely = BEAD_LIKELY("g/cm3"),
+     .help = "density, which gives the mass with the radius", .example = "7800 kg/m3"},
+    {"yield", BEAD_OPTION_NUMBER, offsetof(struct written, yield), .unit = "Pa", .low = 0, .high = 1e15, .open = BEAD_OPEN_LOW,
+     .help = "yield strength: a run says by how much the pressure between beads exceeds it, and warns where they would be plastic",
+     .example = "1 GPa"},
     {"colour", BEAD_OPTION_CUSTOM, .initial = "#9aa4b2", .shape = "\"#rrggbb\"", .like = "text", .read = read_colour,
      .help = "colour in pictures", .example = "\"#c08040\""},
     {"label", BEAD_OPTION_TEXT, offsetof(struct written, label), .initial = "",
@@ -87,6 +91,9 @@ static enum bead_error check_mass(const struct bead_reader *reader, const struct
         w->mass = w->density * (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
     if (!radius && w->radius_tolerance > 0)
         return BEAD_WRONG_KEY(reader, at, "tolerance", "is one of the radius, which this material does not have");
+    const double volume = (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
+    if (mass && w->mass > BEAD_HEAVIEST * volume && bead_units_bare(bead_at_key(at, key).node->text))
+        bead_doubt(reader, (const struct bead_at[]){bead_at_key(at, key)}, "kg", "g");
     if (radius && !(w->mass >= 1e-30 && w->mass <= 1e15))
         return BEAD_WRONG_KEY(reader, at, key, "gives a mass of %.3g kg; must be from 1e-30 to 1e15 kg", w->mass);
     return BEAD_OK;
@@ -122,6 +129,7 @@ static enum bead_error add_material(struct bead_reader *reader, const char *name
     material->radius = written->radius;
     material->modulus = written->modulus;
     material->poisson = written->poisson;
+    material->yield = written->yield;
     material->radius_tolerance = written->radius_tolerance;
     material->modulus_tolerance = written->modulus_tolerance;
     memcpy(material->colour, written->colour, sizeof written->colour);

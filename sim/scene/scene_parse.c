@@ -85,10 +85,13 @@ static enum bead_error find_fingerprint(const struct bead_reader *reader)
 /* Reports all errors at once. */
 static enum bead_error read_all(struct bead_reader *reader, const struct bead_at *root)
 {
-    struct bead_faults faults = {.count = 0};
+    struct bead_faults faults = {.count = 0}, doubts = {.count = 0};
     reader->faults = &faults;
+    reader->doubts = &doubts;
     enum bead_error err = bead_options_read(reader, root, &bead_scene_options, reader->scene);
-    reader->faults = NULL;
+    reader->faults = reader->doubts = NULL;
+    if (!err && doubts.count > 0 && !(reader->scene->doubts = strdup(doubts.lines.text)))
+        err = bead_no_memory(reader);
     if (err == BEAD_ERROR_SCENE && faults.count > 0 && reader->msg)
         *reader->msg = faults.lines;
     return err;
@@ -213,6 +216,7 @@ void bead_scene_free(struct bead_scene *scene)
     free(scene->chains);
     free(scene->outputs);
     free(scene->simulate.method);
+    free(scene->doubts);
     free(scene->title);
     free(scene->author);
     free(scene->text);

@@ -2,6 +2,13 @@
 /* Inside of scenes, shared by sim/scene*.c: one reader and one option table for each structure. */
 #pragma once
 
+/* In rows: plain numbers for beads that can hardly be meant, and the units that are. Softer than rubber; a bead of half a metre;
+ * lighter than foam, heavier than osmium. */
+#define BEAD_USUAL_MODULUS .usual = {1e5, 1e13}, .likely = BEAD_LIKELY("GPa", "MPa")
+#define BEAD_USUAL_RADIUS  .usual = {0, 0.25}, .likely = BEAD_LIKELY("mm")
+#define BEAD_LIGHTEST      10.0 /* kg/m3 */
+#define BEAD_HEAVIEST      25000.0
+
 #include "beadreel/scene.h"
 #include "sim/kinds/scene_facts.h"
 #include "sim/options/options.h"
@@ -93,10 +100,10 @@ BEAD_CHECK enum bead_error bead_scene_read_cell(struct bead_reader *reader, cons
                                                 size_t *count);
 
 /* Rows of radius, mass and modulus; `at`: where the table's structure has a bead_variation. */
-#define BEAD_VARIED_ROW(at, what, name, si, least, most, opened, words, sample)                                             \
+#define BEAD_VARIED_ROW(at, what, name, si, least, most, opened, words, sample, ...)                                        \
     {                                                                                                                       \
         .key = name, .type = BEAD_OPTION_NUMBER, .offset = (at) + offsetof(struct bead_variation, value[what]), .unit = si, \
-        .low = least, .high = most, .open = opened, .help = words, .example = sample                                        \
+        .low = least, .high = most, .open = opened, .help = words, .example = sample, __VA_ARGS__                           \
     }
 
 /* Give `count` segments, left to right, their values: of the cell where all are alike, else of each bead. Errors: SCENE, MEMORY. */

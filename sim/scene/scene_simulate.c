@@ -36,8 +36,9 @@ static const struct bead_option rows[] = {
      .example = "1e-8"},
     {"method", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "auto or a method of --list methods", .like = "text",
      .read = read_method, .help = "integrator", .example = "rk4"},
-    {"step", BEAD_OPTION_NUMBER, SIMULATE(step), .unit = "s", .of_motion = true, .initial = "auto", .low = 1e-15, .high = 1e3,
-     .word = "auto", .help = "time step; auto: follows from accuracy", .example = "0.1 us"},
+    {"step", BEAD_OPTION_NUMBER, SIMULATE(step), .unit = "s", .usual = {0, 1e-3}, .likely = BEAD_LIKELY("us"), .of_motion = true,
+     .initial = "auto", .low = 1e-15, .high = 1e3, .word = "auto", .help = "time step; auto: follows from accuracy",
+     .example = "0.1 us"},
     {"verify", BEAD_OPTION_FLAG, SIMULATE(verify), .initial = "false",
      .help = "accuracy as a guarantee: runs with a tenth of the tolerance, and a tenth of that, until two agree about every peak "
              "of contacts and beads to what was asked. Peaks for which they never do are told at the end, with how well they are "

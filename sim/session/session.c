@@ -96,6 +96,7 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
     if (err)
         return err;
     find_accuracy(s);
+    bead_session_doubt(s);
     err = bead_session_find_resolution(s, msg);
     if (!err)
         err = find_end(s, msg);

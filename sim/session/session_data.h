@@ -30,8 +30,9 @@ struct bead_made {
     struct bead_range range; /* found by scouting */
 };
 
-/* A step that is too long; peaks that could not be verified. */
-enum { SESSION_WARNINGS = 2 };
+/* Warnings, in this order: numbers that can hardly be meant; a step that is too long; a model that does not hold; peaks that could
+ * not be verified. */
+enum { SESSION_DOUBTS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_UNVERIFIED, SESSION_WARNINGS };
 
 struct bead_sensitivities; /* session_sensitivity.c */
 
@@ -58,8 +59,9 @@ struct bead_session {
     double resolution;                   /* s */
     double refinement;                   /* tolerance of the runs, in units of what is asked */
     double tolerance_factor;             /* of comparison runs, in the same units */
-    char warning[SESSION_WARNINGS][320]; /* "": none */
+    char warning[SESSION_WARNINGS][640]; /* "": none */
     bool unverified;
+    bool strained;                      /* the energy of a chain would do for contacts beyond the model: their peaks are found */
     const struct bead_output *exacting; /* asks for the accuracy, where the scene does not; NULL: none */
     bool begun;                         /* it runs, or has run */
     struct bead_grid native;            /* of the trajectory output, every 0: none */
@@ -143,6 +145,14 @@ BEAD_CHECK enum bead_error bead_session_choose(struct bead_session *session, con
 BEAD_CHECK enum bead_error bead_session_run_single(struct bead_session *session, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_finish(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_finish_all(struct bead_session *session, struct bead_message *msg);
+
+/* session_validity.c: could the model fail? Then the peaks of contacts are wanted. */
+void bead_session_doubt(struct bead_session *session);
+/* Warn where it failed, in these outcomes. */
+void bead_session_judge(struct bead_session *session, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
+                        size_t count);
+/* The same for a sweep, by the first chain of each panel. Errors: those of runs. */
+BEAD_CHECK enum bead_error bead_session_judge_sweep(struct bead_session *session, struct bead_message *msg);
 
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);

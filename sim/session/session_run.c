@@ -77,6 +77,8 @@ static enum bead_error session_begin(struct bead_session *s, struct bead_consume
         consumers[(*count)++] =
             (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .context = m};
     }
+    if (s->strained) /* for the judgement of the model, without uncertainties */
+        consumers[(*count)++] = (struct bead_consumer){.needs = {.contact_peaks = true}};
     return BEAD_OK;
 }
 
@@ -91,6 +93,8 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
         again = false;
         for (size_t i = 0; !err && i < p->consumer_count; i++) {
             struct bead_made *m = p->consumers[i].context;
+            if (!m)
+                continue;
             err = m->type->again ? m->type->again(m->sink, &again, msg) : BEAD_OK;
             bead_session_ask_needs(s, m);
             p->consumers[i].needs = m->needs;
@@ -252,6 +256,8 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
         err = bead_session_find_sensitivities(s, msg);
     if (err && err != BEAD_ERROR_STOPPED)
         return err;
+    if (!s->trajectory)
+        bead_session_judge(s, s->chains, s->played.outcomes, s->played.count);
     if (s->passage && !s->trajectory && !err && !isfinite(s->end))
         s->end = s->played.end;
     struct bead_message unused;

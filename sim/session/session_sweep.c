@@ -115,6 +115,8 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         err = bead_file_part_name(results->path, &journal, msg);
     if (!err && !s->sweep_read && needs_results(s))
         err = compute(s, results, journal, msg);
+    if (!err && !s->sweep_read)
+        err = bead_session_judge_sweep(s, msg);
     if (!err)
         err = bead_session_finish_all(s, msg);
     /* Not before: after a plot has failed or the run was stopped, the same command need not compute the chains again. */

@@ -55,7 +55,7 @@ static void tell(struct bead_session *s, const struct verdict *verdict)
     const char *name = bead_chain_name(s->chains[verdict->chain]);
     const bool bead = !isnan(w->worst_bead);
     s->unverified = true;
-    snprintf(s->warning[1], sizeof s->warning[1],
+    snprintf(s->warning[SESSION_UNVERIFIED], sizeof s->warning[SESSION_UNVERIFIED],
              "%s: simulate.verify: %zu of %zu peaks did not reach the requested accuracy of %.3g; least certain: %s %.0f%s%s, %.6g "
              "N to %.2g of that",
              s->source->file, verdict->poor, verdict->peaks, s->source->simulate.accuracy, bead ? "bead" : "contact",
@@ -70,8 +70,9 @@ enum bead_error bead_session_verify(struct bead_session *s, struct bead_message 
     enum bead_error err = BEAD_OK;
     if (!bead_chain_spec(s->chains[0])->system->has_contacts)
         return BEAD_OK;
-    for (size_t i = 0; i < s->chain_count && !s->warning[0][0]; i++)
-        snprintf(s->warning[0], sizeof s->warning[0], "%s", bead_run_long_step(s->chains[i], asked).text);
+    for (size_t i = 0; i < s->chain_count && !s->warning[SESSION_LONG_STEP][0]; i++)
+        snprintf(s->warning[SESSION_LONG_STEP], sizeof s->warning[SESSION_LONG_STEP], "%s",
+                 bead_run_long_step(s->chains[i], asked).text);
     if (!asked->verify)
         return BEAD_OK;
     const double factor = s->tolerance_factor;
@@ -89,8 +90,9 @@ enum bead_error bead_session_verify(struct bead_session *s, struct bead_message 
 const char *bead_session_warning(const struct bead_session *s, size_t index)
 {
     for (size_t i = 0; i < SESSION_WARNINGS; i++) {
-        if (s->warning[i][0] && index-- == 0)
-            return s->warning[i];
+        const char *text = i == SESSION_DOUBTS && s->scene && s->scene->doubts ? s->scene->doubts : s->warning[i];
+        if (*text && index-- == 0)
+            return text;
     }
     return NULL;
 }

@@ -6,7 +6,7 @@ cd "$T" || exit 1
 cat >scene.yaml <<'YAML'
 chains:
   - {name: a, beads: [{bead: brass, count: 12}]}
-  - {name: "b \"two\"", beads: [{bead: ptfe, count: 8}]}
+  - {name: "b \"two\"", striker: {velocity: 0.1 m/s}, beads: [{bead: ptfe, count: 8}]}
 outputs:
   - {table: peaks.csv, show: peaks}
   - {image: "folder/µ.png", size: [480, 320]}
