@@ -4,6 +4,7 @@
 #pragma once
 
 #include "beadreel/sink.h"
+#include "sim/base/internal.h"
 
 struct bead_place_shown {
     char name[128]; /* of the sensor, or "bead 20", "contact 3" */
@@ -12,9 +13,9 @@ struct bead_place_shown {
 };
 
 /* How many a chain has for this output, and number `k` of them: beads first. Those that the chain does not have are left out. */
-size_t bead_places_count(const struct bead_output *output, const struct bead_chain *chain);
-struct bead_place_shown bead_place_shown(const struct bead_output *output, const struct bead_chain *chain, size_t k);
+BEAD_INTERNAL size_t bead_places_count(const struct bead_output *output, const struct bead_chain *chain);
+BEAD_INTERNAL struct bead_place_shown bead_place_shown(const struct bead_output *output, const struct bead_chain *chain, size_t k);
 /* Widen what is needed of samples, `beads` and `fields`, to those of the chain. */
-void bead_places_need(const struct bead_output *output, const struct bead_chain *chain, struct bead_needs *needs);
+BEAD_INTERNAL void bead_places_need(const struct bead_output *output, const struct bead_chain *chain, struct bead_needs *needs);
 /* Is a bead, or a contact, one of those listed, or are none? */
 bool bead_is_listed(const struct bead_listed *listed, size_t index);
