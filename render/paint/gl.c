@@ -38,15 +38,18 @@ enum bead_error bead_gl_load(const struct bead_context_type *type, void **table,
     return BEAD_OK;
 }
 
-static enum bead_error compile(const char *asset, GLenum kind, GLuint *shader, struct bead_message *msg)
+/* `defines` come after the first line, which has the version. */
+static enum bead_error compile(const char *asset, GLenum kind, const char *defines, GLuint *shader, struct bead_message *msg)
 {
     char *text = NULL;
     size_t length = 0;
     *shader = 0;
     BEAD_TRY(bead_asset_read(asset, &text, &length, msg));
     *shader = glCreateShader(kind);
-    const GLchar *source = text;
-    glShaderSource(*shader, 1, &source, NULL);
+    const GLint first = (GLint)strcspn(text, "\n") + (strchr(text, '\n') != NULL);
+    const GLchar *const source[3] = {text, defines ? defines : "", text + first};
+    const GLint lengths[3] = {first, -1, -1};
+    glShaderSource(*shader, 3, source, lengths);
     glCompileShader(*shader);
     free(text);
     GLint good = 0;
@@ -60,7 +63,8 @@ static enum bead_error compile(const char *asset, GLenum kind, GLuint *shader, s
     return bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s does not compile: %s", asset, log);
 }
 
-enum bead_error bead_gl_program(const char *vertex, const char *fragment, GLuint *program, struct bead_message *msg)
+enum bead_error bead_gl_program(const char *vertex, const char *fragment, const char *defines, GLuint *program,
+                                struct bead_message *msg)
 {
     static const struct {
         const char *extension;
@@ -74,7 +78,7 @@ enum bead_error bead_gl_program(const char *vertex, const char *fragment, GLuint
         char asset[64];
         GLuint shader;
         snprintf(asset, sizeof asset, "shaders/%s.%s", names[i], stages[i].extension);
-        err = compile(asset, stages[i].kind, &shader, msg);
+        err = compile(asset, stages[i].kind, defines, &shader, msg);
         if (!err) {
             glAttachShader(*program, shader);
             glDeleteShader(shader); /* lives as long as the program */

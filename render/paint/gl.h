@@ -18,9 +18,10 @@ BEAD_CHECK enum bead_error bead_gl_open(const struct bead_context_type *type, st
                                         struct bead_message *msg);
 /* Make a table of the functions of the current context, for bead_gl; to be freed, also on failure. Errors: GRAPHICS, MEMORY. */
 BEAD_CHECK enum bead_error bead_gl_load(const struct bead_context_type *type, void **table, struct bead_message *msg);
-/* Compile and link shaders/`vertex`.vert and shaders/`fragment`.frag of the assets. Errors: IO, MEMORY, GRAPHICS (with the
- * compiler's message). */
-BEAD_CHECK enum bead_error bead_gl_program(const char *vertex, const char *fragment, GLuint *program, struct bead_message *msg);
+/* Compile and link shaders/`vertex`.vert and shaders/`fragment`.frag of the assets, both with `defines` (NULL: none). Errors: IO,
+ * MEMORY, GRAPHICS (with the compiler's message). */
+BEAD_CHECK enum bead_error bead_gl_program(const char *vertex, const char *fragment, const char *defines, GLuint *program,
+                                           struct bead_message *msg);
 /* A texture of this size, RGBA8, with its own framebuffer object; `pixels`: B G R X rows of `stride` bytes, NULL: undefined.
  * Errors: GRAPHICS. */
 BEAD_CHECK enum bead_error bead_gl_target(int width, int height, const void *pixels, size_t stride, GLuint *texture,

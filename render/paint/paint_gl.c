@@ -8,6 +8,7 @@
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl.h"
+#include "render/paint/stage_gl.h"
 #include "sim/base/memory.h"
 
 /* A program and the layout of its input: points, with a vertex each, or squares, with an instance each. */
@@ -27,6 +28,7 @@ struct bead_painter {
     bool ready;                  /* the shaders exist; they are made at the first painting */
     int margin;                  /* px: added to the viewport on all sides, as OpenGL drops points with centres outside of it */
     GLuint buffer;
+    struct bead_stage_painter *stage;                     /* NULL: none was painted */
     struct brush balls, large_balls, marks[MARK_BRUSHES]; /* large: too large for points */
 };
 
@@ -57,7 +59,7 @@ static enum bead_error make_brush(struct bead_canvas *canvas, const char *vertex
                                   const struct attribute *attributes, struct brush *brush, struct bead_message *msg)
 {
     const int margin = canvas->painter->margin;
-    BEAD_TRY(bead_gl_program(vertex, fragment, &brush->program, msg));
+    BEAD_TRY(bead_gl_program(vertex, fragment, NULL, &brush->program, msg));
     glUseProgram(brush->program);
     glUniform2f(glGetUniformLocation(brush->program, "size"), (GLfloat)(canvas->width + 2 * margin),
                 (GLfloat)(canvas->height + 2 * margin));
@@ -174,6 +176,7 @@ static void gl_close(struct bead_canvas *canvas)
     }
     if (p->context)
         canvas->driver->context->close(p->context);
+    bead_stage_gl_free(p->stage);
     free(p->context);
     free(p->functions);
     free(p);
@@ -270,23 +273,34 @@ static void gl_marks(struct bead_canvas *canvas, const struct bead_mark *marks, 
     }
 }
 
+/* A rectangle of the canvas to this place of a frame. */
+static void read_pixels(struct bead_rect rect, uint8_t *pixels, size_t stride, int x, int y)
+{
+    glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)(stride / 4));
+    glReadPixels(rect.x, rect.y, rect.width, rect.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels + (size_t)y * stride + (size_t)x * 4);
+}
+
 static enum bead_error gl_end(struct bead_canvas *canvas, struct bead_message *msg)
 {
     const struct bead_rect *place = &canvas->backdrop->place, *rect = &canvas->rect;
     struct bead_frame *frame = canvas->frame;
-    glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)(frame->stride / 4));
-    glReadPixels(rect->x, rect->y, rect->width, rect->height, GL_RGBA, GL_UNSIGNED_BYTE,
-                 frame->pixels + (size_t)(place->y + rect->y) * frame->stride + (size_t)(place->x + rect->x) * 4);
+    read_pixels(*rect, frame->pixels, frame->stride, place->x + rect->x, place->y + rect->y);
     return bead_gl_check("reading pixels", msg);
 }
 
-static enum bead_error gl_stage(struct bead_canvas *, const struct bead_stage *stage, const struct bead_ground *ground,
-                                struct bead_message *)
+static enum bead_error gl_stage(struct bead_canvas *canvas, const struct bead_stage *stage, const struct bead_ground *ground,
+                                struct bead_message *msg)
 {
-    const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(NULL);
-    kernels->stage_floor(stage);
-    kernels->stage(ground, stage);
-    return BEAD_OK;
+    const int size[2] = {canvas->width, canvas->height};
+    const struct bead_rect *clip = &ground->clip;
+    enum bead_error err = use(canvas, msg);
+    if (err)
+        return err;
+    bead_pixel_kernels_find(NULL)->stage_floor(stage);
+    err = bead_stage_gl(&canvas->painter->stage, size, stage, clip->y, msg);
+    if (!err)
+        read_pixels(*clip, ground->pixels, ground->stride, ground->origin[0] + clip->x, ground->origin[1] + clip->y);
+    return err ? err : bead_gl_check("reading pixels", msg);
 }
 
 const struct bead_painting bead_painting_gl = {

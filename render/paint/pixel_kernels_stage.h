@@ -196,7 +196,7 @@ static inline __attribute__((always_inline)) void stage_span(const struct bead_s
     }
 }
 
-/* Columns of a bead between its contacts, `high` pixels above the floor. */
+/* Columns of a bead between its contacts, `high` pixels above the floor, or below it for its image. */
 static struct run stage_run(const struct bead_stage *s, const struct bead_stage_bead *b, float high)
 {
     const int from = b->left > 0 ? b->left : 0, wide = b->left + b->bake->wide + 1, to = wide < s->width ? wide : s->width;
@@ -208,14 +208,13 @@ static struct run stage_run(const struct bead_stage *s, const struct bead_stage_
 
 static void stage_bead(const struct bead_stage *s, const struct bead_stage_bead *b, int y)
 {
-    const float high = bead_stage_foot(s) - ((float)y + 0.5f);
-    const struct run image = stage_run(s, b, -high), run = stage_run(s, b, high);
+    const struct run run = stage_run(s, b, fabsf(bead_stage_foot(s) - ((float)y + 0.5f)));
     const bool shift = b->part > 0;
     if (y >= b->mirror_top && y < b->mirror_top + b->bake->high) {
         if (b->lit)
-            stage_span(s, b, y - b->mirror_top, image, (struct stage_ways){shift, false, true, b->tilted, true});
+            stage_span(s, b, y - b->mirror_top, run, (struct stage_ways){shift, false, true, b->tilted, true});
         else
-            stage_span(s, b, y - b->mirror_top, image, (struct stage_ways){shift, false, false, false, true});
+            stage_span(s, b, y - b->mirror_top, run, (struct stage_ways){shift, false, false, false, true});
     }
     if (y < b->top || y >= b->top + b->bake->high)
         return;

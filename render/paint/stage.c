@@ -78,6 +78,23 @@ void bead_stage_base(const struct bead_stage *stage, float y, float out[3])
         out[c] = stage->theme->floor[c] + part * (stage->theme->back[c] - stage->theme->floor[c]);
 }
 
+void bead_stage_floor_row(const struct bead_stage *s, int y, float *rgba)
+{
+    const float part = (float)(y % BEAD_STAGE_STEP) / BEAD_STAGE_STEP;
+    const size_t wide = (size_t)s->grid_width;
+    const float *from = s->grid + (size_t)(y / BEAD_STAGE_STEP) * BEAD_STAGE_CHANNELS * wide,
+                *to = from + BEAD_STAGE_CHANNELS * wide;
+    float base[4] = {0};
+    bead_stage_base(s, (float)y + 0.5f, base);
+    const light own = of(base);
+    for (size_t i = 0; i < wide; i++) {
+        const light a = {from[wide + i], from[2 * wide + i], from[3 * wide + i], 0};
+        const light b = {to[wide + i], to[2 * wide + i], to[3 * wide + i], 0};
+        const light c = own * (from[i] + part * (to[i] - from[i])) + a + part * (b - a);
+        memcpy(rgba + 4 * i, &c, sizeof c);
+    }
+}
+
 /* ---- materials ---- */
 
 struct surface {
@@ -163,8 +180,6 @@ static float *bake_picture(const struct bead_stage *stage, const struct bead_sta
         for (int x = 0; x < b->wide; x++) {
             const float dx = (float)x + 0.5f - 0.5f * (float)b->wide, dy = 0.5f * (float)b->high - (float)y - 0.5f;
             const float distance = sqrtf(dx * dx + dy * dy), cover = unit_part(b->r + 0.5f - distance);
-            if (cover <= 0)
-                continue;
             const float scale = 1 / fmaxf(b->r, distance); /* a pixel on the edge has the look of the rim */
             float look[BEAD_STAGE_PLANES];
             if (picture == BEAD_STAGE_MIRROR)

@@ -53,9 +53,10 @@ enum bead_stage_picture {
 
 struct bead_stage_bake {
     float r;
-    float colour[3];                     /* sRGB */
-    int wide, high;                      /* with the ball in the middle */
-    float *picture[BEAD_STAGE_PICTURES]; /* NULL: not baked yet. Rows of planes of wide + 2 PAD numbers */
+    float colour[3];                       /* sRGB */
+    int wide, high;                        /* with the ball in the middle */
+    float *picture[BEAD_STAGE_PICTURES];   /* NULL: not baked yet. Rows of planes of wide + 2 PAD numbers */
+    unsigned texture[BEAD_STAGE_PICTURES]; /* of OpenGL; 0: none yet */
 };
 
 /* A bead as it is shown. */
@@ -111,6 +112,8 @@ BEAD_CHECK enum bead_error bead_stage_prepare(struct bead_stage *stage, struct b
 void bead_stage_glow(double part, float light[3]);
 /* The colour, sRGB 0..1, in which linear light is shown. */
 double bead_stage_shown(double light);
+/* Light of the floor in a row of pixels, at the points of the grid: red, green, blue, 1. After the grid has been computed. */
+void bead_stage_floor_row(const struct bead_stage *stage, int y, float *rgba);
 /* The floor's own light in a row. */
 void bead_stage_base(const struct bead_stage *stage, float y, float light[3]);
 

@@ -84,7 +84,7 @@ static void join(const struct bead_view *v, struct bead_stage_bead *a, struct be
     a->near[1] = b->near[0] = (float)near;
     a->tilt[1] = (float)(rise / distance);
     b->tilt[0] = (float)(-rise / distance);
-    a->edge[1] = b->edge[0] = (float)(plane - slope * high);
+    a->edge[1] = b->edge[0] = on_grid(plane - slope * high);
     a->slope[1] = b->slope[0] = (float)slope;
 }
 

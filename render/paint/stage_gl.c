@@ -1,0 +1,298 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "render/paint/stage_gl.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/memory.h"
+
+enum kind { FLOOR, WALL, MIRROR, BALL, BALL_AND_MIRROR, ALONE, KINDS };
+static const char *const defines[KINDS] = {[FLOOR] = "",
+                                           [WALL] = "#define WALL\n",
+                                           [MIRROR] = "#define MIRROR\n",
+                                           [BALL] = "#define BALL\n",
+                                           [BALL_AND_MIRROR] = "#define BALL\n#define MIRROR\n",
+                                           [ALONE] = "#define BALL\n#define MIRROR\n#define ALONE\n"};
+/* Units of textures. */
+enum { GROUND, FIRST_PICTURE };
+
+/* As in stage.vert. */
+struct rectangle {
+    float box[4], disc[4], rows[4], planes[4], sides[4], left[3], right[3], own[3];
+};
+static const int numbers[] = {4, 4, 4, 4, 4, 3, 3, 3};
+
+struct bead_stage_painter {
+    GLuint program[KINDS], vertices, buffer, ground;
+    int ground_size[2];
+    float *light; /* of the floor */
+    struct rectangle *rectangles;
+    size_t room;
+};
+
+void bead_stage_gl_free(struct bead_stage_painter *p)
+{
+    if (!p)
+        return;
+    free(p->light);
+    free(p->rectangles);
+    free(p);
+}
+
+static enum bead_error use_program(struct bead_stage_painter *p, enum kind kind, const int size[2], const struct bead_stage *stage,
+                                   struct bead_message *msg)
+{
+    static const char *const samplers[] = {"ground", "beside", "alone", "image"};
+    GLuint *program = &p->program[kind];
+    if (!*program) {
+        enum bead_error err = bead_gl_program("stage", "stage", defines[kind], program, msg);
+        if (err)
+            return err;
+        glUseProgram(*program);
+        for (int i = 0; i < 4; i++)
+            glUniform1i(glGetUniformLocation(*program, samplers[i]), i);
+    }
+    glUseProgram(*program);
+    glUniform2f(glGetUniformLocation(*program, "size"), (GLfloat)size[0], (GLfloat)size[1]);
+    glUniform3f(glGetUniformLocation(*program, "stage"), stage->centre, stage->unit, bead_stage_foot(stage));
+    return BEAD_OK;
+}
+
+static GLuint make_texture(int width, int height, const float *rgba)
+{
+    GLuint texture;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba);
+    return texture;
+}
+
+/* Columns of nothing at each side of a picture. */
+enum { BESIDE_PICTURE = 2 };
+
+static enum bead_error upload_picture(const struct bead_stage_bake *bake, int picture, GLuint *texture, struct bead_message *msg)
+{
+    const int wide = bake->wide + 2 * BESIDE_PICTURE;
+    float *rgba = NULL;
+    enum bead_error err = bead_new(&rgba, 4 * (size_t)wide * (size_t)bake->high, msg, "out of memory for the look of beads");
+    if (err)
+        return err;
+    for (int y = 0; y < bake->high; y++)
+        for (int k = 0; k < 4; k++)
+            for (int x = 0; x < bake->wide; x++)
+                rgba[4 * ((size_t)y * (size_t)wide + (size_t)(x + BESIDE_PICTURE)) + (size_t)k] =
+                    bead_stage_row(bake, (enum bead_stage_picture)picture, y, k)[x];
+    *texture = make_texture(wide, bake->high, rgba);
+    free(rgba);
+    return BEAD_OK;
+}
+
+static enum bead_error bind_pictures(struct bead_stage_bake *bake, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (int k = 0; !err && k < BEAD_STAGE_PICTURES; k++) {
+        glActiveTexture((GLenum)(GL_TEXTURE0 + FIRST_PICTURE + k));
+        if (bake->picture[k] && !bake->texture[k])
+            err = upload_picture(bake, k, &bake->texture[k], msg);
+        glBindTexture(GL_TEXTURE_2D, bake->texture[k]);
+    }
+    return err;
+}
+
+/* The floor's light in each row, every 8 pixels. */
+static enum bead_error upload_floor(struct bead_stage_painter *p, const struct bead_stage *s, int skip, struct bead_message *msg)
+{
+    const size_t width = (size_t)s->grid_width, numbers_of_all = 4 * width * (size_t)s->height;
+    if (p->ground_size[0] != s->grid_width || p->ground_size[1] != s->height) {
+        free(p->light);
+        p->light = NULL;
+        enum bead_error err = bead_new(&p->light, numbers_of_all, msg, "out of memory for a floor");
+        if (err)
+            return err;
+        if (p->ground)
+            glDeleteTextures(1, &p->ground);
+        glActiveTexture(GL_TEXTURE0 + GROUND);
+        p->ground = make_texture(s->grid_width, s->height, NULL);
+        p->ground_size[0] = s->grid_width;
+        p->ground_size[1] = s->height;
+    }
+    for (int y = skip; y < s->height; y++)
+        bead_stage_floor_row(s, y, p->light + 4 * width * (size_t)y);
+    glActiveTexture(GL_TEXTURE0 + GROUND);
+    glBindTexture(GL_TEXTURE_2D, p->ground);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, skip, s->grid_width, s->height - skip, GL_RGBA, GL_FLOAT,
+                    p->light + 4 * width * (size_t)skip);
+    return BEAD_OK;
+}
+
+/* ---- rectangles ---- */
+
+static void draw(struct bead_stage_painter *p, size_t count)
+{
+    glBindBuffer(GL_ARRAY_BUFFER, p->buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof *p->rectangles), p->rectangles, GL_STREAM_DRAW);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)count);
+}
+
+static size_t add_box(struct rectangle *r, float left, float top, float right, float bottom)
+{
+    const float box[4] = {left, top, right, bottom};
+    memcpy(r->box, box, sizeof box);
+    return right > left && bottom > top;
+}
+
+/* Columns between a bead's contacts, in any row; where it has none, those of its picture. */
+static void columns_of(const struct bead_stage *s, const struct bead_stage_bead *b, float *from, float *to)
+{
+    const float high = 2.1f * s->unit, left = (float)b->left, right = (float)(b->left + b->bake->wide + 1);
+    const float first = isfinite(b->edge[0]) ? floorf(b->edge[0] - high * fabsf(b->slope[0])) : left;
+    const float last = isfinite(b->edge[1]) ? ceilf(b->edge[1] + high * fabsf(b->slope[1])) : right;
+    *from = fmaxf(0, first);
+    *to = fminf((float)s->width, last);
+}
+
+static size_t floor_boxes(struct rectangle *r, const struct bead_stage *s, float skip)
+{
+    const float bottom = (float)s->height;
+    float at = 0, from, to;
+    size_t n = 0;
+    for (size_t i = 0; i < s->count; i++) {
+        const struct bead_stage_bead *b = &s->beads[i];
+        columns_of(s, b, &from, &to);
+        if (to <= from)
+            continue;
+        n += add_box(&r[n], at, skip, from, bottom);
+        n += add_box(&r[n], from, skip, to, (float)b->top);
+        n += add_box(&r[n], from, (float)(b->mirror_top + b->bake->high), to, bottom);
+        at = fmaxf(at, fminf(to, floorf(b->edge[1] - 2.1f * s->unit * fabsf(b->slope[1]))));
+    }
+    n += add_box(&r[n], at, skip, (float)s->width, bottom);
+    return n;
+}
+
+/* The part of a bead that a kind of shader paints: above its image in the floor, below the bead itself, and where they are both. */
+static size_t bead_box(struct rectangle *r, const struct bead_stage *s, const struct bead_stage_bead *b, enum kind kind, float skip)
+{
+    const float low = (float)(b->top + b->bake->high), end = fminf((float)s->height, (float)(b->mirror_top + b->bake->high));
+    const float rows[KINDS][2] = {[BALL] = {(float)b->top, (float)b->mirror_top},
+                                  [BALL_AND_MIRROR] = {(float)b->mirror_top, low},
+                                  [ALONE] = {(float)b->top, low},
+                                  [MIRROR] = {low, end}};
+    float from, to;
+    columns_of(s, b, &from, &to);
+    if (!add_box(r, from, fmaxf(skip, rows[kind][0]), to, fminf(end, rows[kind][1])))
+        return 0;
+    *r = (struct rectangle){.disc = {b->x, b->r, (float)b->left, b->part},
+                            .rows = {(float)b->top, (float)b->mirror_top, (float)b->bake->wide, (float)b->bake->high},
+                            .planes = {fmaxf(b->edge[0], -1e6f), b->slope[0], fminf(b->edge[1], 1e6f), b->slope[1]},
+                            .sides = {b->near[0], b->near[1], b->tilted ? b->tilt[0] : 0, b->tilted ? b->tilt[1] : 0}};
+    for (int c = 0; c < 3; c++) {
+        r->left[c] = b->light[0][c] * b->tint[c];
+        r->right[c] = b->light[1][c] * b->tint[c];
+        r->own[c] = b->own[c] * b->tint[c];
+    }
+    return add_box(r, from, fmaxf(skip, rows[kind][0]), to, fminf(end, rows[kind][1]));
+}
+
+static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind, const int size[2], const struct bead_stage *s,
+                                   float skip, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    bool used = false;
+    for (size_t k = 0; !err && k < s->bake_count; k++) {
+        size_t n = 0;
+        for (size_t i = 0; i < s->count; i++) {
+            const struct bead_stage_bead *b = &s->beads[i];
+            const bool alone = kind == ALONE, either = kind == MIRROR;
+            if (b->bake == &s->bakes[k] && (either || b->mixed == alone))
+                n += bead_box(&p->rectangles[n], s, b, kind, skip);
+        }
+        if (n == 0)
+            continue;
+        if (!used)
+            err = use_program(p, kind, size, s, msg);
+        used = true;
+        if (!err)
+            err = bind_pictures(&s->bakes[k], msg);
+        if (!err)
+            draw(p, n);
+    }
+    return err;
+}
+
+static enum bead_error paint_wall(struct bead_stage_painter *p, const int size[2], const struct bead_stage *s, float skip,
+                                  struct bead_message *msg)
+{
+    const struct bead_stage_wall *w = &s->wall;
+    struct rectangle *r = p->rectangles;
+    *r = (struct rectangle){.disc = {w->x}};
+    memcpy(r->right, w->light, sizeof r->right);
+    memcpy(r->own, w->colour, sizeof r->own);
+    /* Rows as in the plain painter: those whose middle is from 1.2 above to the floor. */
+    const float top = ceilf(s->centre - 1.2f * s->unit - 0.5f), bottom = floorf(bead_stage_foot(s) - 0.5f) + 1;
+    const float left = fmaxf(0, ceilf(w->x - 0.5f)), right = fminf(floorf(w->x + w->width), (float)s->width);
+    if (w->width <= 0 || !add_box(r, left, fmaxf(skip, top), right, bottom))
+        return BEAD_OK;
+    enum bead_error err = use_program(p, WALL, size, s, msg);
+    if (!err)
+        draw(p, 1);
+    return err;
+}
+
+static enum bead_error open_painter(struct bead_stage_painter **painter, size_t count, struct bead_message *msg)
+{
+    struct bead_stage_painter *p = *painter;
+    enum bead_error err = p ? BEAD_OK : bead_new(painter, 1, msg, "out of memory for a stage");
+    if (err)
+        return err;
+    p = *painter;
+    if (!p->buffer) {
+        glGenBuffers(1, &p->buffer);
+        glGenVertexArrays(1, &p->vertices);
+    }
+    glBindVertexArray(p->vertices);
+    glBindBuffer(GL_ARRAY_BUFFER, p->buffer);
+    size_t offset = 0;
+    for (GLuint i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, numbers[i], GL_FLOAT, GL_FALSE, sizeof(struct rectangle), (const void *)(uintptr_t)offset);
+        glVertexAttribDivisor(i, 1);
+        offset += (size_t)numbers[i] * sizeof(float);
+    }
+    if (count <= p->room)
+        return BEAD_OK;
+    free(p->rectangles);
+    p->rectangles = NULL;
+    p->room = count;
+    return bead_new(&p->rectangles, count, msg, "out of memory for a stage");
+}
+
+enum bead_error bead_stage_gl(struct bead_stage_painter **painter, const int size[2], const struct bead_stage *s, int skip,
+                              struct bead_message *msg)
+{
+    enum bead_error err = open_painter(painter, 3 * s->room + 2, msg);
+    if (err)
+        return err;
+    struct bead_stage_painter *p = *painter;
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, size[0], size[1]);
+    err = upload_floor(p, s, skip, msg);
+    if (!err)
+        err = use_program(p, FLOOR, size, s, msg);
+    if (err)
+        return err;
+    draw(p, floor_boxes(p->rectangles, s, (float)skip));
+    static const enum kind order[] = {MIRROR, BALL, BALL_AND_MIRROR, ALONE};
+    for (size_t i = 0; !err && i < sizeof order / sizeof *order; i++)
+        err = paint_beads(p, order[i], size, s, (float)skip, msg);
+    if (!err)
+        err = paint_wall(p, size, s, (float)skip, msg);
+    glActiveTexture(GL_TEXTURE0);
+    return err ? err : bead_gl_check("painting a stage", msg);
+}

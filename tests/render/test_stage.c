@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stage: all painters agree, light rises with force, the camera stands still and follows the wave, beads are where they belong.
+ */
+#include "tests/scenes.h"
+
+#include "beadreel/frame.h"
+#include "render/draw/axis.h"
+#include "render/paint/canvas.h"
+#include "render/paint/paint.h"
+#include "render/paint/pixel_kernels.h"
+#include "render/view/stage_view.h"
+#include "render/view/views.h"
+#include "tests/eyes.h"
+#include "tests/missing.h"
+#include "tests/painting.h"
+
+enum { WIDTH = 620, HEIGHT = 190, BEADS_SHOWN = 12 };
+
+/* ---- stages without a chain ---- */
+
+static const struct bead_stage_theme *const themes[] = {&bead_stage_dark, &bead_stage_light};
+
+static void open_stage(struct bead_stage *s, const struct bead_stage_theme *theme, float unit)
+{
+    struct bead_message msg = {""};
+    *s = (struct bead_stage){.theme = theme, .width = WIDTH, .height = HEIGHT, .unit = unit, .centre = 80, .room = BEADS_SHOWN};
+    require(bead_stage_open(s, &msg), &msg);
+}
+
+/* The plane in which two neighbours touch: the tangent of both. */
+static void touch(const struct bead_stage *s, struct bead_stage_bead *a, struct bead_stage_bead *b)
+{
+    const float dx = b->x - a->x, rise = b->r - a->r, distance = hypotf(dx, rise), part = a->r / (a->r + b->r);
+    const float slope = -BEAD_STAGE_COSINE * rise / dx, high = BEAD_STAGE_COSINE * (a->r + rise * part);
+    a->edge[1] = b->edge[0] = roundf(64 * (a->x + dx * part - slope * high)) / 64;
+    a->slope[1] = b->slope[0] = slope;
+    a->tilt[1] = rise / distance;
+    b->tilt[0] = -a->tilt[1];
+    a->near[1] = b->near[0] = fminf(1, fmaxf(0, 1.15f - (distance - a->r - b->r) / (0.58f * s->unit)));
+}
+
+/* Unlike beads of all colours, touching, apart and pressed into each other, some lit; a wall. */
+static void fill_stage(struct bead_stage *s, uint32_t seed)
+{
+    float x = -10;
+    s->count = BEADS_SHOWN;
+    for (int i = 0; i < BEADS_SHOWN; i++) {
+        struct bead_stage_bead *b = &s->beads[i];
+        *b = (struct bead_stage_bead){
+            .x = x, .r = roundf(4 * random_place(&seed, 0.4 * s->unit, s->unit)) / 4, .edge = {-INFINITY, INFINITY}};
+        for (int c = 0; c < 3; c++)
+            b->colour[c] = random_place(&seed, 0.05, 1);
+        if (i > 0) {
+            const float gap = random_place(&seed, -0.2 * s->unit, 0.4 * s->unit);
+            b->x = roundf(64 * (x + 2 * sqrtf(b->r * b[-1].r) + fmaxf(gap, -0.2f * b->r))) / 64;
+            touch(s, b - 1, b);
+            bead_stage_glow(random_place(&seed, -0.5, 1), b->light[0]);
+            memcpy(b[-1].light[1], b->light[0], sizeof b->light[0]);
+        }
+        x = b->x;
+    }
+    s->wall = (struct bead_stage_wall){.x = x + s->beads[BEADS_SHOWN - 1].r + 0.25f, .width = s->unit, .colour = {.1f, .2f, .3f}};
+    s->beads[BEADS_SHOWN - 1].edge[1] = s->wall.x;
+    bead_stage_glow(0.6, s->wall.light);
+}
+
+static const struct bead_rect place = {13, 5, WIDTH, HEIGHT};
+
+static void paint(const char *canvas, const struct bead_stage_theme *theme, uint32_t seed, struct bead_frame *frame)
+{
+    struct bead_message msg = {""};
+    struct bead_canvas *c;
+    struct bead_stage s;
+    require(bead_canvas_create(canvas, WIDTH + 7, HEIGHT + 9, &c, &msg), &msg);
+    require(bead_frame_create(WIDTH + 40, HEIGHT + 20, frame, &msg), &msg);
+    open_stage(&s, theme, (float)(20 + seed % 40));
+    fill_stage(&s, seed);
+    require(bead_stage_prepare(&s, &msg), &msg);
+    require(bead_paint_stage(c, &s, place, 7, frame, &msg), &msg);
+    bead_stage_close(&s);
+    bead_canvas_destroy(c);
+}
+
+static void painters_agree(void **state)
+{
+    static const char *const others[] = {"osmesa", "egl"};
+    struct bead_message msg = {""};
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct bead_canvas *c;
+        if (bead_canvas_create(others[k], 1, 1, &c, &msg))
+            skip_without("OSMesa or EGL (libosmesa6, libegl1)");
+        bead_canvas_destroy(c);
+        for (uint32_t seed = 0; seed < 12; seed++) {
+            struct bead_frame plain, other;
+            int most = 0;
+            paint("plain", themes[seed % 2], 7 * seed, &plain);
+            paint(others[k], themes[seed % 2], 7 * seed, &other);
+            for (size_t i = 0; i < plain.stride * (size_t)plain.height; i++)
+                most = i % 4 < 3 && abs(plain.pixels[i] - other.pixels[i]) > most ? abs(plain.pixels[i] - other.pixels[i]) : most;
+            if (most > 3)
+                fail_msg("%s, stage %u: levels differ by %d", others[k], seed, most);
+            bead_frame_free(&plain);
+            bead_frame_free(&other);
+        }
+    }
+}
+
+static void instruction_sets_give_the_same_pixels(void **state)
+{
+    static const char *const names[] = {"portable", "sse2", "avx2", "avx512"};
+    struct bead_message msg = {""};
+    (void)state;
+    for (uint32_t seed = 0; seed < 6; seed++) {
+        struct bead_frame frame[4] = {0};
+        for (int k = 0; k < 4; k++) {
+            const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[k]);
+            struct bead_stage s;
+            require(bead_frame_create(WIDTH + 40, HEIGHT + 20, &frame[k], &msg), &msg);
+            if (!kernels)
+                continue; /* not on this machine */
+            open_stage(&s, themes[seed % 2], (float)(20 + 9 * seed));
+            fill_stage(&s, seed);
+            require(bead_stage_prepare(&s, &msg), &msg);
+            kernels->stage_floor(&s);
+            const struct bead_ground ground = {frame[k].pixels, frame[k].stride, {13, 5}, {3, 7, WIDTH - 8, HEIGHT - 9}};
+            kernels->stage(&ground, &s);
+            bead_stage_close(&s);
+            assert_memory_equal(frame[0].pixels, frame[k].pixels, frame[0].stride * (size_t)frame[0].height);
+        }
+        assert_int_equal(frame[0].pixels[3 + 4 * 20 + 30 * frame[0].stride], 255);
+        for (int k = 0; k < 4; k++)
+            bead_frame_free(&frame[k]);
+    }
+}
+
+/* Mean lightness of a square of 8 x 8 pixels, over which levels are rounded in turn. */
+static double lightness(const struct bead_frame *f, int x, int y)
+{
+    double sum = 0;
+    for (int k = 0; k < 64; k++) {
+        const uint8_t *p = f->pixels + (size_t)(y + k / 8) * f->stride + 4 * (size_t)(x + k % 8);
+        const double srgb[3] = {p[2] / 255.0, p[1] / 255.0, p[0] / 255.0};
+        double lab[3];
+        eyes_lab(EYES_ALL_CONES, srgb, lab);
+        sum += lab[0] / 64;
+    }
+    return sum;
+}
+
+/* Three beads of a material side by side; a contact with this part of the largest force. */
+static void paint_three(const struct bead_stage_theme *theme, const double colour[3], double force, struct bead_frame *frame)
+{
+    struct bead_message msg = {""};
+    struct bead_canvas *c;
+    struct bead_stage s;
+    require(bead_canvas_create("plain", WIDTH, HEIGHT, &c, &msg), &msg);
+    open_stage(&s, theme, 56);
+    s.count = 3;
+    for (int i = 0; i < 3; i++) {
+        s.beads[i] = (struct bead_stage_bead){.x = (float)(160 + 112 * i), .r = 56, .edge = {-INFINITY, INFINITY}};
+        for (int k = 0; k < 3; k++)
+            s.beads[i].colour[k] = (float)colour[k];
+        if (i > 0)
+            touch(&s, &s.beads[i - 1], &s.beads[i]);
+    }
+    bead_stage_glow(force, s.beads[0].light[1]);
+    bead_stage_glow(force, s.beads[1].light[0]);
+    require(bead_stage_prepare(&s, &msg), &msg);
+    require(bead_paint_stage(c, &s, (struct bead_rect){0, 0, WIDTH, HEIGHT}, 0, frame, &msg), &msg);
+    bead_stage_close(&s);
+    bead_canvas_destroy(c);
+}
+
+static void light_rises_with_force(void **state)
+{
+    (void)state;
+    enum { STEPS = 20 };
+    struct bead_scene *scene = parse(BEADS OUTPUTS);
+    struct bead_message msg = {""};
+    struct bead_frame frame, before;
+    require(bead_frame_create(WIDTH, HEIGHT, &frame, &msg), &msg);
+    require(bead_frame_create(WIDTH, HEIGHT, &before, &msg), &msg);
+    assert_true(scene->material_count > 10);
+    for (size_t m = 0; m < scene->material_count; m++)
+        for (int t = 0; t < 2; t++) {
+            static const int x[] = {206, 218}; /* beside the contact: on the left bead, on the right */
+            double last[2] = {-1, -1}, first[2] = {0, 0};
+            for (int f = 0; f <= STEPS; f++) {
+                paint_three(themes[t], scene->materials[m].colour, (double)f / STEPS, &frame);
+                for (int k = 0; k < 2; k++) {
+                    const double now = lightness(&frame, x[k], 76);
+                    if (now <= last[k])
+                        fail_msg("%s, theme %d, force %d/%d: lightness %g after %g", scene->materials[m].name, t, f, STEPS, now,
+                                 last[k]);
+                    first[k] = f == 0 ? now : first[k];
+                    last[k] = now;
+                }
+                for (size_t i = 0; f > 0 && i < frame.stride * HEIGHT; i++)
+                    if (frame.pixels[i] + 1 < before.pixels[i])
+                        fail_msg("%s: a pixel is darker with more force", scene->materials[m].name);
+                memcpy(before.pixels, frame.pixels, frame.stride * HEIGHT);
+            }
+            assert_true(last[0] - first[0] > 10 && last[1] - first[1] > 10);
+        }
+    bead_frame_free(&frame);
+    bead_frame_free(&before);
+    bead_scene_free(scene);
+}
+
+/* ---- camera ---- */
+
+/* A pulse five beads wide runs to the end and back, through a window of 16 beads in so many frames. Returns the part of frames in
+ * which the camera stands still. */
+static double follow_pulse(double crossing)
+{
+    enum { CONTACTS = 129 };
+    const double pitch = 109, width = 16 * pitch, step = 11 * pitch, speed = 16 / crossing;
+    const int frames = (int)(256 / speed);
+    struct bead_step_camera c = {.width = width, .step = step, .lead = 2 * pitch, .ends = {-200, CONTACTS * pitch + 150}};
+    double load[CONTACTS], last = 0;
+    int still = 0, moving = 0, back = 0;
+    for (int f = 0; f < frames; f++) {
+        const double way = speed * f, at = way < 128 ? way : 256 - way;
+        for (int k = 0; k < CONTACTS; k++)
+            load[k] = fabs(k - at) < 2.5 ? 0.7 * pow(cos((k - at) * M_PI / 5), 3) : 0;
+        const double head = bead_step_camera_find(&c, load, CONTACTS);
+        bead_step_camera_advance(&c, (head + 0.5) * pitch);
+        const double left = round(c.middle - 0.5 * width), peak = (at + 0.5) * pitch;
+        if (peak < left + pitch || peak > left + width - pitch)
+            fail_msg("frame %d: the pulse at %g is not in the window from %g to %g", f, peak, left, left + width);
+        assert_true(left >= c.ends[0] - 1 && left + width <= c.ends[1] + 1);
+        still += f > 0 && left == last;
+        moving += f > 0 && left != last;
+        back += f > 0 && left < last;
+        last = left;
+    }
+    assert_true(back > 0 && c.middle < 3 * width); /* it came back with the pulse */
+    const double pans = ceil((c.ends[1] - c.ends[0] - width) / step);
+    assert_true(moving <= BEAD_PAN_FRAMES * (2 * pans + 1));
+    return (double)still / frames;
+}
+
+static void camera_rests_and_follows(void **state)
+{
+    (void)state;
+    assert_true(follow_pulse(64) > 0.6);   /* the demo's pace: 15 beads a second */
+    assert_true(follow_pulse(120) > 0.72); /* two seconds */
+    assert_true(bead_pan_eased(0) == 0 && bead_pan_eased(1) == 1 && fabs(bead_pan_eased(0.5) - 0.5) < 1e-12);
+    assert_true(bead_pan_eased(0.01) < 1e-4 && bead_pan_eased(0.99) > 1 - 1e-4);
+}
+
+/* ---- the view ---- */
+
+struct label {
+    double x;
+    int number;
+};
+struct labels {
+    struct label at[40];
+    size_t count;
+};
+
+static void see(void *context, const char *markup, double x, double, double width, double)
+{
+    struct labels *labels = context;
+    char *end;
+    const long number = strtol(markup, &end, 10);
+    if (end != markup && !*end && labels->count < 40)
+        labels->at[labels->count++] = (struct label){x + 0.5 * width, (int)number};
+}
+
+struct setting {
+    struct bead_scene *scene;
+    struct bead_chain *chain;
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_view *view;
+    struct labels labels;
+};
+
+/* A stage of this chain, at rest, of 1740 x 260 px. */
+static void open_view(struct setting *s, const char *chain)
+{
+    struct bead_message msg = {""};
+    char text[600];
+    snprintf(text, sizeof text, "%s\n" OUTPUTS, chain);
+    *s = (struct setting){.scene = parse(text)};
+    require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
+    bead_look_film(&s->look, 1920, 1080, true, false);
+    const size_t beads = bead_chain_beads(s->chain);
+    const struct bead_view_setup setup = {.chain = s->chain,
+                                          .field = BEAD_FIELD_FORCE,
+                                          .beads = {0, beads - 1},
+                                          .time = {0, 1e-3},
+                                          .colours = {&s->map, BEAD_SCALE_LINEAR, 0, 40},
+                                          .look = &s->look,
+                                          .axes = true,
+                                          .bead_labels = true,
+                                          .magnify = 100};
+    require(bead_view_stage_type.create(&setup, &s->view, &msg), &msg);
+    require(bead_view_stage_type.place(s->view, (struct bead_rect){90, 100, 1740, 360}, NULL, &msg), &msg);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1920, 1080);
+    const struct bead_text_watch watch = {see, &s->labels};
+    assert_true(bead_text_watch(surface, &watch));
+    cairo_t *cr = cairo_create(surface);
+    require(bead_view_stage_type.decorate(s->view, cr, &msg), &msg);
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    double *zeros = calloc(beads + 1, sizeof *zeros);
+    const struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = zeros, [BEAD_FIELD_CONTACT_FORCE] = zeros}};
+    require(bead_view_stage_type.feed(s->view, &sample, &msg), &msg);
+    free(zeros);
+    bead_stage_advance(s->view, 0);
+    bead_stage_compose(s->view);
+    bead_stage_compose_row(s->view);
+}
+
+static void close_view(struct setting *s)
+{
+    bead_view_stage_type.destroy(s->view);
+    bead_chain_destroy(s->chain);
+    bead_scene_free(s->scene);
+}
+
+#define STRIKER "striker: {bead: large-steel, velocity: 0.4 m/s}, "
+static const char *const few = "chain: {" STRIKER "beads: [{bead: large-steel, count: 4}], wall: rigid}";
+static const char *const unlike =
+    "chain: {" STRIKER "beads: [{cell: [large-steel, small-steel], count: 4}, {bead: small-steel, count: 3}], wall: brass}";
+static const char *const taper = "chain: {" STRIKER "beads: [{bead: large-steel, count: 20, taper: 4 %}], wall: brass}";
+static const char *const apart = "chain: {" STRIKER "beads: [{bead: large-steel, count: 8}], gap: 1 mm}";
+static const char *const many = "chain: {" STRIKER "beads: [{cell: [large-steel, aluminium], count: 100}], wall: brass}";
+
+/* Free space between neighbours on the stage, px. */
+static double gap_of(const struct bead_stage *s, size_t i)
+{
+    const struct bead_stage_bead *a = &s->beads[i], *b = &s->beads[i + 1];
+    return hypot(b->x - a->x, b->r - a->r) - a->r - b->r;
+}
+
+static void beads_touch_where_they_do(void **state)
+{
+    (void)state;
+    const char *const chains[] = {few, unlike, taper, apart};
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct setting s;
+        open_view(&s, chains[c]);
+        const struct bead_stage *stage = &s.view->stage;
+        const double free_space = c == 3 ? 1e-3 * s.view->scale : 0;
+        assert_int_equal(stage->count, bead_chain_beads(s.chain));
+        for (size_t i = 0; i + 1 < stage->count; i++) {
+            const double expected = i > 0 ? free_space : 0; /* the striker touches the first bead */
+            if (fabs(gap_of(stage, i) - expected) > 0.3)
+                fail_msg("chain %zu, beads %zu and %zu: %g px between them, not %g", c, i, i + 1, gap_of(stage, i), expected);
+        }
+        /* Radii in proportion; all on the stage, with room for the striker to fly back. */
+        assert_true(fabs(stage->beads[2].r / stage->unit - bead_chain_radius(s.chain)[2] / s.view->largest) < 0.01);
+        assert_true(stage->beads[0].x - 2 * stage->beads[0].r > 0);
+        const struct bead_stage_bead *last = &stage->beads[stage->count - 1];
+        assert_true(last->x + last->r < (float)stage->width);
+        assert_true((stage->wall.width > 0) == (c != 3));
+        if (c != 3)
+            assert_true(fabsf(last->x + last->r - stage->wall.x) < 0.3f && last->edge[1] == stage->wall.x);
+        close_view(&s);
+    }
+}
+
+static void beads_are_over_their_numbers(void **state)
+{
+    (void)state;
+    const char *const chains[] = {few, unlike, taper, apart, many};
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct setting s;
+        open_view(&s, chains[c]);
+        const struct bead_view *v = s.view;
+        assert_true((v->row.height > 0) == (c == 4)); /* more than there is room for: a row of all */
+        assert_true(s.labels.count >= 2);
+        for (size_t i = 0; i < s.labels.count; i++) {
+            const size_t bead = (size_t)s.labels.at[i].number;
+            const double x = v->row.height > 0 ? (double)v->balls[bead].x : (double)v->stage.beads[bead].x;
+            const double r = v->row.height > 0 ? (double)v->balls[bead].r : (double)v->stage.beads[bead].r;
+            if (fabs(s.labels.at[i].x - v->strip.x - x) > fmax(1, 0.5 * r))
+                fail_msg("chain %zu: number %zu at %g, its bead at %g", c, bead, s.labels.at[i].x - v->strip.x, x);
+        }
+        close_view(&s);
+    }
+}
+
+/* Large beads: 12 to 18 across where there are more. */
+static void beads_are_large(void **state)
+{
+    struct setting s;
+    (void)state;
+    open_view(&s, many);
+    const double across = s.view->strip.width / (2 * (double)s.view->stage.unit);
+    assert_true(across >= 12 && across <= 18);
+    assert_true(s.view->left == round(s.view->left));
+    assert_true(s.view->camera.step == round(s.view->camera.step));
+    close_view(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(painters_agree),
+        cmocka_unit_test(instruction_sets_give_the_same_pixels),
+        cmocka_unit_test(light_rises_with_force),
+        cmocka_unit_test(camera_rests_and_follows),
+        cmocka_unit_test(beads_touch_where_they_do),
+        cmocka_unit_test(beads_are_over_their_numbers),
+        cmocka_unit_test(beads_are_large),
+    };
+    return cmocka_run_group_tests_name("stage", tests, NULL, NULL);
+}
