@@ -19,7 +19,7 @@ function buildStage() {
         addWords(caption, chain);
         canvas.tabIndex = 0;
         canvas.setAttribute('role', 'application');
-        canvas.setAttribute('aria-label', `${chain.name || 'Chain'}: ${chain.displacement ? 'beads, ' : ''}${data.field.title} along the chain, and over chain and time. Arrows choose a ${chain.axis.title} and step in time.`);
+        canvas.setAttribute('aria-label', `${chain.name || 'Chain'}: ${chain.displacement ? 'beads, ' : ''}${data.field.title} along the chain, and over chain and time. ${chain.tale} Arrows choose a ${chain.axis.title} and step in time.`);
         figure.append(caption, canvas);
         element('chains').append(figure);
         canvases.push(canvas);

@@ -95,13 +95,17 @@ static const char *subject_of(const struct bead_output *output, const struct bea
 }
 
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
-                     char *description, size_t size, struct bead_picture_notes *notes)
+                     const char *tale, char description[BEAD_DESCRIPTION], struct bead_picture_notes *notes)
 {
+    const size_t size = BEAD_DESCRIPTION;
     const char *what = subject_of(output, scene), *equation = scene->chains[0].system->label;
     if (*equation)
         snprintf(description, size, "%s of the equation %s", what, equation);
     else
         snprintf(description, size, "%s in %zu chain%s of beads", what, scene->chain_count, scene->chain_count == 1 ? "" : "s");
+    const size_t used = strlen(description);
+    if (tale && *tale)
+        snprintf(description + used, size - used, ". %s", tale);
     *notes = (struct bead_picture_notes){.size = sizeof *notes,
                                          .dpi = page->dpi,
                                          .title = scene->title,
@@ -133,8 +137,8 @@ enum bead_error bead_page_write(const struct bead_page *page, const struct bead_
                                 const struct bead_drawing *drawing, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
     struct bead_picture_notes notes;
-    char description[512];
-    bead_page_notes(page, output, scene, description, sizeof description, &notes);
+    char description[BEAD_DESCRIPTION];
+    bead_page_notes(page, output, scene, drawing->tale, description, &notes);
     return page->vector ? bead_vector_write(path, page->width, page->height, drawing->draw, drawing->context, &notes, bytes, msg)
                         : write_raster(page, drawing, path, &notes, bytes, msg);
 }

@@ -25,14 +25,17 @@ const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WO
 /* Gives a look the dark colours of screens. */
 void bead_look_darken(struct bead_look *look);
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look);
-/* Metadata of a picture file; `description` of `size` bytes must live as long as the notes. */
+enum { BEAD_DESCRIPTION = 2048 };
+/* Metadata of a picture file. The description, of what it shows and of what happens there (`tale`; NULL: unknown), must live as long
+ * as the notes. */
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
-                     char *description, size_t size, struct bead_picture_notes *notes);
+                     const char *tale, char description[BEAD_DESCRIPTION], struct bead_picture_notes *notes);
 /* Functions that draw a page into vector files and into frames (NULL: like vector files). */
 struct bead_drawing {
     bead_draw draw;
     enum bead_error (*raster)(void *context, struct bead_frame *frame, struct bead_message *msg);
     void *context;
+    const char *tale; /* for the notes */
 };
 /* Draws the page and writes it as PNG, PDF or SVG. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include "render/draw/notes.h"
+#include "render/draw/pdf.h"
 #include "render/draw/picture.h"
 #include "render/draw/svg.h"
 #include "render/draw/warnings.h"
@@ -20,7 +21,7 @@ struct format {
     const char *extension;
     cairo_surface_t *(*create)(cairo_write_func_t write, void *closure, double width, double height);
     void (*describe)(cairo_surface_t *surface, const struct bead_picture_notes *notes);
-    bool named; /* contains names, to be renumbered */
+    bool svg;
 };
 
 static void vector_put(cairo_surface_t *surface, cairo_pdf_metadata_t key, const char *text)
@@ -42,7 +43,7 @@ static void put_date(cairo_surface_t *surface)
 
 static void describe_pdf(cairo_surface_t *surface, const struct bead_picture_notes *notes)
 {
-    cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_5);
+    cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_4); /* without compressed objects, which bead_pdf_write cannot read */
     vector_put(surface, CAIRO_PDF_METADATA_TITLE, notes->title);
     vector_put(surface, CAIRO_PDF_METADATA_AUTHOR, notes->author);
     vector_put(surface, CAIRO_PDF_METADATA_SUBJECT, notes->description);
@@ -90,12 +91,29 @@ struct page {
     const struct bead_picture_notes *notes;
 };
 
+/* What a screen reader finds on a page of PDF: a figure, whose text bead_pdf_write adds. It holds a dot that nobody sees, since cairo
+ * 1.16 fails where images are within a tag; above all else, since what lies below the background is left out. */
+static void put_figure(cairo_t *cr)
+{
+    cairo_save(cr);
+    cairo_tag_begin(cr, "Document", "");
+    cairo_tag_begin(cr, "Figure", "");
+    cairo_set_source_rgb(cr, 1, 1, 1);
+    cairo_rectangle(cr, 0, 0, 0.01, 0.01);
+    cairo_fill(cr);
+    cairo_tag_end(cr, "Figure");
+    cairo_tag_end(cr, "Document");
+    cairo_restore(cr);
+}
+
 static enum bead_error draw_page(cairo_surface_t *surface, double scale, const struct page *page, struct bead_message *msg)
 {
     cairo_t *cr = cairo_create(surface);
     cairo_scale(cr, scale, scale);
     bead_warnings_watch();
     enum bead_error err = page->draw(page->context, cr, msg);
+    if (!page->format->svg)
+        put_figure(cr);
     if (!err)
         cairo_show_page(cr);
     if (!err)
@@ -121,28 +139,31 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
     return err ? err : status ? vector_failed(part, status, msg) : BEAD_OK;
 }
 
-/* By way of memory. */
-static enum bead_error write_named(const struct page *page, FILE *file, const char *part, struct bead_message *msg)
+static enum bead_error write_drawn(const struct page *page, const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg)
 {
+    if (page->format->svg)
+        return bead_svg_write(svg, file, msg);
+    bead_pdf_write(svg->text, svg->length, file);
+    return BEAD_OK;
+}
+
+/* By way of memory, as cairo writes neither all of SVG nor of PDF. */
+static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
+{
+    const struct page *page = context;
     struct bead_svg_parts svg = {.title = page->notes->title, .description = page->notes->description};
     FILE *drawn = open_memstream(&svg.text, &svg.length), *words = open_memstream(&svg.words, &svg.words_length);
-    enum bead_error err = drawn && words ? write_page(page, drawn, page->notes->outlines ? NULL : words, part, msg) : BEAD_OK;
+    enum bead_error err = drawn && words ? write_page(page, drawn, page->format->svg && !page->notes->outlines ? words : NULL, part, msg) : BEAD_OK;
     bool full = !drawn || !words;
     full = (drawn && fclose(drawn) != 0) || full;
     full = (words && fclose(words) != 0) || full;
     if (full && !err)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
     if (!err)
-        err = bead_svg_write(&svg, file, msg);
+        err = write_drawn(page, &svg, file, msg);
     free(svg.text);
     free(svg.words);
     return err;
-}
-
-static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
-{
-    const struct page *page = context;
-    return page->format->named ? write_named(page, file, part, msg) : write_page(page, file, NULL, part, msg);
 }
 
 enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,

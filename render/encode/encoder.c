@@ -364,6 +364,8 @@ static int copy_plain(struct bead_movie *movie, int descriptor)
     int code = make_format(movie, &plain);
     if (code >= 0)
         code = av_dict_copy(&plain->metadata, e->format->metadata, 0);
+    if (code >= 0 && movie->description && *movie->description)
+        code = av_dict_set(&plain->metadata, "description", movie->description, 0);
     if (code >= 0 && movie->codec->chapters)
         code = bead_chapters_add(plain, &movie->settings);
     if (code >= 0)

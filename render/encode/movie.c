@@ -146,6 +146,7 @@ static void destroy(struct bead_movie *movie)
 {
     movie->codec->way->destroy(movie);
     free(movie->comment);
+    free(movie->description);
     free(movie->plain);
     free(movie->part);
     free(movie->path);
@@ -263,6 +264,18 @@ uint64_t bead_movie_frames(const struct bead_movie *movie)
 uint64_t bead_movie_encoded(const struct bead_movie *movie)
 {
     return movie->encoded;
+}
+
+enum bead_error bead_movie_describe(struct bead_movie *movie, const char *text, struct bead_message *msg)
+{
+    BEAD_FREED char *comment = movie->comment;
+    movie->comment = NULL;
+    bool good = !comment || asprintf(&movie->comment, "%s%s%s", text, *text ? "\n\n" : "", comment) > 0;
+    if (!good)
+        movie->comment = NULL;
+    free(movie->description);
+    movie->description = strdup(text);
+    return good && movie->description ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the words of a movie");
 }
 
 static enum bead_error finish(struct bead_movie *movie, bool complete, struct bead_message *msg)

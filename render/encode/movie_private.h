@@ -83,11 +83,16 @@ struct bead_movie {
     char *plain; /* name of the finished file while it is written; NULL: the part */
     char encoded_by[48];
     char *comment;                /* if the codec writes it at the end; NULL: none */
+    char *description;            /* NULL: none */
     struct bead_encoder *encoder; /* bead_movie_libav */
     FILE *lines;                  /* bead_movie_hashes */
     uint64_t shown, encoded;
     bool failed;
 };
+
+/* Before close: what happens, in words, for those who do not see it; in the finished file of mp4, and before the comment of GIF
+ * and PNG. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_movie_describe(struct bead_movie *movie, const char *text, struct bead_message *msg);
 
 /* Frames in two steps: one thread converts them into the encoder's pictures, another one encodes these. A slot is a picture, which
  * belongs to one of the threads at a time. *reserved is false if frames need no conversion and should be added at once (hashes).

@@ -16,6 +16,7 @@
 #include "render/draw/raster.h"
 #include "render/view/area_colours.h"
 #include "render/view/orientation.h"
+#include "render/view/tale.h"
 #include "sim/base/memory.h"
 
 struct bead_still {
@@ -24,6 +25,7 @@ struct bead_still {
     struct bead_page page;
     struct bead_colormap map;
     struct bead_area **areas; /* [chains] */
+    struct bead_tale *tale;
     int columns, across;      /* px along time, and across it, of all chains */
     int *tops;                /* [chains + 1], px: where chains begin across time */
     struct bead_grid grid;
@@ -40,6 +42,7 @@ static void bare_destroy(struct bead_still *b)
 {
     for (size_t c = 0; b->areas && c < b->context.chain_count; c++)
         bead_area_destroy(b->areas[c]);
+    bead_tale_destroy(b->tale);
     free(b->areas);
     free(b->tops);
 }
@@ -96,6 +99,8 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
         err = bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, &b->map, msg);
     if (!err)
         err = make_areas(b, time, msg);
+    if (!err)
+        err = bead_tale_create(b->context.chains, b->context.chain_count, output->shown.field, b->beads, &b->tale, msg);
     if (err)
         return err;
     b->grid = bead_picture_grid(&b->context, &output->shown, time, b->columns);
@@ -155,13 +160,14 @@ static enum bead_error bare_write(struct bead_still *b, const struct bead_outcom
                                   struct bead_message *msg)
 {
     struct bead_picture_notes notes;
-    char description[512];
+    char description[BEAD_DESCRIPTION], tale[BEAD_TALE_WORDS];
     const size_t count = (size_t)b->page.width * (size_t)b->page.height;
     BEAD_FREED uint8_t *indices = bead_large_take(count);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for an image", path);
     memset(indices, 0, count);
-    bead_page_notes(&b->page, b->output, b->context.scene, description, sizeof description, &notes);
+    bead_tale_words(b->tale, tale, sizeof tale);
+    bead_page_notes(&b->page, b->output, b->context.scene, tale, description, &notes);
     enum bead_error err = fill_indices(b, indices, msg);
     struct pixels pixels = {{0, 0, b->page.width, b->page.height}, indices, &b->map};
     if (!err && b->page.vector)
@@ -183,6 +189,7 @@ static enum bead_error bare_feed(struct bead_still *b, const struct bead_sample 
     if (!values)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s", bead_field_info(b->output->shown.field)->title);
     bead_area_feed(b->areas[sample->chain], sample->time, values, sample->active);
+    bead_tale_feed(b->tale, sample);
     return BEAD_OK;
 }
 

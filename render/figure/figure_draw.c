@@ -30,7 +30,7 @@ static void moment_words(const struct bead_figure *f, char *markup, size_t size)
     while (decimals < 3 && fabs(remainder(shown, bead_power_of_ten(-decimals))) > 1e-6 * shown)
         decimals++;
     bead_number(shown, decimals, text, sizeof text);
-    snprintf(markup, f->stills ? size : 1, BEAD_SYMBOL("t") " = %s%s%s%s", text, *unit ? "\u2009" : "", bead_prefix_sign(exponent),
+    snprintf(markup, f->stills ? size : 1, BEAD_SYMBOL("t") " = %s%s%s%s", text, *unit ? "\u00a0" : "", bead_prefix_sign(exponent),
              unit);
 }
 

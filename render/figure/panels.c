@@ -22,6 +22,7 @@ static void panels_destroy(struct bead_still *still)
         bead_figure_destroy(still->panels[p].figure);
         bead_plot_data_destroy(still->panels[p].plot);
     }
+    bead_tale_destroy(still->tale);
     free(still->panels);
     free(still->words.title);
     free(still->words.caption);
@@ -125,6 +126,11 @@ static enum bead_error panels_create(const struct bead_output *output, const str
     if (err)
         return err;
     join_grids(s);
+    for (size_t p = 0; !s->tale && p < count; p++) {
+        const struct bead_shown *shown = &s->panels[p].output->shown;
+        if (s->panels[p].figure)
+            BEAD_TRY(bead_tale_create(s->context.chains, s->context.chain_count, shown->field, shown->beads, &s->tale, msg));
+    }
     if (s->alone)
         snprintf(s->why, sizeof s->why, "%s", s->panels[0].needs.why);
     else
@@ -152,6 +158,8 @@ static void panels_needs(const struct bead_still *still, struct bead_needs *need
 
 static enum bead_error panels_feed(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg)
 {
+    if (still->tale)
+        bead_tale_feed(still->tale, sample);
     for (size_t p = 0; p < still->count; p++) {
         struct still_panel *panel = &still->panels[p];
         const struct bead_grid *grid = &panel->needs.grid;

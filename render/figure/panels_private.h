@@ -8,6 +8,7 @@
 #include "render/figure/still.h"
 #include "render/plot/graph_private.h"
 #include "render/plot/plot_data.h"
+#include "render/view/tale.h"
 
 struct still_panel {
     const struct bead_output *output;
@@ -32,6 +33,7 @@ struct bead_still {
     struct bead_layout_grid layout; /* of the panels' plots, while they are laid out */
     struct bead_grid grid;
     struct graph_page words;
+    struct bead_tale *tale; /* of the first figure's field; NULL: all panels are plots */
     char why[96];
     char painter[64]; /* of a canvas; "": none was needed */
 };

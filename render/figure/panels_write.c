@@ -154,7 +154,9 @@ enum bead_error panels_write(struct bead_still *s, const struct bead_outcome *ou
                              struct bead_message *msg)
 {
     struct bead_canvas *canvas = NULL;
-    const struct bead_drawing drawing = {draw_vector, panels_draw_frame, s};
+    char tale[BEAD_TALE_WORDS];
+    bead_tale_words(s->tale, tale, sizeof tale);
+    const struct bead_drawing drawing = {draw_vector, panels_draw_frame, s, tale};
     enum bead_error err = panels_finish(s, outcomes, &canvas, msg);
     if (canvas)
         snprintf(s->painter, sizeof s->painter, "%s", bead_canvas_painter(canvas));

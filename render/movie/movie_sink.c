@@ -12,6 +12,7 @@
 #include "render/movie/film.h"
 #include "render/movie/ring_buffer.h"
 #include "render/paint/canvas.h"
+#include "render/view/tale.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/stop.h"
@@ -38,6 +39,7 @@ struct bead_sink {
     char *path, *poster_path; /* NULL: none */
     struct bead_movie_notes notes;
     struct bead_film_sound *sound; /* NULL: none */
+    struct bead_tale *tale;
     uint64_t poster_bytes;
     char why[192], makers[160];
 
@@ -97,6 +99,7 @@ static void movie_destroy(struct bead_sink *s)
     free(s->path);
     bead_movie_notes_free(&s->notes);
     bead_film_sound_destroy(s->sound);
+    bead_tale_destroy(s->tale);
     free(s->poster_path);
     free(s);
 }
@@ -113,6 +116,8 @@ static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_outp
         err = bead_movie_notes_make(&s->film, &s->notes, msg);
     if (!err)
         err = bead_film_sound_create(&s->film, &s->sound, msg);
+    if (!err)
+        err = bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg);
     if (err)
         return err;
     const struct bead_movie_settings settings = movie_settings_of(s);
@@ -319,6 +324,7 @@ static enum bead_error movie_sample(struct bead_sink *s, const struct bead_sampl
         return finish_pipes(s, msg);
     movie_fill(s, sample, snapshot);
     bead_ring_buffer_submit(s->drawing);
+    bead_tale_feed(s->tale, sample);
     return s->sound ? bead_film_sound_feed(s->sound, sample, msg) : BEAD_OK;
 }
 
@@ -332,6 +338,7 @@ static void credit(struct bead_sink *s)
 /* A stopped film has no sound and no poster, which may be a later frame. */
 static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead_message *msg)
 {
+    char tale[BEAD_TALE_WORDS];
     enum bead_error err = finish_pipes(s, msg);
     if (err && (whole || err != BEAD_ERROR_STOPPED))
         return err;
@@ -341,6 +348,9 @@ static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead
         err = bead_poster_write(&s->poster, s->poster_path, s->film.context.scene, s->movie, &s->poster_bytes, msg);
     if (!err && whole)
         err = bead_film_sound_write(s->sound, s->movie, msg);
+    bead_tale_words(s->tale, tale, sizeof tale);
+    if (!err)
+        err = bead_movie_describe(s->movie, tale, msg);
     if (err)
         return err;
     struct bead_movie *movie = s->movie;

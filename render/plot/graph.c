@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Entry to graphs: draws one into a picture, or writes it to a file. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
 #include "render/draw/markup.h"
 #include "render/draw/page.h"
 #include "render/plot/graph_private.h"
@@ -34,6 +38,51 @@ static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_messag
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
+/* Text without its markup. */
+static void plain(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (; *text && used + 1 < size; text++) {
+        if (!strchr("*_^{}", *text))
+            out[used++] = *text;
+    }
+    out[used] = '\0';
+}
+
+/* "peak force: ordered, M = 1.0: 40 N to 84 N, most at contact 0; ...", for those who do not see the curves. */
+static void tell(const struct bead_graph *graph, char *out, size_t size)
+{
+    size_t used = 0;
+    const char *axis = "";
+    for (size_t p = 0; p < graph->panel_count; p++) {
+        const struct bead_panel *panel = &graph->panels[p];
+        for (size_t s = 0; s < panel->series_count && used + 1 < size; s++) {
+            const struct bead_series *series = &panel->series[s];
+            char label[160], y[96], x[96], least[48], most[48], at[48];
+            double low = INFINITY, high = -INFINITY, where = NAN;
+            for (size_t i = 0; i < series->count; i++) {
+                where = series->y[i] > high ? series->x[i] : where;
+                high = fmax(high, series->y[i]);
+                low = fmin(low, series->y[i]);
+            }
+            if (series->faint || !(low <= high))
+                continue;
+            low = fabs(low) < 1e-6 * fabs(high) ? 0 : low;
+            plain(series->label ? series->label : panel->title ? panel->title : "", label, sizeof label);
+            plain(panel->y.title, y, sizeof y);
+            plain(panel->x.title, x, sizeof x);
+            bead_quantity(low, panel->y.unit, 3, least, sizeof least);
+            bead_quantity(high, panel->y.unit, 3, most, sizeof most);
+            bead_quantity(where, strcmp(panel->x.unit, "1") == 0 ? "" : panel->x.unit, 3, at, sizeof at);
+            used += (size_t)snprintf(out + used, size - used, "%s%s%s%s%s%s to %s, most at %s %s", used ? "; " : "",
+                                     axis == panel->y.title ? "" : y, axis == panel->y.title ? "" : ": ", label, *label ? ": " : "",
+                                     least, most, x, at);
+            used = used < size ? used : size - 1;
+            axis = panel->y.title;
+        }
+    }
+}
+
 enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
                                  const char *path, uint64_t *bytes, struct bead_message *msg)
 {
@@ -47,5 +96,7 @@ enum bead_error bead_graph_write(const struct bead_graph *graph, const struct be
         bead_markup_quote(scene->title, title, sizeof title);
     whole.size = bead_page_size(&job.page, size);
     bead_page_look(&job.page, &output->paper, &job.look);
-    return bead_page_write(&job.page, output, scene, &(struct bead_drawing){graph_draw, NULL, &job}, path, bytes, msg);
+    char tale[BEAD_DESCRIPTION / 2] = "";
+    tell(graph, tale, sizeof tale);
+    return bead_page_write(&job.page, output, scene, &(struct bead_drawing){graph_draw, NULL, &job, tale}, path, bytes, msg);
 }

@@ -41,9 +41,12 @@ static enum bead_error write_picture(const struct bead_sink *s, const struct bea
     if (size <= MOST_PICTURE && size > 0)
         err = bead_file_read(path, size, &bytes, &count, msg);
     if (!err && count > 0) {
+        char tale[BEAD_TALE_WORDS];
+        bead_tale_words(s->tale, tale, sizeof tale);
         fputs("<figure><img alt=\"", file);
-        report_html(file, output->still.caption && *output->still.caption ? output->still.caption : "Picture of the run: ");
-        report_html(file, output->still.caption && *output->still.caption ? "" : output->path);
+        report_html(file, output->still.caption && *output->still.caption ? output->still.caption : "Picture of the run.");
+        fputs(*tale ? " " : "", file);
+        report_html(file, tale);
         fprintf(file, "\" src=\"data:%s;base64,", picture_type(output));
         report_base64(file, (const unsigned char *)bytes, count);
         fputs("\"><figcaption>", file);
@@ -217,11 +220,14 @@ static void write_measures(const struct report_chain *c, const struct bead_outco
 
 static enum bead_error write_chain(const struct bead_sink *s, size_t index, FILE *file, struct bead_message *msg)
 {
+    char tale[BEAD_TALE_WORDS];
     const struct report_chain *c = &s->chains[index];
     const struct bead_chain_spec *spec = bead_chain_spec(c->chain);
     fputs(index ? ",\n{\"name\":" : "{\"name\":", file);
     report_string(file, spec->title && *spec->title ? spec->title : bead_chain_name(c->chain));
     report_named_string(file, "label", spec->label ? spec->label : "");
+    bead_tale_of_chain(s->tale, index, tale, sizeof tale);
+    report_named_string(file, "tale", tale);
     fprintf(file, ",\"first\":%zu,\"values\":%zu,\"firstBead\":%zu,\"beads\":%zu,\"total\":%zu", c->value.first, c->values,
             c->bead.first, c->beads_shown, bead_chain_beads(c->chain));
     write_axis(c, bead_field_info(s->output->shown.field)->of_contacts, file);

@@ -7,6 +7,7 @@
 #include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
+#include "render/view/tale.h"
 #include "sim/output/measure.h"
 
 /* The samples of a chain. */
@@ -32,6 +33,7 @@ struct bead_sink {
     bool measured;
     size_t samples, chain_count;
     struct report_chain *chains;
+    struct bead_tale *tale;
     bool peaks;                          /* the report needs them */
     struct bead_colormap maps[2];        /* light, dark */
     struct bead_colour_range range;      /* found at the end */

@@ -28,6 +28,7 @@ static void report_destroy(struct bead_sink *s)
         bead_area_destroy(s->chains[c].area);
         bead_measures_destroy(s->chains[c].measures);
     }
+    bead_tale_destroy(s->tale);
     free(s->chains);
     free(s->path);
     free(s);
@@ -144,6 +145,8 @@ static enum bead_error report_create(const struct bead_output *output, const str
     if (!err)
         err = load_maps(s, msg);
     if (!err)
+        err = bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg);
+    if (!err)
         choose_stride(s);
     if (err) {
         report_destroy(s);
@@ -216,6 +219,7 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
     if (c->beads)
         keep(sample->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->kept, c->displacement);
     bead_area_feed(c->area, sample->time, values, sample->active);
+    bead_tale_feed(s->tale, sample);
     c->kept++;
     return BEAD_OK;
 }

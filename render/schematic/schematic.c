@@ -137,7 +137,7 @@ enum bead_error bead_schematic_write(const struct bead_output *output, const str
                                      uint64_t *bytes, struct bead_message *msg)
 {
     struct paper paper;
-    const struct bead_drawing drawing = {draw_paper, NULL, &paper};
+    const struct bead_drawing drawing = {draw_paper, NULL, &paper, NULL};
     BEAD_TRY(open_paper(output, context, &paper, msg));
     return bead_page_write(&paper.page, output, context->scene, &drawing, path, bytes, msg);
 }

@@ -320,6 +320,32 @@ static void test_pdf_frames_are_seen_on_screens(void **state)
     }
 }
 
+/* A screen reader finds a figure, and its text, which is that of the document's information. */
+static void test_pdf_is_tagged(void **state)
+{
+    (void)state;
+    static const char *const outputs[] = {"image: t.pdf", "image: t.pdf, axes: false", "image: t.pdf, background: none, style: paper"};
+    char pdf[512], command[1200];
+    if (!has_program("pdfinfo"))
+        skip_without("pdfinfo (poppler-utils)");
+    in_directory("t.pdf", pdf, sizeof pdf);
+    for (size_t i = 0; i < sizeof outputs / sizeof outputs[0]; i++) {
+        size_t length;
+        struct built built = build_chain(outputs[i]);
+        draw_output(&built, pulse_down_the_chain);
+        release_chain(&built);
+        char *bytes = read_all(pdf, &length);
+        const char *subject = memmem(bytes, length, "/Subject ", 9), *text = memmem(bytes, length, "/Alt ", 5);
+        assert_true(subject && text);
+        const size_t words = strcspn(subject + 9, "\n");
+        assert_true(words > 100);
+        assert_memory_equal(subject + 9, text + 5, words + 1);
+        free(bytes);
+        snprintf(command, sizeof command, "pdfinfo -struct %s 2>&1 | tr -d ' \\n' | grep -qx DocumentFigure", pdf);
+        assert_int_equal(system(command), 0); /* without a warning */
+    }
+}
+
 static void assert_same_twice(const char *name, const char *output)
 {
     char *text[2], path[512];
@@ -359,7 +385,7 @@ static void test_svg_keeps_letters(void **state)
         draw_output(&built, pulse_down_the_chain);
         release_chain(&built);
         char *svg = read_all(path, &length);
-        assert_non_null(strstr(svg, "<desc>bead force in 1 chain of beads</desc>"));
+        assert_non_null(strstr(svg, "<desc>bead force in 1 chain of beads. In Ten one pulse of 10\u00a0N, "));
         assert_int_equal(strstr(svg, ">bead force (N)</tspan>") != NULL, !outlines);
         assert_int_equal(strstr(svg, "font-family=\"'STIX'") != NULL, !outlines);
         assert_int_equal(strstr(svg, "<text ") != NULL, !outlines);
@@ -407,6 +433,7 @@ int main(void)
         cmocka_unit_test(test_sensors_view_without_sensors_is_refused),
         cmocka_unit_test(test_pdf_raster_is_the_png_s),
         cmocka_unit_test(test_pdf_frames_are_seen_on_screens),
+        cmocka_unit_test(test_pdf_is_tagged),
         cmocka_unit_test(test_same_picture_same_bytes),
         cmocka_unit_test(test_svg_keeps_letters),
         cmocka_unit_test(test_nothing_is_cut),
