@@ -8,9 +8,8 @@
 #ifndef BEADREEL_TESTS_DRAWN_H
 #define BEADREEL_TESTS_DRAWN_H
 
+#include "beadreel/play.h"
 #include "sim/base/random.h"
-#include "sim/run/play.h"
-#include "sim/run/uncertainty.h"
 #include "tests/asked.h"
 
 enum { DRAWN_TEXT = 6000 };
@@ -109,7 +108,8 @@ static inline void drawn_end(struct drawn *d)
 
 /* What came of asking. */
 struct kept {
-    double error, of_uncertainty; /* largest error in units of what was asked; of the larger of that and the uncertainty */
+    double error, of_uncertainty; /* largest error in units of what was asked; of the larger of that and the uncertainty, of peaks
+                                     that it says are predictable */
     double hidden;                /* largest uncertainty of a peak that is not ill-conditioned, of the larger of error and asked */
     double ill;                   /* largest answer of a peak to a change of the stiffnesses by what was asked */
     size_t index;                 /* of the worst peak */
@@ -142,25 +142,28 @@ static inline void drawn_answers(const struct drawn *d, double accuracy, double 
     free(still.peak);
 }
 
-/* The uncertainties u that a session's comparison run says. */
-static inline void drawn_compare(const struct drawn *d, const struct peaks *got, double accuracy, double *u)
+/* The uncertainties u that a run with this accuracy says, and which peaks it says are not predictable. */
+static inline void drawn_compare(const struct drawn *d, double accuracy, double *u, bool *lost)
 {
-    char simulate[64];
-    snprintf(simulate, sizeof simulate, "accuracy: %g", accuracy);
-    struct built built = build(d->text, simulate);
-    const struct bead_chain *const chains[] = {built.chain};
-    struct bead_play play = {.chains = chains, .chain_count = 1, .simulate = &built.scene->simulate};
-    play.tolerance_factor = bead_run_tolerance_factor(chains, 1, play.simulate);
-    const double factor = bead_play_comparison_factor(&play, false),
-                 effective = bead_run_effective_factor(built.chain, play.simulate, factor);
+    struct bead_message msg = {""};
+    struct built built = build(d->text, "accuracy: 1e-6");
+    struct bead_player_settings settings;
+    struct bead_player *player = NULL;
+    const struct bead_outcome *outcome = NULL;
+    BEAD_DEFAULT(&settings);
+    settings.chain = built.chain;
+    settings.accuracy = accuracy;
+    settings.contact_peaks = settings.bead_peaks = settings.uncertainty = true;
+    if (bead_player_create(&settings, &player, &msg) || bead_player_until(player, INFINITY, &msg) ||
+        bead_player_finish(player, &outcome, &msg))
+        GIVE_UP("%s", msg.text);
+    const size_t contacts = d->fine.contacts;
+    for (size_t k = 0; k < d->fine.count; k++) {
+        u[k] = k < contacts ? outcome->contact_uncertainty[k] : outcome->bead_uncertainty[k - contacts];
+        lost[k] = (k < contacts ? &outcome->contact_peaks[k] : &outcome->bead_peaks[k - contacts])->unpredictable;
+    }
+    bead_player_destroy(player);
     release(&built);
-    struct peaks comparison = find_coarse(d->text, accuracy, factor);
-    const struct bead_uncertainty_of of = {accuracy, effective, d->damped, fmin(got->end, comparison.end)};
-    const struct bead_uncertain_peaks kinds[2] = {
-        {got->peak, comparison.peak, got->contacts, u},
-        {got->peak + got->contacts, comparison.peak + got->contacts, got->count - got->contacts, u + got->contacts}};
-    bead_uncertainty_find(&of, kinds);
-    free(comparison.peak);
 }
 
 static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
@@ -168,9 +171,10 @@ static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
     struct kept kept = {0};
     struct peaks got = find_coarse(d->text, accuracy, 0);
     double *u = calloc(got.count, sizeof *u), *answer = calloc(got.count, sizeof *answer);
-    if (!u || !answer)
+    bool *lost = calloc(got.count, sizeof *lost);
+    if (!u || !answer || !lost)
         GIVE_UP("out of memory");
-    drawn_compare(d, &got, accuracy, u);
+    drawn_compare(d, accuracy, u, lost);
     drawn_answers(d, accuracy, answer);
     for (size_t k = 0; k < got.count; k++) {
         const struct bead_peak *exact = &d->fine.peak[k];
@@ -180,12 +184,13 @@ static inline struct kept drawn_ask(const struct drawn *d, double accuracy)
             kept.error = error;
             kept.index = k;
         }
-        kept.of_uncertainty = fmax(kept.of_uncertainty, (error - known) / fmax(1, said));
+        kept.of_uncertainty = lost[k] ? kept.of_uncertainty : fmax(kept.of_uncertainty, (error - known) / fmax(1, said));
         kept.ill = fmax(kept.ill, answer[k]);
         if (answer[k] < chaotic)
             kept.hidden = fmax(kept.hidden, said / fmax(error, 1));
     }
     free(u);
+    free(lost);
     free(answer);
     free(got.peak);
     return kept;

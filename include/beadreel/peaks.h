@@ -15,10 +15,11 @@
 BEAD_BEGIN
 
 struct bead_peak {
-    double value;  /* N: the largest; the static force where the wave has not come */
-    double time;   /* s; NaN where the contact was never loaded, 0 where it never carried more than its static force */
-    bool open;     /* that of the end of the run, where the force was still rising */
-    bool exceeded; /* a passage ended the search for peaks, and the run went on to a force above this one */
+    double value;       /* N: the largest; the static force where the wave has not come */
+    double time;        /* s; NaN where the contact was never loaded, 0 where it never carried more than its static force */
+    bool open;          /* that of the end of the run, where the force was still rising */
+    bool exceeded;      /* a passage ended the search for peaks, and the run went on to a force above this one */
+    bool unpredictable; /* runs of other tolerances differ here too much to say anything, or from an earlier time on */
 };
 
 /* A number that a run has measured: "recurrence time", "", 9376.4 */
@@ -62,8 +63,9 @@ struct bead_outcome {
     const struct bead_peak *contact_peaks;                /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;                   /* [beads], NULL where not asked */
     const double *contact_uncertainty, *bead_uncertainty; /* N, of these; NULL where not asked */
-    const double *contact_deviation, *bead_deviation;     /* N, standard deviations of these; NULL where not asked */
-    const struct bead_sensitivity *sensitivities;         /* of the contacts asked for by any sink, rising */
+    double predictable_until; /* s: time of the first peak that is not predictable; INFINITY: all are; 0: not asked */
+    const double *contact_deviation, *bead_deviation; /* N, standard deviations of these; NULL where not asked */
+    const struct bead_sensitivity *sensitivities;     /* of the contacts asked for by any sink, rising */
     size_t sensitivity_count;
     /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not
      * asked.

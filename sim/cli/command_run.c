@@ -72,9 +72,14 @@ static void print_worst(const struct bead_outcome *outcomes, size_t chains)
         if (o->worst_force > 0 && (!worst || o->worst_uncertainty * worst->worst_force > worst->worst_uncertainty * o->worst_force))
             worst = o;
     }
+    double from = INFINITY;
+    for (size_t i = 0; i < chains; i++)
+        from = outcomes[i].predictable_until > 0 ? fmin(from, outcomes[i].predictable_until) : from;
     if (worst)
         printf("; least certain peak: %s %.0f, %.6g N to %.2g N", isnan(worst->worst_bead) ? "contact" : "bead",
                isnan(worst->worst_bead) ? worst->worst_contact : worst->worst_bead, worst->worst_force, worst->worst_uncertainty);
+    if (isfinite(from))
+        printf("; not all peaks are predictable from %.4g ms on", 1e3 * from);
 }
 
 /* ": 2581 chains, 83 a second"; if a sweep is resumed, only the chains computed now count. */

@@ -50,10 +50,20 @@ static bool is_beyond(const struct bead_sink *sink, const struct bead_chain *cha
 static void write_peak(const struct bead_sink *sink, const struct listed *listed, size_t index, bool beyond)
 {
     const struct bead_peak *peak = &listed->peaks[index];
-    const char *word = peak->open ? "open" : peak->exceeded ? "exceeded" : "";
+    const struct {
+        bool holds;
+        const char *word;
+    } states[] = {{peak->open, "open"},
+                  {peak->exceeded && !peak->open, "exceeded"},
+                  {peak->unpredictable, "unpredictable"},
+                  {beyond, "invalid"}};
     fprintf(sink->file, "%zu", index);
     bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
-    fprintf(sink->file, ",%s%s%s", word, *word && beyond ? " " : "", beyond ? "invalid" : "");
+    fputc(',', sink->file);
+    for (size_t i = 0, used = 0; i < sizeof states / sizeof *states; i++) {
+        if (states[i].holds)
+            fprintf(sink->file, "%s%s", used++ > 0 ? " " : "", states[i].word);
+    }
     write_column(sink->file, sink->output->curves.uncertainty, listed->uncertainty, index);
     write_column(sink->file, bead_scene_tolerances(sink->context.scene), listed->deviation, index);
     fputc('\n', sink->file);

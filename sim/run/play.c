@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plays chains into consumers: the one loop that advances runs, and its surroundings. */
+/* Plays chains into consumers: advances their runs from sample to sample, then to their ends. */
 #include "sim/run/play.h"
 
 #include <math.h>
@@ -9,43 +9,8 @@
 
 #include "sim/base/clock.h"
 #include "sim/base/memory.h"
-#include "sim/base/stop.h"
 #include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
-
-/* A passage that is not over after this many passages of a wave never will be. */
-static const double usual_patience = 200;
-
-static enum bead_error look_for_stop(const volatile sig_atomic_t *stop, double time, struct bead_message *msg)
-{
-    return bead_stop_is_asked(stop) ? bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time) : BEAD_OK;
-}
-
-/* ---- one run ---- */
-
-static enum bead_error lost_front(const struct bead_chain *chain, double time, struct bead_message *msg)
-{
-    const char *name = bead_chain_name(chain);
-    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain%s%s: after %.4g s the front has not reached the end: give simulate.until",
-                     bead_chain_scene(chain)->file, *name ? " " : "", name, time);
-}
-
-enum bead_error bead_play_run(const struct bead_runner *runner, const struct bead_way *way, struct bead_message *msg)
-{
-    const struct bead_run_kind *kind = runner->kind;
-    const struct bead_chain *chain = runner->chain;
-    const bool passage = way->patience > 0;
-    const double give_up = passage ? way->patience * bead_chain_passage(chain, bead_chain_energy(chain)) : INFINITY;
-    for (double time; (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
-        BEAD_TRY(look_for_stop(way->stop, time, msg));
-        if (time > give_up)
-            BEAD_TRY(lost_front(chain, time, msg));
-        BEAD_TRY(kind->step(runner->run, msg));
-        if (way->stepped)
-            BEAD_TRY(way->stepped(way->context, runner, msg));
-    }
-    return BEAD_OK;
-}
 
 /* ---- all chains ---- */
 
@@ -100,14 +65,9 @@ static enum bead_error comparison_stepped(void *context, const struct bead_runne
 /* Advances a chain's run, or its comparison run. */
 static enum bead_error advance(struct pass *pass, size_t chain, bool comparison, double time, struct bead_message *msg)
 {
-    const struct bead_play *p = pass->play;
-    const struct bead_way way = {.until = fmin(time, p->end),
-                                 .patience = isfinite(p->end)  ? 0
-                                             : p->patience > 0 ? p->patience
-                                                               : usual_patience,
-                                 .stop = p->stop,
-                                 .stepped = comparison ? comparison_stepped : stepped,
-                                 .context = pass};
+    struct bead_way way = bead_play_way(pass->play, time);
+    way.stepped = comparison ? comparison_stepped : stepped;
+    way.context = pass;
     return bead_play_run(&(comparison ? pass->played->comparison_runs : pass->played->runs)[chain], &way, msg);
 }
 
@@ -208,7 +168,7 @@ static enum bead_error give_samples(struct pass *pass, double until, struct bead
         bead_due_pass(p, &due);
         report_progress(pass, due.time);
         if (!err)
-            err = look_for_stop(p->stop, due.time, msg);
+            err = bead_play_look_for_stop(p->stop, due.time, msg);
     }
     return err;
 }
@@ -310,9 +270,7 @@ void bead_played_free(struct bead_played *played)
         bead_runner_destroy(&played->runs[i]);
     for (size_t i = 0; played->comparison_runs && i < played->count; i++)
         bead_runner_destroy(&played->comparison_runs[i]);
-    for (size_t i = 0; played->uncertainty && i < 2 * played->count; i++)
-        free(played->uncertainty[i]);
-    free(played->uncertainty);
+    bead_compare_free(played);
     free(played->runs);
     free(played->comparison_runs);
     free(played->outcomes);

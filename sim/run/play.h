@@ -75,7 +75,10 @@ struct bead_played {
     struct bead_runner *runs;
     struct bead_runner *comparison_runs; /* [chains]; NULL if no consumer wants one */
     struct bead_outcome *outcomes;       /* [chains] */
-    double **uncertainty;                /* [2 chains]: of the peaks of contacts, and of beads; NULL if no consumer wants them */
+    /* [2 chains]: of the peaks of contacts, and of beads, and these peaks as the outcomes have them; NULL if no consumer wants
+     * uncertainties */
+    double **uncertainty;
+    struct bead_peak **judged;
     size_t count;
     double end;  /* s: reached by all chains */
     double told; /* s: clock time of the last progress report */
@@ -106,6 +109,10 @@ struct bead_way {
 BEAD_CHECK enum bead_error bead_play_run(const struct bead_runner *runner, const struct bead_way *way, struct bead_message *msg);
 
 /* ---- for the files of play ---- */
+/* How far one of the runs goes until `time`. */
+struct bead_way bead_play_way(const struct bead_play *play, double time);
+/* STOPPED, with the time in the message, s, if a stop is asked for. */
+BEAD_CHECK enum bead_error bead_play_look_for_stop(const volatile sig_atomic_t *stop, double time, struct bead_message *msg);
 /* A time at which consumers want samples, and which fields. */
 struct bead_due {
     double time;
@@ -125,5 +132,6 @@ void bead_due_pass(const struct bead_play *play, const struct bead_due *due);
 bool bead_compare_peaks(const struct bead_play *play);
 /* Creates the comparison runs that consumers want. Errors: MEMORY, SCENE, NUMBERS. */
 BEAD_CHECK enum bead_error bead_compare_create(const struct bead_play *play, struct bead_played *played, struct bead_message *msg);
-/* Finds the uncertainties of peaks after the runs, if a consumer wants them. Errors: MEMORY. */
+/* Finds the uncertainties of peaks after the runs, if a consumer wants them. Errors: MEMORY, NUMBERS, STOPPED. */
 BEAD_CHECK enum bead_error bead_compare_finish(const struct bead_play *play, struct bead_played *played, struct bead_message *msg);
+void bead_compare_free(struct bead_played *played);

@@ -1,15 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Comparison runs: makes another run of each chain, at another tolerance, and estimates the errors of the peaks. */
+/* Comparison runs: makes another run of each chain, at another tolerance, and a finer one of each chain whose peaks answer
+ * strongly, and finds the errors of the peaks from them. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
 
-/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how sensitive peaks are. */
-static const double coarser = 3;
+/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks answer. */
+static const double coarser = 30;
+/* Tolerance of the finer run. */
+static const double finer = 0.1;
+static const double pi = 3.14159265358979;
 
 static bool compares_samples(const struct bead_play *p)
 {
@@ -33,22 +39,29 @@ double bead_play_comparison_factor(const struct bead_play *p, bool samples)
     return free ? coarser * p->tolerance_factor : p->tolerance_factor;
 }
 
-enum bead_error bead_compare_create(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
+/* Settings of runs that are compared with the run of a chain, which follows. */
+static struct bead_run_settings settings_of(const struct bead_play *p, double tolerance_factor)
 {
-    if (!compares_samples(p) && !bead_compare_peaks(p))
-        return BEAD_OK;
-    BEAD_TRY(bead_new(&played->comparison_runs, p->chain_count, msg, "%zu chains", p->chain_count));
     struct bead_run_settings settings = {.simulate = p->simulate,
                                          .kernels = p->kernels,
                                          .end = p->end,
                                          .passage = p->passage,
                                          .full_window = p->full_window,
-                                         .tolerance_factor = bead_play_comparison_factor(p, compares_samples(p))};
+                                         .tolerance_factor = tolerance_factor};
     for (size_t i = 0; i < p->consumer_count; i++) {
         const struct bead_needs *needs = &p->consumers[i].needs;
         settings.contact_peaks |= needs->uncertainty && needs->contact_peaks;
         settings.bead_peaks |= needs->uncertainty && needs->bead_peaks;
     }
+    return settings;
+}
+
+enum bead_error bead_compare_create(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
+{
+    if (!compares_samples(p) && !bead_compare_peaks(p))
+        return BEAD_OK;
+    BEAD_TRY(bead_new(&played->comparison_runs, p->chain_count, msg, "%zu chains", p->chain_count));
+    struct bead_run_settings settings = settings_of(p, bead_play_comparison_factor(p, compares_samples(p)));
     for (size_t i = 0; i < p->chain_count; i++) {
         settings.chain = p->chains[i];
         BEAD_TRY(bead_runner_create(&settings, &played->comparison_runs[i], msg));
@@ -76,40 +89,127 @@ static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_o
     }
 }
 
-/* Finds the uncertainties of a chain's peaks from its run and its comparison run. */
-static enum bead_error compare_peaks(const struct bead_play *p, struct bead_played *played, size_t chain, struct bead_message *msg)
+/* The peaks of a chain's runs, side by side. */
+struct compared {
+    struct bead_uncertainty_of of;
+    struct bead_uncertain_peaks kinds[2];
+};
+
+/* Adds the peaks of another run, which has reached the end of the chain's run or was over before. */
+static void add_run(const struct bead_runner *other, bool is_fine, struct bead_outcome *outcome, struct compared *compared)
 {
-    const size_t contacts = bead_chain_contacts(p->chains[chain]), beads = bead_chain_beads(p->chains[chain]);
-    const struct bead_runner *comparison = &played->comparison_runs[chain];
-    struct bead_outcome *outcome = &played->outcomes[chain], other;
-    double **u = played->uncertainty + 2 * chain;
-    u[0] = calloc(contacts, sizeof **u);
-    u[1] = calloc(beads, sizeof **u);
-    if (!u[0] || !u[1])
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the peaks of %zu beads", beads);
-    comparison->kind->finish(comparison->run, outcome->end, &other);
-    const double refinement = p->refinement > 0 ? p->refinement : 1, over = comparison->kind->over(comparison->run);
-    const double asked_factor = bead_play_comparison_factor(p, compares_samples(p));
-    const double factor = bead_run_effective_factor(p->chains[chain], p->simulate, asked_factor);
-    const struct bead_uncertainty_of of = {p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement, factor / refinement,
-                                           bead_chain_spec(p->chains[chain])->damping_coefficient > 0,
-                                           isnan(over) ? 0 : fmin(over, outcome->end)};
-    const struct bead_uncertain_peaks kinds[2] = {
-        {outcome->contact_peaks, other.contact_peaks, other.contact_peaks ? contacts : 0, u[0]},
-        {outcome->bead_peaks, other.bead_peaks, other.bead_peaks ? beads : 0, u[1]}};
-    bead_uncertainty_find(&of, kinds);
-    note_worst(kinds, outcome);
-    outcome->contact_uncertainty = kinds[0].count ? u[0] : NULL;
-    outcome->bead_uncertainty = kinds[1].count ? u[1] : NULL;
+    struct bead_outcome found;
+    const double over = other->kind->over(other->run);
+    other->kind->finish(other->run, outcome->end, &found);
+    const struct bead_peak *peaks[2] = {found.contact_peaks, found.bead_peaks};
+    for (size_t kind = 0; kind < 2; kind++)
+        *(is_fine ? &compared->kinds[kind].fine : &compared->kinds[kind].coarse) = peaks[kind];
+    if (!isnan(over))
+        compared->of.end = compared->of.end > 0 ? fmin(compared->of.end, over) : fmin(outcome->end, over);
+}
+
+/* Runs a chain with a tenth of its tolerance, as far as its run went. */
+static enum bead_error run_finer(const struct bead_play *p, const struct bead_runner *run, struct bead_runner *fine,
+                                 struct bead_message *msg)
+{
+    struct bead_run_settings settings = settings_of(p, finer * (p->refinement > 0 ? p->refinement : 1));
+    const bool is_over = !isnan(run->kind->over(run->run));
+    const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
+    settings.chain = run->chain;
+    BEAD_TRY(bead_runner_create(&settings, fine, msg));
+    return bead_play_run(fine, &way, msg);
+}
+
+/* Keeps what is found of the peaks: their uncertainties, and which of them are not predictable. */
+static enum bead_error keep(const struct compared *compared, struct bead_played *played, size_t chain, struct bead_message *msg)
+{
+    struct bead_outcome *outcome = &played->outcomes[chain];
+    const struct bead_peak **const peaks[2] = {&outcome->contact_peaks, &outcome->bead_peaks};
+    const double **const uncertainty[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty};
+    const double from = bead_uncertainty_find(&compared->of, compared->kinds);
+    outcome->predictable_until = from;
+    note_worst(compared->kinds, outcome);
+    for (size_t kind = 0; kind < 2; kind++) {
+        const struct bead_uncertain_peaks *k = &compared->kinds[kind];
+        struct bead_peak **judged = &played->judged[2 * chain + kind];
+        if (k->count == 0)
+            continue;
+        BEAD_TRY(bead_new(judged, k->count, msg, "the peaks of %zu beads", k->count));
+        memcpy(*judged, k->peaks, k->count * sizeof **judged);
+        for (size_t i = 0; i < k->count; i++)
+            (*judged)[i].unpredictable = bead_uncertainty_is_lost(&compared->of, &k->peaks[i], k->uncertainty[i], from);
+        *peaks[kind] = *judged;
+        *uncertainty[kind] = k->uncertainty;
+    }
     return BEAD_OK;
+}
+
+struct comparing {
+    const struct bead_play *play;
+    struct bead_played *played;
+    double factor; /* of the comparison runs */
+};
+
+/* Finds the uncertainties of a chain's peaks. */
+static enum bead_error compare_peaks(void *context, size_t chain, bool, struct bead_message *msg)
+{
+    const struct comparing *c = context;
+    const struct bead_play *p = c->play;
+    struct bead_outcome *outcome = &c->played->outcomes[chain];
+    const size_t count[2] = {bead_chain_contacts(p->chains[chain]), bead_chain_beads(p->chains[chain])};
+    double **u = c->played->uncertainty + 2 * chain;
+    for (size_t kind = 0; kind < 2; kind++)
+        BEAD_TRY(bead_new(&u[kind], count[kind], msg, "the peaks of %zu beads", count[1]));
+    const double refinement = p->refinement > 0 ? p->refinement : 1;
+    const double omega = bead_chain_omega(p->chains[chain], bead_chain_energy(p->chains[chain]));
+    struct compared compared = {
+        .of = {.accuracy = p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
+               .factor = bead_run_effective_factor(p->chains[chain], p->simulate, c->factor) / refinement,
+               .apart = pi / omega},
+        .kinds = {{.peaks = outcome->contact_peaks, .uncertainty = u[0]}, {.peaks = outcome->bead_peaks, .uncertainty = u[1]}}};
+    const bool is_fine = compared.of.accuracy > 0 && compared.of.factor < 1;
+    add_run(&c->played->comparison_runs[chain], is_fine, outcome, &compared);
+    for (size_t kind = 0; kind < 2; kind++)
+        compared.kinds[kind].count = (is_fine ? compared.kinds[kind].fine : compared.kinds[kind].coarse) ? count[kind] : 0;
+    struct bead_runner fine = {NULL, NULL, NULL};
+    enum bead_error err = BEAD_OK;
+    if (!is_fine && bead_uncertainty_wants_fine(&compared.of, compared.kinds)) {
+        err = run_finer(p, &c->played->runs[chain], &fine, msg);
+        if (!err)
+            add_run(&fine, true, outcome, &compared);
+    }
+    if (!err)
+        err = keep(&compared, c->played, chain, msg);
+    if (fine.run && p->counts) {
+        const struct bead_run_work work = fine.kind->work(fine.run);
+        __atomic_fetch_add(&p->counts->comparison_steps, work.steps, __ATOMIC_RELAXED);
+        __atomic_fetch_add(&p->counts->comparison_evaluations, work.evaluations, __ATOMIC_RELAXED);
+    }
+    bead_runner_destroy(&fine);
+    return err;
 }
 
 enum bead_error bead_compare_finish(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
 {
     if (!bead_compare_peaks(p))
         return BEAD_OK;
+    struct comparing comparing = {p, played, bead_play_comparison_factor(p, compares_samples(p))};
+    bead_compare_free(played);
     BEAD_TRY(bead_new(&played->uncertainty, 2 * p->chain_count, msg, "the peaks of %zu chains", p->chain_count));
-    for (size_t i = 0; i < p->chain_count; i++)
-        BEAD_TRY(compare_peaks(p, played, i, msg));
-    return BEAD_OK;
+    BEAD_TRY(bead_new(&played->judged, 2 * p->chain_count, msg, "the peaks of %zu chains", p->chain_count));
+    return bead_thread_pool_run(p->chain_count, p->threads, compare_peaks, &comparing, msg);
+}
+
+void bead_compare_free(struct bead_played *played)
+{
+    for (size_t i = 0; i < 2 * played->count; i++) {
+        if (played->uncertainty)
+            free(played->uncertainty[i]);
+        if (played->judged)
+            free(played->judged[i]);
+    }
+    free(played->uncertainty);
+    free(played->judged);
+    played->uncertainty = NULL;
+    played->judged = NULL;
 }

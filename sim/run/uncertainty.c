@@ -1,21 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Estimates the uncertainty of peaks from two runs: see uncertainty.h. */
+/* Measures the uncertainty of peaks by other runs: see uncertainty.h. */
 #include "sim/run/uncertainty.h"
 
 #include <math.h>
 
-/* Uncertainty in units of the requested accuracy, for peaks whose difference is within the error bound of the comparison run:
- * `usual` times the difference over that bound, because runs may agree better by chance; `elsewhere` times the largest such ratio
- * in the chain, because they may agree although neither is right; at most `usual_most`. With damping, errors follow the tolerance:
- * `damped` times the ratio. */
-static const double usual = 30, elsewhere = 20, usual_most = 9.5, damped = 3;
-/* Peaks whose ratio exceeds `too_strong` are sensitive: uncertain by `strong` times their difference, which falls by the factor
- * `next` from one neighbour to the next. */
-static const double too_strong = 1.5, strong = 20, next = 0.82;
+#include "sim/base/elementary.h"
+#include "sim/base/wide.h"
+
+/* The safety factor. The error X of a run and that of a finer one, X_q, with a tenth of its tolerance, are scattered like normal
+ * deviates of the ratio 10; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale 1/10, lies
+ * between .8 and 1.2: with a probability of (atan 12 - atan 8) / pi = .013. */
+static const double safety = 5;
+/* A finer run is worth its cost if more than this part of the peaks answers strongly. The others' answers are taken this many times
+ * without it: the errors of the two runs have a ratio that is, relative to that of their tolerances, a Cauchy deviate, which
+ * exceeds 10 with a probability of .06. */
+static const double few = 0.005, few_safety = 10;
+/* Relative uncertainty of a peak that is not predictable. */
+static const double lost = 0.1;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
-/* Difference of the two runs, relative to the peak; 0 after the end of either. */
+/* Difference of two runs, relative to the peak; 0 after the end of either. */
 static double difference(const struct bead_uncertainty_of *of, const struct bead_peak *a, const struct bead_peak *b)
 {
     if (of->end > 0 && (a->time > of->end || b->time > of->end))
@@ -24,58 +29,84 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
     return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
 }
 
-/* Returns the largest difference in units of `allowed`, the error bound of the comparison run. Sets the uncertainties of sensitive
- * peaks, and 0 for the others. */
-static double find_strong(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, double allowed)
+/* Did both runs find the same maximum? */
+static bool is_same(const struct bead_uncertainty_of *of, const struct bead_peak *a, const struct bead_peak *b)
 {
-    double most = 0;
-    for (size_t i = 0; i < p->count; i++) {
-        const double d = difference(of, &p->peaks[i], &p->comparison[i]), part = d / allowed;
-        most = fmax(most, part);
-        p->uncertainty[i] = !of->damped && part > too_strong ? strong * d : 0;
+    return !(fabs(a->time - b->time) > of->apart);
+}
+
+/* The answer of peak i to the coarser run: what this says of the error of the run itself, relative, if errors are proportional to
+ * the tolerance. */
+static double answer(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
+{
+    return p->coarse ? difference(of, &p->peaks[i], &p->coarse[i]) / (of->factor - 1) : 0;
+}
+
+static bool is_strong(const struct bead_uncertainty_of *of, double answer)
+{
+    return safety * answer > of->accuracy;
+}
+
+bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+{
+    size_t strong = 0, all = 0;
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++)
+            strong += is_strong(of, answer(of, &kinds[kind], i));
+        all += kinds[kind].count;
     }
-    return most;
+    return of->accuracy > 0 && (double)strong > few * (double)all;
 }
 
-/* Contact i is beside bead i: both take the larger uncertainty. */
-static void share(const struct bead_uncertain_peaks kinds[2])
+/* The usual ratio of the measured error to the answer, the geometric mean of those of all peaks that answer strongly. At most
+ * factor - 1: the coarser run is not the better one. */
+static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
-    for (size_t i = 0; i < kinds[0].count && i < kinds[1].count; i++)
-        kinds[0].uncertainty[i] = kinds[1].uncertainty[i] = fmax(kinds[0].uncertainty[i], kinds[1].uncertainty[i]);
-}
-
-static void spread(double *u, size_t count)
-{
-    for (size_t i = 1; i < count; i++)
-        u[i] = fmax(u[i], next * u[i - 1]);
-    for (size_t i = count; i-- > 1;)
-        u[i - 1] = fmax(u[i - 1], next * u[i]);
-}
-
-/* In units of the requested accuracy. `part`: difference of the peak over the error bound of the comparison run, `most`: the
- * largest in the chain. */
-static double usual_uncertainty(const struct bead_uncertainty_of *of, double part, double most)
-{
-    return fmax(1, of->damped ? damped * part : fmin(fmax(usual * part, elsewhere * most), usual_most));
-}
-
-void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
-{
-    const double a = of->accuracy, allowed = a * fmax(of->tolerance_factor, 1);
-    double most = 0;
-    for (size_t kind = 0; kind < 2 && a > 0; kind++)
-        most = fmax(most, find_strong(of, &kinds[kind], allowed));
-    if (a > 0)
-        share(kinds);
+    double sum = 0;
+    size_t count = 0;
     for (size_t kind = 0; kind < 2; kind++) {
         const struct bead_uncertain_peaks *p = &kinds[kind];
-        if (a > 0)
-            spread(p->uncertainty, p->count);
-        for (size_t i = 0; i < p->count; i++) {
-            const double d = difference(of, &p->peaks[i], &p->comparison[i]);
-            const double own = a > 0 ? a * usual_uncertainty(of, d / allowed, most) : fmax(d, rounding);
-            const double near = a > 0 ? fmin(p->uncertainty[i], fmax(1, d)) : 0;
-            p->uncertainty[i] = fmax(own, near) * fabs(p->peaks[i].value);
+        for (size_t i = 0; p->coarse && p->fine && i < p->count; i++) {
+            const double a = answer(of, p, i), error = difference(of, &p->peaks[i], &p->fine[i]);
+            if (!is_strong(of, a) || !(error > 0) || safety * error > lost || !is_same(of, &p->peaks[i], &p->coarse[i]) ||
+                !is_same(of, &p->peaks[i], &p->fine[i]))
+                continue;
+            sum += bead_log(error / a);
+            count++;
         }
     }
+    return count > 0 ? fmin(bead_exp(sum / (double)count), of->factor - 1) : 0;
+}
+
+/* Bound of the relative error of peak i, unless it is smaller than what was asked. */
+static double error_of(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double ratio)
+{
+    const double a = answer(of, p, i);
+    if (!p->fine)
+        return is_strong(of, a) ? few_safety * a : 0;
+    const double measured = safety * difference(of, &p->peaks[i], &p->fine[i]);
+    return p->coarse && is_same(of, &p->peaks[i], &p->coarse[i]) ? fmax(measured, ratio * a) : measured;
+}
+
+double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+{
+    const double ratio = usual_ratio(of, kinds);
+    double from = INFINITY;
+    for (size_t kind = 0; kind < 2; kind++) {
+        const struct bead_uncertain_peaks *p = &kinds[kind];
+        for (size_t i = 0; i < p->count; i++) {
+            /* steps of a given length: the runs differ by more than the better one is off */
+            const double part = of->accuracy > 0 ? fmax(of->accuracy, error_of(of, p, i, ratio))
+                                                 : fmax(difference(of, &p->peaks[i], &p->coarse[i]), rounding);
+            p->uncertainty[i] = part * fabs(p->peaks[i].value);
+            if (part > lost)
+                from = fmin(from, p->fine ? fmax(p->peaks[i].time, p->fine[i].time) : p->peaks[i].time);
+        }
+    }
+    return from;
+}
+
+bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_peak *peak, double uncertainty, double from)
+{
+    return uncertainty > lost * peak->value || (peak->time >= from && uncertainty > of->accuracy * peak->value);
 }

@@ -1,11 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Uncertainty: errors of the peaks of a run, estimated from a comparison run with other steps.
+/* Uncertainty: errors of the peaks of a run, measured by runs of the same chain with other tolerances.
  *
- * A comparison run at f times the tolerance may err by f times the requested accuracy, and the run itself by 1/f of that: peaks
- * that differ by no more are as accurate as requested. Peaks that differ by more are sensitive, and their errors hardly depend on
- * the tolerance: the few unstable motions of the chain drive them, and drive the peaks nearby as well, if by chance not in these
- * two runs. Damping removes these instabilities. Two runs may also have similar errors and agree although neither is right, so no
- * peak is much more certain than the others of its chain. */
+ * Steps are chosen so that errors are proportional to the tolerance. So a run P with the tolerance a, one with a coarser tolerance
+ * r a, and one with a finer tolerance q a, give two estimates of the error of each peak: |P_r - P| / (r - 1) and |P - P_q| / (1 -
+ * q).
+ *
+ * The factor of proportionality is not the same in two runs, because contacts open and close elsewhere in their steps. A chain that
+ * is not chaotic forgives that: its errors are far below what was asked, and the coarser run alone shows that. In a chaotic chain a
+ * few unstable motions drive all later peaks: the error of peak i is g_i X, where g_i, the growth since, is the chain's, and X,
+ * what the run's own errors put into the motion, differs from run to run by more than r. There the coarser run says how strongly
+ * peaks answer, but not what this run has put in: the ratio of two such X has the heavy tail of a Cauchy distribution, so that any
+ * bound from it is a hundred times too large for most peaks or too small for some. The finer run does say it, because its own X is
+ * smaller by q: P - P_q is the error of P but for a part of about q. (A tangent driven by the local errors says the same, but knows
+ * them only from steps repeated at half their length, which costs twice the run; and it ends where a chaotic motion is no longer
+ * linear.)
+ *
+ * A peak at which P - P_q happens to cross zero has an error nonetheless: at least its answer to the coarser run, times the usual
+ * ratio of the measured errors to the answers in this chain. */
 #pragma once
 
 #include <stdbool.h>
@@ -13,20 +24,27 @@
 
 #include "beadreel/sink.h"
 
-/* The two runs that are compared. */
+/* The runs that are compared. */
 struct bead_uncertainty_of {
-    double accuracy;         /* of the run; 0: its step was given */
-    double tolerance_factor; /* accuracy, or step, of the comparison run in units of the run's */
-    bool damped;
-    double end; /* s: of the run that ended first; later peaks are not compared. 0: both ended together */
+    double accuracy; /* a; 0: the step was given */
+    double factor;   /* r: the tolerance of the coarser run, or its step, in units of the run's */
+    double end;      /* s: of the run that ended first; later peaks are not compared. 0: all ended together */
+    double apart;    /* s: half the shortest period of the chain; maxima further apart than that are different ones */
 };
 
 /* The peaks of contacts, or of beads, in order. */
 struct bead_uncertain_peaks {
-    const struct bead_peak *peaks, *comparison;
-    size_t count;        /* 0: unknown */
-    double *uncertainty; /* N: out */
+    const struct bead_peak *peaks;
+    const struct bead_peak *coarse, *fine; /* of the other runs; NULL: none */
+    size_t count;                          /* 0: unknown */
+    double *uncertainty;                   /* N: out */
 };
 
-/* Uncertainties of the peaks of a chain's contacts [0] and beads [1]. */
-void bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
+/* True if more than a few peaks of a chain's contacts [0] and beads [1] answer to the coarser run so strongly that a finer one is
+ * needed. */
+bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
+/* Sets the uncertainties, at least the accuracy asked for. Returns the time from which peaks are not predictable, s: that of the
+ * first one that is not known to a tenth of itself; INFINITY: all are. */
+double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
+/* True if a peak of this uncertainty (N) is not predictable: it comes after this time, and not as accurately as asked. */
+bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_peak *peak, double uncertainty, double from);

@@ -156,7 +156,8 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     fprintf(out, " needs all chains a second time, for comparison: ");
     if (!(asked->step > 0))
         fprintf(out, "accuracy %.3g instead of %.3g, ", factor * asked->accuracy, asked->accuracy);
-    fprintf(out, "steps of %s\n", time_words(s, pace.step, false).text);
+    fprintf(out, "steps of %s%s\n", time_words(s, pace.step, false).text,
+            !samples && factor > 1 && !(asked->step > 0) ? "; a third one if many peaks answer strongly" : "");
     return BEAD_OK;
 }
 

@@ -167,7 +167,7 @@ static struct png_file draw_peaks(const char *output, const double values[CONTAC
     char path[512];
     assert_int_equal(bead_chain_contacts(built.chain), CONTACTS);
     for (size_t i = 0; i < CONTACTS; i++)
-        peaks[i] = (struct bead_peak){values[i], values[i] > 0 ? 1e-4 * (double)i : NAN, i == open, false};
+        peaks[i] = (struct bead_peak){.value = values[i], .time = values[i] > 0 ? 1e-4 * (double)i : NAN, .open = i == open};
     assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &context, &sink, &msg), BEAD_OK);
     bead_plot_sink.needs(sink, &needs);
     assert_true(needs.contact_peaks && needs.fields == 0);

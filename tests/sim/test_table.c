@@ -18,7 +18,7 @@ static char *read_all(const char *path)
 }
 
 /* End the sink with peaks of contact (or bead) j = j/3 N at j us; the last is still open, the one before was never loaded, the
- * fourth was exceeded later. */
+ * fourth was exceeded later, the sixth is not predictable. */
 static void finish_with_peaks(struct stand *s)
 {
     struct bead_message msg = {""};
@@ -30,7 +30,11 @@ static void finish_with_peaks(struct stand *s)
         for (size_t j = 0; j < count; j++)
             uncertainty[j] = (double)j / 1000;
         for (size_t j = 0; j < count; j++)
-            peaks[c][j] = (struct bead_peak){(double)(j + c) / 3, j + 2 == count ? NAN : (double)j * 1e-6, j + 1 == count, j == 3};
+            peaks[c][j] = (struct bead_peak){.value = (double)(j + c) / 3,
+                                             .time = j + 2 == count ? NAN : (double)j * 1e-6,
+                                             .open = j + 1 == count,
+                                             .exceeded = j == 3,
+                                             .unpredictable = j == 5};
         outcomes[c] = made_outcome(c);
         outcomes[c].contact_uncertainty = s->needs.uncertainty ? uncertainty : NULL;
         outcomes[c].contact_peaks = s->needs.contact_peaks ? peaks[c] : NULL;
@@ -56,7 +60,7 @@ static void peaks_of_one_chain(void **state)
         assert_true(strtod(at + 1, &at) == (double)j / 3);
         double time = strtod(at + 1, &at);
         assert_true(j == 11 ? isnan(time) : time == (double)j * 1e-6);
-        const char *word = j == 12 ? ",open," : j == 3 ? ",exceeded," : ",,";
+        const char *word = j == 12 ? ",open," : j == 5 ? ",unpredictable," : j == 3 ? ",exceeded," : ",,";
         assert_true(strncmp(at, word, strlen(word)) == 0);
         assert_true(strtod(strrchr(at, ',') + 1, NULL) == (double)j / 1000);
     }

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "drawn.h"
+#include "sim/run/uncertainty.h"
 
 static const double asked[] = {1e-4, 1e-6, 1e-8};
 enum { ASKED = sizeof asked / sizeof *asked };
@@ -24,73 +25,134 @@ static void chains_drawn_at_random(void **state)
     }
 }
 
-/* One peak answers too strongly: it and its neighbours are uncertain, those far away as much as peaks that answer as they should
- * may be. */
-static void strong_answers_spread(void **state)
+/* Peaks of 10 N at rising times, and those of other runs, that differ by these parts. */
+enum { PEAKS = 4 };
+struct made {
+    struct bead_peak peaks[PEAKS], coarse[PEAKS], fine[PEAKS];
+    double u[PEAKS];
+};
+
+static void make(struct made *m, const double coarse[PEAKS], const double fine[PEAKS])
 {
-    (void)state;
-    struct bead_peak peaks[81], comparison[81];
-    double u[81];
-    for (size_t i = 0; i < 81; i++) {
-        peaks[i] = (struct bead_peak){10, 1e-3, false, false};
-        comparison[i] = (struct bead_peak){i == 0 ? 10 * (1 + 1e-3) : 10 * (1 + 1e-6), 1e-3, false, false};
+    for (size_t i = 0; i < PEAKS; i++) {
+        m->peaks[i] = m->coarse[i] = m->fine[i] = (struct bead_peak){.value = 10, .time = (double)(i + 1) * 1e-3};
+        m->coarse[i].value *= 1 + coarse[i];
+        m->fine[i].value *= 1 + fine[i];
     }
-    const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, damped = {1e-6, 30, true, 0}, step = {0, 2, false, 0};
-    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 81, u}, {NULL, NULL, 0, NULL}};
-    bead_uncertainty_find(&of, kinds);
-    assert_near(u[0], 0.2, 1e-6);
-    assert_near(u[1], 0.82 * 0.2, 1e-6);
-    assert_near(u[80], 9.5e-5, 1e-9);
-    bead_uncertainty_find(&damped, kinds);
-    assert_near(u[0], 1e-3, 1e-6);
-    assert_near(u[1], 1e-5, 1e-12);
-    bead_uncertainty_find(&step, kinds);
-    assert_near(u[0], 1e-2, 1e-9);
-    assert_near(u[1], 1e-5, 1e-9);
 }
 
-/* No peak answers too strongly: each is as uncertain as its own difference says, or a part of the largest of all. */
-static void usual_answers_do_not_spread(void **state)
+static double judge(const struct bead_uncertainty_of *of, struct made *m, bool fine)
+{
+    const struct bead_uncertain_peaks kinds[2] = {{m->peaks, m->coarse, fine ? m->fine : NULL, PEAKS, m->u},
+                                                  {NULL, NULL, NULL, 0, NULL}};
+    assert_int_equal(bead_uncertainty_wants_fine(of, kinds), fine);
+    return bead_uncertainty_find(of, kinds);
+}
+
+static const struct bead_uncertainty_of usual = {.accuracy = 1e-6, .factor = 301, .apart = 1e-5};
+
+/* A run at 301 times the tolerance that differs by less than 60 times what was asked: all is as asked. */
+static void weak_answers_are_as_asked(void **state)
 {
     (void)state;
-    const struct bead_peak peaks[] = {{10, 1e-3, false, false}, {10, 1e-3, false, false}, {10, 1e-3, false, false}};
-    const struct bead_peak comparison[] = {
-        {10, 1e-3, false, false}, {10 * (1 + 5e-6), 1e-3, false, false}, {10 * (1 + 3e-6), 1e-3, false, false}};
-    const struct bead_uncertainty_of of = {1e-6, 30, false, 0}, fine = {1e-4, 30, false, 0};
-    double u[3];
-    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 3, u}, {NULL, NULL, 0, NULL}};
-    bead_uncertainty_find(&of, kinds);
-    assert_near(u[0], 20. / 6 * 1e-5, 1e-9);
-    assert_near(u[1], 5e-5, 1e-9);
-    assert_near(u[2], 20. / 6 * 1e-5, 1e-9);
-    bead_uncertainty_find(&fine, kinds);
-    for (size_t i = 0; i < 3; i++)
-        assert_near(u[i], 1e-3, 1e-9);
+    struct made m;
+    make(&m, (const double[]){0, 1e-5, 5.9e-5, 1e-6}, (const double[PEAKS]){0});
+    assert_true(isinf(judge(&usual, &m, false)));
+    for (size_t i = 0; i < PEAKS; i++)
+        assert_near(m.u[i], 1e-5, 1e-12);
+}
+
+/* One strong answer among many: no finer run, that peak alone is uncertain by ten times its answer. */
+static void a_few_strong_answers_need_no_finer_run(void **state)
+{
+    (void)state;
+    struct bead_peak peaks[300], coarse[300];
+    double u[300];
+    for (size_t i = 0; i < 300; i++)
+        peaks[i] = coarse[i] = (struct bead_peak){.value = 10, .time = (double)i * 1e-3};
+    coarse[7].value *= 1 + 3e-3;
+    const struct bead_uncertain_peaks kinds[2] = {{peaks, coarse, NULL, 300, u}, {NULL, NULL, NULL, 0, NULL}};
+    assert_false(bead_uncertainty_wants_fine(&usual, kinds));
+    assert_true(isinf(bead_uncertainty_find(&usual, kinds)));
+    for (size_t i = 0; i < 300; i++)
+        assert_near(u[i], i == 7 ? 10 * 1e-4 : 1e-5, 1e-12);
+}
+
+/* Strong answers are measured by the finer run; where it agrees by chance, by the answer times the usual ratio. Peaks before them
+ * and beside them are not touched. */
+static void strong_answers_are_measured(void **state)
+{
+    (void)state;
+    struct made m;
+    make(&m, (const double[]){1e-6, 3e-3, 3e-3, 0}, (const double[]){1e-9, 4e-5, 0, -1e-5});
+    assert_true(isinf(judge(&usual, &m, true)));
+    assert_near(m.u[0], 1e-5, 1e-12);
+    assert_near(m.u[1], 5 * 4e-4, 1e-12);
+    assert_near(m.u[2], 4e-4, 1e-9);
+    assert_near(m.u[3], 5 * 1e-4, 1e-12);
+}
+
+/* Twice the differences: twice the uncertainties. */
+static void uncertainties_are_proportional_to_differences(void **state)
+{
+    (void)state;
+    struct made once, twice;
+    make(&once, (const double[]){1e-3, 4e-3, 2e-3, 1e-3}, (const double[]){1e-5, -2e-5, 1e-6, 3e-4});
+    make(&twice, (const double[]){2e-3, 8e-3, 4e-3, 2e-3}, (const double[]){2e-5, -4e-5, 2e-6, 6e-4});
+    judge(&usual, &once, true);
+    judge(&usual, &twice, true);
+    for (size_t i = 0; i < PEAKS; i++)
+        assert_near(twice.u[i], 2 * once.u[i], 1e-9 * once.u[i]);
+}
+
+/* From the first peak on that is not known to a tenth, those are lost that are not as accurate as asked; none before. */
+static void only_later_peaks_are_lost(void **state)
+{
+    (void)state;
+    struct made m;
+    make(&m, (const double[]){5e-3, 5e-3, 5e-3, 0}, (const double[]){1e-4, 5e-2, 1e-4, 0});
+    const double from = judge(&usual, &m, true);
+    const bool lost[PEAKS] = {false, true, true, false};
+    assert_near(from, 2e-3, 1e-15);
+    for (size_t i = 0; i < PEAKS; i++)
+        assert_int_equal(bead_uncertainty_is_lost(&usual, &m.peaks[i], m.u[i], from), lost[i]);
+}
+
+/* Steps of a given length: uncertain by the difference. */
+static void given_steps_are_compared(void **state)
+{
+    (void)state;
+    const struct bead_uncertainty_of step = {.factor = 2, .apart = 1e-5};
+    struct made m;
+    make(&m, (const double[]){0, 1e-3, 1e-6, 0}, (const double[PEAKS]){0});
+    const struct bead_uncertain_peaks kinds[2] = {{m.peaks, m.coarse, NULL, PEAKS, m.u}, {NULL, NULL, NULL, 0, NULL}};
+    assert_true(isinf(bead_uncertainty_find(&step, kinds)));
+    assert_near(m.u[1], 1e-2, 1e-12);
+    assert_near(m.u[2], 1e-5, 1e-9);
+    assert_true(m.u[0] > 0 && m.u[0] < 1e-12);
 }
 
 /* A run that missed the end of the pulse has later maxima, which say nothing of the other's. */
 static void what_comes_behind_the_end_of_either_is_not_compared(void **state)
 {
     (void)state;
-    const struct bead_peak peaks[] = {{10, 1e-3, false, false}, {10, 2e-3, false, false}};
-    const struct bead_peak comparison[] = {{10 * (1 + 1e-6), 1e-3, false, false}, {20, 3e-3, false, false}};
-    const struct bead_uncertainty_of of = {1e-6, 30, false, 2.5e-3};
-    double u[2];
-    const struct bead_uncertain_peaks kinds[2] = {{peaks, comparison, 2, u}, {NULL, NULL, 0, NULL}};
-    bead_uncertainty_find(&of, kinds);
-    assert_near(u[0], 1e-5, 1e-12);
-    assert_near(u[1], 1e-5, 1e-12);
+    struct made m;
+    struct bead_uncertainty_of of = usual;
+    make(&m, (const double[]){1e-6, 1, 1, 1}, (const double[PEAKS]){0});
+    of.end = 1.5e-3;
+    assert_true(isinf(judge(&of, &m, false)));
+    assert_near(m.u[3], 1e-5, 1e-12);
 }
 
 /* In these chains one way of being unstable drives some peaks, and chance decides how strongly each run excites it: here a run and
- * its comparison run are off alike at a peak, by several times what was asked. Others of the chain say so. */
+ * a coarser one are off alike at a peak, by several times what was asked. A finer run says so. */
 static void peaks_that_agree_by_chance_are_known_by_others(void **state)
 {
     (void)state;
     static const struct {
         uint64_t seed;
         double accuracy;
-    } cases[] = {{1036, 8e-9}, {1225, 1.3e-6}, {1198, 1e-6}, {1324, 1e-5}, {2157, 1e-4}};
+    } cases[] = {{1036, 8e-9}, {1198, 1e-6}, {1324, 1e-5}, {2157, 1e-4}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct drawn drawn = drawn_make(cases[i].seed, 150);
         const struct kept kept = drawn_ask(&drawn, cases[i].accuracy);
@@ -134,8 +196,12 @@ static void slow_contacts_count_as_they_are(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(chains_drawn_at_random),
-                                       cmocka_unit_test(strong_answers_spread),
-                                       cmocka_unit_test(usual_answers_do_not_spread),
+                                       cmocka_unit_test(weak_answers_are_as_asked),
+                                       cmocka_unit_test(a_few_strong_answers_need_no_finer_run),
+                                       cmocka_unit_test(strong_answers_are_measured),
+                                       cmocka_unit_test(uncertainties_are_proportional_to_differences),
+                                       cmocka_unit_test(only_later_peaks_are_lost),
+                                       cmocka_unit_test(given_steps_are_compared),
                                        cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
                                        cmocka_unit_test(slow_contacts_count_as_they_are),
                                        cmocka_unit_test(pulses_that_hardly_part_do),
