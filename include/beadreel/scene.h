@@ -143,6 +143,22 @@ struct bead_sweep_measures {
     bool decay; /* peaks of every bead's force and energy */
 };
 
+/* A key of the scene that a sweep gives other values. */
+struct bead_over_key {
+    char *path;    /* "chain.striker.velocity" */
+    char *unit;    /* SI, of the values; "" where they have none */
+    char **text;   /* [count] values as scenes have them */
+    double *value; /* [count] in this unit; NaN: not a number */
+    size_t count;
+    bool seed; /* values are averaged over: the path ends in `seed` */
+};
+enum bead_combine { BEAD_COMBINE_GRID, BEAD_COMBINE_PAIRS };
+struct bead_over {
+    struct bead_over_key *keys; /* the last one changes first; of `pairs` all change together */
+    size_t key_count;           /* 0: the sweep is one over spins */
+    enum bead_combine combine;
+};
+
 /* Configurations that are drawn alike: `up` of the random cells are up. */
 struct bead_sweep_group {
     double magnetism; /* of the chain: bead_chain_magnetism; NaN where spins are given one by one */
@@ -150,8 +166,8 @@ struct bead_sweep_group {
     size_t configurations;
 };
 
-/* Many chains that differ in the spins of their random cells. Chain `chain` of the scene is the pattern; its cells with
- * `spins: random` are the random ones, left to right. */
+/* Many chains that differ in the spins of their random cells, or in the values of any keys. Chain `chain` of the scene is the pattern;
+ * its cells with `spins: random` are the random ones, left to right. Over keys: `cells` is 0, and there is one group. */
 struct bead_sweep_spec {
     char *name;  /* "" for a single unnamed sweep */
     char *title; /* the same as pictures show it */
@@ -167,6 +183,7 @@ struct bead_sweep_spec {
     size_t configurations; /* of each group; one where there is only one way to arrange the spins */
     uint64_t seed;
     bool whole; /* no bead is dropped behind the front */
+    struct bead_over over;
     struct bead_sweep_measures measures;
 };
 
@@ -202,7 +219,8 @@ enum bead_sweep_show {
     BEAD_SWEEP_BOTH,
     BEAD_SWEEP_DECAY,
     BEAD_SWEEP_MAGNETISM,
-    BEAD_SWEEP_CONFIGURATIONS
+    BEAD_SWEEP_CONFIGURATIONS,
+    BEAD_SWEEP_DEVIATION /* of images */
 };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
@@ -314,6 +332,7 @@ struct bead_curves_asked {
 struct bead_sweep_curves_asked {
     enum bead_sweep_show show;
     char *threshold; /* how the threshold is found: a name of statistics.h */
+    char *against;   /* of sweeps over keys: the one along the axis; "": the first that is no seed */
 };
 
 /* ---- outputs: settings of one kind ---- */

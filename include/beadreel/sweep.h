@@ -16,7 +16,7 @@
  * In the file (HDF5; SI): /scene, the scene's text; for panel p the group /sweeps/p with the attributes name and seed and
  *   configuration [n]     number within the panel, from 0
  *   spins [n][cells]      1 up, 0 reversed, of the random cells
- *   magnetism [n]         M of the chain
+ *   magnetism [n]         M of the chain; over keys: value [n][key], NaN where it is no number, of the keys `key` [keys]
  *   place [places]        "peak", or the sensors' names
  *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
@@ -82,7 +82,7 @@ struct bead_sweep_peak {
 
 struct bead_sweep_configuration {
     const char *spins; /* [cells] '0' and '1', not terminated */
-    double magnetism;
+    double magnetism;  /* NaN: over keys */
     const struct bead_sweep_peak *peaks; /* [places] */
     /* [beads], where decay is measured, else NULL. Peak forces of the first passage, N; the energy of the front, J: that of the
      * bead and the four on either side, at the moment of its peak force. */
@@ -90,7 +90,7 @@ struct bead_sweep_configuration {
     const double *last_force, *last_energy; /* [beads] N, J: of each bead when the front has reached the end */
 };
 
-#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up */
+#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up; over keys: the scene as it is */
 
 /* The scene must outlive the sweep. Errors: MEMORY, USAGE (the scene has no sweep). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sweep **sweep,
@@ -102,6 +102,8 @@ BEAD_API size_t bead_sweep_panels(const struct bead_sweep *sweep);
 BEAD_API const struct bead_sweep_panel *bead_sweep_panel(const struct bead_sweep *sweep, size_t panel);
 /* Name of a place: "peak" or a sensor's. */
 BEAD_API const char *bead_sweep_place(const struct bead_sweep *sweep, size_t panel, size_t place);
+/* Of a sweep over keys: number of the value of key `key` that a configuration has. */
+BEAD_API size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key);
 /* One configuration, or BEAD_SWEEP_CLEAN; false: its results are not known (yet, or not in this part), peaks and profiles are NULL.
  * Borrowed from the sweep. */
 BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index,

@@ -363,6 +363,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
 {
     const struct bead_sweep *sweep = context->sweep;
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
+    if (bead_sweep_panel(sweep, 0)->spec->over.key_count > 0)
+        return bead_over_plot_write(output, sweep, path, bytes, msg);
     struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
     plot.panels = calloc(plot.count, sizeof *plot.panels);
     plot.shown = calloc(plot.count, sizeof *plot.shown);
@@ -388,8 +390,9 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
 
 static const char *sweep_plot_why(const struct bead_output *output)
 {
-    return output->sweep_curves.show == BEAD_SWEEP_DECAY ? "peaks along the chain, and how they decay"
-                                                         : "peak force against magnetism, with plateau and threshold";
+    return output->sweep_curves.show == BEAD_SWEEP_DECAY
+               ? "peaks along the chain, and how they decay"
+               : "peak force against magnetism, with plateau and threshold, or against a key";
 }
 
 const struct bead_sink_type bead_sweep_plot_sink = {

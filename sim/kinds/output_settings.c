@@ -101,6 +101,7 @@ void bead_output_free(struct bead_output *output)
     free(output->colours.colormap);
     free(output->paper.font);
     free(output->sweep_curves.threshold);
+    free(output->sweep_curves.against);
     free(output->sheet.magnetism);
     free(output->trajectory.xdmf);
     free(output->curves.beads.all);
