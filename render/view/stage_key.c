@@ -123,7 +123,7 @@ static double add_key(cairo_t *cr, const struct bead_view_setup *setup, double r
     const double full = bead_stage_full(setup);
     if (setup->light != BEAD_LIGHT_NONE && setup->chain_index == 0 && full > 0)
         add_scale(&key, setup, full);
-    if (materials)
+    if (materials && bead_chain_spec(setup->chain)->system->has_contacts)
         add_materials(&key, setup);
     return right - key.right;
 }

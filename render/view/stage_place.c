@@ -11,8 +11,8 @@
 static const double least_across = 14.5, best_across = 16;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
-/* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. It begins so many beads early. */
-static const double pulse = 5, early = 2;
+/* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. */
+static const double pulse = 5;
 
 /* Height for the key, and for a heading at its left. */
 static double headroom(const struct bead_view *v)
@@ -33,7 +33,7 @@ static double choose_radius(const struct bead_view *v, double width, double heig
 {
     const double high = height / (bead_stage_above + bead_stage_below), whole = width * v->largest / length;
     const double wanted = fmin(high, width / (2 * best_across));
-    *all = whole >= 0.8 * wanted;
+    *all = whole >= 0.8 * wanted || !v->has_contacts; /* else there is a wave to follow */
     const double r = *all ? fmin(high, whole) : fmin(high, width / (2 * least_across));
     return fmax(1, floor(2 * r) / 2);
 }
@@ -47,10 +47,8 @@ static void set_camera(struct bead_view *v, const double ends[2])
 {
     const double spacing = v->count > 1 ? (v->place[v->count - 1] - v->place[0]) / (double)(v->count - 1) : 2 * v->largest;
     const double across = v->strip.width / (spacing * v->scale), beads = floor(fmax(across - pulse, 0.5 * across));
-    v->camera = (struct bead_step_camera){.width = v->strip.width,
-                                          .step = round(beads * spacing * v->scale),
-                                          .lead = fmin(early, 0.25 * beads) * spacing * v->scale,
-                                          .ends = {ends[0] * v->scale, ends[1] * v->scale}};
+    v->camera = (struct bead_step_camera){
+        .width = v->strip.width, .step = round(beads * spacing * v->scale), .ends = {ends[0] * v->scale, ends[1] * v->scale}};
 }
 
 static void set_row(struct bead_view *v, int height)
@@ -86,7 +84,7 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
         set_row(v, (int)row);
     /* What is left over goes above and below. */
     const double spare = fmax(0, v->strip.height - head - (bead_stage_above + bead_stage_below) * r);
-    const double centre = floor(head + bead_stage_above * r + 0.5 * spare);
+    const double centre = ceil(head + bead_stage_above * r + 0.5 * spare);
     v->head = (int)fmax(0, floor(centre - bead_stage_above * r));
     v->stage.theme = look->dark ? &bead_stage_dark : &bead_stage_light;
     v->stage.width = v->strip.width;

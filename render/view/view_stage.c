@@ -50,7 +50,7 @@ static void place_beads(struct bead_view *v)
 static bool make_arrays(struct bead_view *v)
 {
     const size_t n = v->count, k = v->contacts;
-    v->numbers = calloc(4 * n + 3 * k + 1, sizeof *v->numbers);
+    v->numbers = calloc(4 * n + 4 * k + 1, sizeof *v->numbers);
     v->balls = calloc(2 * n, sizeof *v->balls);
     if (!v->numbers || !v->balls)
         return false;
@@ -62,6 +62,7 @@ static bool make_arrays(struct bead_view *v)
     v->force[0] = v->place + n;
     v->force[1] = v->force[0] + k;
     v->load = v->force[1] + k;
+    v->excess = v->load + k;
     return true;
 }
 
