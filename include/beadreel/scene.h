@@ -18,9 +18,8 @@
 #include <stdio.h>
 
 #include "beadreel/error.h"
-#include "beadreel/output_kind.h"
+#include "beadreel/kinds.h"
 #include "beadreel/sample.h"
-#include "beadreel/view_kind.h"
 
 BEAD_BEGIN
 
@@ -459,9 +458,6 @@ struct bead_scene {
     char *doubts; /* numbers without a unit that can hardly be meant, a line each, for warnings; NULL: none */
 };
 
-/* Does a material have tolerances: do its beads differ? */
-BEAD_API bool bead_scene_tolerances(const struct bead_scene *scene);
-
 /* A change of a scene: the value goes where the path leads, before the scene is read. */
 struct bead_override {
     const char *origin;      /* what messages call the value's place: "--set". It ends, as does `path`, at a `=` */
@@ -489,9 +485,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const stru
 BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length,
                                                      const struct bead_overrides *overrides, struct bead_scene **scene,
                                                      struct bead_message *msg);
-/* Makes a changed scene from one that has been loaded, which stays as it is. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_change(const struct bead_scene *before, const struct bead_overrides *overrides,
-                                                      struct bead_scene **scene, struct bead_message *msg);
 BEAD_API void bead_scene_free(struct bead_scene *scene);
 
 /* Reports an error of an output found after its scene was read: by its sink, or against a trajectory. Fails with
@@ -499,26 +492,6 @@ BEAD_API void bead_scene_free(struct bead_scene *scene);
  * in "size: leaves no room"; where the output does not give that key, the place is the output's. Errors: SCENE. */
 BEAD_API enum bead_error bead_output_wrong(const struct bead_output *output, struct bead_message *msg, const char *format, ...)
     BEAD_PRINTF(3, 4);
-
-/* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
- * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
-struct bead_config_colormap {
-    char *name, *file;
-};
-struct bead_config {
-    char *path;
-    char *style, *font, *canvas; /* NULL: not given */
-    char *materials;             /* a file of materials; NULL: none */
-    struct bead_place style_place, font_place, canvas_place, materials_place;
-    struct bead_config_colormap *colormaps;
-    size_t colormap_count;
-};
-/* The file: config.yaml in the folder `beadreel` of $XDG_CONFIG_HOME (else ~/.config), then of $XDG_CONFIG_DIRS (else /etc/xdg).
- * False: there is none. */
-BEAD_API bool bead_config_find(char *path, size_t size);
-/* Names of files in it are relative to its folder. On success *config is the caller's. Errors: SCENE, IO, MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
-BEAD_API void bead_config_free(struct bead_config *config);
 
 /* Find a ready scene ("clean-vs-delocalised", "thesis/fig5", or "fig5" where only one folder has it) or keep the path of a file
  * that exists: fills `path` (size bytes). A name that is neither is an error that suggests the nearest. Errors: USAGE, IO, MEMORY.
@@ -532,16 +505,6 @@ struct bead_ready_scene {
 };
 BEAD_API BEAD_CHECK enum bead_error bead_scene_ready(struct bead_ready_scene **scenes, size_t *count, struct bead_message *msg);
 BEAD_API void bead_scene_ready_free(struct bead_ready_scene *scenes, size_t count);
-
-/* The ready materials: a scene with nothing else in it, to be freed with bead_scene_free. Errors: IO, SCENE, MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_materials(struct bead_scene **scene, struct bead_message *msg);
-
-/* Write all keys of scenes with units, ranges and defaults, from the tables that the parser uses: as text, or as sections
- * of a man page. */
-BEAD_API void bead_scene_help(FILE *out);
-/* Help on one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg);
-BEAD_API void bead_scene_help_man(FILE *out);
 
 BEAD_END
 

@@ -97,7 +97,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_create(const struct bead_scene *s
                                                       struct bead_message *msg);
 BEAD_API void bead_sweep_close(struct bead_sweep *sweep);
 
-BEAD_API const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
 BEAD_API size_t bead_sweep_panels(const struct bead_sweep *sweep);
 BEAD_API const struct bead_sweep_panel *bead_sweep_panel(const struct bead_sweep *sweep, size_t panel);
 /* Name of a place: "peak" or a sensor's. */
@@ -111,19 +110,6 @@ BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t pa
 /* Number of configurations (and reference chains), and of those that are known. */
 BEAD_API size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known);
 
-/* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
- * it. Errors: MEMORY, SCENE. */
-struct bead_sweep_chain;
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index,
-                                                            struct bead_sweep_chain **chain, struct bead_message *msg);
-BEAD_API const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
-BEAD_API void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
-/* A scene that is this one chain, without outputs: a tree of the sweep's scene, for an override of the whole. Errors: SCENE,
- * MEMORY.
- */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
-                                                      const struct bead_node **scene, struct bead_message *msg);
-
 struct bead_sweep_settings {
     size_t size;              /* of this structure: BEAD_DEFAULT */
     int threads;              /* 0: all cores */
@@ -134,40 +120,14 @@ struct bead_sweep_settings {
     void (*progress)(void *context, const struct bead_progress *progress);
     void *progress_context;
 };
-/* Progress of the unfinished sweep whose journal is `path`. False: this is no journal. */
-struct bead_sweep_progress {
-    size_t chains, done; /* of all parts; in this journal */
-    size_t part, parts;
-};
-BEAD_API bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progress);
 /* Compute what is not known. What the journal holds is taken from there; a last record that is not whole is ignored. A journal of
  * another scene, version or part is refused. *computed gets how many chains
  * were computed now; may be NULL. Errors: MEMORY, NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
                                                    uint64_t *computed, struct bead_message *msg);
-/* One configuration that is run to be looked at. */
-struct bead_sweep_watch {
-    size_t panel, index; /* a configuration, or BEAD_SWEEP_CLEAN */
-    double end;          /* s; 0: as the front arrives */
-    unsigned fields;     /* BEAD_FIELD_BITs of the samples at 0, every, ... <= end, of all beads */
-    double every;        /* s */
-    enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
-    void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
-    /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
-     * energies at the arrival, beads, and the clean index (participation.h) */
-    double arrival, force, participation, clean_index;
-};
-/* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches, size_t count,
-                                                     const struct bead_sweep_settings *settings, struct bead_message *msg);
-/* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name,
-                                                         struct bead_message *msg);
 
 /* Write what is known to `path`, whole or not at all. Errors: IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg);
-/* True where the file says that it is one of a sweep. */
-BEAD_API bool bead_sweep_is(const char *path);
 /* Read one; overrides change the outputs of its scene. Everything in the file is checked. The sweep has a scene of its own.
  * Errors: IO, FORMAT, MEMORY, SCENE, USAGE (an override of what was computed). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const struct bead_overrides *overrides,
@@ -175,10 +135,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const stru
 /* Put parts together, in any order; all must be there, once, and of the same scene and version. Errors: those of open; USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep,
                                                      struct bead_message *msg);
-/* The part that a file holds; 1 of 1 where all. */
-BEAD_API void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts);
-/* Version of the program that the results are of. */
-BEAD_API const char *bead_sweep_version(const struct bead_sweep *sweep);
 
 /* Statistics of one magnetism at one place, normalised by the clean chain's force. */
 struct bead_sweep_row {
@@ -215,9 +171,6 @@ struct bead_sweep_decay {
 /* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
                                                       struct bead_sweep_decay **decays, size_t *count, struct bead_message *msg);
-/* Geometric means over the beads i, i + 1, ... of a random cell, of `values` [beads], to the last random bead: into means [beads],
- * of which *count are filled. */
-BEAD_API void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means, size_t *count);
 BEAD_API void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);
 
 BEAD_END

@@ -9,6 +9,7 @@
 #include "render/figure/sweep_image.h"
 #include "sim/base/memory.h"
 #include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Samples along time; linear in between. */
 enum { TIMES = 600 };

@@ -13,6 +13,7 @@
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"
 #include "sim/sweep/sweep_curves.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Of each curve: the band between the quartiles, the mean or median, and the line of its power law, with so many numbers for each
  * point. */

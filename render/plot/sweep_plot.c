@@ -13,6 +13,7 @@
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
  * means of a magnetism and their two fits. */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/view/stage_view.h"
+#include "sim/chain/chain_internal.h"
 
 /* Beads beyond the edges whose light and shadow reach the stage, in radii of the largest. */
 static const double reach = 9;

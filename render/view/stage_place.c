@@ -6,6 +6,7 @@
 #include "render/draw/axis.h"
 #include "render/view/panel.h"
 #include "render/view/stage_view.h"
+#include "sim/chain/chain_internal.h"
 
 /* Beads side by side: more are in view where the stage is low, less only where there are no more. */
 static const double least_across = 14.5, best_across = 16;

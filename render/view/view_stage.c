@@ -8,6 +8,7 @@
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/system.h"
+#include "sim/kinds/view_kinds.h"
 
 static bool contacts_of(const struct bead_chain *chain)
 {

@@ -13,10 +13,12 @@
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/output/measure.h"
+#include "sim/sweep/sweep_internal.h"
 
 #define SHOWN 72 /* longer spin strings are cut */
 

@@ -5,6 +5,7 @@
 
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 enum { MOST_ROWS = 8, MOST_COLUMNS = 8 };
 

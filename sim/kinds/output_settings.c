@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Values of settings for which a kind has no key. */
 const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MAX}, .time = {NAN, NAN}},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `table`: its tables of keys, of single runs and of sweeps. */
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/scene_facts.h"
 
 static const char *const table_shows[] = {"sensors",  "peaks", "bead-peaks", "measures",      "modes",
                                           "profiles", "chain", "energy",     "sensitivities", NULL};

@@ -13,6 +13,7 @@
 #include "sim/run/run.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* ---- opening ---- */
 

@@ -7,8 +7,10 @@
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/spins.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/sweep_yaml.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 static enum bead_error out_of_memory(struct bead_message *msg)
 {

@@ -7,6 +7,7 @@
 #include "sim/base/settings.h"
 #include "sim/base/thread_pool.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 struct work {
     const struct sweep_generator *generator;

@@ -10,7 +10,9 @@
 #include "sim/base/memory.h"
 #include "sim/base/yaml.h"
 #include "sim/output/file_kinds.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 bool bead_sweep_is(const char *path)
 {

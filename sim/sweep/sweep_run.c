@@ -10,6 +10,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/run/behind.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four allow for a pulse widened
  * by disorder. */

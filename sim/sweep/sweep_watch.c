@@ -7,6 +7,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/output/participation.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 struct work {
     const struct bead_sweep *sweep;

@@ -3,8 +3,9 @@
  */
 #include "tests/scenes.h"
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "render/paint/pixel_kernels.h"
