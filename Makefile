@@ -23,6 +23,9 @@ FUZZ_SANITIZERS ?= address,undefined
 KILLS   ?= 60
 PAIRS   ?= 5
 ALLOCATIONS ?= 60
+MUTANTS ?= 100
+SEED    ?= 1
+ROOMS   ?= sim render
 STRICT_LINK ?= -Wl,-z,defs
 
 .DEFAULT_GOAL = all
@@ -308,6 +311,9 @@ coverage: ## lines and branches of sim and render that the tests reach, by room 
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-coverage WERROR= CFLAGS="-O0 -g --coverage -fprofile-update=atomic" counted
 	@tests/coverage.sh $(BUILD)-coverage
 counted: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC)
+
+mutants: ## small faults in sim and render that no test notices: MUTANTS=100 SEED=1 ROOMS="sim render" (by hand; 5 s a fault, and 20 minutes first)
+	@tests/mutants.py --count $(MUTANTS) --seed $(SEED) --work $(BUILD)-mutants -- $(ROOMS)
 
 tsan: ## demo, sweep and every kind of output under the thread sanitizer; ends with `N passed, M failed`
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-tsan STRICT_LINK= CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=thread" all

@@ -10,7 +10,6 @@
 
 #include "beadreel/play.h"
 #include "sim/base/random.h"
-#include "sim/chain/chain_internal.h"
 #include "tests/asked.h"
 
 enum { DRAWN_TEXT = 6000 };

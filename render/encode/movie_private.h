@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "render/encode/movie_internal.h"
+#include "beadreel/movie.h"
 
 struct bead_encoder; /* libav's part */
 struct bead_subtitle_format;

@@ -9,10 +9,7 @@
 #include "render/figure/figure.h"
 #include "render/view/magnify.h"
 #include "render/view/orientation.h"
-#include "render/view/views.h"
 #include "sim/base/memory.h"
-#include "sim/chain/chain_internal.h"
-#include "sim/kinds/view_kinds.h"
 
 bool bead_tile_collects(const struct bead_tile *panel)
 {
@@ -75,7 +72,7 @@ static void reach_beyond(const struct bead_figure *f, struct bead_cell *cell)
 {
     int beyond[2] = {0, 0};
     for (size_t v = 0; v < f->view_count; v++) {
-        if (f->output->views.axes && cell->panel[v].type->margins && bead_view_has(cell->panel[v].type, BEAD_SHOWS_BEADS))
+        if (f->output->views.axes && bead_view_has(cell->panel[v].type, BEAD_SHOWS_BEADS))
             cell->panel[v].type->margins(&f->look, &beyond[0], &beyond[1]);
     }
     for (size_t v = 0; v < f->view_count; v++)

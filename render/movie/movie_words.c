@@ -10,7 +10,6 @@
 #include "render/draw/quantity.h"
 #include "render/draw/words.h"
 #include "render/movie/movie_words.h"
-#include "sim/chain/chain_internal.h"
 
 #define THIN_SPACE   "\u2009"
 #define FIGURE_SPACE "\u2007"

@@ -10,7 +10,6 @@
 #include "sim/equation/equation.h"
 #include "sim/integrate/methods.h"
 #include "sim/output/measure.h"
-#include "sim/scene/scene_internal.h"
 #include "sim/statistics/statistics.h"
 
 COMMAND_LISTS(command_list_scenes)

@@ -11,7 +11,6 @@
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
-#include "sim/chain/chain_internal.h"
 
 /* ---- all chains ---- */
 

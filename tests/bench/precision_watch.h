@@ -4,7 +4,6 @@
 #ifndef BEADREEL_BENCH_PRECISION_WATCH_H
 #define BEADREEL_BENCH_PRECISION_WATCH_H
 
-#include "sim/chain/chain_internal.h"
 #include "sim/run/peaks.h"
 #include "tests/bench/precision.h"
 

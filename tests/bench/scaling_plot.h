@@ -5,7 +5,6 @@
 
 #include <sys/stat.h>
 
-#include "render/draw/looks.h"
 #include "tests/bench/diagram.h"
 
 struct scaling_row {

@@ -13,8 +13,7 @@
 
 #include <cmocka.h>
 
-#include "beadreel/render.h"
-#include "render/draw/looks.h"
+#include "beadreel/colormap.h"
 #include "render/draw/page.h"
 #include "tests/eyes.h"
 

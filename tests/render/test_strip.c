@@ -11,7 +11,6 @@
 
 #include <cmocka.h>
 
-#include "render/draw/looks.h"
 #include "render/paint/canvas.h"
 #include "render/view/views.h"
 

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "beadreel/view.h"
-#include "sim/kinds/view_kinds.h"
 
 static void test_rows_are_complete(void **state)
 {

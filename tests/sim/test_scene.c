@@ -3,7 +3,6 @@
 #include "scenes.h"
 
 #include "beadreel/law.h"
-#include "sim/scene/scene_internal.h"
 
 /* ---- meaning and defaults ---- */
 

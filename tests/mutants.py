@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Do the tests notice small faults? tests/mutants.py [--count N] [--seed N] [ROOM...], or `make mutants`; by hand, from a commit.
+
+Draws faults by seed, each one change of one line of the last commit: another comparison, operator or constant, two arguments
+swapped, a statement dropped. A fault that does not compile, or leaves the object file as it was, is none and is drawn again. Each
+meets the tests that run its line, the quickest first, until one fails; which test runs which line is measured once, with gcov, and
+kept in build-mutants/. Hashes and golden pictures do not count: they say that something changed, not that it is wrong.
+Prints each fault, then the survivors and the score of each room. tests/mutants.txt lists faults proved harmless, with reasons.
+
+Why not a tool: universalmutator (PyPI) draws from the same kind of patterns, but knows no map from lines to tests and runs all of
+them for each fault; Mull needs its own plugin for each release of LLVM, and tests that are one process. Neither is in Debian."""
+import argparse
+import concurrent.futures
+import json
+import os
+import random
+import re
+import subprocess
+import threading
+import time
+
+NO_TRUTH = ("bits", "test_golden")
+ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library")
+MOST_SECONDS = 60  # of tests for one fault
+
+SWAPS = [(r" < ", (" <= ", " >= ")), (r" > ", (" >= ", " <= ")), (r" <= ", (" < ",)), (r" >= ", (" > ",)), (r" == ", (" != ",)),
+         (r" != ", (" == ",)), (r" \+ ", (" - ",)), (r" - ", (" + ",)), (r" \* ", (" / ",)), (r" / ", (" * ",)), (r" && ", (" || ",)),
+         (r" \|\| ", (" && ",)), (r" \+= ", (" -= ",)), (r" -= ", (" += ",)), (r"\bfmax\(", ("fmin(",)), (r"\bfmin\(", ("fmax(",)),
+         (r"\+\+;", ("--;",)), (r"(?<=[(\[ ])!(?=\w)", ("",)), (r"(?<![\w.])0\.5(?![\w.])", ("0.501",)), (r"(?<![\w.])1(?![\w.])", ("2", "0")),
+         (r"(?<![\w.])2(?![\w.])", ("3",)), (r"(?<![\w.])0(?![\w.])", ("1",)), (r"\btrue\b", ("false",)), (r"\bfalse\b", ("true",)),
+         (r"\((\w+), (\w+)\)", (r"(\2, \1)",)), (r"^(\s+)[\w\->\[\].]+ [-+*/]?= [^;]*;$", (r"\1;",)), (r"^(\s+)\w+\([^;]*\);$", (r"\1;",))]
+NO_CODE = re.compile(r"^\s*(/\*|\*|//|#|struct|enum|static const|const|case|default|\{|\}|$)|\*/\s*$")
+
+
+class Fault:
+    """Line `number` (from 1) of `file` becomes `after`."""
+
+    def __init__(self, file, number, before, after):
+        self.file, self.number, self.before, self.after = file, number, before, after
+
+    def __str__(self):
+        return f"{self.file}:{self.number}: {self.before.strip()} -> {self.after.strip()}"
+
+    def key(self):
+        return f"{self.file}: {self.before.strip()} -> {self.after.strip()}"
+
+
+def possible(file):
+    """All faults of one file."""
+    with open(file, encoding="utf-8") as source:
+        lines = source.read().split("\n")
+    for number, line in enumerate(lines, 1):
+        if not line.startswith(" ") or NO_CODE.search(line):
+            continue
+        text = re.sub(r'"(\\.|[^"\\])*"|/\*.*?\*/', lambda m: "\0" * len(m.group()), line)  # no faults in words
+        for pattern, others in SWAPS:
+            for found in re.finditer(pattern, text):
+                for other in others:
+                    after = line[:found.start()] + found.expand(other.replace("\\", "\\")) + line[found.end():]
+                    if "\0" not in after and after != line:
+                        yield Fault(file, number, line, after)
+
+
+def run(command, folder, seconds=None, **more):
+    try:
+        return subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              errors="replace", timeout=seconds, check=False, start_new_session=True, **more)
+    except subprocess.TimeoutExpired:
+        return None
+
+
+def copy_of_commit(folder):
+    if not os.path.isdir(folder):
+        os.makedirs(folder)
+        subprocess.run(f"git archive HEAD | tar -x -C '{folder}'", shell=True, check=True)
+
+
+def tests_of(folder):
+    """Names as tests/run.sh has them."""
+    programs = [os.path.basename(f) for f in os.listdir(f"{folder}/build/tests") if re.fullmatch(r"test_\w+", f)]
+    scripts = [f[:-3] for d in ("tests", "tests/cli") for f in os.listdir(f"{folder}/{d}")
+               if f.endswith(".sh") and (d == "tests/cli" or f.startswith("test_"))]
+    return sorted(set(programs + scripts) - set(NO_TRUTH) - set(ABOUT_SOURCES))
+
+
+def measure_map(work, names):
+    """{test: [seconds, {file: [lines that it runs]}]} of the tests `names`, or of all, with a build of --coverage."""
+    kept = f"{work}/map.json"
+    if os.path.exists(kept):
+        with open(kept, encoding="utf-8") as file:
+            return json.load(file)
+    folder, reached = f"{work}/coverage", {}
+    copy_of_commit(folder)
+    built = run(["make", "-s", "counted", "CFLAGS=-O0 -g --coverage -fprofile-update=atomic", "WERROR="], folder)
+    if built.returncode:
+        raise SystemExit(built.stdout[-2000:])
+    run(["sh", "-c", "find build -name '*.gcda' -delete"], folder)
+    for test in names or tests_of(folder):
+        counts = os.path.abspath(f"{work}/counts")
+        prefix = len(os.path.abspath(f"{folder}/build").strip("/").split("/"))
+        subprocess.run(f"rm -rf '{counts}' && mkdir '{counts}' && cd '{folder}/build' && cp --parents $(find sim render -name '*.gcno') '{counts}'",
+                       shell=True, check=True)
+        began = time.time()
+        done = run(["tests/run.sh", "build", test], folder, 1200,
+                   env=dict(os.environ, GCOV_PREFIX=counts, GCOV_PREFIX_STRIP=str(prefix), GCOV_ERROR_FILE="/dev/null"))
+        took = time.time() - began
+        if done is None or done.returncode:
+            print(f"{test} fails without a fault and is left out", flush=True)
+            continue
+        lines = {}
+        found = subprocess.run("find . -name '*.gcda' | xargs -r gcov --json-format --stdout 2>/dev/null", shell=True, cwd=counts,
+                               capture_output=True, text=True, check=False).stdout
+        for record in found.splitlines():
+            for file in json.loads(record)["files"] if record.startswith("{") else []:
+                path = os.path.relpath(os.path.join(folder, file["file"]), folder)
+                hit = {line["line_number"] for line in file["lines"] if line["count"]}
+                lines[path] = sorted(hit | set(lines.get(path, [])))
+        reached[test] = [took, lines]
+        print(f"{test}: {took:.1f} s, {sum(map(len, lines.values()))} lines", flush=True)
+    with open(kept, "w", encoding="utf-8") as file:
+        json.dump(reached, file)
+    return reached
+
+
+class Tree:
+    """A copy of the commit, built, in which one fault at a time is tried."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        copy_of_commit(folder)
+        built = run(["make", "-s", "counted", "CFLAGS=-O2", "WERROR="], folder)
+        if built.returncode:
+            raise SystemExit(built.stdout[-2000:])
+
+    def make(self, *targets):
+        return run(["make", "-s", "-j1", "CFLAGS=-O2", "WERROR=", *targets], self.folder)
+
+    def try_fault(self, fault, reached):
+        """None: it is none. Else the test that notices, "" where none does, and the seconds of all."""
+        source = f"{self.folder}/{fault.file}"
+        target = f"build/{fault.file[:-2]}.o"
+        with open(source, encoding="utf-8") as file:
+            text = file.read()
+        with open(f"{self.folder}/{target}", "rb") as file:
+            as_it_was = file.read()
+        lines = text.split("\n")
+        lines[fault.number - 1] = fault.after
+        began = time.time()
+        try:
+            with open(source, "w", encoding="utf-8") as file:
+                file.write("\n".join(lines))
+            if self.make(target).returncode:
+                return None
+            with open(f"{self.folder}/{target}", "rb") as file:
+                if file.read() == as_it_was:
+                    return None
+            return self.meet(fault, reached), time.time() - began
+        finally:
+            with open(source, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.make(target)
+
+    def meet(self, fault, reached):
+        spent = 0
+        names = [t for t in reached if fault.number in reached[t][1].get(fault.file, ())]
+        for test in sorted(names, key=lambda t: reached[t][0]):
+            if spent > MOST_SECONDS:
+                break
+            program = test.startswith("test_")
+            targets = [f"build/tests/{test}"] if program and os.path.exists(f"{self.folder}/build/tests/{test}") else ["all"]
+            if self.make(*targets).returncode:
+                return "the linker"
+            began = time.time()
+            done = run(["tests/run.sh", "build", test], self.folder, 10 * reached[test][0] + 20)
+            spent += time.time() - began
+            if done is None or done.returncode:
+                return test
+        return ""
+
+
+def main():
+    ask = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    ask.add_argument("--count", type=int, default=100)
+    ask.add_argument("--seed", type=int, default=1)
+    ask.add_argument("--work", default="build-mutants", help="folder for copies of the commit, and for the map; default: %(default)s")
+    ask.add_argument("--tests", nargs="+", help="only these, not all; kept with the map")
+    ask.add_argument("rooms", nargs="*", default=["sim", "render"])
+    said = ask.parse_args()
+    with open("tests/mutants.txt", encoding="utf-8") as file:
+        harmless = {line.split(" # ")[0].strip() for line in file if line.strip() and not line.startswith("#")}
+    reached = measure_map(said.work, said.tests)
+    files = sorted(f for f in subprocess.run(["git", "ls-files", *said.rooms], capture_output=True, text=True, check=True).stdout.split()
+                   if f.endswith(".c") and not f.startswith("sim/cli/beadsim"))
+    all_faults = [fault for file in files for fault in possible(file)]
+    random.Random(said.seed).shuffle(all_faults)
+    todo = (fault for fault in all_faults if fault.key() not in harmless)
+    lock, results = threading.Lock(), []
+
+    def work(number):
+        tree = Tree(f"{said.work}/tree{number}")
+        while True:
+            with lock:
+                fault = next(todo, None) if len(results) < said.count else None
+            if fault is None:
+                return
+            found = tree.try_fault(fault, reached)
+            if found is None:
+                continue
+            with lock:
+                if len(results) < said.count:
+                    results.append((fault, *found))
+                    print(f"{found[0] or 'SURVIVED':24} {found[1]:5.1f} s  {fault}", flush=True)
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for done in [pool.submit(work, number) for number in range(os.cpu_count())]:
+            done.result()
+    print("\nSurvivors:")
+    rooms = {}
+    for fault, test, _ in results:
+        room = rooms.setdefault(os.path.dirname(fault.file), [0, 0])
+        room[0] += bool(test)
+        room[1] += 1
+        if not test:
+            print(f"  {fault}")
+    print("\nNoticed, by room:")
+    for room, (noticed, count) in sorted(rooms.items()):
+        print(f"  {room:20} {noticed:4} of {count:4}")
+    print(f"{sum(bool(r[1]) for r in results)} of {len(results)} noticed, {sum(r[2] for r in results) / max(len(results), 1):.1f} s a fault")
+
+
+main()
