@@ -11,10 +11,11 @@
  * deviates of the ratio 10; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale 1/10, lies
  * between .8 and 1.2: with a probability of (atan 12 - atan 8) / pi = .013. */
 static const double safety = 5;
-/* A finer run is worth its cost if more than this part of the peaks answers strongly. The others' answers are taken this many times
- * without it: the errors of the two runs have a ratio that is, relative to that of their tolerances, a Cauchy deviate, which
- * exceeds 10 with a probability of .06. */
-static const double few = 0.005, few_safety = 10;
+/* A finer run is worth its cost if more than this part of the peaks answers strongly; else those are uncertain by their whole
+ * difference to the coarser run, which is more than enough for most of them. */
+static const double few = 0.003;
+/* A chain of fewer peaks is always measured: that takes no time, and one peak alone may agree by chance. */
+enum { SHORT = 64 };
 /* Relative uncertainty of a peak that is not predictable. */
 static const double lost = 0.1;
 /* Relative rounding error of a peak. */
@@ -55,7 +56,7 @@ bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const str
             strong += is_strong(of, answer(of, &kinds[kind], i));
         all += kinds[kind].count;
     }
-    return of->accuracy > 0 && (double)strong > few * (double)all;
+    return of->accuracy > 0 && (all < SHORT || (double)strong > few * (double)all);
 }
 
 /* The usual ratio of the measured error to the answer, the geometric mean of those of all peaks that answer strongly. At most
@@ -83,7 +84,7 @@ static double error_of(const struct bead_uncertainty_of *of, const struct bead_u
 {
     const double a = answer(of, p, i);
     if (!p->fine)
-        return is_strong(of, a) ? few_safety * a : 0;
+        return is_strong(of, a) ? (of->factor - 1) * a : 0;
     const double measured = safety * difference(of, &p->peaks[i], &p->fine[i]);
     return p->coarse && is_same(of, &p->peaks[i], &p->coarse[i]) ? fmax(measured, ratio * a) : measured;
 }

@@ -41,7 +41,7 @@ struct bead_uncertain_peaks {
 };
 
 /* True if more than a few peaks of a chain's contacts [0] and beads [1] answer to the coarser run so strongly that a finer one is
- * needed. */
+ * needed, or if there are so few that it costs nothing. */
 bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 /* Sets the uncertainties, at least the accuracy asked for. Returns the time from which peaks are not predictable, s: that of the
  * first one that is not known to a tenth of itself; INFINITY: all are. */

@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is said of the errors of peaks, beside the errors: chains of all kinds, each run for three accuracies, and against a run
+ * with much smaller steps, which a second one checks. By hand, as it takes long: stress_errors [FIRST [LAST]]     seeds; those of
+ * one kind are 15 apart. Every fourth chain of a kind runs five times as long as its first pulse. A miss is a peak that is off by
+ * more than was asked and than its row says; a row says too much if it says more than ten times the larger of the error and what
+ * was asked. Rows that are called unpredictable count apart. */
+#include "tests/stress/stress.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include "tests/kinds.h"
+
+static const double asked[] = {1e-4, 1e-6, 1e-8};
+enum { ASKED = sizeof asked / sizeof *asked, CHAINS = 8 * KIND_COUNT };
+/* Seconds for a reference; a chain that takes longer is left out. */
+enum { PATIENCE = 15 };
+
+static volatile sig_atomic_t late;
+
+static void ring(int)
+{
+    late = 1;
+}
+
+/* Contacts first, then beads; NULL: it did not end in time. */
+struct said {
+    struct bead_peak *peak;
+    double *uncertainty, end;
+    size_t contacts, count;
+};
+
+static struct said say(const char *text, double accuracy, double until, bool uncertainty)
+{
+    struct bead_message msg = {""};
+    struct built built = build(text, "accuracy: 1e-6");
+    struct bead_player_settings settings;
+    struct bead_player *player = NULL;
+    const struct bead_outcome *o = NULL;
+    struct said said = {.contacts = bead_chain_contacts(built.chain)};
+    BEAD_DEFAULT(&settings);
+    settings.chain = built.chain;
+    settings.accuracy = accuracy;
+    settings.until = until;
+    settings.contact_peaks = settings.bead_peaks = true;
+    settings.uncertainty = uncertainty;
+    settings.stop = &late;
+    said.count = said.contacts + bead_chain_beads(built.chain);
+    late = 0;
+    alarm(PATIENCE);
+    if (!bead_player_create(&settings, &player, &msg) && !bead_player_until(player, INFINITY, &msg) &&
+        !bead_player_finish(player, &o, &msg)) {
+        said.end = o->end;
+        said.peak = calloc(said.count, sizeof *said.peak);
+        said.uncertainty = calloc(said.count, sizeof *said.uncertainty);
+        if (!said.peak || !said.uncertainty)
+            GIVE_UP("out of memory");
+        memcpy(said.peak, o->contact_peaks, said.contacts * sizeof *said.peak);
+        memcpy(said.peak + said.contacts, o->bead_peaks, (said.count - said.contacts) * sizeof *said.peak);
+        for (size_t i = 0; uncertainty && i < said.count; i++)
+            said.uncertainty[i] = i < said.contacts ? o->contact_uncertainty[i] : o->bead_uncertainty[i - said.contacts];
+    }
+    alarm(0);
+    bead_player_destroy(player);
+    release(&built);
+    return said;
+}
+
+static void forget(struct said *said)
+{
+    free(said->peak);
+    free(said->uncertainty);
+}
+
+/* What came of a kind at an accuracy. */
+struct count {
+    size_t rows, misses, too_much, lost, strong, room;
+    double worst;     /* error over what was said */
+    double *strongly; /* what was said over the error, of errors above what was asked */
+};
+
+static void add_strong(struct count *c, double effectivity)
+{
+    if (c->strong == c->room) {
+        c->room = 2 * c->room + 64;
+        c->strongly = realloc(c->strongly, c->room * sizeof *c->strongly);
+        if (!c->strongly)
+            GIVE_UP("out of memory");
+    }
+    c->strongly[c->strong++] = effectivity;
+}
+
+static void judge(struct count *c, const struct said *got, const struct said references[2], double accuracy)
+{
+    for (size_t i = 0; i < got->count; i++) {
+        const struct bead_peak *peak = &got->peak[i], *exact = &references[0].peak[i];
+        if (!is_peak(peak) || !is_peak(exact) || !(peak->time > 0))
+            continue;
+        const double error = difference(peak, exact) / accuracy, known = difference(&references[1].peak[i], exact) / accuracy;
+        const double said = fmax(1, got->uncertainty[i] / (accuracy * peak->value));
+        if (known > 0.3 * fmax(error, 1))
+            continue;
+        c->rows++;
+        c->lost += peak->unpredictable;
+        if (peak->unpredictable)
+            continue;
+        c->misses += error - known > said;
+        c->worst = fmax(c->worst, (error - known) / said);
+        c->too_much += said > 10 * fmax(error, 1);
+        if (error > 1)
+            add_strong(c, said / error);
+    }
+}
+
+static int rising(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Seeds that missed, one a line. */
+static bool try_seed(uint64_t seed, struct count counts[ASKED])
+{
+    char text[DRAWN_TEXT];
+    const bool damped = kind_draw(seed, (enum kind)(seed % KIND_COUNT), text);
+    struct said first = say(text, 1e-4, 0, false);
+    const double until = seed / KIND_COUNT % 4 == 3 ? 5 * first.end : 0;
+    const double fine[2] = {damped ? 1e-8 : 1e-12, damped ? 4e-8 : 1e-11};
+    struct said references[2] = {{.count = 0}, {.count = 0}};
+    for (int i = 0; first.peak && i < 2; i++)
+        references[i] = say(text, fine[i], until, false);
+    const bool known = references[0].peak && references[1].peak;
+    for (size_t a = 0; known && a < (damped ? ASKED - 1 : ASKED); a++) {
+        struct said got = say(text, asked[a], until, true);
+        const size_t before = counts[a].misses;
+        if (got.peak)
+            judge(&counts[a], &got, references, asked[a]);
+        if (counts[a].misses > before)
+            printf("    seed %d, %g: %zu missed\n", (int)seed, asked[a], counts[a].misses - before);
+        forget(&got);
+    }
+    forget(&first);
+    forget(&references[0]);
+    forget(&references[1]);
+    return known;
+}
+
+int main(int count, char **word)
+{
+    struct stress stress = stress_start();
+    const int first = count > 1 ? atoi(word[1]) : 0,
+              last = count > 2 ? atoi(word[2]) : first + (stress.quick ? KIND_COUNT : CHAINS);
+    static struct count counts[KIND_COUNT][ASKED];
+    size_t left_out = 0;
+    signal(SIGALRM, ring);
+    for (int seed = first; seed < last; seed++)
+        left_out += !try_seed((uint64_t)seed, counts[seed % KIND_COUNT]);
+    printf("%d chains, %zu without a reference. Rows, and of them: missed; said too much; unpredictable; what was said over the "
+           "error, "
+           "of\nerrors above what was asked: quartiles:\n",
+           last - first, left_out);
+    for (size_t k = 0; k < KIND_COUNT; k++) {
+        for (size_t a = 0; a < ASKED; a++) {
+            const struct count *c = &counts[k][a];
+            char name[64], quartiles[64] = "";
+            snprintf(name, sizeof name, "%s, %g", kind_names[k], asked[a]);
+            if (c->strong > 0) {
+                qsort(c->strongly, c->strong, sizeof *c->strongly, rising);
+                snprintf(quartiles, sizeof quartiles, "%.2g %.2g %.2g of %zu", c->strongly[c->strong / 4],
+                         c->strongly[c->strong / 2], c->strongly[3 * c->strong / 4], c->strong);
+            }
+            if (c->rows > 0)
+                stress_row(&stress, c->misses == 0 && 500 * c->too_much <= c->rows, name, "%6zu: %3zu (%.2g) %4zu %4zu; %s",
+                           c->rows, c->misses, c->worst, c->too_much, c->lost, quartiles);
+            free(c->strongly);
+        }
+    }
+    return stress_end(&stress);
+}
