@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What eyes tell apart: CIELAB (D65), CIEDE2000 (Sharma, Wu and Dalal 2005, Color Res. Appl. 30, 21), WCAG 2.2's contrast, and colours
- * as seen without one kind of cone (Machado, Oliveira and Fernandes 2009, IEEE Trans. Vis. Comput. Graph. 15, 1291). */
+/* What eyes tell apart: CIELAB (D65), CIEDE2000 (Sharma, Wu and Dalal 2005, Color Res. Appl. 30, 21), WCAG 2.2's contrast, and
+ * colours as seen without one kind of cone (Machado, Oliveira and Fernandes 2009, IEEE Trans. Vis. Comput. Graph. 15, 1291). */
 #ifndef BEADREEL_TESTS_EYES_H
 #define BEADREEL_TESTS_EYES_H
 
@@ -79,8 +79,8 @@ static inline double eyes_difference(const double one[3], const double two[3])
     const double dl = (two[0] - one[0]) / (1 + 0.015 * light * light / sqrt(20 + light * light));
     const double dc = (c[1] - c[0]) / (1 + 0.045 * chroma);
     const double dh = 2 * sqrt(c[0] * c[1]) * sin(hue * M_PI / 360) / (1 + 0.015 * chroma * t);
-    const double rotate = -2 * sqrt(pow(chroma, 7) / (pow(chroma, 7) + power)) *
-                          sin(60 * exp(-pow((middle - 275) / 25, 2)) * M_PI / 180);
+    const double rotate =
+        -2 * sqrt(pow(chroma, 7) / (pow(chroma, 7) + power)) * sin(60 * exp(-pow((middle - 275) / 25, 2)) * M_PI / 180);
     return sqrt(dl * dl + dc * dc + dh * dh + rotate * dc * dh);
 }
 

@@ -42,6 +42,7 @@ struct bead_view_setup {
     enum bead_titles titles;
     bool name_left;   /* the title of the axis along the chain is left of its numbers, where vertical axes have theirs */
     int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
+    bool over_beads;  /* a view above or below draws the beads: what belongs to a bead is there */
     bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
     enum bead_orientation orientation; /* spacetime; AUTO: as TIME_RIGHT */
@@ -93,6 +94,8 @@ struct bead_view_type {
     void (*margins)(const struct bead_look *look, int *left, int *right);
     /* The view never needs more than this height in a plot of this width, px. NULL: it can use any. */
     double (*most_height)(const struct bead_view_setup *setup, double width);
+    /* ... nor more than this width in a plot of this height. NULL: it can use any. */
+    double (*most_width)(const struct bead_view_setup *setup, double height);
 
     /* ---- with BEAD_SHOWS_ALL_TIMES: their range is known only after the last sample ---- */
 

@@ -37,16 +37,17 @@ void bead_pdf_write(const char *pdf, size_t length, FILE *file)
     static const char figure_begins[] = "<< /Type /StructElem\n   /S /Figure\n", catalog_begins[] = "<< /Type /Catalog\n",
                       object_ends[] = ">>\nendobj";
     const struct piece figure = between(pdf, length, figure_begins, object_ends),
-                       catalog = between(pdf, length, catalog_begins, object_ends), subject = between(pdf, length, "/Subject ", "\n"),
-                       trailer = between(pdf, length, "trailer\n<<", ">>"), before = between(pdf, length, "startxref\n", "\n");
+                       catalog = between(pdf, length, catalog_begins, object_ends),
+                       subject = between(pdf, length, "/Subject ", "\n"), trailer = between(pdf, length, "trailer\n<<", ">>"),
+                       before = between(pdf, length, "startxref\n", "\n");
     fwrite(pdf, 1, length, file);
     if (!figure.text || !catalog.text || !subject.text || !trailer.text || !before.text)
         return;
     const long numbers[2] = {number_before(pdf, figure.text - sizeof figure_begins + 1),
                              number_before(pdf, catalog.text - sizeof catalog_begins + 1)};
     size_t at[3] = {length};
-    at[1] = at[0] + (size_t)fprintf(file, "%ld 0 obj\n%s%.*s   /Alt %.*s\n%s\n", numbers[0], figure_begins, figure.length, figure.text,
-                                    subject.length, subject.text, object_ends);
+    at[1] = at[0] + (size_t)fprintf(file, "%ld 0 obj\n%s%.*s   /Alt %.*s\n%s\n", numbers[0], figure_begins, figure.length,
+                                    figure.text, subject.length, subject.text, object_ends);
     at[2] = at[1] + (size_t)fprintf(file,
                                     "%ld 0 obj\n%s%.*s   /Lang (en)\n   /MarkInfo << /Marked true >>\n"
                                     "   /ViewerPreferences << /DisplayDocTitle true >>\n%s\n",

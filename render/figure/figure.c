@@ -72,8 +72,9 @@ static void reach_beyond(const struct bead_figure *f, struct bead_cell *cell)
 {
     int beyond[2] = {0, 0};
     for (size_t v = 0; v < f->view_count; v++) {
-        if (f->output->views.axes && bead_view_has(cell->panel[v].type, BEAD_SHOWS_BEADS))
-            cell->panel[v].type->margins(&f->look, &beyond[0], &beyond[1]);
+        const struct bead_view_type *type = cell->panel[v].type;
+        if ((f->output->views.axes || f->view_count == 1) && bead_view_has(type, BEAD_SHOWS_BEADS) && type->margins)
+            type->margins(&f->look, &beyond[0], &beyond[1]);
     }
     for (size_t v = 0; v < f->view_count; v++)
         memcpy(cell->panel[v].setup.beyond, beyond, sizeof beyond);
@@ -103,6 +104,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                                                 .marked = moments,
                                                 .mark = f->at,
                                                 .magnify = magnify,
+                                                .over_beads = bead_views_any(views, BEAD_SHOWS_BEADS),
                                                 .light = f->output->views.light,
                                                 .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
@@ -209,6 +211,15 @@ enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *ms
     return err;
 }
 
+/* Beads alone, without axes, need room for striker and wall. */
+static double bare_margin(const struct bead_figure *f)
+{
+    int left = 0, right = 0;
+    if (!f->part && f->view_count == 1 && bead_views_all(&f->output->views, BEAD_SHOWS_BEADS))
+        bead_view_find(BEAD_VIEW_BEADS)->margins(&f->look, &left, &right);
+    return ceil(1.5 * fmax(left, right)); /* the arrow of the striker leads it */
+}
+
 enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
                                    const struct bead_page *page, const struct bead_look *look,
                                    const struct bead_part_settings *settings, struct bead_figure **figure, struct bead_message *msg)
@@ -225,7 +236,7 @@ enum bead_error bead_figure_create(const struct bead_output *output, const struc
     f->look = *look;
     f->part = settings != NULL;
     f->set = settings ? *settings : (struct bead_part_settings){.chain = SIZE_MAX};
-    f->margin = !f->part && output->views.axes ? look->margin : 0;
+    f->margin = !f->part && output->views.axes ? look->margin : bare_margin(f);
     return figure_prepare(f, msg);
 }
 

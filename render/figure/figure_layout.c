@@ -300,6 +300,24 @@ static void want_columns(struct plan *plan, const struct bead_insets *least)
         columns[c].reach[0] = f->output->views.axes ? 4 * em : 0; /* a first guess */
 }
 
+/* Few beads, as large as their row allows, do not fill its width: then the columns are as wide as the widest row of them, so that
+ * axes end where the beads do. True: they are narrower now. */
+static bool narrow(struct plan *plan)
+{
+    struct bead_figure *f = plan->f;
+    double most = 0;
+    for (size_t t = 0; t < f->tile_count; t++) {
+        const struct bead_layout_box *box = &plan->grid.boxes[t];
+        if (f->view_count > 1 && f->tiles[t].type->most_width)
+            most = fmax(most, f->tiles[t].type->most_width(&f->tiles[t].setup, box->at.height));
+    }
+    if (!(most > smallest_plot && most < plan->grid.columns.lane[0].size))
+        return false;
+    for (size_t c = 0; c < f->columns; c++)
+        plan->grid.columns.lane[c].most = most;
+    return true;
+}
+
 enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, const struct bead_insets *least,
                                 struct bead_insets *insets, struct bead_message *msg)
 {
@@ -318,8 +336,10 @@ enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, co
     want_columns(&plan, least);
     bead_lanes_within(&grid->columns, area.x + f->margin, area.width - 2 * f->margin);
     bead_lanes_within(&grid->rows, area.y + f->margin, area.height - 2 * f->margin);
-    enum bead_error err =
-        bead_layout_settle(grid, 2, false, &(struct bead_layout_owner){&plan, heights, measure_all, too_small}, msg);
+    const struct bead_layout_owner owner = {&plan, heights, measure_all, too_small};
+    enum bead_error err = bead_layout_settle(grid, 2, false, &owner, msg);
+    if (!err && narrow(&plan))
+        err = bead_layout_settle(grid, 2, false, &owner, msg);
     if (!err)
         place_all(&plan);
     *insets = bead_layout_insets(grid, area);

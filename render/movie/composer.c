@@ -56,6 +56,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
                                     .time_shared = time && !labels,
                                     .fill = true,
                                     .magnify = c->magnify,
+                                    .over_beads =
+                                        c->layout.layout != BEAD_LAYOUT_OVERLAY && bead_views_any(&output->views, BEAD_SHOWS_BEADS),
                                     .light = output->views.light,
                                     .camera = c->cameras ? c->cameras[chain] : NULL,
                                     .modes = output->movie.modes,

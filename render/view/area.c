@@ -124,6 +124,23 @@ enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bea
     return BEAD_OK;
 }
 
+/* Like find_levels; lengths are in pixels. */
+void bead_area_divide(struct bead_area *a, const double *borders)
+{
+    const size_t pixels = (size_t)a->setup.places;
+    const double scale = (double)pixels / (borders[a->beads] - borders[0]);
+    for (size_t p = 0, bead = 0; a->level && p < pixels; p++) {
+        const double from = (double)p, to = from + 1;
+        while (bead + 1 < a->beads && (borders[bead + 1] - borders[0]) * scale <= from)
+            bead++;
+        const double beyond = to - (borders[bead + 1] - borders[0]) * scale;
+        const bool across = beyond > 1e-9 && bead + 1 < a->beads;
+        a->level[p] = (unsigned)(across ? a->rows + bead : bead);
+        if (across)
+            a->beyond[bead] = beyond;
+    }
+}
+
 void bead_area_destroy(struct bead_area *area)
 {
     if (!area)

@@ -25,6 +25,8 @@ struct bead_area_setup {
 
 /* Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg);
+/* Before the first sample: cells of unlike width, all a pixel or more, between `borders`, [beads + 1] in any unit. */
+void bead_area_divide(struct bead_area *area, const double *borders);
 void bead_area_destroy(struct bead_area *area);
 /* Values of all beads at `time`, which must rise from call to call. Beads >= active still have the values of the first sample; the
  * cost grows with the active beads only. */

@@ -112,3 +112,4 @@ void bead_beads_vector(struct bead_view *v, cairo_t *cr);
 void bead_beads_margins(const struct bead_look *look, int *left, int *right);
 /* The greatest height, px, that a row of beads and its lens can use in a plot of this width. */
 double bead_beads_most_height(const struct bead_view_setup *setup, double width);
+double bead_beads_most_width(const struct bead_view_setup *setup, double height);

@@ -13,6 +13,8 @@
 static const double strip_below = 3;
 /* Beads in the lens: their part of its height, and the least number side by side. */
 static const double large_share = 0.8, most_across = 14;
+/* The largest part of a row's height that its beads take; height of the names above it, in units of the ticks' font size. */
+static const double row_share = 0.9, names_height = 1.35;
 
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
 {
@@ -20,15 +22,26 @@ void bead_beads_margins(const struct bead_look *look, int *left, int *right)
     *right = (int)ceil(1.3 * look->gap);
 }
 
+/* The diameter of the largest bead shown, in units of the row's length. */
+static double largest_part(const struct bead_view_setup *setup)
+{
+    const double *place = bead_chain_position(setup->chain), *radius = bead_chain_radius(setup->chain);
+    size_t first = setup->beads.first, last = setup->beads.last;
+    double largest = 0;
+    for (size_t i = first; i <= last; i++)
+        largest = fmax(largest, radius[i]);
+    return 2 * largest / (place[last] + radius[last] - place[first] + radius[first]);
+}
+
+double bead_beads_most_width(const struct bead_view_setup *setup, double height)
+{
+    return row_share * (height - names_height * setup->look->tick) / largest_part(setup);
+}
+
 double bead_beads_most_height(const struct bead_view_setup *setup, double width)
 {
     const struct bead_look *look = setup->look;
-    const double *place = bead_chain_position(setup->chain), *radius = bead_chain_radius(setup->chain);
-    size_t first = setup->beads.first, last = setup->beads.last;
-    double largest = 0, names = 1.35 * look->tick;
-    for (size_t i = first; i <= last; i++)
-        largest = fmax(largest, radius[i]);
-    double diameter = 2 * largest * width / (place[last] + radius[last] - place[first] + radius[first]);
+    double names = names_height * look->tick, diameter = width * largest_part(setup);
     double row = fmax(0.9 * look->tick, diameter + fmax(4, 0.9 * diameter));
     if (diameter >= 1.25 * look->label)
         return ceil(names + fmax(row, 3 * look->tick));
@@ -46,7 +59,7 @@ static void set_window(struct bead_window *w, const struct bead_view *v, double 
 static void only_row(struct bead_view *v, double scale, double top)
 {
     double height = v->plot.height - top, length = v->ends[1] - v->ends[0];
-    double fitting = fmin(scale, 0.9 * height / (2 * v->largest));
+    double fitting = fmin(scale, row_share * height / (2 * v->largest));
     set_window(&v->row, v, fitting, top, height, true);
     v->row.left = v->plot.x - v->area.x + 0.5 * (v->plot.width - length * fitting);
     v->row.from = v->ends[0];
@@ -89,7 +102,7 @@ enum bead_error bead_beads_divide(struct bead_view *v, struct bead_message *msg)
 {
     const struct bead_look *look = &v->look;
     double length = v->ends[1] - v->ends[0], scale = v->plot.width / length, diameter = 2 * v->largest * scale;
-    double top = has_names(v) ? round(1.35 * look->tick) : 0;
+    double top = has_names(v) ? round(names_height * look->tick) : 0;
     v->label_y = top > 0 ? 0.95 * look->tick : -1;
     if (v->setup.camera) {
         only_camera(v, top);

@@ -147,10 +147,11 @@ static void wave_words(const struct bead_tale *tale, const struct chain_tale *k,
         snprintf(out, size, "one pulse of %s, %zu %s%s wide, crosses %zu %ss in %s and keeps its height.", to, k->wide, what, wide,
                  k->count, what, time);
     else
-        snprintf(out, size,
-                 "the front crosses %zu %ss in %s; the largest %s goes from %s near the start to %s near the end, where the wave is "
-                 "spread over %zu %s%s.",
-                 k->count, what, time, field->title, from, to, k->wide, what, wide);
+        snprintf(
+            out, size,
+            "the front crosses %zu %ss in %s; the largest %s goes from %s near the start to %s near the end, where the wave is "
+            "spread over %zu %s%s.",
+            k->count, what, time, field->title, from, to, k->wide, what, wide);
 }
 
 void bead_tale_of_chain(const struct bead_tale *tale, size_t chain, char *out, size_t size)

@@ -322,4 +322,5 @@ const struct bead_view_type bead_view_beads_type = {
     .destroy = beads_destroy,
     .margins = bead_beads_margins,
     .most_height = bead_beads_most_height,
+    .most_width = bead_beads_most_width,
 };

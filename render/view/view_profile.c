@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "render/draw/smooth_curve.h"
+#include "render/view/along.h"
 #include "render/view/camera.h"
 #include "render/view/latest.h"
 #include "render/view/moving_labels.h"
@@ -202,12 +203,15 @@ static void profile_spread(struct bead_view *v, const struct bead_view *on)
 {
     const struct bead_chain_axis along = profile_along(v);
     v->plot = on->plot;
+    const bool uneven = on->other_count == 0 && bead_along_uneven(&v->setup, v->plot.width);
     profile_make_axis(v);
     for (size_t i = 0; i < v->count; i++) {
         double value = along.first + (double)(v->first + i) * along.spacing;
         v->x[i] = (float)((value - on->ends[0]) / (on->ends[1] - on->ends[0]) * on->plot.width);
         if (on->other_count == 0) /* without rounding */
             v->x[i] = (float)(((double)i + 0.5) * on->plot.width / (double)v->count);
+        if (uneven)
+            v->x[i] = (float)(bead_along_place(&v->setup, (double)(v->first + i)) * on->plot.width);
     }
     if (v->count == 1) /* a level line */
         v->x[0] = 0;
@@ -257,7 +261,10 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
     if (v->setup.bead_labels) {
         struct bead_axis beads;
         const struct bead_chain_axis along = profile_along(v);
-        bead_axis_make(&beads, v->ends[0], v->ends[1], along.unit, BEAD_SCALE_LINEAR, v->plot.width, look->tick, true);
+        if (v->other_count == 0)
+            (void)bead_along_axis(&beads, &v->setup, v->plot.width, look->tick, true);
+        else
+            bead_axis_make(&beads, v->ends[0], v->ends[1], along.unit, BEAD_SCALE_LINEAR, v->plot.width, look->tick, true);
         bead_panel_chain_axis(cr, &v->setup, &beads, v->plot, along.title);
     }
     return BEAD_OK;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "render/draw/raster.h"
+#include "render/view/along.h"
 #include "render/view/area_colours.h"
 #include "render/view/camera.h"
 #include "render/view/horizon.h"
@@ -74,6 +75,18 @@ static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plo
     return BEAD_OK;
 }
 
+/* Pixels belong to the beads seen above them. */
+static enum bead_error divide(struct bead_view *v, struct bead_message *msg)
+{
+    const size_t values = v->setup.beads.last - v->setup.beads.first + 1;
+    BEAD_FREED double *borders = NULL;
+    BEAD_TRY(bead_new(&borders, values + 1, msg, "a space-time image"));
+    for (size_t j = 0; j <= values; j++)
+        borders[j] = bead_along_border(&v->setup, v->setup.beads.first + j);
+    bead_area_divide(v->area, borders);
+    return BEAD_OK;
+}
+
 /* Makes sums and indices, with the first sample: a view that only decorates needs neither. */
 static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_message *msg)
 {
@@ -84,6 +97,8 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
     enum bead_error err = bead_area_create(&sampled, &v->area, msg);
     if (!err && v->setup.trust)
         err = bead_horizon_create(&setup, &v->horizon, msg);
+    if (!err && bead_along_uneven(&v->setup, v->places))
+        err = divide(v, msg);
     if (err)
         return err;
     v->indices = bead_large_take((size_t)v->plot.width * (size_t)v->plot.height);
@@ -106,8 +121,7 @@ static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, stru
     struct bead_axis time, beads;
     const char *unit = bead_chain_time_unit(s->chain);
     bead_axis_make(&time, s->time[0], s->time[1], unit, BEAD_SCALE_LINEAR, v->columns, v->look.tick, !down(v));
-    const char *name = bead_axis_along_chain(&beads, s->chain, bead_field_info(s->field)->of_contacts, s->beads.first,
-                                             s->beads.last, v->places, v->look.tick, down(v));
+    const char *name = bead_along_axis(&beads, s, v->places, v->look.tick, down(v));
     draw_frame(v, cr);
     if (down(v)) {
         bead_panel_axis(cr, s, &time, v->plot, true, "time");

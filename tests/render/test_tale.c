@@ -61,15 +61,18 @@ static void says(const char *chain, struct wave wave, double until, const char *
 }
 
 static const char plain[] = "beads: [{bead: large-steel, count: 40}]",
-                  random_cells[] = "name: R & S, beads: [{cell: [large-steel, aluminium], count: 20, spins: \"11111111110000000000\"}]";
+                  random_cells[] =
+                      "name: R & S, beads: [{cell: [large-steel, aluminium], count: 20, spins: \"11111111110000000000\"}]";
 
 static void test_a_pulse_that_keeps_its_height(void **state)
 {
     (void)state;
-    says(plain, (struct wave){{36, 36}, 5, 0}, 5e-4, "One pulse of 36 N, 5 beads wide, crosses 41 beads in 400 \u00b5s and keeps its "
-                                                     "height.");
-    says(plain, (struct wave){{36, 36}, 1, 0}, 5e-4, "One pulse of 36 N, 1 bead wide, crosses 41 beads in 400 \u00b5s and keeps its "
-                                                     "height.");
+    says(plain, (struct wave){{36, 36}, 5, 0}, 5e-4,
+         "One pulse of 36 N, 5 beads wide, crosses 41 beads in 400 \u00b5s and keeps its "
+         "height.");
+    says(plain, (struct wave){{36, 36}, 1, 0}, 5e-4,
+         "One pulse of 36 N, 1 bead wide, crosses 41 beads in 400 \u00b5s and keeps its "
+         "height.");
 }
 
 static void test_a_wave_that_decays_or_spreads(void **state)
@@ -79,7 +82,8 @@ static void test_a_wave_that_decays_or_spreads(void **state)
          "In R & S (M = 0) the front crosses 41 beads in 400 \u00b5s; the largest bead force goes from 36 N near the start to 18 N "
          "near the end, where the wave is spread over 30 beads.");
     says(plain, (struct wave){{36, 36}, 30, 0}, 5e-4,
-         "The front crosses 41 beads in 400 \u00b5s; the largest bead force goes from 36 N near the start to 36 N near the end, where "
+         "The front crosses 41 beads in 400 \u00b5s; the largest bead force goes from 36 N near the start to 36 N near the end, "
+         "where "
          "the wave is spread over 30 beads.");
 }
 
@@ -87,15 +91,17 @@ static void test_a_wave_that_decays_or_spreads(void **state)
 static void test_precompression_counts_in_heights_only(void **state)
 {
     (void)state;
-    says(plain, (struct wave){{36, 36}, 5, 10}, 5e-4, "One pulse of 46 N, 5 beads wide, crosses 41 beads in 400 \u00b5s and keeps "
-                                                      "its height.");
+    says(plain, (struct wave){{36, 36}, 5, 10}, 5e-4,
+         "One pulse of 46 N, 5 beads wide, crosses 41 beads in 400 \u00b5s and keeps "
+         "its height.");
 }
 
 static void test_a_wave_that_has_not_arrived(void **state)
 {
     (void)state;
-    says(plain, (struct wave){{36, 36}, 5, 0}, 2e-4, "The wave has passed 21 of 41 beads after 200 \u00b5s; its bead force is up to "
-                                                     "36 N.");
+    says(plain, (struct wave){{36, 36}, 5, 0}, 2e-4,
+         "The wave has passed 21 of 41 beads after 200 \u00b5s; its bead force is up to "
+         "36 N.");
     says(plain, (struct wave){{0, 0}, 5, 0}, 2e-4, "");
 }
 

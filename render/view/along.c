@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Places along a chain, from the borders between beads, or from the centres that contacts lie between. */
+#include "render/view/along.h"
+
+#include <math.h>
+
+#include "render/view/panel.h"
+
+static const double apart = 0.5 /* radii */, narrowest = 2 /* px */;
+
+static bool of_contacts(const struct bead_view_setup *setup)
+{
+    return bead_field_info(setup->field)->of_contacts;
+}
+
+double bead_along_border(const struct bead_view_setup *setup, size_t number)
+{
+    const double *position = bead_chain_position(setup->chain), *radius = bead_chain_radius(setup->chain);
+    const size_t beads = bead_chain_beads(setup->chain);
+    if (of_contacts(setup) && number < beads)
+        return position[number];
+    return !of_contacts(setup) && number <= setup->beads.last ? position[number] - radius[number]
+                                                              : position[number - 1] + radius[number - 1];
+}
+
+static double length_of(const struct bead_view_setup *setup)
+{
+    return bead_along_border(setup, setup->beads.last + 1) - bead_along_border(setup, setup->beads.first);
+}
+
+bool bead_along_uneven(const struct bead_view_setup *setup, double length)
+{
+    const size_t first = setup->beads.first, last = setup->beads.last, beads = bead_chain_beads(setup->chain);
+    if (!setup->over_beads || setup->camera || setup->trust || last > beads || (last == beads && !of_contacts(setup)))
+        return false;
+    const double *radius = bead_chain_radius(setup->chain);
+    const double whole = length_of(setup), begin = bead_along_border(setup, first), mean = whole / (double)(last - first + 1);
+    bool uneven = false;
+    for (size_t j = first; j <= last; j++) {
+        const double left = bead_along_border(setup, j), right = bead_along_border(setup, j + 1);
+        const double even = begin + ((double)(j - first) + 0.5) * mean;
+        if (!(right - left >= narrowest * whole / length))
+            return false;
+        uneven = uneven || fabs(0.5 * (left + right) - even) > apart * radius[j < beads ? j : beads - 1];
+    }
+    return uneven;
+}
+
+double bead_along_place(const struct bead_view_setup *setup, double number)
+{
+    const double first = (double)setup->beads.first, last = (double)setup->beads.last;
+    const double at = fmin(last + 1, fmax(first, number + 0.5)), whole = fmin(last, floor(at));
+    const double left = bead_along_border(setup, (size_t)whole), right = bead_along_border(setup, (size_t)whole + 1);
+    return (left + (at - whole) * (right - left) - bead_along_border(setup, setup->beads.first)) / length_of(setup);
+}
+
+/* The width of the narrowest in units of the mean: labels that have room there have it everywhere. */
+static double least_part(const struct bead_view_setup *setup)
+{
+    double least = INFINITY;
+    for (size_t j = setup->beads.first; j <= setup->beads.last; j++)
+        least = fmin(least, bead_along_border(setup, j + 1) - bead_along_border(setup, j));
+    return least * (double)(setup->beads.last - setup->beads.first + 1) / length_of(setup);
+}
+
+const char *bead_along_axis(struct bead_axis *axis, const struct bead_view_setup *setup, double length, double em, bool horizontal)
+{
+    const bool uneven = bead_along_uneven(setup, length);
+    const char *title = bead_axis_along_chain(axis, setup->chain, of_contacts(setup), setup->beads.first, setup->beads.last,
+                                              uneven ? fmax(4 * em, length * least_part(setup)) : length, em, horizontal);
+    const double span = axis->high - axis->low;
+    for (size_t i = 0; uneven && i < axis->count; i++)
+        axis->ticks[i].place = bead_along_place(setup, axis->ticks[i].value);
+    for (size_t i = 0; uneven && i < axis->minor_count; i++)
+        axis->minor[i] = bead_along_place(setup, axis->low + axis->minor[i] * span);
+    return title;
+}

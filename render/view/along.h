@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Where beads or contacts are along a plot. All are equally wide, unless beads of unlike radii are drawn above or below: then each
+ * is as wide there as on the plot, and every number stands under its bead. */
+#pragma once
+
+#include "beadreel/view.h"
+#include "render/draw/axis.h"
+
+/* Whether beads drawn over equally wide places would be more than half a radius away from theirs, and the narrowest is two pixels
+ * wide where all take `length` px. Looks at arrays of the chain where `over_beads` is set. */
+bool bead_along_uneven(const struct bead_view_setup *setup, double length);
+/* m along the chain: the left border of a bead or contact, from the first shown to one after the last. */
+double bead_along_border(const struct bead_view_setup *setup, size_t number);
+/* 0..1 of a number, with fraction, along plots where places are uneven. */
+double bead_along_place(const struct bead_view_setup *setup, double number);
+/* The axis: see bead_axis_along_chain. Its ticks stand at their beads. Returns the title. */
+const char *bead_along_axis(struct bead_axis *axis, const struct bead_view_setup *setup, double length, double em, bool horizontal);

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Beads stand over their numbers, their values in profiles and their columns in space-time images: tapered chains, beads of unlike
+ * radii, parts of chains, few beads. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "render/figure/figure.h"
+#include "render/view/along.h"
+#include "render/view/area.h"
+#include "tests/sweeps.h"
+
+static const struct {
+    const char *beads, *range;
+    bool uneven;
+} cases[] = {{"{bead: large-steel, count: 30, taper: {to: 1.2 mm}}", "all", true},
+             {"{bead: large-steel, count: 30, taper: {to: 1.2 mm}}", "[10, 25]", true},
+             {"{cell: [large-steel, aluminium], count: 16}", "all", false},
+             {"{bead: large-steel, count: 20}, {bead: small-steel, count: 20}", "all", true},
+             {"{bead: large-steel, count: 4}", "all", false},
+             {"{bead: large-steel, count: 60}", "[20, 45]", false}};
+enum { CASES = sizeof cases / sizeof cases[0] };
+
+struct made {
+    struct bead_scene *scene;
+    struct bead_chain *chain;
+};
+
+static struct made make(size_t k)
+{
+    char text[600];
+    struct made m;
+    snprintf(
+        text, sizeof text,
+        "chain: {beads: [%s], wall: brass}\noutputs: [{image: a.png, size: [1280, 720], views: [beads, profile, spacetime], at: "
+        "0 ms, beads: %s}]\n",
+        cases[k].beads, cases[k].range);
+    m.scene = parse(text);
+    assert_int_equal(bead_chain_create(m.scene, 0, &m.chain, NULL), BEAD_OK);
+    return m;
+}
+
+/* The row of beads takes all of the plot's width, as far as its height allows; a bead is within half a radius of the place of its
+ * number, and the tick of its number at that place. */
+static void test_beads_over_their_numbers(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < CASES; k++) {
+        struct made m = make(k);
+        const struct bead_chain *chains[] = {m.chain};
+        const struct bead_run_context context = {
+            .scene = m.scene, .chains = chains, .chain_count = 1, .end = 1e-3, .resolution = 1e-6};
+        const struct bead_output *output = &m.scene->outputs[0];
+        struct bead_page page;
+        struct bead_look look;
+        struct bead_figure *figure;
+        struct bead_insets insets;
+        assert_int_equal(bead_page_find(output, &page, NULL), BEAD_OK);
+        bead_page_look(&page, &output->paper, &look);
+        assert_int_equal(bead_figure_create(output, &context, &page, &look, NULL, &figure, NULL), BEAD_OK);
+        assert_int_equal(
+            bead_figure_put(figure, (struct bead_rect){0, 0, page.width, page.height}, &(struct bead_insets){0}, &insets, NULL),
+            BEAD_OK);
+        const struct bead_tile *row = &figure->tiles[0];
+        const size_t first = row->setup.beads.first, last = row->setup.beads.last;
+        const double *position = bead_chain_position(m.chain), *radius = bead_chain_radius(m.chain);
+        const double begin = position[first] - radius[first], length = position[last] + radius[last] - begin;
+        const double width = row->plot.width, pitch = width / (double)(last - first + 1);
+        const double scale = fmin(width, row->type->most_width(&row->setup, row->plot.height)) / length;
+        const double left = 0.5 * (width - length * scale);
+        assert_int_equal(bead_along_uneven(&row->setup, width), cases[k].uneven);
+        struct bead_axis axis;
+        (void)bead_along_axis(&axis, &row->setup, width, look.tick, true);
+        assert_true(axis.count >= 2);
+        for (size_t i = first; i <= last; i++) {
+            const double bead = left + (position[i] - begin) * scale;
+            const double place =
+                cases[k].uneven ? bead_along_place(&row->setup, (double)i) * width : ((double)(i - first) + 0.5) * pitch;
+            if (!(fabs(bead - place) <= 0.5 * radius[i] * scale))
+                fail_msg("case %zu: bead %zu of radius %.3g px stands at %.1f, its number at %.1f", k, i, radius[i] * scale, bead,
+                         place);
+            for (size_t t = 0; t < axis.count; t++)
+                assert_true((size_t)lround(axis.ticks[t].value) != i || fabs(axis.ticks[t].place * width - place) < 1e-6 * width);
+        }
+        bead_figure_destroy(figure);
+        bead_chain_destroy(m.chain);
+        bead_scene_free(m.scene);
+    }
+}
+
+/* A pixel of the image shows the beads that are there, in proportion. */
+static void test_pixels_belong_to_unlike_beads(void **state)
+{
+    (void)state;
+    enum { BEADS = 5, PLACES = 31 };
+    static const double borders[BEADS + 1] = {1, 4, 6.3, 7.5, 9, 11}, values[2][BEADS] = {{0}, {3, 1, 4, 1, 5}};
+    const struct bead_area_setup setup = {{0, BEADS - 1}, {0, 1}, PLACES, 2, BEAD_SAMPLING_AREA};
+    struct bead_area *area;
+    double means[PLACES];
+    assert_int_equal(bead_area_create(&setup, &area, NULL), BEAD_OK);
+    bead_area_divide(area, borders);
+    bead_area_feed(area, 0, values[1], BEADS);
+    bead_area_feed(area, 1, values[1], BEADS);
+    assert_true(bead_area_column(area, 1, means));
+    for (int p = 0; p < PLACES; p++) {
+        const double from = 1 + p * 10.0 / PLACES, to = 1 + (p + 1) * 10.0 / PLACES;
+        double expected = 0;
+        for (int j = 0; j < BEADS; j++)
+            expected += values[1][j] * fmax(0, fmin(to, borders[j + 1]) - fmax(from, borders[j])) / (to - from);
+        if (!(fabs(means[p] - expected) < 1e-12))
+            fail_msg("pixel %d is %g, not %g", p, means[p], expected);
+    }
+    bead_area_destroy(area);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_beads_over_their_numbers),
+        cmocka_unit_test(test_pixels_belong_to_unlike_beads),
+    };
+    return cmocka_run_group_tests_name("places along chains", tests, NULL, NULL);
+}
