@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* beadreel: does everything a scene asks for, pictures and movies included; draws existing trajectories. */
-#include "beadreel/colormap.h"
+#include "beadreel/kinds.h"
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
-#include "beadreel/view_kind.h"
 #include "render/encode/libav.h"
+#include "render/encode/movie_internal.h"
 #include "render/paint/canvas.h"
 #include "render/paint/gl_context.h"
 #include "sim/cli/command_line.h"
+#include "sim/kinds/view_kinds.h"
 
 static COMMAND_LISTS(list_colormaps)
 {

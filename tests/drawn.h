@@ -10,6 +10,7 @@
 
 #include "beadreel/play.h"
 #include "sim/base/random.h"
+#include "sim/chain/chain_internal.h"
 #include "tests/asked.h"
 
 enum { DRAWN_TEXT = 6000 };

@@ -16,6 +16,7 @@
 #include <cmocka.h>
 
 #include "beadreel/movie.h"
+#include "render/encode/movie_internal.h"
 #include "sim/base/file.h"
 
 enum { WIDTH = 98, HEIGHT = 66, FPS = 50 };

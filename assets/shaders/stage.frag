@@ -1,8 +1,10 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 // As in render/paint/pixel_kernels_stage.h, which tests compare with it. What there is in a pixel is chosen by WALL, BALL, MIRROR and
-// ALONE, since software renderers run all branches of a shader for each pixel; floor is everywhere.
+// ALONE, and what beads need by LIT (by contacts) and MOVED (by parts of a pixel, or contacts not level), since software renderers
+// run all branches of a shader for each pixel; floor is everywhere.
 flat in vec4 ball, pictures, contacts, neighbours;
+flat in vec2 level;
 flat in vec3 from_left, from_right, everywhere;
 uniform sampler2D ground;               // the floor's light, a column for every 8 pixels
 uniform sampler2D beside, image, alone; // pictures of the bead with neighbours, in the floor, without: light, and form in alpha
@@ -31,17 +33,24 @@ float cap(float c)
 // There are two columns of nothing at each side of a picture.
 vec4 part_of(sampler2D picture, ivec2 at)
 {
+#ifdef MOVED
     return mix(texelFetch(picture, at + ivec2(2, 0), 0), texelFetch(picture, at + ivec2(1, 0), 0), ball.w);
+#else
+    return texelFetch(picture, at + ivec2(2, 0), 0);
+#endif
 }
 
 // Light of both contacts on row `y` of a picture; `up`: -1 in the floor.
 vec3 contact_light(float y, float up)
 {
+    float x = clamp((gl_FragCoord.x - ball.x) / ball.y, -1.0, 1.0);
+    vec2 c = vec2(-x, x);
+#ifdef MOVED
     vec2 d = vec2(gl_FragCoord.x - ball.x, 0.5 * pictures.w - y - 0.5) / ball.y;
-    float distance = dot(d, d), scale = inversesqrt(max(1.0, distance)), x = clamp(d.x, -1.0, 1.0);
+    float distance = dot(d, d), scale = inversesqrt(max(1.0, distance));
     float rise = up * (d.y * scale * COSINE + sqrt(max(0.0, 1.0 - distance)) * SINE);
-    vec2 tilt = neighbours.zw, level = sqrt(1.0 - tilt * tilt);
-    vec2 c = clamp(vec2(-x, x) * level + rise * tilt, -1.0, 1.0);
+    c = clamp(c * level + rise * neighbours.zw, -1.0, 1.0);
+#endif
     return from_left * cap(c.x) + from_right * cap(c.y) + everywhere;
 }
 #endif
@@ -64,7 +73,10 @@ void main()
 #ifdef MIRROR
     int below = at.y - int(pictures.y);
     vec4 mirrored = part_of(image, ivec2(column, below));
-    c += mirrored.rgb + mirrored.a * contact_light(float(below), -1.0);
+    c += mirrored.rgb;
+#ifdef LIT
+    c += mirrored.a * contact_light(float(below), -1.0);
+#endif
 #endif
 #ifdef BALL
     int y = at.y - int(pictures.x);
@@ -73,9 +85,15 @@ void main()
     vec4 other = part_of(alone, ivec2(column, y));
     look.rgb = mix(other.rgb, look.rgb, gl_FragCoord.x < ball.x ? neighbours.x : neighbours.y);
 #endif
-    vec2 d = vec2(float(column) + 0.5 - 0.5 * pictures.z, 0.5 * pictures.w - float(y) - 0.5), before = d - vec2(1.0, 0.0);
-    vec2 cover = clamp(ball.y + 0.5 - sqrt(vec2(dot(d, d), dot(before, before))), 0.0, 1.0);
-    c = c * (1.0 - mix(cover.x, cover.y, ball.w)) + look.rgb + look.a * contact_light(float(y), 1.0);
+#ifdef LIT
+    look.rgb += look.a * contact_light(float(y), 1.0);
+#endif
+    vec2 d = vec2(float(column) + 0.5 - 0.5 * pictures.z, 0.5 * pictures.w - float(y) - 0.5);
+    float cover = clamp(ball.y + 0.5 - length(d), 0.0, 1.0);
+#ifdef MOVED
+    cover = mix(cover, clamp(ball.y + 0.5 - length(d - vec2(1.0, 0.0)), 0.0, 1.0), ball.w);
+#endif
+    c = c * (1.0 - cover) + look.rgb;
 #endif
     // Never clips; rounded in an order that spreads the steps over 8 x 8 pixels.
     vec3 t = c * 1.12 + 1e-12;

@@ -12,6 +12,7 @@ layout(location = 7) in vec3 own;    // of the whole bead; colour of the wall
 uniform vec2 size; // of the viewport
 
 flat out vec4 ball, pictures, contacts, neighbours;
+flat out vec2 level; // cosines of the tilts
 flat out vec3 from_left, from_right, everywhere;
 
 void main()
@@ -22,6 +23,7 @@ void main()
     pictures = rows;
     contacts = planes;
     neighbours = sides;
+    level = sqrt(1.0 - sides.zw * sides.zw);
     from_left = light;
     from_right = right;
     everywhere = own;

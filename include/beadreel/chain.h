@@ -61,8 +61,6 @@ BEAD_API void bead_chain_destroy(struct bead_chain *chain);
 
 BEAD_API const char *bead_chain_name(const struct bead_chain *chain); /* "" where it has none */
 BEAD_API const struct bead_chain_spec *bead_chain_spec(const struct bead_chain *chain);
-/* `file:line:column: ` of the chain in its scene, or `--set:number:column: `, into `text`; "" without a scene. Returns text. */
-BEAD_API const char *bead_chain_place(const struct bead_chain *chain, char *text, size_t size);
 BEAD_API const struct bead_scene *bead_chain_scene(const struct bead_chain *chain);
 BEAD_API size_t bead_chain_beads(const struct bead_chain *chain);    /* with the striker: N + 1 */
 BEAD_API size_t bead_chain_contacts(const struct bead_chain *chain); /* N, and one more with a wall */
@@ -87,43 +85,10 @@ BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *c
 
 /* Title and unit of a field of this chain's samples; NULL: it has no such field. */
 BEAD_API const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, enum bead_field field);
-BEAD_API unsigned bead_chain_fields(const struct bead_chain *chain);       /* BEAD_FIELD_BITs of those it has */
 BEAD_API const char *bead_chain_time_unit(const struct bead_chain *chain); /* "s"; "" where times have no unit */
 
-/* May its values have either sign: is a colour map for both wanted? */
-BEAD_API bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field);
-/* Colour of a bead, sRGB 0..1 [3]. */
-BEAD_API const double *bead_chain_colour(const struct bead_chain *chain, size_t bead);
-/* A few words about the system: the formula of an equation; "" for beads. */
-BEAD_API void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size);
-
-/* Linear modes of an equation: which fields of a sample their energies follow from (0: it has no modes), what these are called, and
- * the energies of modes 1..count; field arrays as those of a sample. */
-BEAD_API unsigned bead_chain_mode_fields(const struct bead_chain *chain);
-BEAD_API const char *bead_chain_mode_title(const struct bead_chain *chain);
-BEAD_API void bead_chain_mode_energies(const struct bead_chain *chain, const double *const field[BEAD_FIELD_COUNT], size_t count,
-                                       double *energy);
-
-/* The axis along a chain: value i of a field is at first + i * spacing. */
-struct bead_chain_axis {
-    const char *title; /* "bead", "contact", or "x" */
-    const char *unit;  /* as graphs and axes take it: "1" of numbers of beads, "" of coordinates */
-    double first, spacing;
-};
-BEAD_API struct bead_chain_axis bead_chain_axis(const struct bead_chain *chain, bool of_contacts);
-
-/* Upper bound of the frequency of small vibrations about any state that energy allows, rad/s:
- * every compression d_k is bounded by A_k d^{5/2} 2/5 <= E, every stiffness by that, omega by
- * Gershgorin's circles. `energy` in J above the static state; pass bead_chain_energy(). */
-BEAD_API double bead_chain_omega(const struct bead_chain *chain, double energy);
-/* About how long a wave of this energy takes from end to end, s: the sum of sqrt(m/K) over the contacts, m the mass of the heavier
- * bead, K the largest stiffness that the energy allows. Within a factor of a few. */
-BEAD_API double bead_chain_passage(const struct bead_chain *chain, double energy);
 /* Energy put in by the striker, and by other beads that do not start at rest, J. */
 BEAD_API double bead_chain_energy(const struct bead_chain *chain);
-/* The largest velocity at the start, m/s, or that which the energy of displaced beads can give one of them, if that is larger: the
- * unit of velocities. */
-BEAD_API double bead_chain_speed(const struct bead_chain *chain);
 
 BEAD_END
 

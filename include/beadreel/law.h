@@ -48,8 +48,6 @@ struct bead_law {
     double (*energy_compression)(double a, const struct bead_law_spec *spec, double e); /* m, inverse of energy */
 };
 
-/* Has the row what every row needs? Errors: USAGE, with the name of what is missing. */
-BEAD_API BEAD_CHECK enum bead_error bead_law_check(const struct bead_law *law, struct bead_message *msg);
 /* NULL: there is no such law. */
 BEAD_API const struct bead_law *bead_law_find(const char *name);
 /* Row `index`, NULL behind the last. */
@@ -60,10 +58,6 @@ BEAD_API const struct bead_law *bead_law_info(size_t index);
 BEAD_API double bead_hertz_spheres(const struct bead_material *a, const struct bead_material *b);
 /* Stiffness of a contact of a sphere and a flat wall, with sqrt(R) instead; wall NULL: rigid. */
 BEAD_API double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall);
-/* Both as the program of the thesis's Appendix 4 has them, operation by operation; between spheres it takes
- * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. */
-BEAD_API double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b);
-BEAD_API double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall);
 
 BEAD_END
 

@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #include "beadreel/error.h"
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "beadreel/scene.h"
 
 BEAD_BEGIN
@@ -59,12 +59,6 @@ struct bead_movie_settings {
 
 struct bead_movie;
 
-/* File extensions that can be written, with a description of the codec: row `index`, NULL behind the last. */
-struct bead_codec_info {
-    const char *extension, *description;
-};
-BEAD_API const struct bead_codec_info *bead_movie_codec(size_t index);
-
 /* Can such a movie be made? Touches no file. Errors: SCENE (extension, size, rate), UNSUPPORTED (libav was built without the
  * encoder). */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_check(const char *path, const struct bead_movie_settings *settings,
@@ -85,15 +79,9 @@ BEAD_API BEAD_CHECK enum bead_error bead_movie_cover(struct bead_movie *movie, c
 enum { BEAD_SOUND_RATE = 48000 };
 BEAD_API BEAD_CHECK enum bead_error bead_movie_sound(struct bead_movie *movie, const float *samples, size_t count,
                                                      struct bead_message *msg);
-BEAD_API const char *bead_movie_encoder(const struct bead_movie *movie); /* "libavcodec (libx264)"; "": pictures are not encoded */
-BEAD_API uint64_t bead_movie_frames(const struct bead_movie *movie);     /* shown */
-BEAD_API uint64_t bead_movie_encoded(const struct bead_movie *movie);    /* given to the encoder */
 /* Frees the movie in any case; on failure no file is left. *bytes (may be NULL): size of the file. Errors: IO, CODEC
  * (also where an earlier add failed, or no frame was added). */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_close(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
-/* The movie ends here, unfinished: path.part stays and plays, and a file `path` of an earlier movie stays as it is. Frees the movie
- * in any case; on failure no part is left. *bytes (may be NULL): size of the part. Errors: as of close. */
-BEAD_API BEAD_CHECK enum bead_error bead_movie_stop(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
 /* Frees the movie and removes its file. NULL is allowed. */
 BEAD_API void bead_movie_abort(struct bead_movie *movie);
 

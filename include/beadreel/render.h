@@ -1,13 +1,122 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The drawing half's outputs: images, plots, movies. Hand this list and bead_data_sinks() to a job (session.h). */
+/* Drawing: frames (pixels in memory, and which of them changed), colour maps, the look and letters of a picture, and the sinks that
+ * draw. All lengths in device pixels; a vector file's context is scaled so that its unit is the pixel of the raster inside. */
 #ifndef BEADREEL_RENDER_H
 #define BEADREEL_RENDER_H
 
+#include <cairo.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "beadreel/error.h"
+#include "beadreel/scene.h"
 #include "beadreel/sink.h"
 
 BEAD_BEGIN
 
-/* NULL-terminated. */
+/* ---- frames ---- */
+
+/* Device pixels, y downwards. */
+struct bead_rect {
+    int x, y, width, height;
+};
+
+/* 32 bits a pixel, B G R X in memory (CAIRO_FORMAT_RGB24 on little-endian machines), rows from the top. With `alpha` the fourth
+ * byte says how much of what is behind the pixel hides, and colours are premultiplied with it (CAIRO_FORMAT_ARGB32); light that is
+ * added may be more than that. */
+struct bead_frame {
+    int width, height;
+    size_t stride; /* bytes a row, a multiple of 64 */
+    uint8_t *pixels;
+    bool alpha; /* as created: false */
+};
+
+/* Rectangles changed since the frame before; those that overlap much, and more than fit, are merged into bounding boxes. */
+struct bead_changes {
+    size_t count;
+    struct bead_rect rect[32];
+};
+
+/* Pixels are zeroed and belong to the frame. */
+BEAD_API BEAD_CHECK enum bead_error bead_frame_create(int width, int height, struct bead_frame *frame, struct bead_message *msg);
+BEAD_API void bead_frame_free(struct bead_frame *frame);
+/* Copy a rectangle (clipped) between frames of the same size. */
+BEAD_API void bead_frame_copy(struct bead_frame *to, const struct bead_frame *from, struct bead_rect rect);
+/* FNV-1a over the visible bytes (B, G, R of every pixel, and alpha). */
+BEAD_API uint64_t bead_frame_hash(const struct bead_frame *frame);
+BEAD_API void bead_changes_add(struct bead_changes *changes, struct bead_rect rect);
+
+/* ---- colour maps: from numbers to palette indices to colours ---- */
+
+struct bead_colormap {
+    char name[32];
+    uint8_t rgb[256][3]; /* sRGB */
+};
+
+/* NULL-terminated names with a line about each. */
+struct bead_colormap_info {
+    const char *name, *description;
+};
+BEAD_API const struct bead_colormap_info *bead_colormap_list(void);
+/* From assets/colormaps/NAME.txt, reversed for NAME_r, or of colours: "#000000 #ff8000 #ffffff", equally far apart. Errors: SCENE
+ * (no such map; says which there are), IO, FORMAT, MEMORY. */
+BEAD_API BEAD_CHECK enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg);
+
+/* A scale of colours: values low..high to indices 0..255 of a map; outside, clamped. */
+struct bead_colours {
+    const struct bead_colormap *map;
+    enum bead_scale scale;
+    double low, high;
+};
+/* 0..1 along the colour bar, not clamped: below 0 or above 1 where the value is out of range. A square-root scale takes the
+ * root of both signs; values that a logarithm has not are -infinity. */
+BEAD_API double bead_colours_place(const struct bead_colours *colours, double value);
+/* The map's 256 colours are equal bands along the bar. */
+BEAD_API uint8_t bead_colours_index(const struct bead_colours *colours, double value);
+
+/* ---- looks and text ---- */
+
+struct bead_rgb {
+    double r, g, b;
+};
+
+struct bead_look {
+    bool dark, clear;          /* clear: nothing is painted behind what is drawn */
+    char family[64];           /* Pango font family: "STIX" on paper, "Lato" on screens */
+    double title, label, tick; /* font sizes, px */
+    double line;               /* width of axes and curves, px */
+    double gap;                /* the usual distance between things, px */
+    double margin;             /* between the page's border and what is on it, px */
+    struct bead_rgb background, panel, ink, faint, accent;
+    struct bead_rgb axis; /* lines and ticks */
+};
+
+/* Paint all of the page, or a rectangle of a panel, in the look's colours; nothing where it is clear. */
+BEAD_API void bead_look_paint(const struct bead_look *look, cairo_t *cr);
+
+/* Colour of the curve of this number, from 0; six, then again. */
+BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);
+
+enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIGN_BASELINE };
+
+struct bead_text_style {
+    const char *family;
+    double size; /* px */
+    struct bead_rgb colour;
+    bool bold;
+    enum bead_align across, down; /* where (x, y) lies in the text's box: start, middle, end; down also baseline */
+    bool upwards;                 /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
+};
+/* BEAD_ALIGN_MIDDLE of `down` is the middle of digits and capitals, which looks right beside ticks. */
+/* Draw Pango markup at (x, y). */
+BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
+/* Size of its logical box, before turning. */
+BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
+/* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
+BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
+
+/* The drawing half's outputs: images, plots, movies. Hand this list and bead_data_sinks() to a job (session.h). NULL-terminated. */
 BEAD_API const struct bead_sink_type *const *bead_render_sinks(void);
 
 BEAD_END

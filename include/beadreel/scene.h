@@ -18,9 +18,8 @@
 #include <stdio.h>
 
 #include "beadreel/error.h"
-#include "beadreel/output_kind.h"
+#include "beadreel/kinds.h"
 #include "beadreel/sample.h"
-#include "beadreel/view_kind.h"
 
 BEAD_BEGIN
 
@@ -143,6 +142,22 @@ struct bead_sweep_measures {
     bool decay; /* peaks of every bead's force and energy */
 };
 
+/* A key of the scene that a sweep gives other values. */
+struct bead_over_key {
+    char *path;    /* "chain.striker.velocity" */
+    char *unit;    /* SI, of the values; "" where they have none */
+    char **text;   /* [count] values as scenes have them */
+    double *value; /* [count] in this unit; NaN: not a number */
+    size_t count;
+    bool seed; /* values are averaged over: the path ends in `seed` */
+};
+enum bead_combine { BEAD_COMBINE_GRID, BEAD_COMBINE_PAIRS };
+struct bead_over {
+    struct bead_over_key *keys; /* the last one changes first; of `pairs` all change together */
+    size_t key_count;           /* 0: the sweep is one over spins */
+    enum bead_combine combine;
+};
+
 /* Configurations that are drawn alike: `up` of the random cells are up. */
 struct bead_sweep_group {
     double magnetism; /* of the chain: bead_chain_magnetism; NaN where spins are given one by one */
@@ -150,8 +165,8 @@ struct bead_sweep_group {
     size_t configurations;
 };
 
-/* Many chains that differ in the spins of their random cells. Chain `chain` of the scene is the pattern; its cells with
- * `spins: random` are the random ones, left to right. */
+/* Many chains that differ in the spins of their random cells, or in the values of any keys. Chain `chain` of the scene is the pattern;
+ * its cells with `spins: random` are the random ones, left to right. Over keys: `cells` is 0, and there is one group. */
 struct bead_sweep_spec {
     char *name;  /* "" for a single unnamed sweep */
     char *title; /* the same as pictures show it */
@@ -167,6 +182,7 @@ struct bead_sweep_spec {
     size_t configurations; /* of each group; one where there is only one way to arrange the spins */
     uint64_t seed;
     bool whole; /* no bead is dropped behind the front */
+    struct bead_over over;
     struct bead_sweep_measures measures;
 };
 
@@ -202,7 +218,8 @@ enum bead_sweep_show {
     BEAD_SWEEP_BOTH,
     BEAD_SWEEP_DECAY,
     BEAD_SWEEP_MAGNETISM,
-    BEAD_SWEEP_CONFIGURATIONS
+    BEAD_SWEEP_CONFIGURATIONS,
+    BEAD_SWEEP_DEVIATION /* of images */
 };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
@@ -314,6 +331,7 @@ struct bead_curves_asked {
 struct bead_sweep_curves_asked {
     enum bead_sweep_show show;
     char *threshold; /* how the threshold is found: a name of statistics.h */
+    char *against;   /* of sweeps over keys: the one along the axis; "": the first that is no seed */
 };
 
 /* ---- outputs: settings of one kind ---- */
@@ -440,9 +458,6 @@ struct bead_scene {
     char *doubts; /* numbers without a unit that can hardly be meant, a line each, for warnings; NULL: none */
 };
 
-/* Does a material have tolerances: do its beads differ? */
-BEAD_API bool bead_scene_tolerances(const struct bead_scene *scene);
-
 /* A change of a scene: the value goes where the path leads, before the scene is read. */
 struct bead_override {
     const char *origin;      /* what messages call the value's place: "--set". It ends, as does `path`, at a `=` */
@@ -470,9 +485,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_scene_load(const char *path, const stru
 BEAD_API BEAD_CHECK enum bead_error bead_scene_parse(const char *name, const char *text, size_t length,
                                                      const struct bead_overrides *overrides, struct bead_scene **scene,
                                                      struct bead_message *msg);
-/* Makes a changed scene from one that has been loaded, which stays as it is. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_change(const struct bead_scene *before, const struct bead_overrides *overrides,
-                                                      struct bead_scene **scene, struct bead_message *msg);
 BEAD_API void bead_scene_free(struct bead_scene *scene);
 
 /* Reports an error of an output found after its scene was read: by its sink, or against a trajectory. Fails with
@@ -480,26 +492,6 @@ BEAD_API void bead_scene_free(struct bead_scene *scene);
  * in "size: leaves no room"; where the output does not give that key, the place is the output's. Errors: SCENE. */
 BEAD_API enum bead_error bead_output_wrong(const struct bead_output *output, struct bead_message *msg, const char *format, ...)
     BEAD_PRINTF(3, 4);
-
-/* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
- * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
-struct bead_config_colormap {
-    char *name, *file;
-};
-struct bead_config {
-    char *path;
-    char *style, *font, *canvas; /* NULL: not given */
-    char *materials;             /* a file of materials; NULL: none */
-    struct bead_place style_place, font_place, canvas_place, materials_place;
-    struct bead_config_colormap *colormaps;
-    size_t colormap_count;
-};
-/* The file: config.yaml in the folder `beadreel` of $XDG_CONFIG_HOME (else ~/.config), then of $XDG_CONFIG_DIRS (else /etc/xdg).
- * False: there is none. */
-BEAD_API bool bead_config_find(char *path, size_t size);
-/* Names of files in it are relative to its folder. On success *config is the caller's. Errors: SCENE, IO, MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
-BEAD_API void bead_config_free(struct bead_config *config);
 
 /* Find a ready scene ("clean-vs-delocalised", "thesis/fig5", or "fig5" where only one folder has it) or keep the path of a file
  * that exists: fills `path` (size bytes). A name that is neither is an error that suggests the nearest. Errors: USAGE, IO, MEMORY.
@@ -513,16 +505,6 @@ struct bead_ready_scene {
 };
 BEAD_API BEAD_CHECK enum bead_error bead_scene_ready(struct bead_ready_scene **scenes, size_t *count, struct bead_message *msg);
 BEAD_API void bead_scene_ready_free(struct bead_ready_scene *scenes, size_t count);
-
-/* The ready materials: a scene with nothing else in it, to be freed with bead_scene_free. Errors: IO, SCENE, MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_materials(struct bead_scene **scene, struct bead_message *msg);
-
-/* Write all keys of scenes with units, ranges and defaults, from the tables that the parser uses: as text, or as sections
- * of a man page. */
-BEAD_API void bead_scene_help(FILE *out);
-/* Help on one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
-BEAD_API BEAD_CHECK enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg);
-BEAD_API void bead_scene_help_man(FILE *out);
 
 BEAD_END
 

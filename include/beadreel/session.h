@@ -72,7 +72,6 @@ struct bead_planned {
     const char *name, *path, *kind; /* as in bead_result; path NULL: not made */
     bool made;                      /* not left out by --only, and a kind that the program makes */
 };
-BEAD_API bool bead_session_planned(const struct bead_session *session, size_t index, struct bead_planned *planned);
 /* Once: whatever came of it, another run is refused with USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *session, struct bead_message *msg);
 
@@ -85,9 +84,6 @@ struct bead_result {
 };
 BEAD_API size_t bead_session_results(const struct bead_session *session, const struct bead_result **results);
 
-/* Name of the `index`-th output that none of the job's sinks can make (pictures in beadsim); NULL behind the last. */
-BEAD_API const char *bead_session_skipped(const struct bead_session *session, size_t index);
-
 struct bead_counts {
     uint64_t evaluations; /* of one contact's force, in steps */
     uint64_t steps;
@@ -99,8 +95,6 @@ struct bead_counts {
     uint64_t state_hash; /* fingerprint of displacement and velocity bits of all chains after every step */
 };
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
-/* Unit of the session's times: "s", or "" (bead_chain_time_unit). */
-BEAD_API const char *bead_session_time_unit(const struct bead_session *session);
 /* After a run, what its user should know before believing it: sentences, the `index`-th; NULL behind the last. */
 BEAD_API const char *bead_session_warning(const struct bead_session *session, size_t index);
 /* False where `simulate: {verify: true}` asked for more than could be had; a warning says what. */

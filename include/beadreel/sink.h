@@ -27,7 +27,7 @@
 
 #include "beadreel/chain.h"
 #include "beadreel/error.h"
-#include "beadreel/peaks.h"
+#include "beadreel/play.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 

@@ -16,7 +16,7 @@
  * In the file (HDF5; SI): /scene, the scene's text; for panel p the group /sweeps/p with the attributes name and seed and
  *   configuration [n]     number within the panel, from 0
  *   spins [n][cells]      1 up, 0 reversed, of the random cells
- *   magnetism [n]         M of the chain
+ *   magnetism [n]         M of the chain; over keys: value [n][key], NaN where it is no number, of the keys `key` [keys]
  *   place [places]        "peak", or the sensors' names
  *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
@@ -82,7 +82,7 @@ struct bead_sweep_peak {
 
 struct bead_sweep_configuration {
     const char *spins; /* [cells] '0' and '1', not terminated */
-    double magnetism;
+    double magnetism;  /* NaN: over keys */
     const struct bead_sweep_peak *peaks; /* [places] */
     /* [beads], where decay is measured, else NULL. Peak forces of the first passage, N; the energy of the front, J: that of the
      * bead and the four on either side, at the moment of its peak force. */
@@ -90,37 +90,25 @@ struct bead_sweep_configuration {
     const double *last_force, *last_energy; /* [beads] N, J: of each bead when the front has reached the end */
 };
 
-#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up */
+#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up; over keys: the scene as it is */
 
 /* The scene must outlive the sweep. Errors: MEMORY, USAGE (the scene has no sweep). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sweep **sweep,
                                                       struct bead_message *msg);
 BEAD_API void bead_sweep_close(struct bead_sweep *sweep);
 
-BEAD_API const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
 BEAD_API size_t bead_sweep_panels(const struct bead_sweep *sweep);
 BEAD_API const struct bead_sweep_panel *bead_sweep_panel(const struct bead_sweep *sweep, size_t panel);
 /* Name of a place: "peak" or a sensor's. */
 BEAD_API const char *bead_sweep_place(const struct bead_sweep *sweep, size_t panel, size_t place);
+/* Of a sweep over keys: number of the value of key `key` that a configuration has. */
+BEAD_API size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key);
 /* One configuration, or BEAD_SWEEP_CLEAN; false: its results are not known (yet, or not in this part), peaks and profiles are NULL.
  * Borrowed from the sweep. */
 BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index,
                                        struct bead_sweep_configuration *configuration);
 /* Number of configurations (and reference chains), and of those that are known. */
 BEAD_API size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known);
-
-/* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
- * it. Errors: MEMORY, SCENE. */
-struct bead_sweep_chain;
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index,
-                                                            struct bead_sweep_chain **chain, struct bead_message *msg);
-BEAD_API const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
-BEAD_API void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
-/* A scene that is this one chain, without outputs: a tree of the sweep's scene, for an override of the whole. Errors: SCENE,
- * MEMORY.
- */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
-                                                      const struct bead_node **scene, struct bead_message *msg);
 
 struct bead_sweep_settings {
     size_t size;              /* of this structure: BEAD_DEFAULT */
@@ -132,40 +120,14 @@ struct bead_sweep_settings {
     void (*progress)(void *context, const struct bead_progress *progress);
     void *progress_context;
 };
-/* Progress of the unfinished sweep whose journal is `path`. False: this is no journal. */
-struct bead_sweep_progress {
-    size_t chains, done; /* of all parts; in this journal */
-    size_t part, parts;
-};
-BEAD_API bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progress);
 /* Compute what is not known. What the journal holds is taken from there; a last record that is not whole is ignored. A journal of
  * another scene, version or part is refused. *computed gets how many chains
  * were computed now; may be NULL. Errors: MEMORY, NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
                                                    uint64_t *computed, struct bead_message *msg);
-/* One configuration that is run to be looked at. */
-struct bead_sweep_watch {
-    size_t panel, index; /* a configuration, or BEAD_SWEEP_CLEAN */
-    double end;          /* s; 0: as the front arrives */
-    unsigned fields;     /* BEAD_FIELD_BITs of the samples at 0, every, ... <= end, of all beads */
-    double every;        /* s */
-    enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
-    void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
-    /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
-     * energies at the arrival, beads, and the clean index (participation.h) */
-    double arrival, force, participation, clean_index;
-};
-/* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches, size_t count,
-                                                     const struct bead_sweep_settings *settings, struct bead_message *msg);
-/* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name,
-                                                         struct bead_message *msg);
 
 /* Write what is known to `path`, whole or not at all. Errors: IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg);
-/* True where the file says that it is one of a sweep. */
-BEAD_API bool bead_sweep_is(const char *path);
 /* Read one; overrides change the outputs of its scene. Everything in the file is checked. The sweep has a scene of its own.
  * Errors: IO, FORMAT, MEMORY, SCENE, USAGE (an override of what was computed). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const struct bead_overrides *overrides,
@@ -173,10 +135,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const stru
 /* Put parts together, in any order; all must be there, once, and of the same scene and version. Errors: those of open; USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep,
                                                      struct bead_message *msg);
-/* The part that a file holds; 1 of 1 where all. */
-BEAD_API void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts);
-/* Version of the program that the results are of. */
-BEAD_API const char *bead_sweep_version(const struct bead_sweep *sweep);
 
 /* Statistics of one magnetism at one place, normalised by the clean chain's force. */
 struct bead_sweep_row {
@@ -213,9 +171,6 @@ struct bead_sweep_decay {
 /* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
                                                       struct bead_sweep_decay **decays, size_t *count, struct bead_message *msg);
-/* Geometric means over the beads i, i + 1, ... of a random cell, of `values` [beads], to the last random bead: into means [beads],
- * of which *count are filled. */
-BEAD_API void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means, size_t *count);
 BEAD_API void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);
 
 BEAD_END

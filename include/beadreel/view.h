@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Views: each draws one aspect of one chain into a rectangle it is given, one const table a view. Names and traits: view_kind.h.
+/* Views: each draws one aspect of one chain into a rectangle it is given, one const table a view. Names and traits: kinds.h.
  *
  *   create -> place (rectangle) -> decorate (axes: once) -> feed (samples, in time order) and draw (contents at a time), repeated
  *
@@ -14,10 +14,8 @@
 #include <stddef.h>
 
 #include "beadreel/chain.h"
-#include "beadreel/colormap.h"
 #include "beadreel/error.h"
-#include "beadreel/frame.h"
-#include "beadreel/look.h"
+#include "beadreel/render.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 
@@ -116,9 +114,6 @@ static inline bool bead_view_has(const struct bead_view_type *type, unsigned tra
 
 /* Never NULL for a kind below BEAD_VIEW_KINDS. */
 BEAD_API const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
-/* View `index` of those that an output asks for. Errors: USAGE (a function is missing). */
-BEAD_API BEAD_CHECK enum bead_error bead_view_take(const struct bead_views_asked *asked, size_t index,
-                                                   const struct bead_view_type **type, struct bead_message *msg);
 
 BEAD_END
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colour maps: their list, their files, and the colour of a value. */
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/colour/colour_table.h"
 #include "sim/base/assets.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
@@ -35,10 +36,11 @@ static enum bead_error unknown(const char *name, struct bead_message *msg)
     char names[256] = "";
     for (const struct bead_colormap_info *map = maps; map->name; map++)
         bead_list_add(names, sizeof names, ", ", map->name);
-    return bead_fail(msg, BEAD_ERROR_SCENE,
-                     "there is no colour map `%.40s`; allowed are %s, each of them reversed (viridis_r), or a file of colours such as "
-                     "mine.txt",
-                     name, names);
+    return bead_fail(
+        msg, BEAD_ERROR_SCENE,
+        "there is no colour map `%.40s`; allowed are %s, each of them reversed (viridis_r), or a file of colours such as "
+        "mine.txt",
+        name, names);
 }
 
 static enum bead_error parse(const char *file, const char *text, struct bead_colormap *map, struct bead_message *msg)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the range of colours of a picture, and its colour map, from the output's settings and the values shown. */
 #include "render/colour/colour_range.h"
+#include "sim/chain/chain_internal.h"
 
 #include <math.h>
 #include <string.h>
@@ -101,9 +102,7 @@ enum bead_error bead_colour_range_map(const struct bead_output *output, const st
     bool signs = bead_chain_signed(chain, output->shown.field);
     bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};
-    enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap
-                                                            : own[signs][dark],
-                                             map, &why);
+    enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap : own[signs][dark], map, &why);
     if (err == BEAD_ERROR_SCENE)
         return bead_output_wrong(output, msg, "colormap: %.500s", why.text);
     return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;

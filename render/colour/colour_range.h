@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "beadreel/chain.h"
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 #include "beadreel/scene.h"
 
 struct bead_colour_range {

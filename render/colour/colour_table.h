@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 
 struct bead_colour_table {
     struct bead_colours colours;
@@ -15,3 +15,6 @@ struct bead_colour_table {
 /* Evaluates the scale's function a few thousand times, once. `colours->map` is borrowed. */
 void bead_colour_table_make(const struct bead_colours *colours, struct bead_colour_table *table);
 void bead_colour_table_find(const struct bead_colour_table *table, size_t n, const double *values, uint8_t *indices);
+
+/* 0..1 of `value` between low and high, not clamped; what axes and colours share. */
+double bead_scale_place(enum bead_scale scale, double low, double high, double value);

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
+#include "render/colour/colour_table.h"
 #include "render/draw/axis.h"
 #include "render/draw/quantity.h"
 
@@ -195,8 +196,8 @@ static bool has_one_digit(double number)
     return fabs(mantissa - round(mantissa)) < 1e-6;
 }
 
-/* Uneven axes over several numbers of one digit have ticks only there, and with square roots below the highest power of ten only 1, 2
- * and 5 of it: 0, 2, 5, 10, 20, 30, not 14.5. */
+/* Uneven axes over several numbers of one digit have ticks only there, and with square roots below the highest power of ten only 1,
+ * 2 and 5 of it: 0, 2, 5, 10, 20, 30, not 14.5. */
 static bool only_round(const struct bead_axis *axis)
 {
     if (axis->scale == BEAD_SCALE_LOG)

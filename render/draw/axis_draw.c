@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "render/draw/markup.h"
 
 /* In units of the ticks' font size. */
@@ -153,8 +154,8 @@ static bool shrink(const struct drawing *d, double least, double room, const cha
     return fits(d, style, 0, markup, room, INFINITY);
 }
 
-/* Finds a title that fits: a little smaller, then in lines (*wrap) that break neither words nor name from unit, then small, then only
- * its unit, then none. */
+/* Finds a title that fits: a little smaller, then in lines (*wrap) that break neither words nor name from unit, then small, then
+ * only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {

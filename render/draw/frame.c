@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames: pixels in memory, copies of rectangles, their hash, and the list of rectangles that changed. */
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 
 /* Distances from the borders of a box: left, top, right, bottom, px. */
 struct bead_insets {

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/page.h"
 
 /* In units of the label's font size. */
@@ -117,7 +118,8 @@ void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, 
     cairo_fill(cr);
 }
 
-/* First row on light, second on dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue. */
+/* First row on light, second on dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue.
+ */
 static const struct bead_rgb inks[2][6] = {
     {{0.02, 0.34, 0.84}, {0.82, 0.33, 0.07}, {0.17, 0.40, 0.27}, {0.69, 0.01, 0.52}, {0.48, 0.47, 0.47}, {0.24, 0.16, 0.11}},
     {{0.22, 0.57, 0.98}, {0.99, 0.58, 0.31}, {0.08, 0.83, 0.65}, {0.91, 0.68, 0.95}, {0.86, 0.26, 0.32}, {0.94, 0.99, 0.67}},

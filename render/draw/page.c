@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 #include "sim/chain/system.h"

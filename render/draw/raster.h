@@ -6,7 +6,7 @@
  *   err = bead_raster_end(cr, "curves", &msg); */
 #pragma once
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 #include "render/draw/picture.h"
 
 /* A surface of the frame's pixels, which must outlive it. */
@@ -24,5 +24,5 @@ BEAD_CHECK enum bead_error bead_raster_indices(cairo_t *cr, struct bead_rect rec
                                                const struct bead_colormap *map, struct bead_message *msg);
 
 /* Straight from premultiplied colours, as files of pictures and movies need them: converts `count` pixels B G R A of a frame with
- * alpha (frame.h) to straight R G B A. Added light covers as much as its brightest channel. Fully transparent pixels are black. */
+ * alpha (render.h) to straight R G B A. Added light covers as much as its brightest channel. Fully transparent pixels are black. */
 void bead_straight_rgba(const uint8_t *bgra, size_t count, uint8_t *rgba);

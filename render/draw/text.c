@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "render/draw/svg.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */

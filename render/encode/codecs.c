@@ -3,6 +3,7 @@
 #include "render/encode/movie_private.h"
 
 #include "render/encode/libav.h"
+#include "render/encode/movie_internal.h"
 #include "render/encode/tracks.h"
 #include "sim/base/file.h"
 

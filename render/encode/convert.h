@@ -5,7 +5,7 @@
 #include <libavutil/frame.h>
 #include <libavutil/pixfmt.h>
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 
 /* Convert `rect`, already aligned with bead_convert_align, from `frame`
  * into `picture` (same size; lines aligned to 64 bytes). */

@@ -7,7 +7,7 @@
 #include <libavutil/crc.h>
 #include <libavutil/opt.h>
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "sim/base/library.h"
 
 /* From FFmpeg 6.1 on, encoders accept hints on unchanged parts. */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "render/encode/libav.h"
+#include "render/encode/movie_internal.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/tracks.h"
 #include "sim/base/file.h"

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "beadreel/movie.h"
+#include "render/encode/movie_internal.h"
 
 struct bead_encoder; /* libav's part */
 struct bead_subtitle_format;

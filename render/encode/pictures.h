@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "render/encode/convert.h"
 #include "render/encode/libav.h"
 

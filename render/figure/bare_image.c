@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 #include "render/draw/picture_times.h"
@@ -18,6 +18,8 @@
 #include "render/view/orientation.h"
 #include "render/view/tale.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/kinds/view_kinds.h"
 
 struct bead_still {
     const struct bead_output *output;

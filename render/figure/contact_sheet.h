@@ -5,12 +5,13 @@
 
 #include <stdint.h>
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/axis.h"
 #include "render/draw/page.h"
 #include "render/view/area.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* A row of pictures, of one magnetism if the sweep has several. */
 struct contact_row {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "render/draw/names.h"
 #include "render/draw/quantity.h"
@@ -13,6 +14,7 @@
 #include "render/figure/contact_sheet.h"
 #include "render/view/orientation.h"
 #include "sim/base/memory.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Contact sheets: the words that explain them, names of rows, and the colours of spins. */
 

@@ -9,7 +9,10 @@
 #include "render/figure/figure.h"
 #include "render/view/magnify.h"
 #include "render/view/orientation.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/kinds/view_kinds.h"
 
 bool bead_tile_collects(const struct bead_tile *panel)
 {

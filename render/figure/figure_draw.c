@@ -60,6 +60,8 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
     const struct bead_chain *chain = f->context.chains[cell->chain];
     size_t index = (size_t)(cell - f->cells);
     *words = (struct words){.name = bead_chain_title(chain), .label = bead_chain_spec(chain)->label};
+    if (!f->part && f->output->panel.title) /* of many chains */
+        words->name = f->output->panel.title;
     if (f->part && index == 0)
         part_words(f, words);
     if (!f->part && f->page.paper && f->cell_count > 1 && index < 26)

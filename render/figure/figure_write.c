@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "render/figure/figure.h"
+#include "sim/chain/chain_internal.h"
 
 static void figure_widen(double low, double high, double typical, struct bead_shown_values *all)
 {

@@ -8,12 +8,14 @@
 #include <stdlib.h>
 
 #include "render/colour/colour_range.h"
+#include "render/draw/looks.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 #include "render/draw/words.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Views are numbered chain by chain. */
 static size_t view_count(const struct bead_composer *c)

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "beadreel/chain.h"
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "render/colour/colour_range.h"
+#include "sim/chain/chain_internal.h"
 
 static const double inch = 0.0254, most_pixels = 16384;
 

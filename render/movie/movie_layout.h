@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "beadreel/scene.h"
 #include "beadreel/view.h"
 #include "render/draw/axis.h"

@@ -10,8 +10,10 @@
 #include "render/view/camera.h"
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
+#include "sim/kinds/view_kinds.h"
 
 /* The most by which a title below vertical axes widens their margin, in units of the font size. */
 static const double most_wider = 1.2;

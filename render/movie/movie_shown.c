@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "render/movie/composer_private.h"
+#include "render/view/views.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Fields of views that show all times, or of all views. */
 static unsigned composer_fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)

@@ -8,6 +8,7 @@
 
 #include "beadreel/movie.h"
 #include "render/draw/axis.h"
+#include "render/encode/movie_internal.h"
 #include "render/encode/movie_private.h"
 #include "render/movie/film.h"
 #include "render/movie/ring_buffer.h"

@@ -10,6 +10,7 @@
 #include "render/draw/quantity.h"
 #include "render/draw/words.h"
 #include "render/movie/movie_words.h"
+#include "sim/chain/chain_internal.h"
 
 #define THIN_SPACE   "\u2009"
 #define FIGURE_SPACE "\u2007"

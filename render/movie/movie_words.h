@@ -6,8 +6,7 @@
 #include <stddef.h>
 
 #include "beadreel/chain.h"
-#include "beadreel/frame.h"
-#include "beadreel/look.h"
+#include "beadreel/render.h"
 #include "beadreel/scene.h"
 #include "render/draw/axis.h"
 #include "render/movie/film_clock.h"

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "render/paint/paint.h"
 #include "render/paint/stage.h"
 

@@ -12,7 +12,7 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 
 enum { BEAD_STAGE_CELL = 8, BEAD_STAGE_STEP = 4, BEAD_STAGE_PAD = 16, BEAD_STAGE_CHANNELS = 4 };
 

@@ -8,13 +8,21 @@
 
 #include "sim/base/memory.h"
 
-enum kind { FLOOR, WALL, MIRROR, BALL, BALL_AND_MIRROR, ALONE, KINDS };
+/* Beads and their images: without light of contacts; with it; also moved by parts of a pixel, or with contacts that are not level.
+ */
+enum kind { FLOOR, WALL, MIRROR, MIRROR_LIT, MIRROR_MOVED, BALL, BALL_LIT, BALL_MOVED, BALL_AND_MIRROR, ALONE, KINDS };
+#define LIT_TOO "#define LIT\n"
+#define ALL_TOO "#define LIT\n#define MOVED\n"
 static const char *const defines[KINDS] = {[FLOOR] = "",
                                            [WALL] = "#define WALL\n",
                                            [MIRROR] = "#define MIRROR\n",
+                                           [MIRROR_LIT] = "#define MIRROR\n" LIT_TOO,
+                                           [MIRROR_MOVED] = "#define MIRROR\n" ALL_TOO,
                                            [BALL] = "#define BALL\n",
-                                           [BALL_AND_MIRROR] = "#define BALL\n#define MIRROR\n",
-                                           [ALONE] = "#define BALL\n#define MIRROR\n#define ALONE\n"};
+                                           [BALL_LIT] = "#define BALL\n" LIT_TOO,
+                                           [BALL_MOVED] = "#define BALL\n" ALL_TOO,
+                                           [BALL_AND_MIRROR] = "#define BALL\n#define MIRROR\n" ALL_TOO,
+                                           [ALONE] = "#define BALL\n#define MIRROR\n#define ALONE\n" ALL_TOO};
 /* Units of textures. */
 enum { GROUND, FIRST_PICTURE };
 
@@ -175,20 +183,32 @@ static size_t floor_boxes(struct rectangle *r, const struct bead_stage *s, float
     return n;
 }
 
-/* The part of a bead that a kind of shader paints: above its image in the floor, below the bead itself, and where they are both. */
+/* The kind of shader, of these and the two that follow, that a bead needs. */
+static enum kind kind_of(const struct bead_stage_bead *b, enum kind least)
+{
+    return least + (b->part > 0 || b->tilted ? 2 : b->lit);
+}
+
+/* The part of a bead that a kind of shader paints: above its image in the floor, below the bead itself, where they are both, or the
+ * whole bead where its neighbours are not beside it. */
 static size_t bead_box(struct rectangle *r, const struct bead_stage *s, const struct bead_stage_bead *b, enum kind kind, float skip)
 {
-    const float low = (float)(b->top + b->bake->high), end = fminf((float)s->height, (float)(b->mirror_top + b->bake->high));
-    const float rows[KINDS][2] = {[BALL] = {(float)b->top, (float)b->mirror_top},
-                                  [BALL_AND_MIRROR] = {(float)b->mirror_top, low},
-                                  [ALONE] = {(float)b->top, low},
-                                  [MIRROR] = {low, end}};
-    float from, to;
-    columns_of(s, b, &from, &to);
-    if (!add_box(r, from, fmaxf(skip, rows[kind][0]), to, fminf(end, rows[kind][1])))
+    const float top = (float)b->top, image = (float)b->mirror_top, high = (float)b->bake->high;
+    float from, to, first = image, last = top + high;
+    if (kind == kind_of(b, MIRROR)) {
+        first = top + high;
+        last = image + high;
+    } else if (kind == kind_of(b, BALL) && !b->mixed) {
+        first = top;
+        last = image;
+    } else if (kind == ALONE && b->mixed) {
+        first = top;
+    } else if (kind != BALL_AND_MIRROR || b->mixed) {
         return 0;
+    }
+    columns_of(s, b, &from, &to);
     *r = (struct rectangle){.disc = {b->x, b->r, (float)b->left, b->part},
-                            .rows = {(float)b->top, (float)b->mirror_top, (float)b->bake->wide, (float)b->bake->high},
+                            .rows = {top, image, (float)b->bake->wide, high},
                             .planes = {fmaxf(b->edge[0], -1e6f), b->slope[0], fminf(b->edge[1], 1e6f), b->slope[1]},
                             .sides = {b->near[0], b->near[1], b->tilted ? b->tilt[0] : 0, b->tilted ? b->tilt[1] : 0}};
     for (int c = 0; c < 3; c++) {
@@ -196,7 +216,7 @@ static size_t bead_box(struct rectangle *r, const struct bead_stage *s, const st
         r->right[c] = b->light[1][c] * b->tint[c];
         r->own[c] = b->own[c] * b->tint[c];
     }
-    return add_box(r, from, fmaxf(skip, rows[kind][0]), to, fminf(end, rows[kind][1]));
+    return add_box(r, from, fmaxf(skip, first), to, fminf((float)s->height, last));
 }
 
 static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind, const int size[2], const struct bead_stage *s,
@@ -207,10 +227,8 @@ static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind,
     for (size_t k = 0; !err && k < s->bake_count; k++) {
         size_t n = 0;
         for (size_t i = 0; i < s->count; i++) {
-            const struct bead_stage_bead *b = &s->beads[i];
-            const bool alone = kind == ALONE, either = kind == MIRROR;
-            if (b->bake == &s->bakes[k] && (either || b->mixed == alone))
-                n += bead_box(&p->rectangles[n], s, b, kind, skip);
+            if (s->beads[i].bake == &s->bakes[k])
+                n += bead_box(&p->rectangles[n], s, &s->beads[i], kind, skip);
         }
         if (n == 0)
             continue;
@@ -288,9 +306,8 @@ enum bead_error bead_stage_gl(struct bead_stage_painter **painter, const int siz
     if (err)
         return err;
     draw(p, floor_boxes(p->rectangles, s, (float)skip));
-    static const enum kind order[] = {MIRROR, BALL, BALL_AND_MIRROR, ALONE};
-    for (size_t i = 0; !err && i < sizeof order / sizeof *order; i++)
-        err = paint_beads(p, order[i], size, s, (float)skip, msg);
+    for (enum kind kind = MIRROR; !err && kind < KINDS; kind++)
+        err = paint_beads(p, kind, size, s, (float)skip, msg);
     if (!err)
         err = paint_wall(p, size, s, (float)skip, msg);
     glActiveTexture(GL_TEXTURE0);

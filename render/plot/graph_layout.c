@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "render/plot/graph_private.h"
 #include "sim/base/memory.h"

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"
+#include "sim/chain/chain_internal.h"
 
 /* Times of a curve unless the scene gives an interval; more would not be visible. */
 static const double most_times = 4000;

@@ -6,6 +6,7 @@
 #include "render/draw/axis.h"
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/output/profile_times.h"
 
 /* One unit and number of decimals for all times: as many as they need, up to five digits for the last. */

@@ -13,6 +13,7 @@
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
  * means of a magnetism and their two fits. */
@@ -363,6 +364,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
 {
     const struct bead_sweep *sweep = context->sweep;
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
+    if (bead_sweep_panel(sweep, 0)->spec->over.key_count > 0)
+        return bead_over_plot_write(output, sweep, path, bytes, msg);
     struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
     plot.panels = calloc(plot.count, sizeof *plot.panels);
     plot.shown = calloc(plot.count, sizeof *plot.shown);
@@ -388,8 +391,9 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
 
 static const char *sweep_plot_why(const struct bead_output *output)
 {
-    return output->sweep_curves.show == BEAD_SWEEP_DECAY ? "peaks along the chain, and how they decay"
-                                                         : "peak force against magnetism, with plateau and threshold";
+    return output->sweep_curves.show == BEAD_SWEEP_DECAY
+               ? "peaks along the chain, and how they decay"
+               : "peak force against magnetism, with plateau and threshold, or against a key";
 }
 
 const struct bead_sink_type bead_sweep_plot_sink = {

@@ -9,6 +9,7 @@
 #include "render/report/report_private.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
 
 /* Larger pictures are not put into the page. */
 enum { MOST_PICTURE = 1500000, MOST_MEASURES = 128 };

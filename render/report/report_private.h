@@ -2,7 +2,7 @@
 /* State of the report of a run. */
 #pragma once
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 #include "render/colour/colour_range.h"
 #include "render/report/report.h"
 #include "render/report/report_write.h"

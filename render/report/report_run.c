@@ -9,6 +9,7 @@
 #include "render/view/magnify.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 
 /* Bytes of samples: wanted, and at most. Base64 makes four of three. */

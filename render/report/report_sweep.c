@@ -11,6 +11,8 @@
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Pixels of all images together (the wave does not reach about half of them, which cost nothing); of one image along the chain, and
  * along time as a part of that. With more than MOST_IMAGES configurations, each second or third and so on is shown. */

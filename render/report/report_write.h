@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "beadreel/colormap.h"
 #include "beadreel/error.h"
+#include "beadreel/render.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 #include "render/colour/colour_range.h"

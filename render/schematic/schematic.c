@@ -2,6 +2,7 @@
 /* Entry to schematic drawings: finds the drawing of an output, checks that there is room for it, and writes it as a file. */
 #include "render/schematic/schematic.h"
 
+#include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "render/draw/picture.h"
 #include "sim/base/memory.h"

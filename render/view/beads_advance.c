@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/view/beads.h"
+#include "sim/chain/chain_internal.h"
 
 /* Distance from zero, along the colour bar, at which a bead no longer shows its material's colour. */
 static const double colour_full = 0.3;

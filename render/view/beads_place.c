@@ -4,9 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/names.h"
 #include "render/view/beads.h"
 #include "render/view/panel.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */

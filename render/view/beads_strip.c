@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "render/view/beads.h"
+#include "sim/chain/chain_internal.h"
 
 /* The share of light that a ball reflects, compared with a flat square of its colour. */
 static const double shading = 0.62;

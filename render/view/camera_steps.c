@@ -70,8 +70,9 @@ void bead_step_camera_advance(struct bead_step_camera *c, double place)
     c->begun = true;
     c->speed += steadiness * (place - c->last - c->speed);
     c->last = place;
-    const double off = place - c->goal, next = within(c, c->goal + copysign(c->step, off));
-    const bool leaves = off * c->speed > 0 && fabs(off) > 0.5 * c->step - c->lead;
+    /* Half of a pan has passed when the head is half a step from the middle. */
+    const double off = place + 0.5 * BEAD_PAN_FRAMES * c->speed - c->goal, next = within(c, c->goal + copysign(c->step, off));
+    const bool leaves = off * c->speed > 0 && fabs(off) > 0.5 * c->step;
     if (leaves && fabs(next - c->goal) >= 1 && c->pan_count < BEAD_MOST_PANS) {
         c->pans[c->pan_count++] = (struct bead_pan){.by = next - c->goal};
         c->goal = next;

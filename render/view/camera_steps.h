@@ -13,7 +13,6 @@ enum { BEAD_PAN_FRAMES = 16, BEAD_MOST_PANS = 16 };
 
 struct bead_step_camera {
     double width, step, ends[2]; /* of the window, of a pan; places that the window may show */
-    double lead;                 /* pans begin so long before the head is half a step from the middle */
     double middle;               /* of the window, now */
     double goal;                 /* and after all pans */
     struct bead_pan {

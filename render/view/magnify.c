@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "beadreel/law.h"
+#include "sim/chain/chain_internal.h"
 
 /* In radii: the compression of the striker's hit as drawn, and the limit for any contact that stores all of the hit's energy. */
 static const double share = 0.25, limit = 0.5;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the orientation of space-time images, and finds their axes and pixels. */
 #include "render/view/orientation.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Papers have time to the right; below a row of beads it runs down, so that each bead is above its column; bare pixels lie as a
  * matrix does. */

@@ -3,6 +3,8 @@
  * horizontal and never breaks. */
 #include "render/view/panel.h"
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
+#include "sim/chain/chain_internal.h"
 
 #include <math.h>
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "render/view/stage_view.h"
+#include "sim/chain/chain_internal.h"
 
 /* Beads beyond the edges whose light and shadow reach the stage, in radii of the largest. */
 static const double reach = 9;
@@ -21,8 +22,12 @@ void bead_stage_advance(struct bead_view *v, double time)
     const double weight = bead_latest_weight(l, time);
     for (size_t i = 0; i < v->count; i++)
         v->shift[i] = v->setup.magnify * bead_latest_value(l, v->u, i, weight);
-    for (size_t k = 0; k < v->contacts; k++)
-        v->load[k] = contact_load(v, bead_latest_value(l, v->force, k, weight));
+    const double *rest = v->has_contacts ? bead_chain_static_force(v->setup.chain) + v->first : NULL;
+    for (size_t k = 0; k < v->contacts; k++) {
+        const double force = bead_latest_value(l, v->force, k, weight);
+        v->load[k] = contact_load(v, force);
+        v->excess[k] = contact_load(v, force - (rest ? rest[k] : 0));
+    }
     if (v->setup.camera) {
         const double middle = bead_camera_left(v->setup.camera) + 0.5 * bead_camera_width(v->setup.camera);
         size_t i = 0;
@@ -32,7 +37,7 @@ void bead_stage_advance(struct bead_view *v, double time)
         const double there = v->place[i] + part * (v->count < 2 ? 0 : v->place[i + 1] - v->place[i]);
         v->camera.middle = there * v->scale;
     } else if (v->camera.width > 0) {
-        const double head = bead_step_camera_find(&v->camera, v->load, v->contacts), whole = floor(head);
+        const double head = bead_step_camera_find(&v->camera, v->excess, v->contacts), whole = floor(head);
         const size_t i = (size_t)fmin(whole, (double)(v->count - 1)), next = i + 1 < v->count ? i + 1 : i;
         bead_step_camera_advance(&v->camera, v->scale * (v->place[i] + (head - whole + 0.5) * (v->place[next] - v->place[i])));
     }
@@ -150,7 +155,7 @@ static void row_ball(const struct bead_view *v, size_t i, struct bead_ball *ball
     const double room = 0.5 * v->row.height - 2, r = fmin(room, fmax(0.7, 0.8 * v->radius[i] * v->row_scale));
     const double lit = fmin(1, 1.5 * load), accent[3] = {v->look.accent.r, v->look.accent.g, v->look.accent.b};
     const float x = on_grid(v->row_left + (v->position[i] - v->position[0]) * v->row_scale);
-    const float size = on_grid(fmin(room, r * (1 + 0.5 * load)));
+    const float size = on_grid(fmin(room, r + load * fmax(0.5 * r, 2.5)));
     *ball = (struct bead_ball){.x = x, .y = 0.5f * (float)v->row.height, .r = size, .left = x - size - 2, .right = x + size + 2};
     for (int c = 0; c < 3; c++)
         ball->rgba[c] = level(own[c] + lit * (accent[c] - own[c]));

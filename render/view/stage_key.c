@@ -94,13 +94,18 @@ static void add_scale(struct key *key, const struct bead_view_setup *setup, doub
     bead_quantity(full, info->unit, 2, words, sizeof words);
     add_word(key, words);
     key->right -= to_word * key->style.size;
-    for (int i = 0; key->cr && i < 64; i++) {
-        float light[3];
-        bead_stage_glow((63 - i) / 63.0, light);
-        cairo_set_source_rgb(key->cr, bead_stage_shown(0.05 + light[0]), bead_stage_shown(0.05 + light[1]),
-                             bead_stage_shown(0.06 + light[2]));
-        cairo_rectangle(key->cr, key->right - (i + 1) * width / 64, key->middle - 0.5 * height, width / 64 + 0.5, height);
+    if (key->cr) {
+        cairo_pattern_t *scale = cairo_pattern_create_linear(key->right - width, 0, key->right, 0);
+        for (int i = 0; i <= 16; i++) {
+            float light[3];
+            bead_stage_glow(i / 16.0, light);
+            cairo_pattern_add_color_stop_rgb(scale, i / 16.0, bead_stage_shown(0.05 + light[0]), bead_stage_shown(0.05 + light[1]),
+                                             bead_stage_shown(0.06 + light[2]));
+        }
+        cairo_set_source(key->cr, scale);
+        cairo_rectangle(key->cr, key->right - width, key->middle - 0.5 * height, width, height);
         cairo_fill(key->cr);
+        cairo_pattern_destroy(scale);
     }
     key->right -= width + to_word * key->style.size;
     snprintf(words, sizeof words, "light: %s  0",
@@ -123,7 +128,7 @@ static double add_key(cairo_t *cr, const struct bead_view_setup *setup, double r
     const double full = bead_stage_full(setup);
     if (setup->light != BEAD_LIGHT_NONE && setup->chain_index == 0 && full > 0)
         add_scale(&key, setup, full);
-    if (materials)
+    if (materials && bead_chain_spec(setup->chain)->system->has_contacts)
         add_materials(&key, setup);
     return right - key.right;
 }

@@ -6,13 +6,14 @@
 #include "render/draw/axis.h"
 #include "render/view/panel.h"
 #include "render/view/stage_view.h"
+#include "sim/chain/chain_internal.h"
 
 /* Beads side by side: more are in view where the stage is low, less only where there are no more. */
 static const double least_across = 14.5, best_across = 16;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
-/* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. It begins so many beads early. */
-static const double pulse = 5, early = 2;
+/* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. */
+static const double pulse = 5;
 
 /* Height for the key, and for a heading at its left. */
 static double headroom(const struct bead_view *v)
@@ -28,13 +29,24 @@ static double length_of(const struct bead_view *v, double ends[2])
     return ends[1] - ends[0];
 }
 
-/* The largest radius, px, that fits; all beads are in view if they can be nearly as large. */
-static double choose_radius(const struct bead_view *v, double width, double height, double length, bool *all)
+static double largest_radius(double height)
 {
-    const double high = height / (bead_stage_above + bead_stage_below), whole = width * v->largest / length;
-    const double wanted = fmin(high, width / (2 * best_across));
-    *all = whole >= 0.8 * wanted;
-    const double r = *all ? fmin(high, whole) : fmin(high, width / (2 * least_across));
+    return height / (bead_stage_above + bead_stage_below);
+}
+
+/* All beads are on the stage where they can be nearly as large as a few, and where there is no wave to follow. */
+static bool shows_all(const struct bead_view *v, double width, double height, double length)
+{
+    const double wanted = fmin(largest_radius(height), width / (2 * best_across));
+    return !v->setup.camera && (!v->has_contacts || width * v->largest / length >= 0.8 * wanted);
+}
+
+/* The radius of the largest beads, px. */
+static double choose_radius(const struct bead_view *v, double width, double height, double length, bool all)
+{
+    if (v->setup.camera) /* other views show its window too */
+        return v->largest * v->plot.width / bead_camera_width(v->setup.camera);
+    const double r = fmin(largest_radius(height), all ? width * v->largest / length : width / (2 * least_across));
     return fmax(1, floor(2 * r) / 2);
 }
 
@@ -47,10 +59,8 @@ static void set_camera(struct bead_view *v, const double ends[2])
 {
     const double spacing = v->count > 1 ? (v->place[v->count - 1] - v->place[0]) / (double)(v->count - 1) : 2 * v->largest;
     const double across = v->strip.width / (spacing * v->scale), beads = floor(fmax(across - pulse, 0.5 * across));
-    v->camera = (struct bead_step_camera){.width = v->strip.width,
-                                          .step = round(beads * spacing * v->scale),
-                                          .lead = fmin(early, 0.25 * beads) * spacing * v->scale,
-                                          .ends = {ends[0] * v->scale, ends[1] * v->scale}};
+    v->camera = (struct bead_step_camera){
+        .width = v->strip.width, .step = round(beads * spacing * v->scale), .ends = {ends[0] * v->scale, ends[1] * v->scale}};
 }
 
 static void set_row(struct bead_view *v, int height)
@@ -70,23 +80,24 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
     const double head = v->setup.axes && v->plot.height > 9 * em ? headroom(v) : 0;
     const double numbers = v->setup.axes && v->setup.bead_labels && v->plot.height > 6 * em ? ceil(1.45 * em) : 0;
     const double row = ceil(fmax(6, 0.8 * em));
-    bool all;
-    choose_radius(v, width, v->plot.height - head - numbers, length, &all);
-    const double below = numbers + (all ? 0 : row);
-    const double r = choose_radius(v, width, v->plot.height - head - below, length, &all);
+    const bool all = shows_all(v, width, v->plot.height - head - numbers, length);
+    double below = numbers + (all ? 0 : row);
+    const double r = choose_radius(v, width, v->plot.height - head - below, length, all);
+    const bool rowless = all || (v->plot.height - below < 2.6 * r && numbers == 0); /* the large beads come first */
+    below = numbers + (rowless ? 0 : row);
     v->strip = (struct bead_rect){v->plot.x - beyond[0], v->plot.y, (int)width, (int)(v->plot.height - below)};
     v->scale = r / v->largest;
     if (all)
         v->left = floor(0.5 * ((ends[0] + ends[1]) * v->scale - width));
     else
         set_camera(v, ends);
-    if (all)
+    if (rowless)
         v->row = (struct bead_rect){v->strip.x, v->strip.y + v->strip.height, v->strip.width, 0};
     else
         set_row(v, (int)row);
-    /* What is left over goes above and below. */
-    const double spare = fmax(0, v->strip.height - head - (bead_stage_above + bead_stage_below) * r);
-    const double centre = floor(head + bead_stage_above * r + 0.5 * spare);
+    /* What is left over goes above and below; what is lacking, more of the image in the floor than of the beads. */
+    const double spare = v->strip.height - head - (bead_stage_above + bead_stage_below) * r;
+    const double centre = ceil(head + bead_stage_above * r + (spare > 0 ? 0.5 : 0.2) * spare);
     v->head = (int)fmax(0, floor(centre - bead_stage_above * r));
     v->stage.theme = look->dark ? &bead_stage_dark : &bead_stage_light;
     v->stage.width = v->strip.width;

@@ -23,7 +23,7 @@ struct bead_view {
     bool has_contacts, wall;
 
     /* The last two samples: displacement (m), force (N) of each contact or value of each bead, and where they are now. */
-    double *u[2], *force[2], *shift, *load;
+    double *u[2], *force[2], *shift, *load, *excess; /* excess: of the force above that at rest */
     struct bead_latest latest;
     double *numbers; /* memory of these */
 

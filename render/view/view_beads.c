@@ -11,6 +11,7 @@
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
+#include "sim/kinds/view_kinds.h"
 
 static unsigned beads_fields(const struct bead_view_setup *setup)
 {

@@ -13,6 +13,8 @@
 #include "render/view/panel.h"
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
 static const double steps_per_pixel = 32;

@@ -15,6 +15,7 @@
 #include "render/view/panel.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/view_kinds.h"
 
 struct bead_view {
     struct bead_view_setup setup;

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/draw/raster.h"
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/system.h"
+#include "sim/kinds/view_kinds.h"
 
 static bool contacts_of(const struct bead_chain *chain)
 {
@@ -50,7 +50,7 @@ static void place_beads(struct bead_view *v)
 static bool make_arrays(struct bead_view *v)
 {
     const size_t n = v->count, k = v->contacts;
-    v->numbers = calloc(4 * n + 3 * k + 1, sizeof *v->numbers);
+    v->numbers = calloc(4 * n + 4 * k + 1, sizeof *v->numbers);
     v->balls = calloc(2 * n, sizeof *v->balls);
     if (!v->numbers || !v->balls)
         return false;
@@ -62,6 +62,7 @@ static bool make_arrays(struct bead_view *v)
     v->force[0] = v->place + n;
     v->force[1] = v->force[0] + k;
     v->load = v->force[1] + k;
+    v->excess = v->load + k;
     return true;
 }
 
@@ -177,27 +178,27 @@ static void draw_row(struct bead_view *v, cairo_t *cr)
     }
 }
 
-/* Light has no paths: the stage is an image there. */
+/* Light has no paths: the stage is an image there. The file keeps the surface, so that its pixels must be its own. */
 static enum bead_error draw_stage(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
-    struct bead_frame frame = {0};
-    struct bead_canvas *canvas = NULL;
     const struct bead_rect all = {0, 0, v->strip.width, v->strip.height};
-    enum bead_error err = bead_frame_create(all.width, all.height, &frame, msg);
-    if (!err)
-        err = bead_canvas_create("plain", all.width, all.height, &canvas, msg);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, all.width, all.height);
+    struct bead_frame frame = {all.width, all.height, (size_t)cairo_image_surface_get_stride(surface),
+                               cairo_image_surface_get_data(surface), false};
+    struct bead_canvas *canvas = NULL;
+    enum bead_error err = frame.pixels ? bead_canvas_create("plain", all.width, all.height, &canvas, msg)
+                                       : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage");
     if (!err)
         err = bead_paint_stage(canvas, &v->stage, all, v->head, &frame, msg);
     if (!err) {
-        cairo_surface_t *surface = bead_raster_surface(&frame);
+        cairo_surface_mark_dirty(surface);
         cairo_set_source_surface(cr, surface, v->strip.x, v->strip.y);
         cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);
         cairo_rectangle(cr, v->strip.x, v->strip.y + v->head, all.width, all.height - v->head);
         cairo_fill(cr);
-        cairo_surface_destroy(surface);
     }
     bead_canvas_destroy(canvas);
-    bead_frame_free(&frame);
+    cairo_surface_destroy(surface);
     return err;
 }
 

@@ -10,3 +10,7 @@ BEAD_VIEWS(BEAD_VIEW_TYPE)
 
 /* Room, px, that the key of a stage takes at the right of its headroom. */
 double bead_stage_key_room(const struct bead_view_setup *setup);
+
+/* View `index` of those that an output asks for. Errors: USAGE (a function is missing). */
+BEAD_CHECK enum bead_error bead_view_take(const struct bead_views_asked *asked, size_t index, const struct bead_view_type **type,
+                                          struct bead_message *msg);

@@ -13,6 +13,7 @@
 #include "sim/base/wide.h"
 #include "sim/base/yaml.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/contact_walk.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"

@@ -6,6 +6,7 @@
 
 #include "beadreel/chain.h"
 #include "beadreel/law.h"
+#include "sim/chain/chain_internal.h"
 
 struct bead_chain {
     void *own; /* scene and specification of a chain made without a scene; NULL: they are the caller's */

@@ -2,6 +2,7 @@
 /* Queries of a chain: its beads and contacts, its energy, and the bound on its frequencies, which limits the step. */
 #include <math.h>
 
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/contact_walk.h"
 
 const char *bead_chain_name(const struct bead_chain *chain)

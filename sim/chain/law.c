@@ -8,6 +8,7 @@
 
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
+#include "sim/chain/chain_internal.h"
 
 static double three_halves(const struct bead_law_spec *)
 {

@@ -8,6 +8,7 @@
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
+#include "sim/scene/scene_internal.h"
 
 /* Only a program that draws checks the canvas. */
 static enum bead_error check_canvas(const struct command *command, struct bead_message *msg)

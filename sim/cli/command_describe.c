@@ -13,6 +13,8 @@
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/session/session_internal.h"
+#include "sim/sweep/sweep_internal.h"
 
 static void write_sensors(struct json *json, const struct bead_chain *chain)
 {

@@ -13,10 +13,12 @@
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/output/measure.h"
+#include "sim/sweep/sweep_internal.h"
 
 #define SHOWN 72 /* longer spin strings are cut */
 
@@ -289,19 +291,25 @@ static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, index);
     const struct bead_sweep_spec *spec = panel->spec;
-    fprintf(out, "sweep %s%s%zu configurations of striker and %zu beads, %zu random cells, seed %llu\n", panel->name,
-            *panel->name ? ": " : "", panel->configurations, panel->beads - 1, spec->cells, (unsigned long long)spec->seed);
+    fprintf(out, "sweep %s%s%zu configurations of striker and %zu beads", panel->name, *panel->name ? ": " : "",
+            panel->configurations, panel->beads - 1);
+    if (spec->over.key_count == 0)
+        fprintf(out, ", %zu random cells, seed %llu", spec->cells, (unsigned long long)spec->seed);
+    fputc('\n', out);
+    for (size_t k = 0; k < spec->over.key_count; k++)
+        fprintf(out, "  over %zu values of %s\n", spec->over.keys[k].count, spec->over.keys[k].path);
     if (spec->spins)
         fprintf(out, "  spins as given\n");
-    else if (!spec->own_magnetism)
+    else if (!spec->own_magnetism && spec->over.key_count == 0)
         fprintf(out, "  magnetism: %zu from %.4g to %.4g\n", spec->group_count, spec->groups[0].magnetism,
                 spec->groups[spec->group_count - 1].magnetism);
     for (size_t place = 0; place < panel->places; place++) {
         struct bead_sweep_configuration clean;
         char force[32];
         if (bead_sweep_configuration(sweep, index, BEAD_SWEEP_CLEAN, &clean))
-            fprintf(out, "  %s: %s with all cells up\n", bead_sweep_place(sweep, index, place),
-                    command_quantity(clean.peaks[place].force, "N", force, sizeof force));
+            fprintf(out, "  %s: %s %s\n", bead_sweep_place(sweep, index, place),
+                    command_quantity(clean.peaks[place].force, "N", force, sizeof force),
+                    spec->over.key_count ? "in the scene as it is" : "with all cells up");
     }
     if (spec->measures.decay)
         fprintf(out, "  peaks of force and energy of every bead\n");

@@ -11,9 +11,10 @@
 #include "beadreel/error.h"
 #include "beadreel/session.h"
 #include "beadreel/sink.h"
-#include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "sim/base/library.h"
+#include "sim/scene/scene_internal.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* One thing that --list can show: a line each with a name and a description. */
 #define COMMAND_LISTS(print) enum bead_error print(FILE *out, __attribute__((unused)) struct bead_message *msg)
@@ -97,7 +98,6 @@ bool command_offers(const struct command_program *program, const struct command_
 enum { COMMAND_MOST_WORDS = 16 };
 size_t command_words(const struct command_program *program, const struct command_option *row,
                      const char *words[COMMAND_MOST_WORDS]);
-
 
 /* The exit status: that of the error, or 128 + N where signal N stopped the run. */
 int command_status(enum bead_error err, int signal);

@@ -10,6 +10,7 @@
 #include "sim/equation/equation.h"
 #include "sim/integrate/methods.h"
 #include "sim/output/measure.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/statistics/statistics.h"
 
 COMMAND_LISTS(command_list_scenes)

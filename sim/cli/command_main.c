@@ -11,6 +11,7 @@
 #include "sim/base/h5.h"
 #include "sim/base/stop.h"
 #include "sim/base/suggest.h"
+#include "sim/scene/scene_internal.h"
 
 /* The table of options in words: --help, man pages, completion of shells. */
 

@@ -8,6 +8,7 @@
 #include "beadreel/sweep.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
+#include "sim/session/session_internal.h"
 
 int command_status(enum bead_error err, int signal)
 {

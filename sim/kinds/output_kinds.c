@@ -51,7 +51,8 @@ enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kin
 {
     enum bead_output_kind kind = 0;
     while (kind < BEAD_OUTPUT_KINDS &&
-           !(bead_output_made_of(kind, source) && bead_output_ends_like(bead_output_endings(kind), file)))
+           !(bead_output_made_of(kind, source) && !(source == BEAD_OF_SWEEP && types[kind]->only_in_scenes) &&
+             bead_output_ends_like(bead_output_endings(kind), file)))
         kind++;
     return kind;
 }

@@ -104,7 +104,7 @@ static enum bead_error check_sweep(const struct bead_reader *reader, const struc
     if (scene->sweep_count > 0 && !type->sweep_options)
         return BEAD_WRONG_KEY(
             reader, at, key,
-            "shows a single run, and a sweep has many; must be sweep, sheet, plot, table or report (--configuration "
+            "shows a single run, and a sweep has many; must be sweep, sheet, image, plot, table or report (--configuration "
             "N shows one run of a "
             "sweep's file)");
     for (size_t i = 0; i < index && type->stores_sweep; i++) {

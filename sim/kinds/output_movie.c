@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 enum { MOST_BEADS = 200000000 }; /* more than there may be */
 

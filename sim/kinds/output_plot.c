@@ -4,6 +4,8 @@
 
 #include "sim/kinds/outputs.h"
 
+static const char *const sweep_scales[] = {"linear", "log", NULL};
+static const unsigned sweep_scale_values[] = {BEAD_SCALE_LINEAR, BEAD_SCALE_LOG};
 static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", NULL};
 
 static const struct bead_option plot_file[] = {
@@ -36,18 +38,21 @@ static BEAD_OUTPUT_CHECK(check_show)
 static const struct bead_option sweep_plot_rows[] = {
     BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "both", .choices = sweep_plot_shows,
-     .help = "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true}), "
-             "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end"},
+     .help =
+         "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true}), "
+         "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end. Of "
+         "sweeps over keys: force against a key, with mean and standard error, median and quartiles, or both"},
+    {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = sweep_scales,
+     .values = sweep_scale_values,
+     .help = "of sweeps over keys: the scale of both axes; log: with the power law that fits each curve, its slope in the legend"},
     {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(plot.range), .initial = "auto",
-     .shape = "auto, or [low, high] in units of the clean chain's peak", .word = "auto", .word_value = NAN,
+     .shape = "auto, or [low, high] in units of the clean chain's peak, in N over keys", .word = "auto", .word_value = NAN,
      .like = "auto|[2 number]", .read = bead_output_read_sweep_range,
      .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data", .example = "[0, 1.2]"},
 };
-static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
-                                                            {BEAD_OPTIONS(bead_page_rows)},
-                                                            {BEAD_OPTIONS(bead_theme_rows)},
-                                                            {BEAD_OPTIONS(bead_caption_row)},
-                                                            {NULL, 0}};
+static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)},
+                                                            {BEAD_OPTIONS(bead_page_rows)},     {BEAD_OPTIONS(bead_theme_rows)},
+                                                            {BEAD_OPTIONS(bead_caption_row)},   {NULL, 0}};
 static const struct bead_options sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",
                                                        BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
 const struct bead_output_type bead_plot_output = {.options = &plot_options,

@@ -24,6 +24,8 @@ static const struct bead_options sweep_report_options = {
 static BEAD_OUTPUT_CHECK(check_sweep_report)
 {
     for (size_t i = 0; i < reader->scene->sweep_count; i++) {
+        if (reader->scene->sweeps[i].over.key_count)
+            return BEAD_WRONG_KEY(reader, at, "report", "has points by magnetism, which a sweep over keys has not");
         if (!reader->scene->sweeps[i].measures.peak)
             return BEAD_WRONG_KEY(reader, at, "report", "shows peaks, and a sweep here measures none (measure: {peak: none})");
     }

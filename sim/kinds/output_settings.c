@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 /* Values of settings for which a kind has no key. */
 const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MAX}, .time = {NAN, NAN}},
@@ -101,6 +102,7 @@ void bead_output_free(struct bead_output *output)
     free(output->colours.colormap);
     free(output->paper.font);
     free(output->sweep_curves.threshold);
+    free(output->sweep_curves.against);
     free(output->sheet.magnetism);
     free(output->trajectory.xdmf);
     free(output->curves.beads.all);

@@ -18,6 +18,12 @@ BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
                               output->plot.range[0]);
     for (size_t i = 0; i < reader->scene->sweep_count; i++) {
         const struct bead_sweep_spec *sweep = &reader->scene->sweeps[i];
+        if (!sweep->over.key_count && *output->sweep_curves.against)
+            return BEAD_WRONG_KEY(reader, at, "against", "is given, but the sweep is one over spins: there is magnetism only");
+        if (!sweep->over.key_count && output->plot.scale != BEAD_SCALE_LINEAR)
+            return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is one over spins, whose axes are linear");
+        if (sweep->over.key_count && decay)
+            return BEAD_WRONG_KEY(reader, at, "show", "decay is one by magnetism, which a sweep over keys has not");
         if (decay && !sweep->measures.decay)
             return BEAD_WRONG_KEY(reader, at, "show", "decay is not measured; must have `measure: {decay: true}` in every sweep");
         if (!decay && !sweep->measures.peak)
@@ -43,6 +49,13 @@ static BEAD_OPTION_READER(read_threshold)
 const struct bead_option bead_threshold_row[1] = {
     {"threshold", BEAD_OPTION_CUSTOM, .initial = "law", .shape = "a name of --list thresholds", .like = "text",
      .read = read_threshold, .help = "how the threshold in magnetism is found", .example = "half"},
+};
+
+const struct bead_option bead_against_row[1] = {
+    {"against", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(sweep_curves.against), .initial = "",
+     .help = "of sweeps `over` keys: the key along the axis; else the first that is no seed. Seeds are averaged over, and each "
+             "combination of the others has a curve of its own",
+     .example = "chain.striker.velocity"},
 };
 
 /* ---- their results ---- */
@@ -101,6 +114,8 @@ static const struct bead_options sheet_options = {
 /* A row of a sheet must be a magnetism of one of the sweeps. */
 static BEAD_OUTPUT_CHECK(check_sheet)
 {
+    if (reader->scene->sweeps[0].over.key_count)
+        return BEAD_WRONG_KEY(reader, at, "sheet", "has rows by magnetism, which a sweep over keys has not");
     BEAD_TRY(bead_output_check_field(reader, at, output));
     struct bead_at list = bead_at_key(at, "magnetism");
     for (size_t i = 0; i < output->sheet.magnetism_count; i++) {

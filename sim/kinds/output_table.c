@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `table`: its tables of keys, of single runs and of sweeps. */
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/scene_facts.h"
 
 static const char *const table_shows[] = {"sensors",  "peaks", "bead-peaks", "measures",      "modes",
                                           "profiles", "chain", "energy",     "sensitivities", NULL};
 static const unsigned table_values[] = {BEAD_SHOW_SENSORS,  BEAD_SHOW_PEAKS,  BEAD_SHOW_BEAD_PEAKS,
                                         BEAD_SHOW_MEASURES, BEAD_SHOW_MODES,  BEAD_SHOW_PROFILES,
                                         BEAD_SHOW_CHAIN,    BEAD_SHOW_ENERGY, BEAD_SHOW_SENSITIVITIES};
-static const char *const sweep_table_shows[] = {"magnetism", "configurations", "decay", NULL};
-static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS, BEAD_SWEEP_DECAY};
+static const char *const sweep_table_shows[] = {"magnetism", "statistics", "configurations", "decay", NULL};
+static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS,
+                                              BEAD_SWEEP_DECAY};
 
 static const struct bead_option table_rows[] = {
     BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
@@ -69,9 +71,11 @@ static const struct bead_option sweep_table_rows[] = {
     BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "magnetism", .choices = sweep_table_shows,
      .values = sweep_table_values,
-     .help = "statistics of each magnetism, results of each configuration, or mean peaks along the chain"},
+     .help = "magnetism or statistics: those of each magnetism, or over keys of each value along the axis; results of each "
+             "configuration; or mean peaks along the chain"},
 };
-static const struct bead_option_rows sweep_table_shared[] = {{BEAD_OPTIONS(bead_threshold_row)}, {NULL, 0}};
+static const struct bead_option_rows sweep_table_shared[] = {
+    {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, {NULL, 0}};
 static const struct bead_options sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
                                                         BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};
 const struct bead_output_type bead_table_output = {

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include "sim/kinds/outputs.h"
+#include "sim/kinds/view_kinds.h"
 
 bool bead_output_ends_like(const char *endings, const char *path)
 {

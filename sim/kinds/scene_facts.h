@@ -25,3 +25,5 @@ bool bead_scene_has_sensors(const struct bead_scene *scene, size_t chain);
 /* Do all chains have masses at all points, that the view of the beads can show; do all have modes? */
 bool bead_scene_has_beads(const struct bead_scene *scene);
 bool bead_scene_has_modes(const struct bead_scene *scene);
+/* Does a material have tolerances: do its beads differ? */
+bool bead_scene_tolerances(const struct bead_scene *scene);

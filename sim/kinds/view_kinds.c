@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of views as scenes know them: names and traits, without any drawing. Scene parsing and render both ask it. */
+#include "sim/kinds/view_kinds.h"
 #include "beadreel/scene.h"
 
 const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS] = {

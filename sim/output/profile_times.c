@@ -2,6 +2,7 @@
 /* Collects the profiles of a field at given times, for tables and plots. */
 #include "sim/output/profile_times.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of modes: a row for each time, a column for the energy of each mode. */
+#include "sim/chain/chain_internal.h"
 #include "sim/output/table.h"
 
 static enum bead_error modes_prepare(struct bead_sink *sink, struct bead_message *msg)

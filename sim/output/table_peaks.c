@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "sim/chain/validity.h"
+#include "sim/kinds/scene_facts.h"
 #include "sim/output/places.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of profiles: a row for each time and place. */
 #include "sim/base/number.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/output/profile_times.h"
 #include "sim/output/table.h"

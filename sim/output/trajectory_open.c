@@ -12,6 +12,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"
 #include "sim/output/file_kinds.h"
+#include "sim/scene/scene_internal.h"
 
 static const size_t longest_scene = 64 << 20; /* bytes */
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "sim/chain/chain_data.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/run/run_kinds.h"
 
 enum { MOST_MEASURES = 32 };

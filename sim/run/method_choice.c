@@ -21,10 +21,6 @@ static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_fr
 
 /* With damping, steps follow the state, and must be shorter than with a bound for the whole run. */
 static const double damped_part = 0.7;
-/* Damping with an exponent a below 1 has an infinite slope whenever a contact turns, which reduces the order to 1 + a. At this
- * accuracy steps are as long as with other damping. */
-static const double steep_accuracy = 1e-3;
-
 /* Errors add up along a chain, and grow behind the front if it is disordered: if contacts open, chains of more than `usual_beads`
  * are stepped for an accuracy smaller by this power of their length, up to about the longest chains whose peaks were compared
  * (tests/stress/stress_accuracy.c). */
@@ -52,17 +48,6 @@ static bool never_opens(const struct bead_chain *chain)
     for (bead_contact_walk_start(&w, chain, true); never && bead_contact_walk_next(&w);)
         never = energy < far_from_opening * opening_energy(&w);
     return never;
-}
-
-static void allow_for_damping(const struct bead_chain *chain, struct bead_method_choice *choice)
-{
-    const double a = chain->spec->damping_exponent;
-    choice->theta *= damped_part;
-    if (!(a < 1))
-        return;
-    const double order = 1 + a;
-    choice->theta *= bead_pow(steep_accuracy / row_accuracy, 1 / choice->order - 1 / order);
-    choice->order = order;
 }
 
 struct reason {
@@ -106,7 +91,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
     *choice =
         (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, reason.why};
     if (chain->spec->damping_coefficient > 0)
-        allow_for_damping(chain, choice);
+        choice->theta *= damped_part;
     if (method->events && chain->law->one_sided)
         choice->share = share;
     if (!any || !method->tableau)

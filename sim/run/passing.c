@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "sim/chain/chain_internal.h"
 #include "sim/run/force_curve.h"
 
 /* A pulse is over below the first part of its maximum, or at a minimum below the second. */

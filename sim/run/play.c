@@ -11,6 +11,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/chain_internal.h"
 
 /* ---- all chains ---- */
 

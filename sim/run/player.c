@@ -8,6 +8,7 @@
 #include "beadreel/chain.h"
 #include "sim/base/memory.h"
 #include "sim/base/settings.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/run/play.h"
 
 struct bead_player {

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "sim/base/wide.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/integrate/stepper.h"
 #include "sim/run/method_choice.h"

@@ -205,7 +205,7 @@ static const struct bead_option damping_rows[] = {
      .example = "10"},
     {"exponent", BEAD_OPTION_NUMBER, CHAIN(damping_exponent), .initial = "1.8", .low = 0, .high = 10,
      .open = BEAD_OPEN_LOW | BEAD_OPEN_HIGH,
-     .help = "exponent of the speed of compression; below 1 many more steps are taken for the same accuracy", .example = "1"},
+     .help = "exponent of the speed of compression; below 1 steps are shorter wherever a contact turns", .example = "1"},
 };
 const struct bead_options bead_damping_options = {"chain.damping", "forces against the relative motion of touching beads",
                                                   BEAD_OPTIONS(damping_rows), NULL, NULL};

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "sim/base/file.h"
+#include "sim/scene/scene_internal.h"
 
 bool bead_colours_are_file(const char *value)
 {

@@ -4,6 +4,7 @@
 
 #include "sim/base/suggest.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 
 /* In the order of the man page: tables, and those of laws, outputs, equations and their starts. */

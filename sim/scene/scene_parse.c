@@ -9,7 +9,9 @@
 
 #include "sim/base/fingerprint.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/kinds/outputs.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"
 

@@ -32,6 +32,10 @@ BEAD_OPTION_READER(bead_scene_read_segments);
 BEAD_OPTION_READER(bead_scene_read_sweep);
 BEAD_OPTION_READER(bead_scene_read_sweeps);
 void bead_scene_free_sweeps(struct bead_scene *scene);
+/* The value of `over`: its keys, and how many chains they make. What was read before a failure is freed with the scene. */
+BEAD_CHECK enum bead_error bead_scene_read_over(const struct bead_reader *reader, const struct bead_at *at, struct bead_over *over,
+                                                size_t *points);
+void bead_scene_free_over(struct bead_over *over);
 void bead_scene_free_segment(struct bead_segment *segment);
 /* A material's name to a size_t at the option's offset. */
 BEAD_OPTION_READER(bead_scene_read_material);

@@ -33,6 +33,8 @@ static const struct bead_option measure_rows[] = {
 const struct bead_options bead_sweep_measure_options = {"sweep.measure", "what is measured of each chain",
                                                         BEAD_OPTIONS(measure_rows), NULL, NULL};
 
+static const char *const combinings[] = {"grid", "pairs", NULL};
+
 #define OF_CHAIN(name, of, sample, kind)                                                                             \
     {                                                                                                                \
         .key = name, .type = BEAD_OPTION_CUSTOM, .shape = "as in chain", .help = of, .example = sample, .like = kind \
@@ -58,6 +60,17 @@ static const struct bead_option rows[] = {
      .help = "the configurations, one by one, instead of magnetism", .example = "[\"1101\", \"0110\"]"},
     {"measure", BEAD_OPTION_CUSTOM, .initial = "{}", .shape = "a map", .like = "sweep.measure", .read = read_measure,
      .help = "see sweep.measure", .example = "{sensor: first}"},
+    {"over", BEAD_OPTION_CUSTOM, .shape = "a map of keys of the scene, with a list of values each, or whole numbers such as 1..50",
+     .like = "any",
+     .help =
+         "sweeps `chain` over the values of any keys that begin with chain, simulate or materials, instead of spins: one chain for "
+         "each combination. Keys that end in `seed` are averaged over, so that every plot and table has means and quartiles of "
+         "them. The scene as it is runs, too: its peak is the reference",
+     .example = "{chain.striker.velocity: [0.5 m/s, 1 m/s], chain.beads.0.disorder.seed: 1..50}"},
+    {"combine", BEAD_OPTION_CHOICE, SWEEP(over.combine), .choices = combinings, .initial = "grid",
+     .help =
+         "with several keys `over`; grid: every value of one with every value of the others; pairs: the first with the first, the "
+         "second with the second, ..."},
     {"whole", BEAD_OPTION_FLAG, SWEEP(whole), .initial = "false",
      .help = "keep all beads to the end of each run; else those too far behind the front to change the measured peaks are dropped, "
              "which is faster"},
@@ -324,6 +337,27 @@ static enum bead_error read_groups(const struct bead_reader *reader, const struc
     return list_groups(reader, &magnetism, sweep, &cells);
 }
 
+/* One group: a chain for each combination of the values of keys. Beads are counted from the striker, as the chain has no last
+ * random one; where nothing says which are measured, it is the one in the middle. */
+static enum bead_error read_points(const struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
+{
+    static const char *const of_spins[] = {"cells", "magnetism", "configurations", "seed", "spins", NULL};
+    struct bead_sweep_measures *measures = &sweep->measures;
+    const struct bead_at over = bead_at_key(at, "over"), measure = bead_at_key(at, "measure");
+    size_t points = 0;
+    if (reader->scene->sweep_count > 1)
+        return bead_wrong(reader, &over, "belongs to `sweep`, of which a scene has one");
+    BEAD_TRY(bead_without(reader, at, of_spins, "belongs to sweeps over spins; with `over` the scene has the spins"));
+    BEAD_TRY(bead_scene_read_over(reader, &over, &sweep->over, &points));
+    BEAD_TRY(make_groups(reader, sweep, 1));
+    sweep->groups[sweep->group_count++] = (struct bead_sweep_group){NAN, SIZE_MAX, points};
+    if (measures->decay)
+        return BEAD_WRONG_KEY(reader, &measure, "decay", "is one of spins, by magnetism: leave it out with `over`");
+    if (measures->sensor_count == 0 && !(bead_given(at, "measure") && bead_given(&measure, "beads")))
+        measures->beads[0] = measures->beads[1] = (bead_scene_count_beads(&reader->scene->chains[sweep->chain]) + 1) / 2;
+    return BEAD_OK;
+}
+
 /* ---- the sweep ---- */
 
 static enum bead_error read_sweep(struct bead_reader *reader, const struct bead_at *at, size_t index)
@@ -336,7 +370,7 @@ static enum bead_error read_sweep(struct bead_reader *reader, const struct bead_
     BEAD_TRY(read_pattern(reader, at, sweep));
     if (!scene->chains[index].system->has_contacts)
         return bead_wrong(reader, at, "needs a chain of beads: an equation has no spins");
-    BEAD_TRY(read_groups(reader, at, sweep));
+    BEAD_TRY(bead_given(at, "over") ? read_points(reader, at, sweep) : read_groups(reader, at, sweep));
     return check_measure(reader, at, sweep);
 }
 
@@ -390,6 +424,7 @@ void bead_scene_free_sweeps(struct bead_scene *scene)
         for (size_t k = 0; k < sweep->measures.sensor_count; k++)
             free(sweep->measures.sensors[k]);
         free(sweep->measures.sensors);
+        bead_scene_free_over(&sweep->over);
         free(sweep->spins);
         free(sweep->groups);
         free(sweep->name);

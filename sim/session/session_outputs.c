@@ -11,6 +11,7 @@
 #include "sim/base/units.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
+#include "sim/session/session_internal.h"
 
 /* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
 

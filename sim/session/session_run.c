@@ -9,6 +9,7 @@
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
+#include "sim/session/session_internal.h"
 
 /* Widens the output's range by a sample of a scouting run. */
 static enum bead_error widen_range(const struct bead_consumer *c, const struct bead_sample *sample, struct bead_message *)

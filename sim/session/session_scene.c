@@ -7,7 +7,9 @@
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "sim/base/h5.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Always with the user's own settings, and with those of the command line unless they are to change a part of the scene only. */
 static enum bead_error load(const struct bead_session *s, bool with_settings, struct bead_scene **scene, struct bead_message *msg)

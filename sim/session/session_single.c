@@ -12,6 +12,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 
 /* Changes of a scene that precede the job's options and settings; begins as zeros. */

@@ -5,7 +5,9 @@
 
 #include "sim/base/file.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/kinds/view_kinds.h"
 #include "sim/run/run_kinds.h"
 #include "sim/session/session_data.h"
 

@@ -13,6 +13,7 @@
 #include "sim/run/run.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* ---- opening ---- */
 
@@ -157,13 +158,23 @@ static enum bead_error plan_panel(const struct bead_session *s, size_t index, FI
     if (!err) {
         fprintf(out, "sweep %s%s%zu configurations of %zu beads", panel->name, *panel->name ? ": " : "", panel->configurations,
                 panel->beads);
+        for (size_t k = 0; k < spec->over.key_count; k++)
+            fprintf(out, "%s %zu of %s",
+                    k == 0                                     ? ", over"
+                    : spec->over.combine == BEAD_COMBINE_PAIRS ? " with"
+                                                               : " by",
+                    spec->over.keys[k].count, spec->over.keys[k].path);
         if (spec->spins)
             fprintf(out, ", as given");
-        else if (!spec->own_magnetism)
+        else if (!spec->own_magnetism && !spec->over.key_count)
             fprintf(out, ", %zu magnetisms from %.4g to %.4g", spec->group_count, spec->groups[0].magnetism,
                     spec->groups[spec->group_count - 1].magnetism);
-        fprintf(out, ", and the one with all of %zu random cells up; %s with steps %s %.4g us\n", spec->cells,
-                stepping.method->info.name, stepping.variable ? "from" : "of", 1e6 * stepping.step);
+        if (spec->over.key_count)
+            fprintf(out, ", and the scene as it is; ");
+        else
+            fprintf(out, ", and the one with all of %zu random cells up; ", spec->cells);
+        fprintf(out, "%s with steps %s %.4g us\n", stepping.method->info.name, stepping.variable ? "from" : "of",
+                1e6 * stepping.step);
         plan_measures(panel, out);
         const char *kept = bead_sweep_refusal(&s->sweep->panels[index], bead_sweep_chain_of(chain));
         if (kept)
@@ -187,7 +198,7 @@ enum bead_error bead_session_plan_sweep(const struct bead_session *s, FILE *out,
     if (s->sweep_read)
         fprintf(out, "results are read; nothing is simulated%s\n", runs_chains(s) ? " but what a sheet or report shows" : "");
     else if (!needs_results(s))
-        fprintf(out, "of these, only those that a sheet shows\n");
+        fprintf(out, "of these, only those that outputs show\n");
     else if (isnan(s->source->simulate.until))
         fprintf(out, "time: each chain until its front reaches the end\n");
     else

@@ -2,9 +2,11 @@
 /* Warns, once, where a run has left the model: see validity.h. */
 #include <math.h>
 
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/validity.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 void bead_session_doubt(struct bead_session *s)
 {

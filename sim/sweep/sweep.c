@@ -5,9 +5,12 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/chain/chain_data.h"
 #include "sim/chain/spins.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/sweep_yaml.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 static enum bead_error out_of_memory(struct bead_message *msg)
 {
@@ -62,12 +65,15 @@ static enum bead_error make_panel(struct bead_sweep *sweep, size_t index, struct
     panel->first_job = sweep->jobs;
     size_t jobs = panel->shown.configurations + 1;
     sweep->jobs += jobs;
-    panel->spins = calloc(jobs, spec->cells);
+    panel->spins = calloc(jobs, spec->cells + 1);
     panel->peaks = calloc(jobs * (panel->shown.places + 1), sizeof *panel->peaks);
     if (spec->measures.decay)
         panel->profiles = calloc(jobs * panel->shown.beads, PROFILES * sizeof *panel->profiles);
     return panel->spins && panel->peaks && (panel->profiles || !spec->measures.decay) ? BEAD_OK : out_of_memory(msg);
 }
+
+static enum bead_error make_plain(struct bead_sweep *sweep, struct bead_message *msg);
+static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, struct bead_message *msg);
 
 enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg)
 {
@@ -85,6 +91,8 @@ enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_
         err = make_panel(s, i, msg);
     if (!err && !(s->known = calloc(s->jobs, 1)))
         err = out_of_memory(msg);
+    if (!err)
+        err = make_plain(s, msg);
     if (err)
         bead_sweep_close(s);
     else
@@ -113,6 +121,8 @@ static void draw_panel(const struct bead_sweep *sweep, const struct sweep_panel 
     for (size_t g = 0; g < spec->group_count; g++) {
         for (size_t c = 0; c < spec->groups[g].configurations; c++) {
             digits += spec->cells;
+            if (bead_sweep_is_over(panel))
+                continue;
             if (spec->spins)
                 memcpy(digits, spec->spins[g], spec->cells);
             else if (spec->own_magnetism)
@@ -128,6 +138,12 @@ enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sw
     enum bead_error err = bead_sweep_allocate(scene, sweep, msg);
     for (size_t p = 0; !err && p < (*sweep)->panel_count; p++)
         draw_panel(*sweep, &(*sweep)->panels[p]);
+    if (!err && (*sweep)->plain)
+        err = try_values(*sweep, 0, msg);
+    if (err) {
+        bead_sweep_close(*sweep);
+        *sweep = NULL;
+    }
     return err;
 }
 
@@ -143,6 +159,9 @@ void bead_sweep_close(struct bead_sweep *sweep)
     free(sweep->panels);
     free(sweep->known);
     free(sweep->version);
+    if (sweep->plain)
+        pthread_mutex_destroy(&sweep->making);
+    bead_scene_free(sweep->plain);
     bead_scene_free(sweep->own_scene);
     free(sweep);
 }
@@ -213,7 +232,7 @@ bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size
     size_t row = index + 1; /* 0: the clean chain */
     bool known = sweep->known[p->first_job + row];
     *found = (struct bead_sweep_configuration){.spins = p->spins + row * p->shown.spec->cells};
-    found->magnetism = magnetism_of(pattern_of(sweep, p), found->spins);
+    found->magnetism = bead_sweep_is_over(p) ? NAN : magnetism_of(pattern_of(sweep, p), found->spins);
     if (!known)
         return false;
     found->peaks = p->shown.places ? p->peaks + row * p->shown.places : NULL;
@@ -233,14 +252,97 @@ struct bead_sweep_chain {
     struct bead_scene scene; /* the sweep's, with this chain only */
     struct bead_chain_spec spec;
     struct bead_segment *segments;
+    struct bead_scene *own; /* over keys: the chain's scene, instead */
     struct bead_chain *chain;
 };
+
+size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key)
+{
+    const struct bead_over *over = &sweep->panels[panel].shown.spec->over;
+    if (over->combine == BEAD_COMBINE_PAIRS)
+        return index;
+    for (size_t k = over->key_count - 1; k > key; k--)
+        index /= over->keys[k].count;
+    return index % over->keys[key].count;
+}
+
+/* What makes the scene of a configuration of the plain one. */
+static void lay_values(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_override *all)
+{
+    const struct bead_over *over = &sweep->panels[panel].shown.spec->over;
+    for (size_t k = 0; k < over->key_count; k++) {
+        const struct bead_over_key *key = &over->keys[k];
+        const size_t value = bead_sweep_value(sweep, panel, index, k);
+        all[k] = (struct bead_override){.origin = "over", .path = key->path, .place = {value + 1, 1}, .value = key->text[value]};
+    }
+}
+
+static enum bead_error make_scene(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_scene **scene,
+                                  struct bead_message *msg)
+{
+    const size_t keys = sweep->panels[panel].shown.spec->over.key_count;
+    BEAD_FREED struct bead_override *all = NULL;
+    BEAD_TRY(bead_new(&all, keys, msg, "a chain of a sweep"));
+    if (index != BEAD_SWEEP_CLEAN)
+        lay_values(sweep, panel, index, all);
+    pthread_mutex_lock((pthread_mutex_t *)&sweep->making);
+    enum bead_error err = bead_scene_change(
+        sweep->plain, &(struct bead_overrides){.all = all, .count = index == BEAD_SWEEP_CLEAN ? 0 : keys}, scene, msg);
+    pthread_mutex_unlock((pthread_mutex_t *)&sweep->making);
+    return err;
+}
+
+/* Values that make no scene are found before the first chain runs: each value of each key is tried, of long lists the ends. */
+static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, struct bead_message *msg)
+{
+    enum { TRIED = 32 };
+    const size_t count = sweep->panels[panel].shown.configurations;
+    for (size_t i = 0; i < count; i = i == TRIED && count > 2 * TRIED ? count - TRIED : i + 1) {
+        struct bead_scene *scene = NULL;
+        struct bead_chain *chain = NULL;
+        BEAD_TRY(make_scene(sweep, panel, i, &scene, msg));
+        enum bead_error err = bead_chain_outline(scene, &scene->chains[0], &chain, msg);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+        BEAD_TRY(err);
+    }
+    return BEAD_OK;
+}
+
+/* The scene without the sweep, and with an output that asks for nothing. */
+static enum bead_error make_plain(struct bead_sweep *sweep, struct bead_message *msg)
+{
+    struct bead_node *node = NULL;
+    if (sweep->scene->sweep_count != 1 || sweep->scene->sweeps[0].over.key_count == 0)
+        return BEAD_OK;
+    BEAD_TRY(bead_sweep_single_node(sweep->scene->tree, 0, NULL, &node, msg));
+    const struct bead_override all[] = {{.origin = "over", .path = "", .place = {1, 1}, .node = node},
+                                        {.origin = "over", .path = "outputs", .place = {1, 1}, .value = "[{table: none.csv}]"}};
+    BEAD_TRY(bead_scene_change(sweep->scene, &(struct bead_overrides){.all = all, .count = 2}, &sweep->plain, msg));
+    return pthread_mutex_init(&sweep->making, NULL) == 0 ? BEAD_OK : out_of_memory(msg);
+}
+
+static enum bead_error create_over(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_chain **chain,
+                                   struct bead_message *msg)
+{
+    struct bead_sweep_chain *c = NULL;
+    BEAD_TRY(bead_new(&c, 1, msg, "a chain of a sweep"));
+    enum bead_error err = make_scene(sweep, panel, index, &c->own, msg);
+    if (!err)
+        err = bead_chain_create(c->own, 0, &c->chain, msg);
+    if (err)
+        bead_sweep_chain_destroy(c);
+    *chain = err ? NULL : c;
+    return err;
+}
 
 enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_chain **chain,
                                         struct bead_message *msg)
 {
     const struct sweep_panel *p = &sweep->panels[panel];
     const struct bead_chain_spec *pattern = pattern_of(sweep, p);
+    if (bead_sweep_is_over(p))
+        return create_over(sweep, panel, index, chain, msg);
     char *digits = p->spins + (index + 1) * p->shown.spec->cells;
     struct bead_sweep_chain *c = *chain = calloc(1, sizeof *c);
     if (c)
@@ -283,6 +385,7 @@ void bead_sweep_chain_destroy(struct bead_sweep_chain *chain)
     if (!chain)
         return;
     bead_chain_destroy(chain->chain);
+    bead_scene_free(chain->own);
     free(chain->segments);
     free(chain);
 }
@@ -293,6 +396,13 @@ enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, 
     const struct sweep_panel *p = &sweep->panels[panel];
     const size_t cells = p->shown.spec->cells;
     struct bead_node *made = NULL;
+    if (bead_sweep_is_over(p)) {
+        struct bead_scene *own = NULL;
+        BEAD_TRY(make_scene(sweep, panel, index, &own, msg));
+        *scene = bead_yaml_copy(sweep->scene->tree, bead_yaml_root(own->tree), (struct bead_place){1, 1}, NULL);
+        bead_scene_free(own);
+        return *scene ? BEAD_OK : out_of_memory(msg);
+    }
     char *digits = strndup(p->spins + (index + 1) * cells, cells);
     if (!digits)
         return out_of_memory(msg);

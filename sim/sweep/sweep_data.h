@@ -2,6 +2,8 @@
 /* Private parts of a sweep, shared by the files of this room. */
 #pragma once
 
+#include <pthread.h>
+
 #include "beadreel/sweep.h"
 #include "sim/run/play.h"
 
@@ -20,6 +22,8 @@ struct sweep_panel {
 struct bead_sweep {
     const struct bead_scene *scene;
     struct bead_scene *own_scene; /* of a file; NULL: the caller's */
+    struct bead_scene *plain;     /* over keys: the scene without the sweep, which each chain's is made of; NULL: over spins */
+    pthread_mutex_t making;       /* while one is made: units are read with a library of one thread */
     struct sweep_panel *panels;
     size_t panel_count;
     size_t jobs;
@@ -30,6 +34,11 @@ struct bead_sweep {
 
 /* The panel of a job; sets *row to its number within the panel (0: the clean chain). */
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row);
+/* Is the panel's sweep one over keys? */
+static inline bool bead_sweep_is_over(const struct sweep_panel *panel)
+{
+    return panel->shown.spec->over.key_count > 0;
+}
 /* True if the job is in the sweep's part. */
 bool bead_sweep_mine(const struct bead_sweep *sweep, size_t job);
 /* The beads of a place in a chain of the panel. */

@@ -8,6 +8,7 @@
 #include "sim/base/wide.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* Up to this bead the wave is still forming. */
 enum { NEAR = 10, RESAMPLES = 200 };

@@ -11,6 +11,7 @@
 #include "sim/base/file.h"
 #include "sim/base/fingerprint.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 static const char magic[16] = "beadreel-sweep\n";
 enum { FORMAT = 3 };

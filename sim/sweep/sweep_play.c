@@ -7,6 +7,7 @@
 #include "sim/base/settings.h"
 #include "sim/base/thread_pool.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 struct work {
     const struct sweep_generator *generator;
@@ -48,7 +49,7 @@ static enum bead_error play_one(void *context, size_t index, bool calling, struc
     g->find(g->context, index, &panel, &configuration);
     BEAD_TRY(bead_sweep_chain_create(g->sweep, panel, configuration, &made, msg));
     const struct bead_chain *chain = bead_sweep_chain_of(made);
-    const struct bead_simulate *simulate = &g->sweep->scene->simulate;
+    const struct bead_simulate *simulate = &bead_chain_scene(chain)->simulate;
     struct bead_play play = {.chains = &chain,
                              .chain_count = 1,
                              .simulate = simulate,

@@ -10,7 +10,9 @@
 #include "sim/base/memory.h"
 #include "sim/base/yaml.h"
 #include "sim/output/file_kinds.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 bool bead_sweep_is(const char *path)
 {
@@ -56,6 +58,8 @@ static void read_spins(struct reader *r, int64_t *whole)
         if (whole[i] != (int64_t)(r->row[i] - 1))
             wrong(r, "configurations of another part than the file claims to be");
     }
+    if (bead_sweep_is_over(r->panel)) /* the scene has the values */
+        return;
     unsigned char *bits = malloc(r->count * cells + 1);
     if (!bits) {
         r->h5->error = bead_fail(r->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep");
@@ -85,7 +89,7 @@ static void read_peaks(struct reader *r, const char *prefix, const size_t *rows,
         peaks[rows[i / places] * places + i % places].time = numbers[i];
     bead_h5_read_table(r->h5, name_of(r, prefix, "peak_bead"), BEAD_H5_INT, count, places, whole);
     for (size_t i = 0; i < count * places && !r->h5->error; i++) {
-        if (whole[i] < 0 || (uint64_t)whole[i] >= r->panel->shown.beads)
+        if (whole[i] < 0 || (!bead_sweep_is_over(r->panel) && (uint64_t)whole[i] >= r->panel->shown.beads))
             wrong(r, "a bead that the chain does not have");
         peaks[rows[i / places] * places + i % places].bead = (uint32_t)whole[i];
     }

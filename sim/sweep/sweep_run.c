@@ -10,6 +10,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/run/behind.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 /* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four allow for a pulse widened
  * by disorder. */
@@ -151,6 +152,8 @@ const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bea
 {
     if (panel->shown.spec->whole)
         return "as asked";
+    if (bead_sweep_is_over(panel))
+        return "the chains may be any";
     if (panel->profiles)
         return "the decay is measured on all of them";
     return isnan(bead_chain_scene(chain)->simulate.until) ? bead_behind_refusal(chain) : "the runs end at a given time";
@@ -163,6 +166,9 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     struct bead_played played = {.count = 0};
     struct bead_play play = *asked;
     find_span(m);
+    if (m->span.last >= m->chain->beads)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "sweep: chain %zu has no bead %zu, which is measured: its last is %zu", m->row - 1,
+                         m->span.last, m->chain->beads - 1);
     play.peak_span = &m->span;
     play.consumers = &consumer;
     play.consumer_count = 1;

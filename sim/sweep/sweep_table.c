@@ -7,6 +7,7 @@
 #include "sim/base/file.h"
 #include "sim/base/number.h"
 #include "sim/output/table.h"
+#include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
 
 /* A table that is being written. */
@@ -146,13 +147,85 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
     return BEAD_OK;
 }
 
+/* ---- over keys ---- */
+
+/* The value of a key in a table: as the scene has it. */
+static void write_key(const struct out *o, size_t panel, size_t index, size_t key)
+{
+    bead_table_text(o->file,
+                    bead_sweep_panel(o->sweep, panel)->spec->over.keys[key].text[bead_sweep_value(o->sweep, panel, index, key)]);
+}
+
+static enum bead_error write_every_point(const struct out *o, struct bead_message *)
+{
+    const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, 0);
+    const struct bead_over *over = &panel->spec->over;
+    fprintf(o->file, "%sconfiguration", o->places ? "place," : "");
+    for (size_t k = 0; k < over->key_count; k++)
+        fprintf(o->file, ",%s", over->keys[k].path);
+    fputs(",peak_force_N,time_s,bead,state\n", o->file);
+    for (size_t i = 0; i < panel->configurations; i++) {
+        struct bead_sweep_configuration c;
+        for (size_t place = 0; bead_sweep_configuration(o->sweep, 0, i, &c) && place < panel->places; place++) {
+            names(o, 0, place);
+            fprintf(o->file, "%zu", i);
+            for (size_t k = 0; k < over->key_count; k++) {
+                fputc(',', o->file);
+                write_key(o, 0, i, k);
+            }
+            number(o->file, c.peaks[place].force);
+            number(o->file, c.peaks[place].time);
+            fprintf(o->file, ",%zu,%s\n", (size_t)c.peaks[place].bead, c.peaks[place].open ? "open" : "");
+        }
+    }
+    return BEAD_OK;
+}
+
+static void write_curve(const struct out *o, size_t place, const struct bead_sweep_curve *curve, const struct bead_over_key *along)
+{
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct bead_summary *m = &curve->points[i].summary;
+        const double numbers[] = {m->mean, m->standard_error, m->median, m->low, m->high, m->quartile[0], m->quartile[1]};
+        names(o, 0, place);
+        bead_table_text(o->file, along->text[curve->points[i].value]);
+        fputc(',', o->file);
+        bead_table_text(o->file, curve->name);
+        fprintf(o->file, ",%zu", m->count);
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+            number(o->file, numbers[k]);
+        number(o->file, curve->slope);
+        number(o->file, curve->slope_error);
+        fputc('\n', o->file);
+    }
+}
+
+static enum bead_error write_statistics(const struct out *o, struct bead_message *msg)
+{
+    const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, 0);
+    enum bead_error err = BEAD_OK;
+    for (size_t place = 0; !err && place < panel->places; place++) {
+        struct bead_sweep_curves curves;
+        err = bead_sweep_curves_find(o->sweep, 0, place, o->output->sweep_curves.against, &curves, msg);
+        const struct bead_over_key *along = &panel->spec->over.keys[curves.key];
+        if (place == 0 && !err)
+            fprintf(o->file,
+                    "%s%s,curve,configurations,mean_N,standard_error_N,median_N,minimum_N,maximum_N,lower_quartile_N,"
+                    "upper_quartile_N,slope,slope_error\n",
+                    o->places ? "place," : "", along->path);
+        for (size_t i = 0; !err && i < curves.count; i++)
+            write_curve(o, place, &curves.curves[i], along);
+        bead_sweep_curves_free(&curves);
+    }
+    return err;
+}
+
 static const struct kind {
     enum bead_sweep_show show;
     const char *why;
     bool of_places;
     enum bead_error (*write)(const struct out *out, struct bead_message *msg);
-} kinds[] = {{BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold", true, write_magnetism},
-             {BEAD_SWEEP_CONFIGURATIONS, "peak force and spins of every configuration", true, write_configurations},
+} kinds[] = {{BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold, or against a key", true, write_magnetism},
+             {BEAD_SWEEP_CONFIGURATIONS, "peak force of every configuration, with its spins or values of keys", true, write_configurations},
              {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay}};
 
 static const struct kind *kind_of(const struct bead_output *output)
@@ -161,6 +234,18 @@ static const struct kind *kind_of(const struct bead_output *output)
     while (i > 0 && kinds[i].show != output->sweep_curves.show)
         i--;
     return &kinds[i];
+}
+
+/* Of sweeps over keys. */
+static const struct kind over_kinds[] = {
+    {BEAD_SWEEP_MAGNETISM, "peak forces against a key, averaged over seeds", true, write_statistics},
+    {BEAD_SWEEP_CONFIGURATIONS, "peak force and values of the keys of every chain", true, write_every_point}};
+
+static const struct kind *kind_for(const struct bead_sweep *sweep, const struct bead_output *output)
+{
+    if (sweep->panels[0].shown.spec->over.key_count == 0)
+        return kind_of(output);
+    return &over_kinds[output->sweep_curves.show == BEAD_SWEEP_CONFIGURATIONS];
 }
 
 static const char *sweep_table_why(const struct bead_output *output)
@@ -177,7 +262,7 @@ static enum bead_error sweep_table_fill(void *context, FILE *file, const char *,
     if (plain == (locale_t)0)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a table");
     locale_t before = uselocale(plain);
-    enum bead_error err = kind_of(o->output)->write(o, msg);
+    enum bead_error err = kind_for(o->sweep, o->output)->write(o, msg);
     uselocale(before);
     freelocale(plain);
     return err;
@@ -189,7 +274,7 @@ static enum bead_error write_table(const struct bead_output *output, const struc
     const struct bead_sweep *sweep = context->sweep;
     struct out o = {.sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
     for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
-        o.places = o.places || (kind_of(output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
+        o.places = o.places || (kind_for(sweep, output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
     return bead_file_write(path, sweep_table_fill, &o, bytes, msg);
 }
 

@@ -7,6 +7,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/output/participation.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 struct work {
     const struct bead_sweep *sweep;
@@ -26,6 +27,8 @@ static enum bead_error give_sample(const struct bead_consumer *consumer, const s
 static enum bead_error compare(const struct work *work, const struct bead_chain *chain, struct bead_sweep_watch *watch,
                                struct bead_message *msg)
 {
+    if (bead_sweep_is_over(&work->sweep->panels[watch->panel]))
+        return BEAD_OK; /* there is no clean wave to compare with */
     double clean = work->clean[watch->panel];
     size_t up = 0, down = 0;
     for (const char *spin = bead_chain_spins(chain); *spin; spin++) {
@@ -94,6 +97,8 @@ static enum bead_error find_clean(struct work *work, struct bead_message *msg)
     BEAD_TRY(bead_new(&work->clean, work->sweep->panel_count, msg, "the clean waves of a sweep"));
     for (size_t p = 0; p < work->sweep->panel_count && !err; p++) {
         struct bead_sweep_chain *chain = NULL;
+        if (bead_sweep_is_over(&work->sweep->panels[p]))
+            continue;
         err = bead_sweep_chain_create(work->sweep, p, BEAD_SWEEP_CLEAN, &chain, msg);
         if (!err)
             err = bead_participation_clean(bead_sweep_chain_of(chain), &work->clean[p], msg);

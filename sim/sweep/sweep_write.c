@@ -118,6 +118,27 @@ static void write_results(struct writer *w, const char *prefix, const size_t *ro
         write_profiles(w, prefix, rows, count, scale, numbers);
 }
 
+/* Over keys: their values, instead of spins. */
+static void write_values(struct writer *w)
+{
+    const struct bead_over *over = &w->panel->shown.spec->over;
+    const size_t panel = (size_t)(w->panel - w->sweep->panels), keys = over->key_count;
+    BEAD_FREED double *values = calloc(w->rows.count * keys + 1, sizeof *values);
+    const char *paths[64];
+    const hid_t scales[2] = {w->configuration, -1};
+    if (!values) {
+        w->h5->error = bead_fail(w->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+        return;
+    }
+    for (size_t k = 0; k < keys; k++) {
+        paths[k] = over->keys[k].path;
+        for (size_t i = 0; i < w->rows.count; i++)
+            values[i * keys + k] = over->keys[k].value[bead_sweep_value(w->sweep, panel, w->rows.row[i] - 1, k)];
+    }
+    bead_h5_write_texts(w->h5, w->group, "key", paths, sizeof *paths, keys);
+    bead_h5_write_table(w->h5, w->group, "value", NULL, BEAD_H5_DOUBLE, w->rows.count, keys, scales, values);
+}
+
 static void write_spins(struct writer *w, double *numbers)
 {
     const size_t cells = w->panel->shown.spec->cells, panel = (size_t)(w->panel - w->sweep->panels);
@@ -160,7 +181,7 @@ static enum bead_error write_panel(struct bead_h5 *h5, const struct bead_sweep *
         bead_h5_put_ints(h5, w.group, "seed", &seed, 0);
         write_scales(&w, whole);
         if (w.rows.count)
-            write_spins(&w, numbers);
+            bead_sweep_is_over(w.panel) ? write_values(&w) : write_spins(&w, numbers);
         write_results(&w, "", w.rows.row, w.rows.count, w.configuration, numbers, whole);
         write_results(&w, "reference_", &clean, w.rows.clean, -1, numbers, whole);
         bead_h5_close(h5, &w.configuration);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "beadreel/movie.h"
+#include "render/encode/movie_internal.h"
 
 enum { WIDTH = 1920, HEIGHT = 1080, FRAMES = 60, BEADS = 64 };
 enum { BEAD_TOP = 120, BEAD_HEIGHT = 40, IMAGE_TOP = 400, IMAGE_HEIGHT = 600, LEFT = 80, RIGHT = WIDTH - 80 };

@@ -5,6 +5,7 @@
  *                                               bead and the contact behind it
  *   precision_stream NAME SOLVER SETTING        reads records of doubles: time, displacements, velocities; the last one has a
  *                                               negative time, then CPU seconds and evaluations; prints the row */
+#include "sim/chain/chain_internal.h"
 #include "tests/bench/precision_watch.h"
 
 static void print_problem(const struct problem *problem)

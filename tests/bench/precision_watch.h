@@ -4,6 +4,7 @@
 #ifndef BEADREEL_BENCH_PRECISION_WATCH_H
 #define BEADREEL_BENCH_PRECISION_WATCH_H
 
+#include "sim/chain/chain_internal.h"
 #include "sim/run/peaks.h"
 #include "tests/bench/precision.h"
 

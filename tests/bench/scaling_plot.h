@@ -5,6 +5,7 @@
 
 #include <sys/stat.h>
 
+#include "render/draw/looks.h"
 #include "tests/bench/diagram.h"
 
 struct scaling_row {

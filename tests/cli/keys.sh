@@ -29,6 +29,7 @@ YAML
 echo 'outputs: [{table: t.csv}]' >empty.yaml
 echo '{chains: [{name: clean, beads: [{bead: brass}]}, {name: other, beads: [{bead: brass}]}], outputs: [{plot: p.png, show: peaks}]}' >pair.yaml
 echo '{sweep: {cells: 16}, outputs: [{table: t.csv}]}' >sweep.yaml
+echo '{chain: {striker: {velocity: 1 m/s}, beads: [{bead: brass, count: 50, disorder: {radius: normal 1 %, seed: 1}}]}, sweep: {over: {chain.striker.velocity: [1 m/s]}}, outputs: [{table: t.csv}]}' >over.yaml
 for equation in 'fput, points: 31, start: {mode: 1}' 'kdv, low: -12, length: 34, start: {solitons: [{speed: 4, at: 0}]}' \
     'shock, length: 6.3, epsilon: 0.5, start: {simple-wave: 1, amplitude: 1}'; do
     echo "{chain: {equation: $equation}, simulate: {until: 1}, outputs: [{table: t.csv, show: measures}]}" >"${equation%%,*}.yaml"
@@ -70,6 +71,7 @@ base() {
     'outputs (table of a sweep)') scene=sweep prefix=outputs.0. ;;
     'outputs (report of a sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{report: r.html}]') ;;
     'outputs (sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{sweep: s.h5}]') ;;
+    'outputs (image of a sweep)') scene=over prefix=outputs.0. before=('outputs=[{image: i.png}]') ;;
     'outputs (sheet)') scene=sweep prefix=outputs.0. before=('outputs=[{sheet: s.png}]') ;;
     'outputs (trajectory)') prefix=outputs.0. before=('outputs=[{trajectory: r.h5}]') ;;
     'outputs (report)') prefix=outputs.0. before=('outputs=[{report: r.html}]') ;;
@@ -83,6 +85,8 @@ base() {
 # What a key needs besides, or instead.
 needs() { # SECTION KEY
     case "$1: $2" in
+    'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against') scene=over ;;
+    'sweep: over' | 'sweep: combine') scene=over ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
     'chain: start') before=(simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;

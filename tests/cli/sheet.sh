@@ -21,7 +21,7 @@ ok "... with two threads" exits 0 "$beadreel" "$T/sweep.yaml" --only sheet.png -
 ok "... is the same" same "$T/one/sheet.png" "$T/two/sheet.png"
 ok "... and nothing else is run" [ ! -e "$T/one/sweep.h5" ]
 ok "--plan" exits 0 "$beadreel" "$T/sweep.yaml" --only sheet.png --plan
-ok "... says so" prints "only those that a sheet shows"
+ok "... says so" prints "only those that outputs show"
 ok "a drawing with the sweep's file" exits 0 "$beadreel" "$T/sweep.yaml" --set sweep.configurations=3 -o "$T/all"
 ok "--sheet of the file" exits 0 "$beadreel" --sheet "$T/all/sweep.h5" -o "$T/again.png" --set 'outputs.0.size=[640, 480]'
 ok "--sheet of the scene" exits 0 "$beadreel" --sheet "$T/sweep.yaml" -o "$T/scene.png" --set 'outputs.0.size=[640, 480]' --set sweep.configurations=3

@@ -15,6 +15,7 @@
 
 #include "beadreel/movie.h"
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
 

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "render/draw/quantity.h"
 #include "render/movie/movie_words.h"
 #include "tests/decode.h"

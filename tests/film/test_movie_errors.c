@@ -2,6 +2,7 @@
 /* Movies that cannot be made: refused in time, told in one line, and nothing is left of them. */
 #include "movies.h"
 
+#include "render/encode/movie_internal.h"
 #include "render/encode/movie_private.h"
 #include "sim/kinds/output_kinds.h"
 

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "render/draw/looks.h"
 #include "render/movie/movie_cells.h"
 #include "render/movie/movie_layout.h"
 

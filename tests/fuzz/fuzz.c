@@ -15,6 +15,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/session.h"
 #include "beadreel/sweep.h"
+#include "sim/scene/scene_internal.h"
 
 static uint32_t state = 1;
 static volatile sig_atomic_t stop;

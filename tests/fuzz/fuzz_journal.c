@@ -7,6 +7,7 @@
 
 #include "beadreel/sweep.h"
 #include "sim/base/fingerprint.h"
+#include "sim/sweep/sweep_internal.h"
 #include "tests/fuzz/fuzz.h"
 
 /* Words of a journal: head (magic 2, format, version, fingerprint, jobs, part, parts, check), records (label, results, check). */

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "beadreel/view.h"
+#include "render/draw/looks.h"
 #include "render/movie/composer.h"
 #include "render/movie/film.h"
 #include "render/paint/canvas.h"

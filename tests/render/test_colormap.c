@@ -12,8 +12,9 @@
 
 #include <cmocka.h>
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "tests/eyes.h"
 
 static void lab_of(const uint8_t rgb[3], double lab[3])

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "render/paint/pixel_kernels.h"
 #include "tests/painting.h"
 

@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "render/draw/page.h"
 #include "render/figure/still.h"
 #include "render/view/area.h"

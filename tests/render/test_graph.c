@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Graphs: words that hide nothing and leave no page, axes that are shared, ranges. */
 #include "graphs.h"
+#include "render/draw/looks.h"
 
 /* ---- words ---- */
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves of graphs: points at their place, cut at the frame, interrupted where there is no value. */
 #include "graphs.h"
+#include "render/draw/looks.h"
 
 /* ---- curves ---- */
 

@@ -13,7 +13,8 @@
 
 #include <cmocka.h>
 
-#include "beadreel/colormap.h"
+#include "beadreel/render.h"
+#include "render/draw/looks.h"
 #include "render/draw/page.h"
 #include "tests/eyes.h"
 

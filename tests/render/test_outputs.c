@@ -11,6 +11,7 @@
 
 #include "beadreel/movie.h"
 #include "beadreel/trajectory.h"
+#include "render/encode/movie_internal.h"
 #include "sim/kinds/output_kinds.h"
 
 static void path_of(const char *part, const char *name, char path[512])

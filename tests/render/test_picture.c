@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/picture.h"
 #include "render/figure/still.h"
 #include "render/view/area.h"
@@ -159,8 +160,8 @@ static void test_png_errors(void **state)
 static void check_bare_pixels(const char *orientation, bool down, bool upside)
 {
     char path[512], output[160];
-    snprintf(output, sizeof output, "image: bare.png, axes: false, size: %s, range: [0, 10 N], scale: linear%s", down ? "[20, 40]" : "[40, 20]",
-             orientation);
+    snprintf(output, sizeof output, "image: bare.png, axes: false, size: %s, range: [0, 10 N], scale: linear%s",
+             down ? "[20, 40]" : "[40, 20]", orientation);
     struct built built = build_chain(output);
     draw_output(&built, pulse_down_the_chain);
     in_directory("bare.png", path, sizeof path);

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "pictures.h"
+#include "render/draw/looks.h"
 #include "render/plot/graph_private.h"
 #include "render/plot/plot_data.h"
 

@@ -5,6 +5,7 @@
 #include "graphs.h"
 
 #include "beadreel/session.h"
+#include "render/draw/looks.h"
 #include "render/plot/graph_private.h"
 #include "render/plot/plot_private.h"
 #include "sessions.h"

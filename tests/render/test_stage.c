@@ -3,8 +3,9 @@
  */
 #include "tests/scenes.h"
 
-#include "beadreel/frame.h"
+#include "beadreel/render.h"
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 #include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "render/paint/pixel_kernels.h"
@@ -148,28 +149,27 @@ static double lightness(const struct bead_frame *f, int x, int y)
     return sum;
 }
 
-/* Three beads of a material side by side; a contact with this part of the largest force. */
-static void paint_three(const struct bead_stage_theme *theme, const double colour[3], double force, struct bead_frame *frame)
+/* Three beads of a material side by side. */
+static void put_three(struct bead_stage *s, const double colour[3])
+{
+    s->count = 3;
+    for (int i = 0; i < 3; i++) {
+        s->beads[i] = (struct bead_stage_bead){.x = (float)(160 + 112 * i), .r = 56, .edge = {-INFINITY, INFINITY}};
+        for (int k = 0; k < 3; k++)
+            s->beads[i].colour[k] = (float)colour[k];
+        if (i > 0)
+            touch(s, &s->beads[i - 1], &s->beads[i]);
+    }
+}
+
+/* Their picture with this part of the largest force at the first contact. */
+static void paint_force(struct bead_canvas *c, struct bead_stage *s, double force, struct bead_frame *frame)
 {
     struct bead_message msg = {""};
-    struct bead_canvas *c;
-    struct bead_stage s;
-    require(bead_canvas_create("plain", WIDTH, HEIGHT, &c, &msg), &msg);
-    open_stage(&s, theme, 56);
-    s.count = 3;
-    for (int i = 0; i < 3; i++) {
-        s.beads[i] = (struct bead_stage_bead){.x = (float)(160 + 112 * i), .r = 56, .edge = {-INFINITY, INFINITY}};
-        for (int k = 0; k < 3; k++)
-            s.beads[i].colour[k] = (float)colour[k];
-        if (i > 0)
-            touch(&s, &s.beads[i - 1], &s.beads[i]);
-    }
-    bead_stage_glow(force, s.beads[0].light[1]);
-    bead_stage_glow(force, s.beads[1].light[0]);
-    require(bead_stage_prepare(&s, &msg), &msg);
-    require(bead_paint_stage(c, &s, (struct bead_rect){0, 0, WIDTH, HEIGHT}, 0, frame, &msg), &msg);
-    bead_stage_close(&s);
-    bead_canvas_destroy(c);
+    bead_stage_glow(force, s->beads[0].light[1]);
+    bead_stage_glow(force, s->beads[1].light[0]);
+    require(bead_stage_prepare(s, &msg), &msg);
+    require(bead_paint_stage(c, s, (struct bead_rect){0, 0, WIDTH, HEIGHT}, 0, frame, &msg), &msg);
 }
 
 static void light_rises_with_force(void **state)
@@ -179,6 +179,8 @@ static void light_rises_with_force(void **state)
     struct bead_scene *scene = parse(BEADS OUTPUTS);
     struct bead_message msg = {""};
     struct bead_frame frame, before;
+    struct bead_canvas *canvas;
+    require(bead_canvas_create("plain", WIDTH, HEIGHT, &canvas, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &frame, &msg), &msg);
     require(bead_frame_create(WIDTH, HEIGHT, &before, &msg), &msg);
     assert_true(scene->material_count > 10);
@@ -186,8 +188,11 @@ static void light_rises_with_force(void **state)
         for (int t = 0; t < 2; t++) {
             static const int x[] = {206, 218}; /* beside the contact: on the left bead, on the right */
             double last[2] = {-1, -1}, first[2] = {0, 0};
+            struct bead_stage stage;
+            open_stage(&stage, themes[t], 56);
+            put_three(&stage, scene->materials[m].colour);
             for (int f = 0; f <= STEPS; f++) {
-                paint_three(themes[t], scene->materials[m].colour, (double)f / STEPS, &frame);
+                paint_force(canvas, &stage, (double)f / STEPS, &frame);
                 for (int k = 0; k < 2; k++) {
                     const double now = lightness(&frame, x[k], 76);
                     if (now <= last[k])
@@ -202,9 +207,11 @@ static void light_rises_with_force(void **state)
                 memcpy(before.pixels, frame.pixels, frame.stride * HEIGHT);
             }
             assert_true(last[0] - first[0] > 10 && last[1] - first[1] > 10);
+            bead_stage_close(&stage);
         }
     bead_frame_free(&frame);
     bead_frame_free(&before);
+    bead_canvas_destroy(canvas);
     bead_scene_free(scene);
 }
 
@@ -217,7 +224,7 @@ static double follow_pulse(double crossing)
     enum { CONTACTS = 129 };
     const double pitch = 109, width = 16 * pitch, step = 11 * pitch, speed = 16 / crossing;
     const int frames = (int)(256 / speed);
-    struct bead_step_camera c = {.width = width, .step = step, .lead = 2 * pitch, .ends = {-200, CONTACTS * pitch + 150}};
+    struct bead_step_camera c = {.width = width, .step = step, .ends = {-200, CONTACTS * pitch + 150}};
     double load[CONTACTS], last = 0;
     int still = 0, moving = 0, back = 0;
     for (int f = 0; f < frames; f++) {

@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "render/draw/looks.h"
 #include "render/paint/canvas.h"
 #include "render/view/views.h"
 

@@ -8,6 +8,7 @@
 #include "beadreel/render.h"
 #include "beadreel/session.h"
 #include "beadreel/view.h"
+#include "render/draw/looks.h"
 #include "render/view/horizon.h"
 
 /* ---- two runs ---- */

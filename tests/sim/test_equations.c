@@ -10,6 +10,7 @@
 
 #include "beadreel/trajectory.h"
 #include "render/draw/axis.h"
+#include "sim/chain/chain_internal.h"
 
 #define STRING "{name: string, equation: fput, points: 31, start: {mode: 1}}"
 #define KDV    "{equation: kdv, low: -10, length: 20, points: 128, start: {solitons: [{speed: 9, at: -3}]}}"

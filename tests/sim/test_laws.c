@@ -4,6 +4,7 @@
 
 #include "sim/chain/law_beginning.h"
 #include "sim/run/method_choice.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 
 static const struct bead_law_spec numbers = {.power = 1.7, .coefficient = 3e9, .alpha = -40, .stiffness = 2e5};

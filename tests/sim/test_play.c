@@ -2,6 +2,7 @@
 /* Play: what consumers get of chains, and when a run is over. */
 #include "support.h"
 
+#include "sim/chain/chain_internal.h"
 #include "sim/run/play.h"
 
 enum { CHAINS = 2 };

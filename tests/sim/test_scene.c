@@ -3,6 +3,7 @@
 #include "scenes.h"
 
 #include "beadreel/law.h"
+#include "sim/scene/scene_internal.h"
 
 /* ---- meaning and defaults ---- */
 

@@ -2,6 +2,7 @@
 /* Waves that break: their breaking times against closed forms and characteristics, and what must hold behind the shock. */
 #include "tests/motions.h"
 
+#include "sim/chain/chain_internal.h"
 #include "sim/equation/shock_law.h"
 
 static const struct bead_system *const shock = &bead_system_shock;

@@ -10,6 +10,7 @@
 #include "beadreel/trajectory.h"
 #include "scratch.h"
 #include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_internal.h"
 #include "sweeps.h"
 
 /* Every magnetism that the cells allow, exactly, with majority up; all configurations of one differ in order only. */

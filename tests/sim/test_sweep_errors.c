@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 
 #include "sim/base/file.h"
+#include "sim/sweep/sweep_internal.h"
 
 static const char one_sweep[] = "sweep: {cells: 6, configurations: 2, seed: 2, magnetism: [0], measure: {decay: true}}" OUTPUT;
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ten million steps of ten beads that bounce between two walls for ever. Chaos makes the motion itself unpredictable; energy must
  * not notice. The wall at the left is the striker, at rest and immovable. */
+#include "sim/chain/chain_internal.h"
 #include "tests/stress/stress.h"
 
 /* The striker's velocity is that which the first bead gets: energies are judged by it. */

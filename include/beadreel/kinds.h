@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The views that there are, one row each: what scenes, layouts and captions must know of a view. view.h has the functions that
- * draw.
- *
- * To add a view: its row here, and its file render/view/view_NAME.c with a `const struct bead_view_type bead_view_NAME_type`. */
-#ifndef BEADREEL_VIEW_KIND_H
-#define BEADREEL_VIEW_KIND_H
+/* The kinds of outputs and of views that there are, one row each. */
+#ifndef BEADREEL_KINDS_H
+#define BEADREEL_KINDS_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,6 +9,32 @@
 #include "beadreel/api.h"
 
 BEAD_BEGIN
+
+/* Outputs, in the order of --list keys. Of kinds that files may end alike, `-o FILE` makes the first.
+ *
+ * To add a kind NAME: its row here; a file sim/kinds/output_NAME.c with its keys and a `const struct bead_output_type
+ * bead_NAME_output`, which says all that sets the kind apart; and a sink that makes it, with its line in the list of sinks. */
+#define BEAD_OUTPUTS(OUTPUT)       \
+    OUTPUT(TRAJECTORY, trajectory) \
+    OUTPUT(IMAGE, image)           \
+    OUTPUT(MOVIE, movie)           \
+    OUTPUT(PLOT, plot)             \
+    OUTPUT(TABLE, table)           \
+    OUTPUT(SWEEP, sweep)           \
+    OUTPUT(SHEET, sheet)           \
+    OUTPUT(REPORT, report)
+
+enum bead_output_kind {
+#define BEAD_OUTPUT_ENUM(ID, name) BEAD_OUTPUT_##ID,
+    BEAD_OUTPUTS(BEAD_OUTPUT_ENUM)
+#undef BEAD_OUTPUT_ENUM
+        BEAD_OUTPUT_KINDS,
+    BEAD_OUTPUT_OWN = BEAD_OUTPUT_KINDS /* made by a sink of the program's own: bead_own in scene.h */
+};
+
+/* ---- views: what scenes, layouts and captions must know of each; view.h has the functions that draw ----
+ *
+ * To add a view: its row here, and its file render/view/view_NAME.c with a `const struct bead_view_type bead_view_NAME_type`. */
 
 /* Bits of bead_view_info.traits. */
 enum bead_view_trait {
@@ -63,16 +86,6 @@ struct bead_view_info {
     double still_share, shape;
     double movie_share, movie_most;
 };
-
-/* By kind. */
-extern BEAD_API const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS];
-
-struct bead_views_asked; /* scene.h */
-/* View `index` of those asked for. */
-BEAD_API const struct bead_view_info *bead_views_info(const struct bead_views_asked *asked, size_t index);
-/* Has any of these views the trait? Have all? */
-BEAD_API bool bead_views_any(const struct bead_views_asked *asked, unsigned trait);
-BEAD_API bool bead_views_all(const struct bead_views_asked *asked, unsigned trait);
 
 BEAD_END
 

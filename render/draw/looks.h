@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Looks of pictures and lines of text, beyond what views of a program's own need. */
+#pragma once
+
+#include "beadreel/render.h"
+
+/* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height, never unreadably small). */
+void bead_look_paper(struct bead_look *look, double dpi);
+void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
+/* Screen look for films: type in parts of the shorter side of the frame, 3 % for labels; `large`: 4 %. */
+void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
+/* Screen look for a projector: larger type, thicker lines. */
+void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
+/* Another family for all letters; NULL, "auto": as it is. */
+void bead_look_font(struct bead_look *look, const char *family);
+void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, double y, double width, double height);
+/* Is there any font to write with? Errors: GRAPHICS. */
+BEAD_CHECK enum bead_error bead_text_check(struct bead_message *msg);
+/* bead_text_draw and bead_text_size in lines no wider than `wrap` px, aligned as `across` says; wrap 0: one line; < 0: one line no
+ * wider than -wrap px, with an ellipsis in the middle where it is longer. */
+void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y, const char *markup);
+void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
+                          double *height);

@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Images of sweeps: mean, median or standard deviation of a field over all configurations, in space and time. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "beadreel/render.h"
+#include "render/figure/still.h"
+#include "render/figure/sweep_image.h"
+#include "sim/base/memory.h"
+#include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_internal.h"
+
+/* Samples along time; linear in between. */
+enum { TIMES = 600 };
+
+/* One configuration's samples. */
+struct film {
+    double *values; /* [TIMES + 1][places] */
+    size_t places, taken;
+    enum bead_field field;
+};
+
+struct ensemble {
+    const struct bead_sweep *sweep;
+    const struct bead_output *output;
+    struct film *films;
+    struct bead_sweep_watch *watches;
+    size_t count, places;
+    double end;
+};
+
+static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *)
+{
+    struct film *film = context;
+    for (size_t j = 0; j < film->places && j < sample->active && film->taken <= TIMES; j++)
+        film->values[film->taken * film->places + j] = sample->field[film->field][j];
+    film->taken++;
+    return BEAD_OK;
+}
+
+/* All must be as long, and run to one time: `until`, or the last arrival of a front. */
+static enum bead_error find_end(struct ensemble *e, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    const double until = bead_sweep_scene(e->sweep)->simulate.until;
+    e->end = isnan(until) ? 0 : until;
+    for (size_t i = 0; i < e->count; i++)
+        e->watches[i] = (struct bead_sweep_watch){.index = i};
+    if (!isnan(until))
+        return BEAD_OK;
+    BEAD_TRY(bead_sweep_watch(e->sweep, e->watches, e->count, settings, msg));
+    for (size_t i = 0; i < e->count; i++)
+        e->end = fmax(e->end, e->watches[i].arrival);
+    return BEAD_OK;
+}
+
+static enum bead_error make_film(struct ensemble *e, size_t i, struct bead_message *msg)
+{
+    struct film *film = &e->films[i];
+    struct bead_sweep_chain *made = NULL;
+    BEAD_TRY(bead_sweep_chain_create(e->sweep, 0, i, &made, msg));
+    const struct bead_chain *chain = bead_sweep_chain_of(made);
+    *film = (struct film){.places = bead_chain_beads(chain), .field = e->output->shown.field};
+    bead_sweep_chain_destroy(made);
+    e->places = i == 0 ? film->places : e->places;
+    if (film->places != e->places)
+        return bead_output_wrong(e->output, msg, "image: chains have %zu and %zu beads; a mean is one of chains as long", e->places,
+                                 film->places);
+    return bead_new(&film->values, (TIMES + 1) * film->places, msg, "the samples of %zu chains", e->count);
+}
+
+static enum bead_error run(struct ensemble *e, const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    for (size_t i = 0; i < e->count; i++) {
+        BEAD_TRY(make_film(e, i, msg));
+        e->watches[i] = (struct bead_sweep_watch){.index = i,
+                                                  .end = e->end,
+                                                  .fields = BEAD_FIELD_BIT(e->output->shown.field),
+                                                  .every = e->end / TIMES,
+                                                  .take = take,
+                                                  .context = &e->films[i]};
+    }
+    return bead_sweep_watch(e->sweep, e->watches, e->count, settings, msg);
+}
+
+/* Over the configurations, in their order: the same bits for any number of threads. */
+static double statistic(const struct ensemble *e, size_t at, double *values)
+{
+    struct bead_summary summary;
+    for (size_t i = 0; i < e->count; i++)
+        values[i] = e->films[i].values[at];
+    bead_summary_of(values, e->count, &summary);
+    const enum bead_sweep_show show = e->output->sweep_curves.show;
+    return show == BEAD_SWEEP_MEDIAN ? summary.median : show == BEAD_SWEEP_DEVIATION ? summary.deviation : summary.mean;
+}
+
+static enum bead_error reduce(struct ensemble *e, double *result, struct bead_range *range, struct bead_message *msg)
+{
+    BEAD_FREED double *values = NULL;
+    BEAD_TRY(bead_new(&values, e->count, msg, "an image of a sweep"));
+    *range = (struct bead_range){INFINITY, -INFINITY};
+    for (size_t at = 0; at < (TIMES + 1) * e->places; at++) {
+        const double value = statistic(e, at, values);
+        result[at] = isnan(value) ? 0 : value; /* deviation of one chain */
+        range->low = fmin(range->low, result[at]);
+        range->high = fmax(range->high, result[at]);
+    }
+    return BEAD_OK;
+}
+
+static const char *statistic_name(const struct ensemble *e)
+{
+    const enum bead_sweep_show show = e->output->sweep_curves.show;
+    return show == BEAD_SWEEP_MEDIAN ? "median" : show == BEAD_SWEEP_DEVIATION ? "standard deviation" : "mean";
+}
+
+/* The image of a run whose samples these are. */
+static enum bead_error draw(struct ensemble *e, const struct bead_run_context *context, const char *path, const double *result,
+                            struct bead_range range, struct bead_message *msg)
+{
+    struct bead_output output = *e->output;
+    char title[80];
+    struct bead_sweep_chain *made = NULL;
+    struct bead_sink *sink = NULL;
+    output.path = (char *)(uintptr_t)path; /* read only */
+    output.views.kinds[0] = BEAD_VIEW_SPACETIME;
+    output.views.count = 1;
+    snprintf(title, sizeof title, "%s of %zu chains", statistic_name(e), e->count);
+    output.panel.title = title;
+    BEAD_TRY(bead_sweep_chain_create(e->sweep, 0, 0, &made, msg));
+    const struct bead_chain *chain = bead_sweep_chain_of(made);
+    struct bead_run_context own = *context;
+    own.chains = &chain;
+    own.chain_count = 1;
+    own.end = e->end;
+    own.native = (struct bead_grid){0, e->end / TIMES, e->end};
+    own.resolution = e->end / TIMES;
+    own.directory = ".";
+    own.sweep = NULL;
+    own.replayed = true;
+    enum bead_error err = bead_image_sink.create(&output, &own, &sink, msg);
+    if (!err)
+        err = bead_image_sink.begin(sink, range, msg);
+    for (size_t i = 0; i <= TIMES && !err; i++) {
+        struct bead_sample sample = {.time = fmin((double)i * own.native.every, e->end), .index = i, .active = e->places};
+        sample.field[output.shown.field] = result + i * e->places;
+        err = bead_image_sink.sample(sink, &sample, msg);
+    }
+    if (!err)
+        err = bead_image_sink.end(sink, NULL, msg);
+    bead_image_sink.destroy(sink);
+    bead_sweep_chain_destroy(made);
+    return err;
+}
+
+static enum bead_error make(struct ensemble *e, const struct bead_run_context *context, const char *path, struct bead_message *msg)
+{
+    BEAD_FREED double *result = NULL;
+    struct bead_range range;
+    BEAD_TRY(bead_new(&e->films, e->count, msg, "an image of a sweep"));
+    BEAD_TRY(bead_new(&e->watches, e->count, msg, "an image of a sweep"));
+    BEAD_TRY(find_end(e, context->sweep_settings, msg));
+    BEAD_TRY(run(e, context->sweep_settings, msg));
+    BEAD_TRY(bead_new(&result, (TIMES + 1) * e->places, msg, "an image of a sweep"));
+    BEAD_TRY(reduce(e, result, &range, msg));
+    return draw(e, context, path, result, range, msg);
+}
+
+static enum bead_error write_image(const struct bead_output *output, const struct bead_run_context *context, const char *path,
+                                   uint64_t *, struct bead_message *msg)
+{
+    struct ensemble e = {.sweep = context->sweep, .output = output, .count = bead_sweep_panel(context->sweep, 0)->configurations};
+    enum bead_error err = make(&e, context, path, msg);
+    for (size_t i = 0; e.films && i < e.count; i++)
+        free(e.films[i].values);
+    free(e.films);
+    free(e.watches);
+    return err;
+}
+
+static const char *image_why(const struct bead_output *output)
+{
+    return output->sweep_curves.show == BEAD_SWEEP_DEVIATION ? "standard deviation of a field over all chains, in space and time"
+                                                             : "mean or median of a field over all chains, in space and time";
+}
+
+const struct bead_sink_type bead_sweep_image_sink = {.name = "image",
+                                                     .help = "mean of a field over the chains of a sweep",
+                                                     .kind = BEAD_OUTPUT_IMAGE,
+                                                     .why = image_why,
+                                                     .write = write_image,
+                                                     .runs_chains = true,
+                                                     .without_results = true};

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the house does with scenes, and programs need not: changes, help, the user's own settings. */
+#pragma once
+
+#include "beadreel/scene.h"
+
+/* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
+ * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
+struct bead_config_colormap {
+    char *name, *file;
+};
+struct bead_config {
+    char *path;
+    char *style, *font, *canvas; /* NULL: not given */
+    char *materials;             /* a file of materials; NULL: none */
+    struct bead_place style_place, font_place, canvas_place, materials_place;
+    struct bead_config_colormap *colormaps;
+    size_t colormap_count;
+};
+/* Makes a changed scene from one that has been loaded, which stays as it is. */
+BEAD_CHECK enum bead_error bead_scene_change(const struct bead_scene *before, const struct bead_overrides *overrides,
+                                             struct bead_scene **scene, struct bead_message *msg);
+/* The ready materials: a scene with nothing else in it, to be freed with bead_scene_free. Errors: IO, SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_materials(struct bead_scene **scene, struct bead_message *msg);
+/* Write all keys of scenes with units, ranges and defaults, from the tables that the parser uses: as text, or as sections
+ * of a man page. */
+void bead_scene_help(FILE *out);
+/* Help on one section and its parts only: "movie", "chain", "sweep", ... Errors: USAGE, with the nearest name. */
+BEAD_CHECK enum bead_error bead_scene_help_of(const char *section, FILE *out, struct bead_message *msg);
+void bead_scene_help_man(FILE *out);
+/* The file: config.yaml in the folder `beadreel` of $XDG_CONFIG_HOME (else ~/.config), then of $XDG_CONFIG_DIRS (else /etc/xdg).
+ * False: there is none. */
+bool bead_config_find(char *path, size_t size);
+/* Names of files in it are relative to its folder. On success *config is the caller's. Errors: SCENE, IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
+void bead_config_free(struct bead_config *config);

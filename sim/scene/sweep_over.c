@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `over`: the keys of a scene that a sweep gives other values, one by one. */
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/memory.h"
+#include "sim/scene/scene_private.h"
+
+enum { MOST_KEYS = 8, MOST_VALUES = 100000, MOST_POINTS = 1000000 };
+
+/* The SI unit of a number with one, so that axes have its prefixes; "" where it has none, or is no number. */
+static const char *unit_of(const struct bead_reader *reader, const char *text)
+{
+    static const char *const units[] = {"m/s", "m", "N", "Pa", "s", "kg", "kg/m3", "N/m", "1/m", "rad", "1"};
+    double value;
+    char why[200];
+    if (bead_units_read(reader->units, text, NULL, &value, why, sizeof why) == BEAD_OK)
+        return "";
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        if (bead_units_read(reader->units, text, units[i], &value, why, sizeof why) == BEAD_OK)
+            return strcmp(units[i], "1") == 0 ? "" : units[i];
+    }
+    return "";
+}
+
+static enum bead_error add_value(const struct bead_reader *reader, struct bead_over_key *key, char *text)
+{
+    char why[200];
+    if (!text)
+        return bead_no_memory(reader);
+    if (key->count == 0 && !(key->unit = strdup(unit_of(reader, text)))) {
+        free(text);
+        return bead_no_memory(reader);
+    }
+    key->text[key->count] = text;
+    if (bead_units_read(reader->units, text, *key->unit ? key->unit : "1", &key->value[key->count], why, sizeof why))
+        key->value[key->count] = NAN;
+    key->count++;
+    return BEAD_OK;
+}
+
+/* "1..50": whole numbers. */
+static bool read_run(const char *text, long *first, long *last)
+{
+    const char *dots = strstr(text, "..");
+    char *end = NULL;
+    if (!dots || !isdigit((unsigned char)text[0]))
+        return false;
+    *first = strtol(text, &end, 10);
+    if (end != dots || !isdigit((unsigned char)dots[2]))
+        return false;
+    *last = strtol(dots + 2, &end, 10);
+    return *end == '\0' && *first <= *last && *last - *first < MOST_VALUES;
+}
+
+static enum bead_error read_values(const struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
+{
+    static const char shape[] = "a list of values, or whole numbers such as 1..50";
+    long first = 0, last = -1;
+    const bool run = at->node->kind == BEAD_NODE_SCALAR && read_run(at->node->text, &first, &last);
+    if (!run && (at->node->kind != BEAD_NODE_LIST || at->node->count == 0 || at->node->count > MOST_VALUES))
+        return bead_must_be(reader, at, shape);
+    const size_t count = run ? (size_t)(last - first) + 1 : at->node->count;
+    BEAD_TRY(bead_new(&key->text, count, reader->msg, "a sweep"));
+    BEAD_TRY(bead_new(&key->value, count, reader->msg, "a sweep"));
+    for (size_t i = 0; i < count; i++) {
+        char *text = NULL;
+        if (run && asprintf(&text, "%ld", first + (long)i) < 0)
+            text = NULL;
+        if (!run)
+            BEAD_TRY(bead_yaml_emit(reader->yaml, at->node->items[i], &text, reader->msg));
+        if (text && !run && strchr(text, '\n'))
+            text[strcspn(text, "\n")] = '\0';
+        BEAD_TRY(add_value(reader, key, text));
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error read_key(const struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
+{
+    static const char *const roots[] = {"chain.", "simulate.", "materials.", NULL};
+    const size_t length = strlen(at->key);
+    size_t root = 0;
+    while (roots[root] && strncmp(at->key, roots[root], strlen(roots[root])) != 0)
+        root++;
+    if (!roots[root])
+        return bead_wrong(reader, at, "is no key that a sweep can change; must begin with chain, simulate or materials");
+    if (!(key->path = strdup(at->key)))
+        return bead_no_memory(reader);
+    key->seed = length > 5 && strcmp(at->key + length - 5, ".seed") == 0;
+    return read_values(reader, at, key);
+}
+
+/* All combinations; with `pairs` as many as each has values. */
+static enum bead_error count_points(const struct bead_reader *reader, const struct bead_at *at, const struct bead_over *over,
+                                    size_t *points)
+{
+    const bool pairs = over->combine == BEAD_COMBINE_PAIRS;
+    *points = pairs ? over->keys[0].count : 1;
+    for (size_t k = 0; k < over->key_count; k++) {
+        const size_t count = over->keys[k].count;
+        if (pairs && count != *points)
+            return bead_wrong(reader, at, "has %zu values of `%s` but %zu of `%s`; with `combine: pairs` all must have as many",
+                              *points, over->keys[0].path, count, over->keys[k].path);
+        if (!pairs && count > MOST_POINTS / *points)
+            return bead_wrong(reader, at, "makes more than %d chains, the most that is allowed", MOST_POINTS);
+        *points *= pairs ? 1 : count;
+    }
+    return BEAD_OK;
+}
+
+enum bead_error bead_scene_read_over(const struct bead_reader *reader, const struct bead_at *at, struct bead_over *over,
+                                     size_t *points)
+{
+    if (at->node->kind != BEAD_NODE_MAP || at->node->count == 0 || at->node->count > 2 * MOST_KEYS)
+        return bead_must_be(reader, at, "a map of one to eight keys such as {chain.striker.velocity: [1 m/s, 2 m/s]}");
+    BEAD_TRY(bead_new(&over->keys, at->node->count / 2, reader->msg, "a sweep"));
+    for (size_t i = 0; i + 1 < at->node->count; i += 2) {
+        const struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
+        BEAD_TRY(read_key(reader, &one, &over->keys[over->key_count++]));
+    }
+    return count_points(reader, at, over, points);
+}
+
+void bead_scene_free_over(struct bead_over *over)
+{
+    for (size_t k = 0; k < over->key_count; k++) {
+        for (size_t i = 0; i < over->keys[k].count; i++)
+            free(over->keys[k].text[i]);
+        free(over->keys[k].text);
+        free(over->keys[k].value);
+        free(over->keys[k].unit);
+        free(over->keys[k].path);
+    }
+    free(over->keys);
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds the curves of a sweep over keys: see sweep_curves.h. */
+#include "sim/sweep/sweep_curves.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/elementary.h"
+#include "sim/base/memory.h"
+#include "sim/statistics/statistics.h"
+
+static enum bead_error find_key(const struct bead_over *over, const char *against, size_t *key, struct bead_message *msg)
+{
+    *key = 0;
+    while (*key < over->key_count && (*against ? strcmp(over->keys[*key].path, against) != 0 : over->keys[*key].seed))
+        (*key)++;
+    if (*key < over->key_count)
+        return BEAD_OK;
+    *key = 0; /* nothing but seeds */
+    return *against ? bead_fail(msg, BEAD_ERROR_USAGE, "against: `%s` is no key of the sweep; the first is `%s`", against,
+                                over->keys[0].path)
+                    : BEAD_OK;
+}
+
+/* A number for the values of all keys that are neither on the axis nor seeds: that of the curve. */
+static size_t curve_of(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key)
+{
+    const struct bead_over *over = &bead_sweep_panel(sweep, panel)->spec->over;
+    size_t number = 0;
+    for (size_t k = 0; k < over->key_count && over->combine == BEAD_COMBINE_GRID; k++) {
+        if (k != key && !over->keys[k].seed)
+            number = number * over->keys[k].count + bead_sweep_value(sweep, panel, index, k);
+    }
+    return number;
+}
+
+static void name_curve(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key, struct bead_sweep_curve *curve)
+{
+    const struct bead_over *over = &bead_sweep_panel(sweep, panel)->spec->over;
+    for (size_t k = 0; k < over->key_count && over->combine == BEAD_COMBINE_GRID; k++) {
+        const size_t used = strlen(curve->name);
+        const char *path = over->keys[k].path, *dot = strrchr(path, '.');
+        if (k != key && !over->keys[k].seed)
+            snprintf(curve->name + used, sizeof curve->name - used, "%s%s %s", used ? ", " : "", dot ? dot + 1 : path,
+                     over->keys[k].text[bead_sweep_value(sweep, panel, index, k)]);
+    }
+}
+
+static int by_x(const void *a, const void *b)
+{
+    const struct bead_sweep_point *p = a, *q = b;
+    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->value > q->value) - (p->value < q->value);
+}
+
+/* The straight line through the logarithms of the means. */
+static void fit_slope(struct bead_sweep_curve *curve)
+{
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, rest = 0;
+    curve->slope = curve->slope_error = curve->offset = NAN;
+    for (size_t i = 0; i < curve->count; i++) {
+        const double x = bead_log(curve->points[i].x), y = bead_log(curve->points[i].summary.mean);
+        if (!isfinite(x) || !isfinite(y))
+            return;
+        n++;
+        sx += x;
+        sy += y;
+    }
+    for (size_t i = 0; i < curve->count; i++) {
+        const double x = bead_log(curve->points[i].x) - sx / n, y = bead_log(curve->points[i].summary.mean) - sy / n;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    if (n < 3 || !(sxx > 0))
+        return;
+    curve->slope = sxy / sxx;
+    curve->offset = sy / n - curve->slope * sx / n;
+    for (size_t i = 0; i < curve->count; i++) {
+        const double off = bead_log(curve->points[i].summary.mean) - curve->offset - curve->slope * bead_log(curve->points[i].x);
+        rest += off * off;
+    }
+    curve->slope_error = sqrt(rest / (n - 2) / sxx);
+}
+
+/* All points of one curve: of each value along the axis the known results. */
+static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, size_t number, size_t key,
+                            struct bead_sweep_curve *curve, struct bead_message *msg)
+{
+    const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
+    const struct bead_over_key *along = &shown->spec->over.keys[key];
+    BEAD_FREED double *forces = NULL;
+    BEAD_TRY(bead_new(&curve->points, along->count, msg, "the curves of a sweep"));
+    BEAD_TRY(bead_new(&forces, shown->configurations, msg, "the curves of a sweep"));
+    for (size_t value = 0; value < along->count; value++) {
+        size_t count = 0;
+        for (size_t i = 0; i < shown->configurations; i++) {
+            struct bead_sweep_configuration found;
+            if (bead_sweep_value(sweep, panel, i, key) != value || curve_of(sweep, panel, i, key) != number)
+                continue;
+            if (!*curve->name)
+                name_curve(sweep, panel, i, key, curve);
+            if (bead_sweep_configuration(sweep, panel, i, &found))
+                forces[count++] = found.peaks[place].force;
+        }
+        if (count == 0)
+            continue;
+        struct bead_sweep_point *point = &curve->points[curve->count++];
+        *point = (struct bead_sweep_point){.value = value, .x = isnan(along->value[value]) ? (double)value : along->value[value]};
+        bead_summary_of(forces, count, &point->summary);
+    }
+    qsort(curve->points, curve->count, sizeof *curve->points, by_x);
+    fit_slope(curve);
+    return BEAD_OK;
+}
+
+enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place, const char *against,
+                                       struct bead_sweep_curves *curves, struct bead_message *msg)
+{
+    const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
+    size_t count = 1;
+    *curves = (struct bead_sweep_curves){.count = 0};
+    BEAD_TRY(find_key(&shown->spec->over, against, &curves->key, msg));
+    for (size_t i = 0; i < shown->configurations; i++) {
+        const size_t number = curve_of(sweep, panel, i, curves->key);
+        count = number >= count ? number + 1 : count;
+    }
+    BEAD_TRY(bead_new(&curves->curves, count, msg, "the curves of a sweep"));
+    while (curves->count < count) {
+        const size_t i = curves->count++;
+        BEAD_TRY(fill(sweep, panel, place, i, curves->key, &curves->curves[i], msg));
+    }
+    return BEAD_OK;
+}
+
+void bead_sweep_curves_free(struct bead_sweep_curves *curves)
+{
+    for (size_t i = 0; curves->curves && i < curves->count; i++)
+        free(curves->curves[i].points);
+    free(curves->curves);
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Curves of a sweep over keys: results against one key, averaged over seeds, one curve for each combination of the other keys. */
+#pragma once
+
+#include "beadreel/sweep.h"
+#include "sim/base/internal.h"
+
+/* The results of a curve's configurations with one value of the key along the axis. */
+struct bead_sweep_point {
+    size_t value;                /* number of that value of the key */
+    double x;                    /* it, in the key's unit; its number where it is no number */
+    struct bead_summary summary; /* N */
+};
+struct bead_sweep_curve {
+    char name[200];                  /* "chain.beads.0.count 20": the values of the other keys; "" where there are none */
+    struct bead_sweep_point *points; /* by rising x */
+    size_t count;
+    double slope, slope_error; /* of ln y against ln x, by least squares; NaN with fewer than three points, or not above 0 */
+    double offset;             /* ln y at ln x = 0 */
+};
+struct bead_sweep_curves {
+    size_t key; /* along the axis */
+    struct bead_sweep_curve *curves;
+    size_t count;
+};
+/* At a place; `against`: a key's path, "": the first that is no seed. To be freed even after an error. Errors: USAGE (no such key),
+ * MEMORY. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place,
+                                                                const char *against, struct bead_sweep_curves *curves,
+                                                                struct bead_message *msg);
+BEAD_INTERNAL void bead_sweep_curves_free(struct bead_sweep_curves *curves);

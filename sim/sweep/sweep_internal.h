@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the house asks of sweeps, and programs need not: single chains, journals, parts. */
+#pragma once
+
+#include "beadreel/sweep.h"
+#include "sim/base/internal.h"
+
+BEAD_INTERNAL const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
+/* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
+ * it. Errors: MEMORY, SCENE. */
+struct bead_sweep_chain;
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index,
+                                                                 struct bead_sweep_chain **chain, struct bead_message *msg);
+BEAD_INTERNAL const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
+BEAD_INTERNAL void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
+/* A scene that is this one chain, without outputs: a tree of the sweep's scene, for an override of the whole. Errors: SCENE,
+ * MEMORY.
+ */
+BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
+                                             const struct bead_node **scene, struct bead_message *msg);
+/* Progress of the unfinished sweep whose journal is `path`. False: this is no journal. */
+struct bead_sweep_progress {
+    size_t chains, done; /* of all parts; in this journal */
+    size_t part, parts;
+};
+bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progress);
+/* One configuration that is run to be looked at. */
+struct bead_sweep_watch {
+    size_t panel, index; /* a configuration, or BEAD_SWEEP_CLEAN */
+    double end;          /* s; 0: as the front arrives */
+    unsigned fields;     /* BEAD_FIELD_BITs of the samples at 0, every, ... <= end, of all beads */
+    double every;        /* s */
+    enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
+    void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
+    /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
+     * energies at the arrival, beads, and the clean index (participation.h) */
+    double arrival, force, participation, clean_index;
+};
+/* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_sweep *sweep, struct bead_sweep_watch *watches,
+                                                          size_t count, const struct bead_sweep_settings *settings,
+                                                          struct bead_message *msg);
+/* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name, struct bead_message *msg);
+/* True where the file says that it is one of a sweep. */
+bool bead_sweep_is(const char *path);
+/* The part that a file holds; 1 of 1 where all. */
+void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts);
+/* Version of the program that the results are of. */
+const char *bead_sweep_version(const struct bead_sweep *sweep);
+/* Geometric means over the beads i, i + 1, ... of a random cell, of `values` [beads], to the last random bead: into means [beads],
+ * of which *count are filled. */
+BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means,
+                                     size_t *count);

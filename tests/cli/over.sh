@@ -1,0 +1,72 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sweeps over any keys of a scene: scaling, means over seeds, parts, single chains, mean images.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+cat >v.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 12}]}
+sweep:
+  over: {chain.striker.velocity: [0.1 m/s, 300 mm/s, 1 m/s, 3 m/s]}
+  measure: {beads: [6, 6]}
+outputs:
+  - {table: mean.csv}
+  - {table: all.csv, show: configurations}
+  - {sweep: s.h5}
+YAML
+column() { tail -n +2 "$1" | cut -d, -f"$2"; }
+is() { [ "$1" = "$2" ] || { echo "$1 is not $2"; return 1; }; }
+within() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {d = a - b; exit !((d < 0 ? -d : d) <= t)}' || { echo "$1 is not $2 to $3"; return 1; }; }
+ok "a sweep over the striker's velocity" exits 0 "$beadsim" v.yaml -o .
+# Without damping and precompression F ~ v^(6/5), exactly.
+ok "... forces scale with its power 6/5" within "$(column mean.csv 11 | head -n 1)" 1.2 1e-12
+ok "... a row each" is "$(column all.csv 2 | tr '\n' ';')" "0.1 m/s;300 mm/s;1 m/s;3 m/s;"
+one() { "$beadsim" v.yaml -o one.csv --set 'sweep={}' --set "chain.striker.velocity=$1" 2>/dev/null; }
+ok "a chain of it, by itself" exits 0 "$beadsim" v.yaml --configuration 1 -o one.csv
+ok "... has the same peak, to the last digit" is "$(grep '^6,' one.csv | cut -d, -f2)" "$(column all.csv 3 | sed -n 2p)"
+ok "... and from the file" exits 0 "$beadsim" s.h5 --configuration 1 -o again.csv
+ok "... the same" cmp one.csv again.csv
+ok "its tables from the file" exits 0 "$beadsim" s.h5 -o mean2.csv
+ok "... the same, too" cmp mean.csv mean2.csv
+parts() { local i; for i in 1 2 3; do "$beadsim" v.yaml -o parts --shard $i/3 >/dev/null || return 1; done; "$beadsim" --merge parts/s.*of3.h5 -o merged.h5; }
+ok "in three parts, put together" parts
+ok "... the same bytes" cmp merged.h5 s.h5
+ok "on one thread the same" eval '"$beadsim" v.yaml -o alone --threads 1 >"$T/out" && cmp alone/s.h5 s.h5'
+ok "--info names the keys" eval '"$beadsim" --info s.h5 | grep -qF "over 4 values of chain.striker.velocity"'
+ok "--plan, too" eval '"$beadsim" v.yaml --plan | grep -qF "over 4 of chain.striker.velocity"'
+
+# Two keys and a seed: curves by radius, means over seeds. Twice the radius of all: eight times the mass.
+cat >g.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 8, disorder: {radius: normal 3 %, seed: 1}}]}
+sweep: {over: {chain.striker.velocity: [0.5 m/s, 1 m/s], chain.striker.mass: [2 g, 4 g], chain.beads.0.disorder.seed: 1..5}}
+outputs: [{table: g.csv}, {table: each.csv, show: configurations}, {table: m.csv, against: chain.striker.mass}]
+YAML
+ok "a grid of three keys" exits 0 "$beadsim" g.yaml -o .
+ok "... two curves of two points" is "$(column g.csv 2 | sort | uniq -c | tr -s ' \n' ' ')" " 2 mass 2 g 2 mass 4 g "
+ok "... of five chains each" is "$(column g.csv 3 | sort -u)" 5
+ok "... twenty in all" is "$(column each.csv 1 | wc -l)" 20
+mean() { awk -F, -v v="$1" -v m="$2" '$2 == v && $3 == m {s += $5; n++} END {print s / n}' each.csv; }
+ok "... their means" within "$(sed -n 2p g.csv | cut -d, -f4)" "$(mean '0.5 m/s' '2 g')" 1e-3
+ok "... against another key" is "$(head -n 1 m.csv | cut -d, -f1)" chain.striker.mass
+ok "pairs" exits 0 "$beadsim" g.yaml -o pairs --set sweep.combine=pairs --set 'sweep.over={chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [2 g, 4 g]}'
+ok "... are two chains" is "$(column pairs/each.csv 1 | wc -l)" 2
+
+cat >m.yaml <<'YAML'
+chain: {beads: [{cell: [large-steel, aluminium], count: 6, spins: random, seed: 1}]}
+sweep: {over: {chain.beads.0.seed: 1..4}}
+outputs: [{image: mean.png, size: [300, 200]}, {image: deviation.png, show: deviation, size: [300, 200]}, {plot: p.svg}]
+YAML
+ok "mean images" exits 0 "$beadreel" m.yaml -o .
+ok "... on one thread the same bytes" eval '"$beadreel" m.yaml -o single --threads 1 >"$T/out" && cmp single/mean.png mean.png'
+ok "... of equal chains that of one" exits 0 "$beadreel" m.yaml -o equal --set 'sweep.over={chain.beads.0.seed: [1, 1, 1]}' --set 'outputs=[{image: mean.png, axes: false, size: [60, 40]}]'
+ok "... pixel by pixel" eval '"$beadreel" m.yaml -o first --set "sweep.over={chain.beads.0.seed: [1]}" --set "outputs=[{image: mean.png, axes: false, size: [60, 40]}]" >"$T/out" && cmp <(tail -c 400 first/mean.png) <(tail -c 400 equal/mean.png)'
+
+refused() { # SETTING MESSAGE
+    fails 2 "$beadsim" v.yaml --plan --set "$1" && says "$2"
+}
+ok "a key that no scene has" refused 'sweep.over={chain.strike.velocity: [1]}' 'over:1:1: chain.strike'
+ok "a value that is wrong" refused 'sweep.over={chain.striker.velocity: [1 m/s, 2 N]}' 'chain.striker.velocity: '
+ok "outputs are no keys" refused 'sweep.over={outputs.0.size: [1, 2]}' 'must begin with chain, simulate or materials'
+ok "spins have no place beside it" refused sweep.magnetism=0.5 'sweep.magnetism: belongs to sweeps over spins'
+ok "pairs need as many values" refused 'sweep={combine: pairs, over: {chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [1 g]}}' 'must have as many'
+ok "no such key along the axis" fails 2 "$beadsim" v.yaml -o wrong --set 'outputs=[{table: t.csv, against: chain.wall}]'
+finish
