@@ -6,8 +6,8 @@
 /* A contact is part of the wave from this part of the largest load on; the head are so many contacts behind the first of them. */
 static const double part_of_wave = 0.05, least_load = 1e-3;
 enum { HEAD = 9 };
-/* Each frame the head goes this part of the way to where the loads are, and the speed to that of the head. */
-static const double quickness = 0.5, steadiness = 0.1;
+/* Each frame the speed goes this part of the way to that of the head. */
+static const double steadiness = 0.1;
 
 double bead_pan_eased(double t)
 {
@@ -51,8 +51,7 @@ double bead_step_camera_find(struct bead_step_camera *c, const double *load, siz
         to = near + HEAD + 1 < count ? near + HEAD + 1 : count;
     }
     const double found = centre(load, from, to, c->head);
-    const double moved = c->begun ? c->head + quickness * (found - c->head) : found;
-    c->head = c->arrived ? moved : fmax(c->head, moved);
+    c->head = c->arrived ? found : fmax(c->head, found);
     return c->head;
 }
 
@@ -87,4 +86,7 @@ void bead_step_camera_advance(struct bead_step_camera *c, double place)
             c->pans[left++] = *pan;
     }
     c->pan_count = left;
+    /* A wave that takes only a few frames is faster than pans. */
+    const double most = fmax(0, 0.5 * c->width - c->margin);
+    c->middle = within(c, fmin(place + most, fmax(place - most, c->middle)));
 }

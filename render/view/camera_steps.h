@@ -13,6 +13,7 @@ enum { BEAD_PAN_FRAMES = 16, BEAD_MOST_PANS = 16 };
 
 struct bead_step_camera {
     double width, step, ends[2]; /* of the window, of a pan; places that the window may show */
+    double margin;               /* the head never comes nearer than this to an edge of the window, whatever pans do */
     double middle;               /* of the window, now */
     double goal;                 /* and after all pans */
     struct bead_pan {

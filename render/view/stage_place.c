@@ -59,8 +59,10 @@ static void set_camera(struct bead_view *v, const double ends[2])
 {
     const double spacing = v->count > 1 ? (v->place[v->count - 1] - v->place[0]) / (double)(v->count - 1) : 2 * v->largest;
     const double across = v->strip.width / (spacing * v->scale), beads = floor(fmax(across - pulse, 0.5 * across));
-    v->camera = (struct bead_step_camera){
-        .width = v->strip.width, .step = round(beads * spacing * v->scale), .ends = {ends[0] * v->scale, ends[1] * v->scale}};
+    v->camera = (struct bead_step_camera){.width = v->strip.width,
+                                          .step = round(beads * spacing * v->scale),
+                                          .margin = fmin(0.5 * pulse * spacing * v->scale, 0.25 * v->strip.width),
+                                          .ends = {ends[0] * v->scale, ends[1] * v->scale}};
 }
 
 static void set_row(struct bead_view *v, int height)

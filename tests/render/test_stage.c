@@ -224,7 +224,7 @@ static double follow_pulse(double crossing)
     enum { CONTACTS = 129 };
     const double pitch = 109, width = 16 * pitch, step = 11 * pitch, speed = 16 / crossing;
     const int frames = (int)(256 / speed);
-    struct bead_step_camera c = {.width = width, .step = step, .ends = {-200, CONTACTS * pitch + 150}};
+    struct bead_step_camera c = {.width = width, .step = step, .margin = 2.5 * pitch, .ends = {-200, CONTACTS * pitch + 150}};
     double load[CONTACTS], last = 0;
     int still = 0, moving = 0, back = 0;
     for (int f = 0; f < frames; f++) {
@@ -253,6 +253,8 @@ static void camera_rests_and_follows(void **state)
     (void)state;
     assert_true(follow_pulse(64) > 0.6);   /* the demo's pace: 15 beads a second */
     assert_true(follow_pulse(120) > 0.72); /* two seconds */
+    (void)follow_pulse(7);                 /* faster than pans */
+    (void)follow_pulse(2);
     assert_true(bead_pan_eased(0) == 0 && bead_pan_eased(1) == 1 && fabs(bead_pan_eased(0.5) - 0.5) < 1e-12);
     assert_true(bead_pan_eased(0.01) < 1e-4 && bead_pan_eased(0.99) > 1 - 1e-4);
 }
