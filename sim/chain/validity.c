@@ -96,9 +96,12 @@ struct bead_validity bead_validity_bound(const struct bead_chain *chain)
     return walk(chain, bead_chain_energy(chain));
 }
 
+/* Damping is part of the force: then no more than all the energy allows. */
 static double compression_at(const struct bead_chain *c, size_t k, double force)
 {
-    return c->law->compression(c->stiffness[k], &c->spec->law, force);
+    const double a = c->stiffness[k], d = c->law->compression(a, &c->spec->law, force);
+    const double most = fmax(c->static_compression[k], 0) + c->law->energy_compression(a, &c->spec->law, bead_chain_energy(c));
+    return c->spec->damping_coefficient > 0 ? fmin(d, most) : d;
 }
 
 void bead_validity_add_peaks(struct bead_validity *v, const struct bead_chain *chain, const struct bead_peak *peaks)

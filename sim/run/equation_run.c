@@ -107,6 +107,11 @@ static double never_over(const struct bead_run *)
     return NAN;
 }
 
+static bool never_lost(const struct bead_run *)
+{
+    return false;
+}
+
 /* Hashes every bit of the state. */
 static void hash_state(struct bead_run *run)
 {
@@ -184,6 +189,7 @@ const struct bead_run_kind bead_run_of_equation = {
     .destroy = equation_run_destroy,
     .time = time_of,
     .over = never_over,
+    .is_lost = never_lost,
     .step = equation_run_step,
     .sample = equation_run_sample,
     .finish = equation_run_finish,

@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "sim/base/wide.h"
 #include "sim/run/force_curve.h"
 
 static const double part = 1e-4;
@@ -97,6 +98,42 @@ static enum bead_error refine(const struct bead_stepper *s, double level, double
     }
     bead_stepper_destroy(fine);
     return BEAD_OK;
+}
+
+/* Energy, J, of the beads that still push those behind them. Before them are beads of which each moves on to the left faster than
+ * the next, or as fast, without touching it: a bead that catches up with one of them only loses energy. At a free end, their common
+ * motion presses nothing. */
+static double energy_behind(const struct bead_stepper *s)
+{
+    const struct bead_chain *c = s->chain;
+    const size_t n = bead_stepper_contacts(s);
+    size_t from = s->first;
+    while (from < n && bead_stepper_compression(s, &s->end, from) <= 0 && s->end.v[from] <= s->end.v[from + 1])
+        from++;
+    double energy = 0, mass = 0, momentum = 0;
+    for (size_t j = from; j < c->beads; j++) {
+        mass += c->mass[j];
+        momentum += c->mass[j] * s->end.v[j];
+        energy += 0.5 * c->mass[j] * (s->end.v[j] * s->end.v[j]);
+        if (j < n)
+            energy += c->law->energy(c->stiffness[j], s->table.law, bead_stepper_compression(s, &s->end, j));
+    }
+    return c->spec->wall == BEAD_WALL_NONE ? energy - 0.5 * momentum * momentum / mass : energy;
+}
+
+bool bead_front_is_lost(const struct bead_front *front, const struct bead_stepper *s)
+{
+    const struct bead_chain *c = s->chain;
+    const size_t last = c->contacts - 1;
+    if (!isnan(front->arrival) || !c->law->one_sided || c->striker_force != 0 || c->static_force[0] != 0 ||
+        c->static_force[last] != 0)
+        return false;
+    const double energy = energy_behind(s), weight = c->inverse_mass[last] + (last + 1 < c->beads ? c->inverse_mass[last + 1] : 0);
+    double force =
+        c->law->force(c->stiffness[last], s->table.law, c->law->energy_compression(c->stiffness[last], s->table.law, energy));
+    if (bead_stepper_damped(s)) /* two beads meet at this speed at most */
+        force += s->table.damping * bead_pow(sqrt(2 * energy * weight), s->table.damping_exponent);
+    return !(force > part * front->largest_force);
 }
 
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)

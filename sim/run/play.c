@@ -69,7 +69,10 @@ static enum bead_error advance(struct pass *pass, size_t chain, bool comparison,
     struct bead_way way = bead_play_way(pass->play, time);
     way.stepped = comparison ? comparison_stepped : stepped;
     way.context = pass;
-    return bead_play_run(&(comparison ? pass->played->comparison_runs : pass->played->runs)[chain], &way, msg);
+    const struct bead_runner *runner = &(comparison ? pass->played->comparison_runs : pass->played->runs)[chain];
+    const enum bead_error err = bead_play_run(runner, &way, msg);
+    /* One chain that ends without its front does not stop the others. */
+    return err && pass->play->chain_count > 1 && runner->kind->is_lost(runner->run) ? BEAD_OK : err;
 }
 
 static enum bead_error create_runs(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
@@ -220,6 +223,17 @@ static void finish_runs(const struct pass *pass)
     pass->counts->passes++;
 }
 
+/* Runs that were given up. */
+static size_t count_lost(const struct bead_played *played)
+{
+    size_t lost = 0;
+    for (size_t i = 0; i < played->count; i++) {
+        const struct bead_runner *r = &played->runs[i];
+        lost += r->kind->is_lost(r->run) && !isnan(r->kind->over(r->run));
+    }
+    return lost;
+}
+
 enum bead_error bead_play_begin(const struct bead_play *play, struct bead_played *played, struct bead_message *msg)
 {
     *played = (struct bead_played){.told = bead_clock()};
@@ -261,6 +275,8 @@ enum bead_error bead_play(const struct bead_play *play, struct bead_played *play
         return err;
     if (!err)
         err = complete_all(&pass, msg);
+    if (!err && played->count > 0 && count_lost(played) == played->count)
+        err = bead_play_lost(&played->runs[0], msg);
     finish_runs(&pass);
     return err ? err : bead_compare_finish(play, played, msg);
 }

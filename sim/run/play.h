@@ -97,6 +97,9 @@ BEAD_CHECK enum bead_error bead_play_finish(const struct bead_play *play, struct
 /* Tolerance factor of comparison runs, whose `samples` consumers want, or only their peaks. */
 double bead_play_comparison_factor(const struct bead_play *play, bool samples);
 
+/* Fails with what is to be said of a chain that its front does not pass. */
+enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_message *msg);
+
 /* The extent to which one run is played. */
 struct bead_way {
     double until;    /* s: up to the first step that ends at this time or later, */

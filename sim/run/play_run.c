@@ -14,11 +14,17 @@ enum bead_error bead_play_look_for_stop(const volatile sig_atomic_t *stop, doubl
     return bead_stop_is_asked(stop) ? bead_fail(msg, BEAD_ERROR_STOPPED, "stopped at %.4g s", time) : BEAD_OK;
 }
 
-static enum bead_error lost_front(const struct bead_chain *chain, double time, struct bead_message *msg)
+enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_message *msg)
 {
-    const char *name = bead_chain_name(chain);
-    return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: chain%s%s: after %.4g s the front has not reached the end: give simulate.until",
-                     bead_chain_scene(chain)->file, *name ? " " : "", name, time);
+    const struct bead_chain *chain = runner->chain;
+    char place[200];
+    const double over = runner->kind->over(runner->run), time = isnan(over) ? runner->kind->time(runner->run) : over;
+    return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                     "%schain%s%s: after %.3g s the front has not reached the end: give simulate.until, such as "
+                     "`until: %.2g s`%s",
+                     bead_chain_place(chain, place, sizeof place), *bead_chain_name(chain) ? " " : "", bead_chain_name(chain), time,
+                     fmin(time, 10 * bead_chain_passage(chain, bead_chain_energy(chain))),
+                     chain->spec->damping_coefficient > 0 ? ", or less damping" : "");
 }
 
 enum bead_error bead_play_run(const struct bead_runner *runner, const struct bead_way *way, struct bead_message *msg)
@@ -29,8 +35,10 @@ enum bead_error bead_play_run(const struct bead_runner *runner, const struct bea
     const double give_up = passage ? way->patience * bead_chain_passage(chain, bead_chain_energy(chain)) : INFINITY;
     for (double time; (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
         BEAD_TRY(bead_play_look_for_stop(way->stop, time, msg));
-        if (time > give_up)
-            BEAD_TRY(lost_front(chain, time, msg));
+        if (passage && (time > give_up || kind->is_lost(runner->run))) {
+            kind->give_up(runner->run);
+            return bead_play_lost(runner, msg);
+        }
         BEAD_TRY(kind->step(runner->run, msg));
         if (way->stepped)
             BEAD_TRY(way->stepped(way->context, runner, msg));

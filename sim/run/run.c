@@ -43,6 +43,8 @@ struct bead_run {
     struct bead_front front;
     struct bead_passing passing;
     struct bead_behind behind;
+    double given_up; /* s: the passage ended here, without the front; NaN: it did not */
+    bool hopeless;   /* the front will never arrive */
     double energy_start, momentum_start, energy_error, embedded_error, event_error, input; /* input: J, unit of energy errors */
     struct bead_peaks *contact_peaks, *bead_peaks;
     double *state_memory, *u, *v, *f; /* samples: state between steps */
@@ -80,7 +82,7 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     struct bead_run *r;
     BEAD_TRY(bead_new(&r, 1, msg, "a run"));
     r->settings = *settings;
-    r->front.arrival = NAN;
+    r->front.arrival = r->given_up = NAN;
     r->passing.time = NAN;
     if (settings->passage == BEAD_PASSAGE_OF_PULSE)
         bead_passing_begin(&r->passing, settings->chain);
@@ -148,8 +150,20 @@ bool bead_run_cut_short(const struct bead_run *run)
     return run->behind.reached;
 }
 
+void bead_run_give_up(struct bead_run *run)
+{
+    run->given_up = run->stepper->t1;
+}
+
+bool bead_run_is_lost(const struct bead_run *run)
+{
+    return run->hopeless || !isnan(run->given_up);
+}
+
 double bead_run_over(const struct bead_run *run)
 {
+    if (!isnan(run->given_up))
+        return run->given_up;
     return run->settings.passage == BEAD_PASSAGE_OF_FRONT ? run->front.arrival : run->passing.time;
 }
 
@@ -358,7 +372,10 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     drop_behind(run);
     if (run->settings.hash)
         hash_state(run);
-    return is_noted(run) ? note_errors(run, msg) : BEAD_OK;
+    if (!is_noted(run))
+        return BEAD_OK;
+    run->hopeless = run->settings.passage && bead_front_is_lost(&run->front, s);
+    return note_errors(run, msg);
 }
 
 /* Forces of contacts first..last in the interpolated state, including their static part. */

@@ -77,8 +77,11 @@ void bead_run_destroy(struct bead_run *run);
 double bead_run_time(const struct bead_run *run); /* s: end of the last step */
 /* Time when the front reached the end of the chain, s; NaN: not yet. */
 double bead_run_arrival(const struct bead_run *run);
-/* Time when the passage of the settings was over, s; NaN: not yet. */
+/* Time when the passage of the settings was over, or given up, s; NaN: not yet. */
 double bead_run_over(const struct bead_run *run);
+/* The passage will never be over: ends the run here. */
+void bead_run_give_up(struct bead_run *run);
+bool bead_run_is_lost(const struct bead_run *run); /* found so, or given up */
 /* Dropped beads may have changed a peak: the run is to be repeated with more beads. */
 bool bead_run_cut_short(const struct bead_run *run);
 /* Peaks so far, [beads]; NULL: not requested. */

@@ -58,8 +58,11 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     struct bead_played played;
     enum bead_error err = bead_play(&play, &played, msg);
     double end = 0, asked_end = 0;
-    for (size_t i = 0; !err && i < played.count; i++)
-        end = fmax(end, played.outcomes[i].end);
+    bead_session_find_lost(s, &played);
+    for (size_t i = 0; !err && i < played.count; i++) {
+        if (!played.runs[i].kind->is_lost(played.runs[i].run))
+            end = fmax(end, played.outcomes[i].end);
+    }
     for (size_t i = 0; i < s->made_count; i++)
         asked_end = s->made[i].asked ? fmax(asked_end, asked_time(s->made[i].output)) : asked_end;
     bead_played_free(&played);

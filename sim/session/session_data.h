@@ -30,9 +30,9 @@ struct bead_made {
     struct bead_range range; /* found by scouting */
 };
 
-/* Warnings, in this order: numbers that can hardly be meant; a step that is too long; a model that does not hold; peaks that could
- * not be verified. */
-enum { SESSION_DOUBTS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_UNVERIFIED, SESSION_WARNINGS };
+/* Warnings, in this order: numbers that can hardly be meant; a step that is too long; a model that does not hold; chains without
+ * an end; peaks that could not be verified. */
+enum { SESSION_DOUBTS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_LOST, SESSION_UNVERIFIED, SESSION_WARNINGS };
 
 struct bead_sensitivities; /* session_sensitivity.c */
 
@@ -146,6 +146,8 @@ BEAD_CHECK enum bead_error bead_session_run_single(struct bead_session *session,
 BEAD_CHECK enum bead_error bead_session_finish(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_finish_all(struct bead_session *session, struct bead_message *msg);
 
+/* Warn of the first chain that its front did not pass. */
+void bead_session_find_lost(struct bead_session *session, const struct bead_played *played);
 /* session_validity.c: could the model fail? Then the peaks of contacts are wanted. */
 void bead_session_doubt(struct bead_session *session);
 /* Warn where it failed, in these outcomes. */

@@ -218,6 +218,20 @@ enum bead_error bead_session_finish_all(struct bead_session *s, struct bead_mess
     return err;
 }
 
+void bead_session_find_lost(struct bead_session *s, const struct bead_played *played)
+{
+    struct bead_message first = {""};
+    size_t lost = 0;
+    for (size_t i = 0; s->passage && i < played->count; i++) {
+        const struct bead_runner *runner = &played->runs[i];
+        if (runner->kind->is_lost(runner->run) && lost++ == 0)
+            (void)bead_play_lost(runner, &first);
+    }
+    if (lost > 0)
+        snprintf(s->warning[SESSION_LOST], sizeof s->warning[SESSION_LOST], "%.500s%s: its results end there", first.text,
+                 lost > 1 ? " (and others like it)" : "");
+}
+
 static enum bead_error session_end(struct bead_session *s, bool stopped, struct bead_message *msg)
 {
     BEAD_TRY(collect_outcomes(s, msg));
@@ -257,8 +271,10 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
         err = bead_session_find_sensitivities(s, msg);
     if (err && err != BEAD_ERROR_STOPPED)
         return err;
-    if (!s->trajectory)
+    if (!s->trajectory) {
         bead_session_judge(s, s->chains, s->played.outcomes, s->played.count);
+        bead_session_find_lost(s, &s->played);
+    }
     if (s->passage && !s->trajectory && !err && !isfinite(s->end))
         s->end = s->played.end;
     struct bead_message unused;

@@ -27,8 +27,10 @@ struct bead_sweep {
     struct sweep_panel *panels;
     size_t panel_count;
     size_t jobs;
-    unsigned char *known; /* [jobs] */
-    size_t part, parts;   /* 1, 1: the whole sweep */
+    unsigned char *known;    /* [jobs] */
+    size_t lost, first_lost; /* chains that their front did not pass, which have no results; the job of the first */
+    struct bead_message why; /* what is to be said of it */
+    size_t part, parts;      /* 1, 1: the whole sweep */
     char *version;
 };
 

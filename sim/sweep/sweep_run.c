@@ -27,6 +27,7 @@ struct measure {
     size_t row;
     const struct bead_chain *chain;
     struct bead_span span; /* beads whose peak forces are measured */
+    bool lost;             /* its front never arrives */
     double *seen;          /* [beads] s: times of the peaks whose energy is known; NULL: not measured */
 };
 
@@ -182,6 +183,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
         err = check_whole(m, &play, played.outcomes[0].bead_peaks, msg);
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
+    m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
     if (!err && m->seen)
         err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);
     free(m->seen);
@@ -194,7 +196,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
 struct work {
     struct bead_sweep *sweep;
     struct bead_sweep_journal *journal;
-    pthread_mutex_t lock; /* of the journal */
+    pthread_mutex_t lock; /* of the journal, and of what is lost */
     size_t *jobs;         /* not known yet */
 };
 
@@ -206,6 +208,18 @@ static void find_job(void *context, size_t index, size_t *panel, size_t *configu
     *configuration = row - 1;
 }
 
+/* A chain without a result does not stop the others. */
+static void keep_lost(struct work *w, size_t job, const struct bead_message *why)
+{
+    struct bead_sweep *s = w->sweep;
+    pthread_mutex_lock(&w->lock);
+    if (s->lost++ == 0 || job < s->first_lost) {
+        s->first_lost = job;
+        s->why = *why;
+    }
+    pthread_mutex_unlock(&w->lock);
+}
+
 static enum bead_error play_job(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
 {
     struct work *w = context;
@@ -213,6 +227,10 @@ static enum bead_error play_job(void *context, size_t index, const struct bead_p
     struct measure m = {.chain = play->chains[0]};
     m.panel = bead_sweep_panel_of(w->sweep, job, &m.row);
     enum bead_error err = sweep_measure(&m, play, msg);
+    if (m.lost) {
+        keep_lost(w, job, msg);
+        return BEAD_OK;
+    }
     if (!err && w->journal) {
         pthread_mutex_lock(&w->lock);
         err = bead_sweep_journal_add(w->journal, w->sweep, job, msg);
@@ -257,6 +275,8 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "cannot create a lock for a sweep");
     if (!err) {
         err = bead_sweep_play(&generator, msg);
+        if (!err && sweep->lost > 0 && sweep->lost == generator.count)
+            err = bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", sweep->why.text);
         pthread_mutex_destroy(&w.lock);
     }
     if (computed)
