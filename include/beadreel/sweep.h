@@ -18,7 +18,7 @@
  *   spins [n][cells]      1 up, 0 reversed, of the random cells
  *   magnetism [n]         M of the chain; over keys: value [n][key], NaN where it is no number, of the keys `key` [keys]
  *   place [places]        "peak", or the sensors' names
- *   peak_force [n][place] N, peak_time [n][place] s, peak_bead [n][place], peak_open [n][place]
+ *   peak_force [n][place] N, peak_time [n][place] s, peak_uncertainty [n][place] N, peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
  *   reference_...         the same of the chain with all random cells up */
 #ifndef BEADREEL_SWEEP_H
@@ -74,10 +74,11 @@ struct bead_sweep_panel {
 };
 
 struct bead_sweep_peak {
-    double force;  /* N: largest bead force of the first passage */
-    double time;   /* s; NaN where the wave has not come */
-    uint32_t bead; /* where */
-    uint32_t open; /* 1: at the end of the run a force there was rising, and higher than before */
+    double force;       /* N: largest bead force of the first passage */
+    double time;        /* s; NaN where the wave has not come */
+    double uncertainty; /* N: measured by a finer run, for one in 64 chains; 0: not measured */
+    uint32_t bead;      /* where */
+    uint32_t open;      /* 1: at the end of the run a force there was rising, and higher than before */
 };
 
 struct bead_sweep_configuration {
@@ -107,6 +108,8 @@ BEAD_API size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, s
  * Borrowed from the sweep. */
 BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index,
                                        struct bead_sweep_configuration *configuration);
+/* How well the forces of a place are known, as a part of themselves: as the worst of those that were measured; NaN: none was. */
+BEAD_API double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 /* Number of configurations (and reference chains), and of those that are known. */
 BEAD_API size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known);
 

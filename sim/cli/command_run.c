@@ -83,6 +83,19 @@ static void print_worst(const struct bead_outcome *outcomes, size_t chains)
         printf("; not all peaks are predictable from %.4g ms on", 1e3 * from);
 }
 
+/* Forces that are not known as well as asked. */
+static void print_sweep_errors(const struct bead_sweep *sweep)
+{
+    double worst = 0;
+    for (size_t p = 0; p < bead_sweep_panels(sweep); p++) {
+        for (size_t i = 0; i < bead_sweep_panel(sweep, p)->places; i++)
+            worst = fmax(worst, bead_sweep_uncertainty(sweep, p, i)); /* fmax ignores NaN */
+    }
+    const double asked = bead_sweep_scene(sweep)->simulate.accuracy;
+    if (worst > 1.001 * asked)
+        printf("; forces are known to %.2g of themselves, not to the %.2g asked for", worst, asked);
+}
+
 /* ": 2581 chains, 83 a second"; if a sweep is resumed, only the chains computed now count. */
 static void print_sweep(const struct bead_session *session, double seconds)
 {
@@ -94,6 +107,7 @@ static void print_sweep(const struct bead_session *session, double seconds)
     if (now < known)
         printf(" of %zu, %zu there before", all, known - (size_t)now);
     printf(", %.3g a second", (double)now / fmax(seconds, 1e-3));
+    print_sweep_errors(bead_session_sweep(session));
 }
 
 /* "2 files, 1.8 MB, in 2.1 s: 2 chains to 1.05 ms with rkn8, step 0.36 us" */

@@ -25,9 +25,10 @@ static const struct bead_option table_rows[] = {
          "chain; the energy budget; or sensitivities, the derivatives of the peaks of `contacts` by the mass (N/kg), radius "
          "(N/m) and modulus (N/Pa) of every bead, the two others kept, and by the velocity of the striker (N s/m)"},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
-     .help = "tables of peaks: a column that says how well each is known, from a second, coarser run, and where many peaks answer "
-             "strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, and so "
-             "do those that come later and are not known as well as asked; false: no such runs"},
+     .help =
+         "tables of peaks: a column that says how well each is known, from a second, coarser run, and where many peaks answer "
+         "strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, and so "
+         "do those that come later and are not known as well as asked; false: no such runs"},
 };
 static const struct bead_option_rows table_shared[] = {
     {BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};
@@ -71,8 +72,10 @@ static const struct bead_option sweep_table_rows[] = {
     BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "magnetism", .choices = sweep_table_shows,
      .values = sweep_table_values,
-     .help = "magnetism or statistics: those of each magnetism, or over keys of each value along the axis; results of each "
-             "configuration; or mean peaks along the chain"},
+     .help =
+         "magnetism or statistics: those of each magnetism, or over keys of each value along the axis; results of each "
+         "configuration; or mean peaks along the chain. Forces have an `uncertainty`: a finer run measures that of the first of "
+         "every 64 chains; the others, and means, are uncertain by the worst of these"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {
     {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, {NULL, 0}};

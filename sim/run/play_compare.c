@@ -13,8 +13,6 @@
 
 /* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks answer. */
 static const double coarser = 30;
-/* Tolerance of the finer run. */
-static const double finer = 0.1;
 static const double pi = 3.14159265358979;
 
 static bool compares_samples(const struct bead_play *p)
@@ -112,7 +110,7 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
 static enum bead_error run_finer(const struct bead_play *p, const struct bead_runner *run, struct bead_runner *fine,
                                  struct bead_message *msg)
 {
-    struct bead_run_settings settings = settings_of(p, finer * (p->refinement > 0 ? p->refinement : 1));
+    struct bead_run_settings settings = settings_of(p, BEAD_UNCERTAINTY_FINER * (p->refinement > 0 ? p->refinement : 1));
     const bool is_over = !isnan(run->kind->over(run->run));
     const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
     settings.chain = run->chain;

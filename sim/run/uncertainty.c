@@ -111,3 +111,8 @@ bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct
 {
     return uncertainty > lost * peak->value || (peak->time >= from && uncertainty > of->accuracy * peak->value);
 }
+
+double bead_uncertainty_measured(double accuracy, double force, double finer)
+{
+    return fmax(accuracy * force, safety * fabs(force - finer));
+}

@@ -24,6 +24,9 @@
 
 #include "beadreel/sink.h"
 
+/* Tolerance of the finer run in units of the run's: q. */
+#define BEAD_UNCERTAINTY_FINER 0.1
+
 /* The runs that are compared. */
 struct bead_uncertainty_of {
     double accuracy; /* a; 0: the step was given */
@@ -48,3 +51,5 @@ bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const str
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 /* True if a peak of this uncertainty (N) is not predictable: it comes after this time, and not as accurately as asked. */
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_peak *peak, double uncertainty, double from);
+/* The uncertainty of a force by a run with a tenth of its tolerance alone, N: at least the accuracy asked for. */
+double bead_uncertainty_measured(double accuracy, double force, double finer);

@@ -32,7 +32,7 @@ static size_t count_beads(const struct bead_chain_spec *chain)
 
 size_t bead_sweep_words(const struct sweep_panel *panel)
 {
-    return 3 * panel->shown.places + (panel->profiles ? PROFILES * panel->shown.beads : 0);
+    return PEAK_WORDS * panel->shown.places + (panel->profiles ? PROFILES * panel->shown.beads : 0);
 }
 
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row)

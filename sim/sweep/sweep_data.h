@@ -9,6 +9,8 @@
 
 /* Profiles along the chain, kept if decay is measured, in the order of struct bead_sweep_configuration. */
 enum sweep_profile { PROFILE_FORCE, PROFILE_ENERGY, PROFILE_LAST_FORCE, PROFILE_LAST_ENERGY, PROFILES };
+/* 64-bit words of a peak in a journal. */
+enum { PEAK_WORDS = sizeof(struct bead_sweep_peak) / sizeof(uint64_t) };
 
 /* Jobs are numbered across panels; the first of each panel is its clean chain. */
 struct sweep_panel {

@@ -67,8 +67,8 @@ static size_t pack(const struct bead_sweep *sweep, size_t job, uint64_t *record)
 {
     size_t row = 0;
     const struct sweep_panel *p = bead_sweep_panel_of(sweep, job, &row);
-    size_t peaks = 3 * p->shown.places, words = bead_sweep_words(p);
-    _Static_assert(sizeof(struct bead_sweep_peak) == 3 * sizeof(uint64_t), "a peak is three words");
+    size_t peaks = PEAK_WORDS * p->shown.places, words = bead_sweep_words(p);
+    _Static_assert(sizeof(struct bead_sweep_peak) % sizeof(uint64_t) == 0, "a peak is whole words");
     record[0] = label_of(job, words + 2);
     if (peaks > 0)
         memcpy(record + 1, p->peaks + row * p->shown.places, peaks * sizeof *record);
@@ -82,7 +82,7 @@ static void unpack(struct bead_sweep *sweep, const uint64_t *record)
 {
     size_t row = 0, job = job_of(record[0]);
     struct sweep_panel *p = bead_sweep_panel_of(sweep, job, &row);
-    size_t peaks = 3 * p->shown.places, words = bead_sweep_words(p);
+    size_t peaks = PEAK_WORDS * p->shown.places, words = bead_sweep_words(p);
     if (peaks > 0)
         memcpy(p->peaks + row * p->shown.places, record + 1, peaks * sizeof *record);
     if (p->profiles)

@@ -87,6 +87,12 @@ static void read_peaks(struct reader *r, const char *prefix, const size_t *rows,
     bead_h5_read_table(r->h5, name_of(r, prefix, "peak_time"), BEAD_H5_DOUBLE, count, places, numbers);
     for (size_t i = 0; i < count * places && !r->h5->error; i++)
         peaks[rows[i / places] * places + i % places].time = numbers[i];
+    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_uncertainty"), BEAD_H5_DOUBLE, count, places, numbers);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+        if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
+            wrong(r, "an uncertainty that is negative or not finite");
+        peaks[rows[i / places] * places + i % places].uncertainty = numbers[i];
+    }
     bead_h5_read_table(r->h5, name_of(r, prefix, "peak_bead"), BEAD_H5_INT, count, places, whole);
     for (size_t i = 0; i < count * places && !r->h5->error; i++) {
         if (whole[i] < 0 || (!bead_sweep_is_over(r->panel) && (uint64_t)whole[i] >= r->panel->shown.beads))

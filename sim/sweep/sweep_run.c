@@ -9,6 +9,7 @@
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/behind.h"
+#include "sim/run/uncertainty.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -18,7 +19,7 @@ enum { REACH = 4 };
 /* How much faster than the front signals behind it may be, tried one after the other; 0: all beads are kept. In chains of dimers
  * with random spins, signals travel 1.26 times as fast. */
 static const double widenings[] = {1.3, 1.8, 0};
-/* Every so many chains one is also played whole. */
+/* Every so many chains one is also played whole, and the next one finer. */
 enum { ALSO_WHOLE = 64 };
 
 /* The measurements of one chain. */
@@ -97,20 +98,25 @@ static enum bead_error keep_last(const struct measure *m, struct bead_run *run, 
     return BEAD_OK;
 }
 
+/* The largest peak of a place. */
+static struct bead_sweep_peak peak_of(const struct measure *m, const struct bead_peak *found, size_t place)
+{
+    const struct bead_span span = bead_sweep_place_span(m->panel, m->chain, place);
+    size_t most = span.first;
+    bool open = false;
+    for (size_t j = span.first; j <= span.last; j++) {
+        most = found[j].value > found[most].value ? j : most;
+        open |= found[j].open;
+    }
+    return (struct bead_sweep_peak){
+        .force = found[most].value, .time = found[most].time, .bead = (uint32_t)most, .open = (uint32_t)open};
+}
+
 static void collect(const struct measure *m, const struct bead_peak *found)
 {
     const struct bead_sweep_panel *shown = &m->panel->shown;
-    for (size_t i = 0; i < shown->places; i++) {
-        struct bead_span span = bead_sweep_place_span(m->panel, m->chain, i);
-        struct bead_sweep_peak *peak = &m->panel->peaks[m->row * shown->places + i];
-        *peak = (struct bead_sweep_peak){found[span.first].value, found[span.first].time, (uint32_t)span.first, 0};
-        for (size_t j = span.first + 1; j <= span.last; j++) {
-            if (found[j].value > peak->force)
-                *peak = (struct bead_sweep_peak){found[j].value, found[j].time, (uint32_t)j, 0};
-        }
-        for (size_t j = span.first; j <= span.last; j++)
-            peak->open |= found[j].open;
-    }
+    for (size_t i = 0; i < shown->places; i++)
+        m->panel->peaks[m->row * shown->places + i] = peak_of(m, found, i);
     if (!m->panel->profiles)
         return;
     for (size_t j = 0; j < shown->beads; j++)
@@ -149,6 +155,25 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     return err;
 }
 
+/* Plays it once more, with a tenth of the tolerance, and finds how well its peaks are known. */
+static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t first,
+                                      struct bead_message *msg)
+{
+    struct bead_consumer consumer = {.needs = {.bead_peaks = true}};
+    struct bead_play play = *asked;
+    struct bead_played finer = {.count = 0};
+    play.consumers = &consumer;
+    play.refinement = BEAD_UNCERTAINTY_FINER;
+    enum bead_error err = play_cut(&play, first, &finer, msg);
+    for (size_t i = 0; !err && i < m->panel->shown.places; i++) {
+        struct bead_sweep_peak *peak = &m->panel->peaks[m->row * m->panel->shown.places + i];
+        peak->uncertainty = bead_uncertainty_measured(play.simulate->step > 0 ? 0 : play.simulate->accuracy, peak->force,
+                                                      peak_of(m, finer.outcomes[0].bead_peaks, i).force);
+    }
+    bead_played_free(&finer);
+    return err;
+}
+
 const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bead_chain *chain)
 {
     if (panel->shown.spec->whole)
@@ -178,12 +203,15 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
         consumer.step = watch_energies;
         BEAD_TRY(bead_new(&m->seen, m->panel->shown.beads, msg, "the energies of %zu beads", m->panel->shown.beads));
     }
-    enum bead_error err = play_cut(&play, whole ? sizeof widenings / sizeof *widenings - 1 : 0, &played, msg);
+    const size_t first = whole ? sizeof widenings / sizeof *widenings - 1 : 0;
+    enum bead_error err = play_cut(&play, first, &played, msg);
     if (!err && !whole && m->row % ALSO_WHOLE == 0)
         err = check_whole(m, &play, played.outcomes[0].bead_peaks, msg);
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
     m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
+    if (!err && m->row % ALSO_WHOLE == 1)
+        err = measure_errors(m, &play, first, msg);
     if (!err && m->seen)
         err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);
     free(m->seen);

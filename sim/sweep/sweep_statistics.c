@@ -79,6 +79,17 @@ static enum bead_error find_threshold(struct bead_sweep_statistics *s, const cha
     return err == BEAD_ERROR_NUMBERS ? BEAD_OK : err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
+double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
+{
+    double worst = NAN;
+    for (size_t i = 0; i < bead_sweep_panel(sweep, panel)->configurations; i++) {
+        struct bead_sweep_configuration c;
+        if (bead_sweep_configuration(sweep, panel, i, &c) && c.peaks[place].uncertainty > 0)
+            worst = fmax(worst, c.peaks[place].uncertainty / c.peaks[place].force);
+    }
+    return worst;
+}
+
 enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place, const char *threshold,
                                       struct bead_sweep_statistics *s, struct bead_message *msg)
 {

@@ -42,7 +42,10 @@ static void names(const struct out *o, size_t panel, size_t place)
     }
 }
 
-static void write_row(const struct out *o, const struct bead_sweep_statistics *s, const struct bead_sweep_row *row)
+/* `uncertain`: how well the forces are known, as a part of themselves. Errors of chains may be alike, so that the mean is no
+ * better. */
+static void write_row(const struct out *o, const struct bead_sweep_statistics *s, const struct bead_sweep_row *row,
+                      double uncertain)
 {
     const struct bead_summary *m = &row->summary;
     const double normalised[] = {m->mean, m->standard_error, m->median, m->low, m->high, m->quartile[0], m->quartile[1]};
@@ -55,6 +58,7 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
     const double found[] = {s->threshold.plateau, s->threshold.plateau_error, s->threshold.critical, s->threshold.critical_error};
     for (size_t i = 0; i < 4; i++)
         number(o->file, s->has_threshold ? found[i] : NAN);
+    number(o->file, uncertain * m->mean);
     fputc('\n', o->file);
 }
 
@@ -63,7 +67,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     head(
         o,
         "magnetism,configurations,mean,standard_error,median,minimum,maximum,lower_quartile,upper_quartile,mean_N,standard_error_N,"
-        "median_N,plateau,plateau_error,threshold,threshold_error");
+        "median_N,plateau,plateau_error,threshold,threshold_error,uncertainty");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         for (size_t place = 0; place < bead_sweep_panel(o->sweep, p)->places; place++) {
             struct bead_sweep_statistics s;
@@ -72,7 +76,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
                 return err;
             for (size_t i = 0; i < s.row_count; i++) {
                 names(o, p, place);
-                write_row(o, &s, &s.rows[i]);
+                write_row(o, &s, &s.rows[i], bead_sweep_uncertainty(o->sweep, p, place));
             }
             bead_sweep_statistics_free(&s);
         }
@@ -82,7 +86,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
 
 static enum bead_error write_configurations(const struct out *o, struct bead_message *)
 {
-    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state");
+    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state,uncertainty_N");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, p);
         struct bead_sweep_configuration clean, c;
@@ -98,7 +102,10 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
                 number(o->file, normal ? peak->force / clean.peaks[place].force : NAN);
                 number(o->file, peak->force);
                 number(o->file, peak->time);
-                fprintf(o->file, ",%zu,%.*s,%s\n", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
+                fprintf(o->file, ",%zu,%.*s,%s", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
+                const double usual = bead_sweep_uncertainty(o->sweep, p, place) * peak->force;
+                number(o->file, peak->uncertainty > 0 ? peak->uncertainty : usual);
+                fputc('\n', o->file);
             }
         }
     }

@@ -308,8 +308,9 @@ static void files_are_not_trusted(void **state)
     static const struct {
         const char *name;
         double value;
-    } changes[] = {{"peak_force", -1}, {"peak_force", NAN}, {"peak_bead", 1000},  {"peak_bead", -1},
-                   {"peak_open", 2},   {"spins", 2},        {"configuration", 5}, {"reference_peak_force", INFINITY}};
+    } changes[] = {{"peak_force", -1},      {"peak_force", NAN}, {"peak_bead", 1000},  {"peak_bead", -1},
+                   {"peak_open", 2},        {"spins", 2},        {"configuration", 5}, {"reference_peak_force", INFINITY},
+                   {"peak_uncertainty", -1}};
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         change_value(path, copy, changes[i].name, changes[i].value);
         assert_int_equal(bead_sweep_open(copy, NULL, &read, &msg), BEAD_ERROR_FORMAT);
@@ -348,6 +349,42 @@ static enum bead_error look_on(void *context, const struct bead_sample *sample, 
     for (size_t j = 0; j < sample->active; j++)
         look->largest = fmax(look->largest, sample->field[BEAD_FIELD_VELOCITY][j]);
     return BEAD_OK;
+}
+
+/* Waves in a thousand random cells are chaotic along the chain: the force at its end is off by more than was asked, and the sweep
+ * says so; in a short chain it is as asked. */
+static void long_chains_say_that_they_are_off(void **state)
+{
+    (void)state;
+    static const struct {
+        int cells;
+        bool is_off;
+    } cases[] = {{1000, true}, {32, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct bead_sweep *sweep[2];
+        struct bead_scene *scene[2];
+        static const char *const accuracies[] = {"1e-6", "1e-10"};
+        for (int a = 0; a < 2; a++) {
+            char text[512];
+            snprintf(text, sizeof text,
+                     "chain: {beads: [{cell: [large-steel, aluminium], count: %d, spins: random}, {cell: [large-steel, aluminium], "
+                     "count: 15}]}\nsweep: {configurations: 2, magnetism: [0]}\nsimulate: {accuracy: %s}" OUTPUT,
+                     cases[i].cells, accuracies[a]);
+            sweep[a] = compute(scene[a] = parse(text), NULL);
+        }
+        const double said = bead_sweep_uncertainty(sweep[0], 0, 0);
+        for (size_t c = 0; c < 2; c++) {
+            const double force = peak_of(sweep[1], c)->force, error = fabs(peak_of(sweep[0], c)->force / force - 1);
+            assert_true(error < said);
+            assert_true(!cases[i].is_off || error > 1e-6);
+            assert_true((peak_of(sweep[0], c)->uncertainty > 0) == (c == 0)); /* one in 64 is measured */
+        }
+        assert_true(cases[i].is_off ? said > 1e-6 && said < 1e-2 : said <= 1.001e-6);
+        for (int a = 0; a < 2; a++) {
+            bead_sweep_close(sweep[a]);
+            bead_scene_free(scene[a]);
+        }
+    }
 }
 
 /* The same forces as the sweep's, the index 1 of the clean chain, less of others; the same bits for any number of threads. */
@@ -412,6 +449,7 @@ int main(void)
         cmocka_unit_test(a_spoilt_journal_is_not_believed),
         cmocka_unit_test(parts_make_the_whole),
         cmocka_unit_test(files_are_not_trusted),
+        cmocka_unit_test(long_chains_say_that_they_are_off),
         cmocka_unit_test(watches_measure_single_runs),
         cmocka_unit_test(watches_give_samples),
     };
