@@ -53,6 +53,13 @@ static float on_grid(double x)
     return (float)(round(64 * x) / 64);
 }
 
+/* In steps of a part of the largest: pictures of beads are baked for each radius, and in some chains all differ. */
+static float shown_radius(const struct bead_view *v, size_t i)
+{
+    const double steps = fmax(1, round(BEAD_STAGE_RADII * v->radius[i] / v->largest));
+    return fmaxf(2, (float)steps * v->stage.unit / BEAD_STAGE_RADII);
+}
+
 static double stage_x(const struct bead_view *v, size_t i)
 {
     return v->scale * (v->place[i] + v->shift[i]) - v->left;
@@ -125,7 +132,7 @@ void bead_stage_compose(struct bead_view *v)
             continue;
         struct bead_stage_bead *b = &s->beads[s->count++];
         *b = (struct bead_stage_bead){.x = on_grid(x), .edge = {-INFINITY, INFINITY}};
-        b->r = (float)(fmax(2, round(4 * v->radius[i] * v->scale)) / 4);
+        b->r = shown_radius(v, i);
         set_colour(bead_chain_colour(v->setup.chain, v->first + i), b->colour);
         set_light(v, b, i);
         if (s->count > 1 && before + 1 == i)

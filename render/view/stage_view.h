@@ -9,6 +9,8 @@
 #include "render/view/camera_steps.h"
 #include "render/view/latest.h"
 
+enum { BEAD_STAGE_RADII = 120 }; /* most different radii */
+
 struct bead_view {
     struct bead_view_setup setup;
     struct bead_look look;

@@ -355,11 +355,13 @@ static void beads_touch_where_they_do(void **state)
         struct setting s;
         open_view(&s, chains[c]);
         const struct bead_stage *stage = &s.view->stage;
+        /* Of two radii, and of places. */
+        const double rounding = (double)stage->unit / BEAD_STAGE_RADII + 1.0 / 64;
         const double free_space = c == 3 ? 1e-3 * s.view->scale : 0;
         assert_int_equal(stage->count, bead_chain_beads(s.chain));
         for (size_t i = 0; i + 1 < stage->count; i++) {
             const double expected = i > 0 ? free_space : 0; /* the striker touches the first bead */
-            if (fabs(gap_of(stage, i) - expected) > 0.3)
+            if (fabs(gap_of(stage, i) - expected) > rounding)
                 fail_msg("chain %zu, beads %zu and %zu: %g px between them, not %g", c, i, i + 1, gap_of(stage, i), expected);
         }
         /* Radii in proportion; all on the stage, with room for the striker to fly back. */
@@ -369,7 +371,7 @@ static void beads_touch_where_they_do(void **state)
         assert_true(last->x + last->r < (float)stage->width);
         assert_true((stage->wall.width > 0) == (c != 3));
         if (c != 3)
-            assert_true(fabsf(last->x + last->r - stage->wall.x) < 0.3f && last->edge[1] == stage->wall.x);
+            assert_true(fabs(last->x + last->r - stage->wall.x) < rounding && last->edge[1] == stage->wall.x);
         close_view(&s);
     }
 }
