@@ -47,6 +47,7 @@ enum bead_view_trait {
     BEAD_FOLLOWS_FRONT = 64,    /* shows a window that moves, where a movie follows the front */
     BEAD_DRAWS_ON_CANVAS = 128, /* paints beads: needs a canvas */
     BEAD_OVERLAYS = 256,        /* can show several chains on one axis */
+    BEAD_ACTS = 512,            /* large beads: a film is arranged around them */
 };
 
 /* The quantity on the horizontal axis; time for an image whose time does not run down. */
@@ -59,7 +60,7 @@ enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES }
          .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,    \
          .shape = 8, .movie_share = 1, .movie_most = 0.135)                                                                   \
     VIEW(STAGE, stage, .help = "large beads in their materials' colours, lit at each contact by its force; a camera follows", \
-         .traits = BEAD_SHOWS_BEADS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.4, .shape = 5.5,            \
+         .traits = BEAD_ACTS | BEAD_SHOWS_BEADS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.4, .shape = 5.5,            \
          .movie_share = 2.2, .movie_most = 0.16)                                                                              \
     VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT | BEAD_OVERLAYS,     \
          .still_share = 0.22, .shape = 1.35, .movie_share = 1.6, .movie_most = 0.5)                                           \

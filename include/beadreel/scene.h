@@ -235,7 +235,9 @@ enum bead_layout {
     BEAD_LAYOUT_COLUMNS,
     BEAD_LAYOUT_GRID,
     BEAD_LAYOUT_OVERLAY,
-    BEAD_LAYOUT_BESIDE
+    BEAD_LAYOUT_BESIDE,
+    BEAD_LAYOUT_IMAGES, /* the best of those above */
+    BEAD_LAYOUT_STAGE
 };
 enum bead_type { BEAD_TYPE_NORMAL, BEAD_TYPE_LARGE };
 

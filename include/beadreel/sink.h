@@ -123,6 +123,8 @@ struct bead_sink_type {
      * outputs that are made. NULL: it does not matter. */
     double (*accuracy)(const struct bead_output *output);
     bool one_frame; /* makes a frame rather than the film: listed before the sink that makes all */
+    /* A sample of the scouting pass of its range, with that field alone, before `begin`. NULL: it only wants to know the range. */
+    enum bead_error (*scout)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg);
     /* After the last sample: does it want them all once more? Only of a sink that is alone. NULL: no. */
     enum bead_error (*again)(struct bead_sink *sink, bool *again, struct bead_message *msg);
     /* Only in types for outputs of sweeps, which have none of the functions above: write the whole file. */

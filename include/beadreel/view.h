@@ -41,11 +41,14 @@ struct bead_view_setup {
     bool name_left;   /* the title of the axis along the chain is left of its numbers, where vertical axes have theirs */
     int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
     bool over_beads;  /* a view above or below draws the beads: what belongs to a bead is there */
+    int head;         /* stage: px at its top that are left free, for the heading */
     bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
     enum bead_orientation orientation; /* spacetime; AUTO: as TIME_RIGHT */
     bool time_shared;                  /* spacetime, sensors: no labels on the time axis; a view below has them */
+    bool against;                      /* spacetime with time to the right: one title above for both axes */
     bool fill;                         /* spacetime: show only what has passed, with a cursor at the present (movies) */
+    bool ghost;                        /* and what comes, dimmed: all samples are fed before the first is drawn */
     enum bead_sampling sampling;       /* spacetime */
     double magnify;                    /* beads, stage: factor on displacements, > 0 */
     enum bead_light light;             /* stage */

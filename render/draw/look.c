@@ -70,10 +70,12 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
     snprintf(look->family, sizeof look->family, "Lato");
 }
 
-/* Labels, ticks and the facts have one size; titles and captions are larger. Floors keep type readable in small frames. */
+/* Labels, ticks and the facts have one size; titles and captions are larger. Upright frames are seen on phones, a third as wide as
+ * a screen. Floors keep type readable in small frames. */
 void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large)
 {
-    double side = fmin(height, width), part = large ? 0.04 : 0.03;
+    const bool phone = height >= 1.25 * width;
+    double side = fmin(height, width), part = phone ? (large ? 0.06 : 0.05) : large ? 0.04 : 0.03;
     bead_look_screen(look, width, height, dark);
     look->label = look->tick = fmax(11, part * side);
     look->title = fmax(13, 1.15 * part * side);

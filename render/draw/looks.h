@@ -7,7 +7,8 @@
 /* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height, never unreadably small). */
 void bead_look_paper(struct bead_look *look, double dpi);
 void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
-/* Screen look for films: type in parts of the shorter side of the frame, 3 % for labels; `large`: 4 %. */
+/* Screen look for films: type in parts of the shorter side of the frame, 3 % for labels, `large` 4 %; on phones, whose frames are
+ * upright, 5 and 6 %. */
 void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
 /* Screen look for a projector: larger type, thicker lines. */
 void bead_look_slide(struct bead_look *look, int width, int height, bool dark);

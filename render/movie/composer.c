@@ -9,9 +9,11 @@
 
 #include "render/colour/colour_range.h"
 #include "render/draw/looks.h"
+#include "render/draw/names.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 #include "render/draw/words.h"
+#include "render/movie/film.h"
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 #include "sim/base/memory.h"
@@ -33,12 +35,26 @@ static struct bead_rect plot_of(const struct bead_composer *c, size_t index)
     return c->layout.chains[index / c->wants.view_count].plot[index % c->wants.view_count];
 }
 
+/* Are the curves of several chains on one axis, told apart by colours? */
+static bool shares_curves(const struct bead_composer *c)
+{
+    bool stage = c->layout.layout == BEAD_LAYOUT_STAGE;
+    return stage ? c->wants.chain_count > 1 && c->layout.overlay < c->wants.view_count : c->layout.layout == BEAD_LAYOUT_OVERLAY;
+}
+
+/* Does an image know all samples before the first frame? The comparison run's are not among them. */
+static bool previewed(const struct bead_composer *c, size_t index)
+{
+    return c->setup.preview && !c->setup.output->shown.trust && bead_view_has(type_of(c, index), BEAD_SHOWS_IMAGE);
+}
+
 static struct bead_view_setup setup_of(const struct bead_composer *c, size_t index)
 {
     size_t chain = index / c->wants.view_count, view = index % c->wants.view_count;
     const struct bead_output *output = c->setup.output;
     const struct bead_movie_chain *place = &c->layout.chains[chain];
     enum bead_view_across across = bead_movie_across(&c->wants, view);
+    const bool stage = c->layout.layout == BEAD_LAYOUT_STAGE;
     bool time = across == BEAD_ACROSS_TIME, labels = place->labels[view], along = across == BEAD_ACROSS_CHAIN;
     return (struct bead_view_setup){.chain = c->setup.chains[chain],
                                     .chain_index = chain,
@@ -52,16 +68,21 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
                                     .titles = c->layout.titles ? BEAD_TITLES_ABOVE : BEAD_TITLES_NONE,
                                     .name_left = c->name_left,
                                     .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
-                                    .own_colour = c->layout.layout == BEAD_LAYOUT_OVERLAY,
+                                    .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
+                                    .own_colour = shares_curves(c),
                                     .bead_labels = labels && !time,
                                     .orientation = c->wants.orientation,
                                     .time_shared = time && !labels,
+                                    .against = c->layout.against,
                                     .fill = true,
+                                    .ghost = previewed(c, index),
                                     .magnify = c->magnify,
                                     .over_beads =
                                         c->layout.layout != BEAD_LAYOUT_OVERLAY && bead_views_any(&output->views, BEAD_SHOWS_BEADS),
                                     .light = output->views.light,
-                                    .camera = c->cameras ? c->cameras[chain] : NULL,
+                                    .camera = c->cameras && !(stage && bead_view_has(type_of(c, index), BEAD_OVERLAYS))
+                                                  ? c->cameras[chain]
+                                                  : NULL,
                                     .modes = output->movie.modes,
                                     .trust = output->shown.trust};
 }
@@ -77,6 +98,8 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
     BEAD_TRY(bead_new(&c->views, view_count(c) + 1, msg, "views"));
     for (size_t i = 0; i < view_count(c); i++) {
         struct bead_view_setup setup = setup_of(c, i);
+        if (plot_of(c, i).width == 0)
+            continue;
         BEAD_TRY(type_of(c, i)->create(&setup, &c->views[i], msg));
         if (overlaid(c, i))
             BEAD_TRY(type_of(c, i)->overlay(c->views[i % c->wants.view_count], c->views[i], msg));
@@ -91,15 +114,20 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
                    output->movie.type == BEAD_TYPE_LARGE);
     bead_look_font(&c->look, output->paper.font);
     c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
-    BEAD_TRY(bead_colour_range_map(output, c->setup.chains[0], true, &c->map, msg));
+    BEAD_TRY(bead_colour_range_map(output, c->setup.chains[0], c->look.dark, &c->map, msg));
     c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
     double span = c->setup.time[1] - c->setup.time[0];
-    c->even.slowed = span > 0 ? output->movie.duration / span : 1;
+    c->even.slowed = span > 0 ? 10 / span : 1;
     c->setup.film = c->setup.film ? c->setup.film : &c->even;
     c->caption = SIZE_MAX;
     c->magnify = output->views.magnify > 0 ? output->views.magnify : bead_magnify_auto(c->setup.chains, c->setup.chain_count);
     enum bead_error err = BEAD_OK;
+    c->facts = (struct bead_facts){.film = c->setup.film,
+                                   .clock = c->clock,
+                                   .magnify = bead_views_any(&output->views, BEAD_SHOWS_BEADS) ? c->magnify : 0,
+                                   .chains = c->setup.chains,
+                                   .chain_count = c->setup.chain_count};
     if (c->setup.interest)
         err = bead_interest_open(c, msg);
     if (!err)
@@ -164,7 +192,7 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < view_count(c); i++) {
         const struct bead_view_type *type = type_of(c, i);
-        if (overlaid(c, i))
+        if (overlaid(c, i) || !c->views[i])
             continue;
         err = type->place(c->views[i], plot_of(c, i), bead_view_has(type, BEAD_DRAWS_ON_CANVAS) ? c->canvas : NULL, msg);
         cairo_save(cr);
@@ -175,14 +203,38 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     return err;
 }
 
-static struct bead_facts facts_of(const struct bead_composer *c)
+/* The colour says as much: a name that does not fit is left out. */
+static void draw_name(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr)
 {
-    bool beads = bead_views_any(&c->setup.output->views, BEAD_SHOWS_BEADS);
-    return (struct bead_facts){.film = c->setup.film,
-                               .clock = c->clock,
-                               .magnify = beads ? c->magnify : 0,
-                               .chains = c->setup.chains,
-                               .chain_count = c->setup.chain_count};
+    static const double smaller = 0.8;
+    const struct bead_rect *rect = &c->layout.chains[chain].name;
+    struct bead_text_style style = bead_words_style(&c->look, c->look.label, colour, BEAD_ALIGN_MIDDLE);
+    char markup[2048];
+    style.bold = true;
+    style.across = BEAD_ALIGN_END;
+    bead_text_escape(bead_chain_title(c->setup.chains[chain]), markup, sizeof markup);
+    style.size *= fmax(smaller, fmin(1, rect->width / fmax(1, bead_words_width(cr, &style, markup))));
+    if (bead_words_width(cr, &style, markup) <= rect->width)
+        bead_text_draw(cr, &style, rect->x + rect->width, rect->y + 0.5 * rect->height, markup);
+}
+
+/* The heading of a chain, over the top of its stage, and its name above its image. */
+static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
+{
+    const struct bead_look *look = &c->look;
+    const struct bead_movie_chain *place = &c->layout.chains[chain];
+    struct bead_rect rect = place->heading;
+    struct bead_heading heading = {c->setup.chains[chain], look->ink, c->layout.label_lines};
+    if (shares_curves(c))
+        heading.colour = bead_look_curve(look, chain);
+    if (rect.width > 0 && c->layout.head > 0) {
+        rect.x += (int)round(0.5 * look->label);
+        rect.width -= (int)round(look->label + bead_composer_key(c, chain));
+    }
+    if (rect.width > 0)
+        bead_heading_draw(cr, look, &heading, rect);
+    if (place->name.width > 0)
+        draw_name(c, chain, heading.colour, cr);
 }
 
 static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
@@ -195,16 +247,10 @@ static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
         style.across = layout->words_left ? BEAD_ALIGN_START : BEAD_ALIGN_END;
         bead_line_draw(cr, style, c->setup.title, layout->title);
     }
-    struct bead_facts facts = facts_of(c);
     if (layout->facts.width > 0)
-        bead_facts_draw(cr, look, &facts, layout->facts, layout->words_left);
-    for (size_t i = 0; i < layout->chain_count; i++) {
-        struct bead_heading heading = {c->setup.chains[i], look->ink, layout->label_lines};
-        if (layout->layout == BEAD_LAYOUT_OVERLAY)
-            heading.colour = bead_look_curve(look, i);
-        if (layout->chains[i].heading.width > 0)
-            bead_heading_draw(cr, look, &heading, layout->chains[i].heading);
-    }
+        bead_facts_draw(cr, look, &c->facts, layout->facts, layout->words_left);
+    for (size_t i = 0; i < layout->chain_count; i++)
+        draw_names(c, i, cr);
 }
 
 static enum bead_error watch_texts(const struct bead_composer *c, cairo_surface_t *surface, struct bead_message *msg)
@@ -239,6 +285,10 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     if (cairo_status(c->cr) != CAIRO_STATUS_SUCCESS)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "drawing: %s", cairo_status_to_string(cairo_status(c->cr)));
     err = watch_texts(c, c->surface, msg);
+    for (size_t i = 0; !err && i < view_count(c); i++) {
+        if (c->views[i] && previewed(c, i))
+            err = bead_preview_feed(c->setup.preview, i / c->wants.view_count, type_of(c, i), c->views[i], msg);
+    }
     return err ? err : bead_warnings_check(msg);
 }
 
@@ -248,17 +298,19 @@ enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sa
         bead_interest_feed(c, sample);
     if (c->cameras)
         BEAD_TRY(bead_camera_feed(c->cameras[sample->chain], sample, msg));
-    for (size_t v = 0; v < c->wants.view_count; v++)
-        BEAD_TRY(c->wants.views[v]->feed(c->views[sample->chain * c->wants.view_count + v], sample, msg));
+    for (size_t v = 0; v < c->wants.view_count; v++) {
+        size_t index = sample->chain * c->wants.view_count + v;
+        if (c->views[index] && !previewed(c, index))
+            BEAD_TRY(c->wants.views[v]->feed(c->views[index], sample, msg));
+    }
     return BEAD_OK;
 }
 
 enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes *changes, struct bead_message *msg)
 {
-    struct bead_facts facts = facts_of(c);
     if (c->carded)
         return BEAD_OK;
-    bead_card_draw(c->cr, &c->look, &facts, c->setup.title, c->setup.output->movie.card.text, c->frame.width, c->frame.height);
+    bead_card_draw(c->cr, &c->look, &c->facts, c->setup.title, c->setup.output->movie.card.text, c->frame.width, c->frame.height);
     cairo_surface_flush(c->surface);
     bead_changes_add(changes, (struct bead_rect){0, 0, c->frame.width, c->frame.height});
     c->carded = true;
@@ -278,7 +330,7 @@ void bead_composer_pass(struct bead_composer *c, double time)
 {
     advance_cameras(c, time);
     for (size_t i = 0; i < view_count(c); i++) {
-        if (type_of(c, i)->pass)
+        if (type_of(c, i)->pass && c->views[i])
             type_of(c, i)->pass(c->views[i], time);
     }
 }
@@ -294,7 +346,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     enum bead_error err = BEAD_OK;
     advance_cameras(c, time);
     for (size_t i = 0; !err && i < view_count(c); i++) {
-        if (!overlaid(c, i))
+        if (!overlaid(c, i) && c->views[i])
             err = type_of(c, i)->draw(c->views[i], time, &c->frame, &c->background, changes, msg);
     }
     if (err)
@@ -303,6 +355,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     bead_overlay_time(c, time, changes);
     bead_overlay_trust(c, time, changes);
     bead_overlay_caption(c, time, changes);
+    bead_overlay_progress(c, time, changes);
     return bead_warnings_check(msg);
 }
 

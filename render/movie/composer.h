@@ -12,6 +12,7 @@
 #include "beadreel/scene.h"
 
 struct bead_composer;
+struct bead_preview; /* film.h */
 
 /* Everything is borrowed and must outlive the composer. */
 struct bead_composer_setup {
@@ -29,6 +30,7 @@ struct bead_composer_setup {
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
     const struct bead_text_watch *watch; /* told of all texts; NULL: none */
     bool interest;                       /* will bead_composer_interest be asked? */
+    const struct bead_preview *preview;  /* all samples of the field, for images that show their future; NULL: none */
 };
 
 /* BEAD_FIELD_BITs that the views of an output need of samples. */

@@ -21,13 +21,15 @@ struct bead_composer {
     struct bead_movie_layout layout;
     bool name_left;               /* see bead_view_setup */
     struct bead_camera **cameras; /* of the chains; NULL: none follows */
-    struct bead_view **views;     /* of chain c: from c * wants.view_count on */
+    struct bead_view **views;     /* of chain c: from c * wants.view_count on; NULL: there is no room for it */
+    struct bead_facts facts;
     struct bead_canvas *canvas;
     char painter[64]; /* of the canvas; "": nothing is painted on one */
     struct bead_frame frame, background;
     cairo_surface_t *surface; /* of the frame */
     cairo_t *cr;
-    char time_text[256];  /* as shown now */
+    char time_text[256], badge_text[256]; /* as shown now */
+    int passed;                           /* px of the line of progress */
     bool carded, started; /* the card has been drawn; the static layer has been */
     bool trust_said;
     size_t caption; /* shown now; SIZE_MAX: none */
@@ -42,6 +44,8 @@ struct bead_span bead_composer_beads(const struct bead_composer *composer, size_
 struct bead_span bead_composer_span(const struct bead_composer *composer, size_t chain);
 /* Fills in the wants of the layout. Errors: SCENE, UNSUPPORTED (views). */
 BEAD_CHECK enum bead_error bead_composer_measure(struct bead_composer *composer, struct bead_message *msg);
+/* px: room of the key of a chain's stage; 0: there is none. */
+double bead_composer_key(const struct bead_composer *composer, size_t chain);
 /* Markup such as "force (N)". */
 void bead_composer_bar_title(const struct bead_composer *composer, char *out, size_t size);
 /* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:
@@ -54,4 +58,5 @@ void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 /* Bring the parts of the frame around the views to `time`; each adds its changes. */
 void bead_overlay_time(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_trust(struct bead_composer *composer, double time, struct bead_changes *changes);
+void bead_overlay_progress(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_caption(struct bead_composer *composer, double time, struct bead_changes *changes);

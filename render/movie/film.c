@@ -71,10 +71,6 @@ enum bead_error bead_film_prepare(const struct bead_output *output, const struct
     return find_beads(film, msg);
 }
 
-bool bead_film_scouts(const struct bead_film *film)
-{
-    return isnan(film->output->colours.range[0]) || isnan(film->output->colours.range[1]);
-}
 
 void bead_film_needs(const struct bead_film *film, const char *why, struct bead_needs *needs)
 {
@@ -93,8 +89,9 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
 {
     const struct bead_output *output = film->output;
     const struct bead_chain *first = film->context.chains[0];
+    const double typical = film->preview ? bead_preview_typical(film->preview) : INFINITY;
     const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),
-                                                                    &(struct bead_shown_values){range.low, range.high, INFINITY});
+                                                                    &(struct bead_shown_values){range.low, range.high, typical});
     struct bead_composer_setup setup = {.output = output,
                                         .chains = film->context.chains,
                                         .chain_count = film->context.chain_count,
@@ -108,7 +105,8 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
                                         .scene = film->context.scene,
                                         .tolerance_factor = film->context.tolerance_factor,
                                         .canvas = film->context.canvas,
-                                        .interest = interest};
+                                        .interest = interest,
+                                        .preview = film->preview && bead_preview_whole(film->preview) ? film->preview : NULL};
     bead_colour_range_ends(output, first, &colours, &setup.over, &setup.under);
     return bead_composer_create(&setup, composer, msg);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "beadreel/movie.h"
+#include "beadreel/view.h"
 #include "beadreel/sink.h"
 #include "render/movie/composer.h"
 #include "render/movie/film_clock.h"
@@ -25,18 +26,32 @@ struct bead_film {
     struct bead_movie_times times;
     unsigned fields, comparison; /* BEAD_FIELD_BITs, of samples and of those of the comparison run */
     size_t last_bead;            /* the last bead needed of the longest chain */
+    struct bead_preview *preview; /* own; NULL: nothing has been scouted */
 };
 
 /* Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_film_prepare(const struct bead_output *output, const struct bead_run_context *context,
                                              struct bead_film *film, struct bead_message *msg);
+void bead_film_free(struct bead_film *film);
 /* For all frames. */
 void bead_film_needs(const struct bead_film *film, const char *why, struct bead_needs *needs);
-/* Does its range of colours need a scouting run? */
+/* Does it need a scouting run, for its range of colours or for images that show their future? */
 bool bead_film_scouts(const struct bead_film *film);
+/* Takes a sample of it. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_film_scout(struct bead_film *film, const struct bead_sample *sample, struct bead_message *msg);
 /* `range`: as scouted; `interest`: is bead_composer_interest wanted? Errors: those of bead_composer_create. */
 BEAD_CHECK enum bead_error bead_film_compose(const struct bead_film *film, struct bead_range range, bool interest,
                                              struct bead_composer **composer, struct bead_message *msg);
+
+/* ---- what a scouting run saw: movie_preview.c ---- */
+
+/* The magnitude that only a short and narrow event exceeds; INFINITY: unknown. */
+double bead_preview_typical(const struct bead_preview *preview);
+/* All samples of a chain, of the field that is shown, into a view. */
+BEAD_CHECK enum bead_error bead_preview_feed(const struct bead_preview *preview, size_t chain, const struct bead_view_type *type,
+                                             struct bead_view *view, struct bead_message *msg);
+/* Are the samples kept? */
+bool bead_preview_whole(const struct bead_preview *preview);
 
 /* ---- times: movie_times.c ---- */
 

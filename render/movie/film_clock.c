@@ -77,9 +77,10 @@ static size_t find_times(const struct bead_movie_asked *movie, const double time
     return kept;
 }
 
-void bead_film_clock_make(const struct bead_movie_asked *movie, const double time[2], struct bead_film_clock *clock)
+void bead_film_clock_make(const struct bead_movie_asked *movie, const double time[2], double duration,
+                          struct bead_film_clock *clock)
 {
-    double times[BEAD_FILM_PIECES + 2], even = (time[1] - time[0]) / movie->duration;
+    double times[BEAD_FILM_PIECES + 2], even = (time[1] - time[0]) / duration;
     bool pauses = false;
     *clock = (struct bead_film_clock){.slowed = even > 0 ? 1 / even : 1};
     for (size_t i = 0; i < movie->caption_count; i++)
@@ -134,6 +135,20 @@ double bead_film_after(const struct bead_film_clock *clock, double motion, doubl
         return motion + lasting / clock->slowed;
     double end = bead_film_time(clock, motion) + lasting;
     return end >= clock->piece[clock->count].film ? INFINITY : bead_film_motion(clock, end);
+}
+
+double bead_film_factor(const struct bead_film_clock *clock, double motion)
+{
+    size_t i = 0;
+    if (clock->count == 0)
+        return 1 / clock->slowed;
+    while (i + 1 < clock->count && clock->piece[i + 1].motion <= motion)
+        i++;
+    const struct bead_film_piece *p = &clock->piece[i];
+    if (motion == p->motion && p->pause > 0)
+        return 0;
+    double part = fmin(1, fmax(0, (motion - p->motion) / (p[1].motion - p->motion)));
+    return p->factor[0] * pow(p->factor[1] / p->factor[0], part);
 }
 
 void bead_film_factors(const struct bead_film_clock *clock, double factors[2])

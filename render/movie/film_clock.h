@@ -18,8 +18,9 @@ struct bead_film_clock {
     struct bead_film_piece piece[BEAD_FILM_PIECES + 1]; /* the last is the end */
 };
 
-/* For motion from time[0] to time[1], s. */
-void bead_film_clock_make(const struct bead_movie_asked *movie, const double time[2], struct bead_film_clock *clock);
+/* For motion from time[0] to time[1], s, that takes `duration` s of the film where the scene gives no speeds. */
+void bead_film_clock_make(const struct bead_movie_asked *movie, const double time[2], double duration,
+                          struct bead_film_clock *clock);
 /* s of the film from its first picture of the motion to the last. */
 double bead_film_length(const struct bead_film_clock *clock);
 /* The time of the motion that the film shows; and when it first shows one, before a pause there. Only with pieces. */
@@ -27,5 +28,7 @@ double bead_film_motion(const struct bead_film_clock *clock, double film);
 double bead_film_time(const struct bead_film_clock *clock, double motion);
 /* The time of the motion `lasting` s of the film after `motion`; INFINITY: beyond the end. */
 double bead_film_after(const struct bead_film_clock *clock, double motion, double lasting);
-/* s of the motion for one of the film: least and greatest. */
+/* s of the motion for one of the film at a time of the motion; 0: there is a pause. */
+double bead_film_factor(const struct bead_film_clock *clock, double motion);
+/* Least and greatest of these, without pauses. */
 void bead_film_factors(const struct bead_film_clock *clock, double factors[2]);

@@ -28,6 +28,7 @@ static void frame_destroy(struct bead_sink *s)
     if (!s)
         return;
     bead_composer_destroy(s->composer);
+    bead_film_free(&s->film);
     free(s->path);
     free(s);
 }
@@ -178,6 +179,11 @@ static enum bead_error frame_end(struct bead_sink *s, const struct bead_outcome 
     return bead_poster_file(s->path, bead_composer_frame(s->composer), s->film.context.scene, &s->bytes, msg);
 }
 
+static enum bead_error frame_scout(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    return bead_film_scout(&s->film, sample, msg);
+}
+
 static void frame_result(const struct bead_sink *s, uint64_t *bytes, uint64_t *items)
 {
     *bytes = s->bytes;
@@ -198,6 +204,7 @@ const struct bead_sink_type bead_frame_sink = {
     .needs = frame_needs,
     .begin = frame_begin,
     .sample = frame_sample,
+    .scout = frame_scout,
     .again = frame_again,
     .end = frame_end,
     .destroy = frame_destroy,

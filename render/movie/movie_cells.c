@@ -10,19 +10,22 @@ static const double title_line = 1.35, between_columns = 1.2, between_numbers = 
 static const double overlay_part = 0.3, overlay_least[] = {1.6, 3.4};
 /* Part of a cell's width for images at the right of other views. */
 static const double images_part = 0.64;
-/* Most chains whose images have the share that is promised; a little more, for rounding. */
+/* Most chains whose images have a share. */
 enum { PROMISED = 4 };
-static const double share = BEAD_IMAGE_SHARE + 0.004;
 
-/* facts, titles, values, headings, axes, words; gaps between views, rows; headings; least of beads, images, others; least px */
+/* share; roomy; images, values, headings, titles, facts, axes, words; gaps between views, rows; headings; least of beads, images,
+ * others; least px */
 const struct bead_level bead_levels[BEAD_LEVELS] = {
-    {true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
-    {false, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
-    {false, false, true, true, true, true, 1.1, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
-    {false, false, false, true, true, true, 0.5, 0.54, 1.25, {0}, 8},
-    {false, false, false, false, true, true, 0.5, 0.54, 1.25, {0}, 8},
-    {false, false, false, false, false, true, 0.5, 0.54, 1.25, {0}, 8},
-    {false, false, false, false, false, false, 0, 0, 1.25, {0}, 1},
+    {0.35, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
+    {0.25, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
+    {0.15, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
+    {0, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
+    {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
+    {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0}, 8},
+    {0, false, false, true, true, false, false, true, true, 0.5, 0.54, 1.25, {0}, 8},
+    {0, false, false, false, false, false, false, true, true, 0.5, 0.54, 1.25, {0}, 8},
+    {0, false, false, false, false, false, false, false, true, 0.5, 0.54, 1.25, {0}, 8},
+    {0, false, false, false, false, false, false, false, false, 0, 0, 1.25, {0}, 1},
 };
 
 /* The views of one column of plots. */
@@ -55,10 +58,19 @@ size_t bead_cells_overlay(const struct bead_cells *c)
     return c->wants->view_count;
 }
 
+/* Images give way, unless there is nothing else. */
+static bool left_out(const struct bead_cells *c, size_t view)
+{
+    size_t others = 0;
+    for (size_t v = 0; v < c->wants->view_count; v++)
+        others += !has(c, v, BEAD_SHOWS_IMAGE);
+    return !c->level->images && others > 0 && has(c, view, BEAD_SHOWS_IMAGE);
+}
+
 /* Plots side by side in a cell. */
 static size_t halves(const struct bead_cells *c)
 {
-    return c->layout == BEAD_LAYOUT_BESIDE ? 2 : 1;
+    return c->layout == BEAD_LAYOUT_BESIDE && c->level->images ? 2 : 1;
 }
 
 static struct column column_of(const struct bead_cells *c, size_t half)
@@ -67,7 +79,7 @@ static struct column column_of(const struct bead_cells *c, size_t half)
     size_t overlay = bead_cells_overlay(c);
     for (size_t v = 0; v < c->wants->view_count; v++) {
         bool right = halves(c) == 2 && has(c, v, BEAD_SHOWS_IMAGE);
-        if (v != overlay && right == (half == 1))
+        if (v != overlay && right == (half == 1) && !left_out(c, v))
             column.view[column.count++] = v;
     }
     return column;
@@ -244,9 +256,9 @@ static double image_height(const struct bead_cells *c)
     size_t images = 0;
     for (size_t v = 0; v < w->view_count; v++)
         images += has(c, v, BEAD_SHOWS_IMAGE);
-    if (!c->share || images == 0 || w->chain_count > PROMISED)
+    if (images == 0 || w->chain_count > PROMISED)
         return 0;
-    return ceil(share * w->width * w->height / ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
+    return ceil((c->level->share > 0 ? c->level->share + 0.004 : 0) * w->width * w->height / ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
 }
 
 static double least_height(const struct bead_cells *c, size_t view)
@@ -352,6 +364,8 @@ static void place_plots(const struct bead_cells *c, struct bead_movie_layout *la
     for (size_t i = 0; i < c->grid->count; i++) {
         size_t view = i % c->wants->view_count;
         struct bead_rect *plot = &layout->chains[i / c->wants->view_count].plot[view];
+        if (left_out(c, view))
+            continue;
         *plot = c->grid->boxes[i].at;
         if (along_chain(c, view))
             continue;
@@ -367,6 +381,8 @@ bool bead_cells_place(struct bead_cells *c, struct bead_movie_layout *layout)
     if (!divide_across(c))
         return false;
     rows->count = 0;
+    for (size_t i = 0; i < c->grid->count; i++) /* views that are left out have none of their own */
+        c->grid->boxes[i] = (struct bead_layout_box){.column = 0};
     rows->spring = 0.5;
     bead_lanes_within(rows, c->area.y, c->area.height);
     if (overlaid)

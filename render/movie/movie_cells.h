@@ -8,9 +8,11 @@
 #include "render/movie/movie_layout.h"
 
 /* Frames leave out more from one level to the next, until the rest fits. */
-enum { BEAD_LEVELS = 7 };
+enum { BEAD_LEVELS = 10 };
 struct bead_level {
-    bool facts, titles, values, headings, axes, words; /* shown: titles, also of the film; values of vertical axes; the clock */
+    double share; /* of the frame's area, for the images of up to four chains */
+    bool roomy;   /* labels may have lines of their own */
+    bool images, values, headings, titles, facts, axes, words; /* shown: titles, also of the film; values of vertical axes; clock */
     double views, rows;                                /* gaps between them, in units of the ticks' font size */
     double heading;                                    /* line of a heading, in units of its font size */
     double least[3];                                   /* heights that beads, images and other views need, in those of the ticks */
@@ -23,7 +25,7 @@ struct bead_cells {
     const struct bead_level *level;
     enum bead_layout layout; /* never AUTO */
     size_t columns, rows;
-    bool axes, headings, share; /* share: images must have theirs */
+    bool axes, headings;
     bool label_lines;
     struct bead_rect area;         /* px: of all cells with their axes */
     struct bead_layout_grid *grid; /* with room for all: a box for each view of each chain */

@@ -7,23 +7,28 @@
 #include <stdlib.h>
 
 #include "render/movie/movie_cells.h"
+#include "render/movie/movie_stage.h"
+#include "render/movie/movie_words.h"
 
 /* Frames less wide than this, in heights, have the bar beside the clock. */
 static const double wide_frame = 1.5;
-/* The best width of a cell, in heights; the costs of a level and of an empty cell. */
-static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1;
+/* Margin around a stage, in units of the usual one. */
+static const double stage_margin = 2;
+/* The best width of a cell, in heights; the costs of a level, of an empty cell, and of axes without names. */
+static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1, never = 100;
 enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
 
 /* From top to bottom. */
-enum { CLOCK, TITLE, FACTS, TRUST, CELLS, CAPTION, ROWS };
+enum { CLOCK, BADGE, TITLE, FACTS, TRUST, CELLS, CAPTION, ROWS };
 
 /* The surroundings of the cells at one level, px. */
 struct frame {
     struct bead_lane row[ROWS];
-    int margin, right; /* right: of the cells, without the margin */
+    int margin, inset; /* inset: of words, at both sides */
+    int right;         /* of the cells, without the margin */
     int bar_gap, bar_width;
-    bool title_beside; /* the clock; else in a line of its own, or nowhere */
-    bool lying;        /* the bar */
+    bool badge_beside, title_beside; /* the clock; else in a line of their own, or nowhere */
+    bool lying;                      /* the bar */
 };
 
 static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *level)
@@ -31,37 +36,39 @@ static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *l
     return w->axes && level->axes && !w->colourless;
 }
 
-/* Room for the title right of the clock, which is above the first panel. */
-static double beside_clock(const struct bead_movie_wants *w, const struct frame *f)
-{
-    return w->width - 2 * f->margin - f->right - w->left - w->time_width - 2 * w->look->gap;
-}
-
-/* Clock and lines of words above the cells, the bar beside them. */
-static void measure_words(const struct bead_movie_wants *w, const struct bead_level *level, struct frame *f)
+/* Clock and badge, the title beside them or below, lines of facts; the bar beside the cells, or lying beside the clock. The clock is above
+ * the first panel. */
+static void measure_words(const struct bead_movie_wants *w, const struct bead_level *level, bool bar, bool stage, struct frame *f)
 {
     const struct bead_look *look = w->look;
     int line = bead_cells_whole(1.35 * look->label), clock = bead_cells_whole(1.45 * look->title);
-    f->margin = bead_cells_whole(look->gap);
+    f->margin = bead_cells_whole(stage ? stage_margin * look->gap : look->gap);
+    f->inset = stage ? bead_stage_inset(w) : 0;
     f->bar_width = bead_cells_whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
     f->bar_gap = bead_cells_whole(0.8 * look->tick);
-    if (has_bar(w, level) && !f->lying)
+    if (bar && !f->lying)
         f->right = f->bar_gap + bead_cells_whole(fmax(f->bar_width + w->bar, w->bar_title));
+    double room = w->width - 2.0 * (f->margin + f->inset) - f->right - (stage ? 0 : w->left), beside = room - w->time_width - 2 * look->gap;
+    double least_bar = f->lying ? w->bar_title + 8 * look->tick : 0;
     bool title = w->title_width > 0 && level->titles;
-    f->title_beside = title && !f->lying && w->title_width <= beside_clock(w, f);
+    f->badge_beside = w->badge_width > 0 && w->badge_width + least_bar <= beside;
+    beside -= f->badge_beside ? w->badge_width + 2 * look->gap : 0;
+    f->title_beside = title && !f->lying && w->title_width <= beside;
     f->row[CLOCK].least = f->lying ? bead_cells_whole(fmax(clock, f->bar_width + w->bar_below + 0.2 * look->tick)) : clock;
-    f->row[TITLE].least = title && level->facts && !f->title_beside ? line : 0;
-    f->row[FACTS].least = level->facts ? line : 0;
+    f->row[BADGE].least = w->badge_width > 0 && !f->badge_beside ? bead_cells_whole(1.5 * look->label) : 0;
+    f->row[TITLE].least = title && !f->title_beside ? line : 0;
+    f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
     f->row[TRUST].least = w->trust ? line : 0;
     f->row[CELLS].gap = level->titles && !w->headings ? bead_cells_whole(0.5 * look->gap) : 0;
 }
 
-static struct frame measure_frame(const struct bead_movie_wants *w, const struct bead_level *level)
+static struct frame measure_frame(const struct bead_movie_wants *w, const struct bead_level *level, bool stage)
 {
-    struct frame f = {.lying = has_bar(w, level) && w->width < wide_frame * w->height};
+    bool bar = has_bar(w, level) && !stage;
+    struct frame f = {.lying = bar && w->width < wide_frame * w->height};
     bool words = w->axes && level->words;
     if (words)
-        measure_words(w, level, &f);
+        measure_words(w, level, bar, stage, &f);
     /* Captions are never left out: the scene asks for them. */
     f.row[CAPTION].least = w->axes ? bead_cells_whole(w->caption_lines * w->caption_line) : 0;
     f.row[CAPTION].gap = words && f.row[CAPTION].least > 0 ? bead_cells_whole(0.5 * w->look->gap) : 0;
@@ -81,6 +88,13 @@ static struct bead_rect row_of(const struct frame *f, size_t row, int left, int 
     return (struct bead_rect){left, (int)f->row[row].at, right - left, (int)f->row[row].size};
 }
 
+/* Does the label, or M, need a line below the name in `room` px? */
+static bool needs_label_line(const struct bead_movie_wants *w, double room, bool roomy)
+{
+    room -= 1.3 * w->look->tick;
+    return w->heading_least > room || (roomy && w->heading_width > room);
+}
+
 /* Derives the rest from the level, the columns and the frame. */
 static void complete(struct bead_cells *c, const struct frame *f)
 {
@@ -90,24 +104,28 @@ static void complete(struct bead_cells *c, const struct frame *f)
     c->rows = (w->chain_count + c->columns - 1) / c->columns;
     c->axes = w->axes && c->level->axes;
     c->headings = w->axes && w->headings && c->level->headings;
-    c->label_lines = w->heading_width > (beside ? 0.36 : 1) * room - 1.3 * w->look->tick && c->level->facts;
+    c->label_lines = needs_label_line(w, (beside ? 0.36 : 1) * room, c->level->roomy);
     c->area = row_of(f, CELLS, f->margin, w->width - f->margin - f->right);
 }
 
-static void place_words(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
+static void place_words(const struct bead_movie_wants *w, const struct frame *f, int left, struct bead_movie_layout *layout)
 {
-    int left = layout->chains[0].plot[0].x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? layout->beyond[0] : 0);
-    int right = w->width - f->margin - f->right, gap = bead_cells_whole(w->look->gap),
+    int right = w->width - f->margin - f->inset - f->right, gap = bead_cells_whole(w->look->gap),
         height = bead_cells_whole(1.45 * w->look->title);
-    int time = bead_cells_whole(w->time_width) < right - left ? bead_cells_whole(w->time_width) : right - left;
+    int time = bead_cells_whole(w->time_width) < right - left ? bead_cells_whole(w->time_width) : right - left, x = left + time;
     if (f->row[CLOCK].size == 0 || right <= left)
         return;
     layout->time = (struct bead_rect){left, f->margin, time, height};
-    layout->words_left = f->lying || w->width < w->time_width + 22 * w->look->label;
+    layout->words_left = f->lying || !(f->title_beside || (w->title_width == 0 && w->width > 1.2 * w->height));
+    if (f->badge_beside) {
+        layout->badge = (struct bead_rect){x + 2 * gap, f->margin, bead_cells_whole(w->badge_width), height};
+        x = layout->badge.x + layout->badge.width;
+    }
     if (f->title_beside)
-        layout->title = (struct bead_rect){left + time + 2 * gap, f->margin, right - left - time - 2 * gap, height};
-    struct bead_rect *lines[ROWS] = {[TITLE] = &layout->title, [FACTS] = &layout->facts, [TRUST] = &layout->trust};
-    for (size_t row = TITLE; row <= TRUST; row++) {
+        layout->title = (struct bead_rect){x + 2 * gap, f->margin, right - x - 2 * gap, height};
+    struct bead_rect *lines[ROWS] = {
+        [BADGE] = &layout->badge, [TITLE] = &layout->title, [FACTS] = &layout->facts, [TRUST] = &layout->trust};
+    for (size_t row = BADGE; row <= TRUST; row++) {
         if (f->row[row].size > 0)
             *lines[row] = row_of(f, row, left, right);
     }
@@ -138,6 +156,8 @@ static void place_lying_bar(const struct bead_movie_wants *w, const struct frame
         most = (int)(0.4 * w->width);
     int right = w->width - f->margin - pad,
         left = layout->time.x + layout->time.width + bead_cells_whole(w->look->gap) + title + pad;
+    if (f->badge_beside)
+        left = layout->badge.x + layout->badge.width + bead_cells_whole(w->look->gap) + title + pad;
     int length = right - left;
     length = length < most ? length : most;
     if (length < 4 * w->look->tick)
@@ -155,13 +175,15 @@ static double cost_of(const struct bead_cells *c)
 {
     double width = (double)c->area.width / (double)c->columns, height = (double)c->area.height / (double)c->rows;
     double holes = (double)(c->rows * c->columns - c->wants->chain_count) / (double)c->wants->chain_count;
-    return level_costs * (double)(c->level - bead_levels) + bead_layout_misfit(width, height, best_shape) + hole_costs * holes;
+    double names = c->label_lines && c->level->roomy ? level_costs : 0; /* two lines of names leave less room, too */
+    names += c->level->titles ? 0 : never;
+    return names + level_costs * (double)(c->level - bead_levels) + bead_layout_misfit(width, height, best_shape) + hole_costs * holes;
 }
 
 static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
 {
     const struct bead_movie_wants *w = c->wants;
-    struct frame f = measure_frame(w, c->level);
+    struct frame f = measure_frame(w, c->level, false);
     if (!divide_frame(w, &f))
         return false;
     complete(c, &f);
@@ -174,7 +196,7 @@ static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
     to->overlay = bead_cells_overlay(c);
     to->beyond[0] = c->beyond[0];
     to->beyond[1] = c->beyond[1];
-    place_words(w, &f, to);
+    place_words(w, &f, to->chains[0].plot[0].x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? to->beyond[0] : 0), to);
     if (f.lying)
         place_lying_bar(w, &f, to);
     else if (has_bar(w, c->level))
@@ -204,7 +226,9 @@ static enum bead_layout resolved(const struct bead_movie_wants *w)
     bool overlays = w->chain_count > 1 && w->chain_count <= 6 && !w->follow;
     for (size_t v = 0; v < w->view_count; v++)
         overlays = overlays && bead_view_has(w->views[v], BEAD_OVERLAYS);
-    return w->layout == BEAD_LAYOUT_AUTO && overlays ? BEAD_LAYOUT_OVERLAY : w->layout;
+    if (w->layout == BEAD_LAYOUT_AUTO && overlays)
+        return BEAD_LAYOUT_OVERLAY;
+    return w->layout == BEAD_LAYOUT_IMAGES || w->layout == BEAD_LAYOUT_STAGE ? BEAD_LAYOUT_AUTO : w->layout;
 }
 
 /* The name of a layout with this number of columns. */
@@ -224,8 +248,33 @@ static void forget(struct bead_movie_layout *layout)
     *layout = (struct bead_movie_layout){.chains = chains, .chain_count = count};
 }
 
+/* A stage with all words, by the first plan that has room. */
+static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to)
+{
+    const struct bead_level *level = &bead_levels[w->axes ? 0 : BEAD_LEVELS - 1];
+    struct frame f = measure_frame(w, level, true);
+    bool asked = w->layout == BEAD_LAYOUT_AUTO || w->layout == BEAD_LAYOUT_STAGE;
+    if (!asked || bead_stage_view(w) == w->view_count || !divide_frame(w, &f))
+        return false;
+    struct bead_rect area = row_of(&f, CELLS, f.margin, w->width - f.margin);
+    for (size_t i = 0; i < BEAD_STAGE_PLANS; i++) {
+        const struct bead_stage_plan *plan = &bead_stage_plans[i];
+        forget(to);
+        to->label_lines = needs_label_line(w, area.width, false);
+        if (!bead_stage_place(w, plan, area, to))
+            continue;
+        to->layout = BEAD_LAYOUT_STAGE;
+        to->axes = to->titles = w->axes;
+        place_words(w, &f, area.x + f.inset, to);
+        if (f.row[CAPTION].size > 0)
+            to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
+        return true;
+    }
+    return false;
+}
+
 /* The best of all levels and numbers of columns. False: the frame is too small. */
-static bool choose(const struct bead_movie_wants *w, bool share, struct bead_layout_grid *grid, struct bead_movie_layout *layout)
+static bool choose(const struct bead_movie_wants *w, struct bead_layout_grid *grid, struct bead_movie_layout *layout)
 {
     enum bead_layout asked = resolved(w);
     struct bead_cells best = {.level = NULL};
@@ -234,8 +283,7 @@ static bool choose(const struct bead_movie_wants *w, bool share, struct bead_lay
     double least = INFINITY;
     column_range(w, asked, range);
     for (size_t columns = range[0]; columns <= range[1]; columns++) {
-        struct bead_cells cells = {
-            .wants = w, .layout = named(w, asked, columns), .columns = columns, .share = share, .grid = grid};
+        struct bead_cells cells = {.wants = w, .layout = named(w, asked, columns), .columns = columns, .grid = grid};
         for (cells.level = w->axes ? bead_levels : end - 1; cells.level < end; cells.level++) {
             forget(layout);
             if (fits(&cells, layout))
@@ -260,7 +308,7 @@ enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct 
         bead_layout_make(2 * (chains + MOST_COLUMNS), (2 * chains + MOST_COLUMNS) * (views + 1), chains * views, &grid, msg);
     if (!err && !layout->chains)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a layout");
-    if (!err && (chains > MOST_CHAINS || (!choose(wants, true, &grid, layout) && !choose(wants, false, &grid, layout))))
+    if (!err && (chains > MOST_CHAINS || (!stage(wants, layout) && !choose(wants, &grid, layout))))
         err = bead_fail(msg, BEAD_ERROR_SCENE, "size: %d x %d pixels are too small for %zu views of %zu chains", wants->width,
                         wants->height, views, chains);
     if (err)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Layout of a movie's frame: rectangles only. The clock and words above, captions at the bottom, a colour bar at the right or, in
- * frames that are not wide, beside the clock. Between them cells, one for each chain: a heading and the chain's views, below each
- * other. The cells are below each other, side by side, or both; an overlay has one profile for all chains above the cells, and
- * with `beside` the images of a cell are at the right of its other views.
+/* Layout of a movie's frame: rectangles only. The clock and words above, captions at the bottom. Between them a stage
+ * (movie_stage.h), or cells, one for each chain: a heading and the chain's views, below each other. The cells are below each other,
+ * side by side, or both; an overlay has one profile for all chains above the cells, and with `beside` the images of a cell are at
+ * the right of its other views. Cells have a colour bar at the right or, in frames that are not wide, beside the clock.
  *
- * The space-time images of up to four chains have BEAD_IMAGE_SHARE of the frame's area together, counted in pixels of the images,
- * without axes and margins. What does not fit gives way, in this order: facts, title, titles of axes and gaps, labels of vertical
- * axes, headings, axes, clock. Rectangles never overlap and never leave the frame. */
+ * Images have a share of the frame's area, counted in their pixels, without axes and margins. Where room is short they give way
+ * first, then air, then numbers of vertical axes; headings, axes with their names, title, facts and clock only in frames that are
+ * too small for any of it. Rectangles never overlap and never leave the frame. */
 #pragma once
 
 #include <stdbool.h>
@@ -19,7 +19,7 @@
 #include "render/draw/axis.h"
 #include "render/view/orientation.h"
 
-#define BEAD_IMAGE_SHARE 0.35
+struct bead_facts; /* movie_words.h */
 
 /* The parts to be arranged; lengths in px. */
 struct bead_movie_wants {
@@ -33,6 +33,7 @@ struct bead_movie_wants {
     bool axes;            /* false: nothing but the views */
     bool headings;        /* some chain has one */
     double heading_width; /* of the widest with its label beside the name; where cells are narrower, it goes below. 0: no labels */
+    double heading_least; /* of the widest without label, as small as may be; where cells are narrower, M goes below */
     bool trust;           /* a line about the horizon, left out after the other words */
     int caption_lines;    /* reserved at the bottom */
     double caption_line;  /* height of one */
@@ -43,17 +44,22 @@ struct bead_movie_wants {
     size_t beads;         /* of the longest chain, in units of the mean distance of its beads */
     bool colourless;      /* no view shows values as colours: no bar */
     bool same_beads;      /* all chains have the same bead axis: only the lowest is labelled */
+    double keyed_heading; /* of the widest such heading with the key of its stage beside it */
     double time_width;    /* of the widest time that is shown */
+    double badge_width;   /* of the widest badge of the speed; 0: none */
+    const struct bead_facts *facts; /* NULL: one line of them is enough */
     double title_width;   /* of the title; 0: none */
     double left;          /* how far ticks and labels of vertical axes reach out of plots */
     double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
+    double against;                                /* the title of both axes of an image whose time is to the right */
     double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
     double bar, bar_below, bar_title;              /* ticks and labels beside the bar, below it; the width of its title */
 };
 
 struct bead_movie_chain {
-    struct bead_rect heading; /* width 0: none, also below */
-    struct bead_rect plot[BEAD_MOST_VIEWS];
+    struct bead_rect heading;               /* width 0: none, also below */
+    struct bead_rect name;                  /* above its image, where it is not below the heading */
+    struct bead_rect plot[BEAD_MOST_VIEWS]; /* width 0: the view has no room */
     bool labels[BEAD_MOST_VIEWS]; /* this view labels its horizontal axis */
     bool values[BEAD_MOST_VIEWS]; /* and its vertical one */
 };
@@ -62,12 +68,14 @@ struct bead_movie_layout {
     enum bead_layout layout; /* never AUTO */
     bool axes;
     bool titles;      /* of vertical axes are shown */
+    bool against;     /* images have one title for both axes */
     bool label_lines; /* headings have two lines */
+    int head;         /* px at the top of a stage for its heading; 0: that is above it */
     int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
     size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
-    struct bead_rect time, title, facts, trust, caption;
+    struct bead_rect time, badge, title, facts, trust, caption;
     struct bead_rect bar, bar_title; /* a bar that is wider than high lies, with its low end at the left */
-    bool words_left;                 /* title and facts are below the clock, from the left; else at the right */
+    bool words_left;                 /* title and facts are from the left; else they end at the right */
     struct bead_movie_chain *chains; /* of the layout */
     size_t chain_count;
 };

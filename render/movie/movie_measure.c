@@ -7,10 +7,12 @@
 
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
+#include "render/movie/movie_stage.h"
 #include "render/view/camera.h"
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"
@@ -102,6 +104,20 @@ static void measure_bar(struct bead_composer *c)
     w->bar_title = ceil(bead_words_width(NULL, &style, markup) + 1);
 }
 
+double bead_composer_key(const struct bead_composer *c, size_t chain)
+{
+    const struct bead_output *output = c->setup.output;
+    const struct bead_view_setup setup = {.chain = c->setup.chains[chain],
+                                          .chain_index = chain,
+                                          .field = output->shown.field,
+                                          .beads = bead_composer_span(c, chain),
+                                          .colours = c->colours,
+                                          .look = &c->look,
+                                          .axes = true,
+                                          .light = output->views.light};
+    return bead_views_any(&output->views, BEAD_ACTS) ? bead_stage_key_room(&setup) : 0;
+}
+
 static void measure_words(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
@@ -109,8 +125,14 @@ static void measure_words(struct bead_composer *c)
     struct bead_text_style style = bead_clock_style(&c->look);
     bead_clock_text(&c->clock, c->setup.time[1], &c->look, text, sizeof text);
     w->time_width = ceil(bead_words_width(NULL, &style, text) + 0.5 * c->look.gap);
-    for (size_t i = 0; i < w->chain_count; i++)
+    for (size_t i = 0; i < w->chain_count; i++) {
         w->heading_width = fmax(w->heading_width, bead_heading_width(&c->look, c->setup.chains[i]));
+        w->heading_least = fmax(w->heading_least, bead_heading_least(&c->look, c->setup.chains[i]));
+        w->keyed_heading = fmax(w->keyed_heading, bead_heading_least(&c->look, c->setup.chains[i]) + bead_composer_key(c, i));
+    }
+    c->facts.keyed = bead_views_any(&c->setup.output->views, BEAD_ACTS) && bead_stage_keyed(w);
+    w->badge_width = bead_badge_width(&c->look, &c->facts);
+    w->facts = &c->facts;
     if (!c->setup.title || !c->setup.title[0])
         return;
     style.size = c->look.label;
@@ -155,6 +177,17 @@ static double measure_time_end(const struct bead_composer *c)
     return 0.5 * most;
 }
 
+static double measure_against(const struct bead_composer *c)
+{
+    const struct bead_chain *chain = c->setup.chains[0];
+    const struct bead_text_style style = bead_words_style(&c->look, c->look.label, c->look.ink, BEAD_ALIGN_MIDDLE);
+    struct bead_axis time;
+    char markup[2200];
+    bead_axis_make(&time, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(chain), BEAD_SCALE_LINEAR, 100, c->look.tick, true);
+    bead_panel_against(bead_chain_axis(chain, false).title, &time, markup, sizeof markup);
+    return bead_words_width(NULL, &style, markup);
+}
+
 static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
@@ -170,6 +203,7 @@ static void measure_axes(struct bead_composer *c)
     }
     w->below_numbers = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);
     w->time_end = measure_time_end(c);
+    w->against = measure_against(c);
     w->below_time = reach(&c->look, c->setup.time, unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, "time");
 }
 
@@ -188,6 +222,15 @@ static enum bead_error find_views(struct bead_composer *c, struct bead_message *
     return BEAD_OK;
 }
 
+/* Below a stage, where beads move on, images lie as papers have them. */
+static enum bead_orientation orientation_of(const struct bead_output *output)
+{
+    bool stage = output->movie.layout == BEAD_LAYOUT_AUTO || output->movie.layout == BEAD_LAYOUT_STAGE;
+    if (output->views.orientation == BEAD_ORIENTATION_AUTO && stage && bead_views_any(&output->views, BEAD_ACTS))
+        return BEAD_TIME_RIGHT;
+    return bead_orientation_of(output);
+}
+
 enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
@@ -196,7 +239,7 @@ enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_messa
                                    .height = c->setup.height,
                                    .look = &c->look,
                                    .layout = output->movie.layout,
-                                   .orientation = bead_orientation_of(output),
+                                   .orientation = orientation_of(output),
                                    .chain_count = c->setup.chain_count,
                                    .axes = output->views.axes,
                                    .trust = output->shown.trust,

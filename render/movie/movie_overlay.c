@@ -55,11 +55,43 @@ static void overlay_end(struct bead_composer *c, struct bead_rect rect, struct b
     bead_changes_add(changes, rect);
 }
 
+/* The present speed, where it has changed. */
+static void overlay_badge(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    char text[sizeof c->badge_text];
+    struct bead_rect rect = c->layout.badge;
+    bead_badge_text(&c->facts, time, text, sizeof text);
+    if (rect.width == 0 || strcmp(text, c->badge_text) == 0)
+        return;
+    snprintf(c->badge_text, sizeof c->badge_text, "%s", text);
+    overlay_begin(c, rect);
+    bead_badge_draw(c->cr, &c->look, text, rect);
+    overlay_end(c, rect, changes);
+}
+
+/* How much of the film has passed: a line at the lower edge. */
+void bead_overlay_progress(struct bead_composer *c, double time, struct bead_changes *changes)
+{
+    const struct bead_film_clock *film = c->setup.film;
+    const double *ends = c->setup.time;
+    double part = film->count ? bead_film_time(film, time) / bead_film_length(film) : (time - ends[0]) / (ends[1] - ends[0]);
+    int passed = (int)lround(fmin(1, fmax(0, part)) * c->frame.width), height = (int)fmax(2, 2 * c->look.line);
+    if (!c->layout.axes || passed <= c->passed)
+        return;
+    struct bead_rect rect = {c->passed, c->frame.height - height, passed - c->passed, height};
+    overlay_begin(c, rect);
+    cairo_set_source_rgb(c->cr, c->look.accent.r, c->look.accent.g, c->look.accent.b);
+    cairo_paint(c->cr);
+    overlay_end(c, rect, changes);
+    c->passed = passed;
+}
+
 /* Redraws the time if its text has changed. */
 void bead_overlay_time(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     char text[sizeof c->time_text];
     struct bead_rect rect = c->layout.time;
+    overlay_badge(c, time, changes);
     bead_clock_text(&c->clock, time, &c->look, text, sizeof text);
     if (rect.width == 0 || strcmp(text, c->time_text) == 0)
         return;

@@ -95,6 +95,7 @@ static void movie_destroy(struct bead_sink *s)
     bead_movie_abort(s->movie);
     bead_frame_free(&s->poster.frame);
     bead_composer_destroy(s->composer);
+    bead_film_free(&s->film);
     for (int i = 0; i < FRAME_SLOTS; i++)
         bead_frame_free(&s->buffer[i]);
     free(s->path);
@@ -380,6 +381,11 @@ static const char *movie_makers(const struct bead_sink *s)
     return s->makers;
 }
 
+static enum bead_error movie_scout(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    return bead_film_scout(&s->film, sample, msg);
+}
+
 static bool movie_looks_at_beads(const struct bead_output *output)
 {
     return output->movie.sound.of == BEAD_SOUND_SENSOR;
@@ -407,4 +413,5 @@ const struct bead_sink_type bead_movie_sink = {
     .makers = movie_makers,
     .beside = movie_beside,
     .looks_at_beads = movie_looks_at_beads,
+    .scout = movie_scout,
 };

@@ -118,7 +118,7 @@ static void facts_chain(const struct bead_facts *facts, char *out, size_t size)
         same_beads = same_beads && strcmp(name, other) == 0;
         same_speed = same_speed && bead_chain_spec(facts->chains[c])->striker_velocity == velocity;
     }
-    if (same_beads)
+    if (same_beads && !facts->keyed)
         bead_markup_quote(name, out, size);
     if (!same_speed)
         return;
@@ -130,56 +130,122 @@ static void facts_chain(const struct bead_facts *facts, char *out, size_t size)
     add_text(out, size, speed);
 }
 
-enum { MOST_FACTS = 3 };
+enum { MOST_FACTS = 3, MOST_FACT = 256 };
 
-/* "1 s of film = 0.28 ms", in the unit of the clock, or "0.25 to 2 ms"; equations have times without a unit. */
-static void say_speed(const struct bead_facts *facts, char *out, size_t size)
+/* "1 s of film = 0.28 ms", in the unit of the clock; equations have times without a unit. */
+static void say_speed(const struct bead_facts *facts, double factor, char *out, size_t size)
 {
-    char number[40], most[40], range[96];
-    double factors[2];
-    bead_film_factors(facts->film, factors);
-    bead_round_number(factors[0] / facts->clock.unit, number, sizeof number);
-    bead_round_number(factors[1] / facts->clock.unit, most, sizeof most);
-    bool even = strcmp(number, most) == 0;
-    snprintf(range, sizeof range, "%s%s%s", number, even ? "" : " to ", even ? "" : most);
-    snprintf(out, size, "1\u00a0s of film = %s\u00a0%s", range, facts->clock.sign[0] ? facts->clock.sign : "time units");
+    char number[40];
+    bead_round_number(factor / facts->clock.unit, number, sizeof number);
+    snprintf(out, size, "1\u00a0s of film = %s\u00a0%s", number, facts->clock.sign[0] ? facts->clock.sign : "time units");
 }
 
-static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS][256])
+static void say_pace(const struct bead_facts *facts, double factor, char *out, size_t size)
 {
     char number[64];
-    size_t count = 0;
-    say_speed(facts, text[count++], 256);
-    if (facts->magnify > 0 && facts->magnify != 1) {
-        bead_round_number(facts->magnify, number, sizeof number);
-        snprintf(text[count++], 256, "displacements \u00d7\u00a0%s", number);
-    }
-    facts_chain(facts, text[count], 256);
-    return count + (text[count][0] != '\0');
+    bool slow = factor <= 1;
+    bead_round_number(slow ? 1 / factor : factor, number, sizeof number);
+    if (factor == 0)
+        snprintf(out, size, "paused");
+    else if (facts->clock.sign[0])
+        snprintf(out, size, "%s\u00a0%s\u00a0times", slow ? "slowed" : "speeded up", number);
+    else
+        say_speed(facts, factor, out, size);
 }
 
-static void join(char text[MOST_FACTS][256], size_t count, char *out, size_t size)
+void bead_badge_text(const struct bead_facts *facts, double time, char *out, size_t size)
 {
-    char markup[1024];
-    out[0] = '\0';
-    for (size_t i = 0; i < count; i++) {
-        bead_markup(text[i], markup, sizeof markup);
-        add_text(out, size, i ? "   \u00b7   " : "");
-        add_text(out, size, markup);
+    say_pace(facts, bead_film_factor(facts->film, time), out, size);
+}
+
+static struct bead_text_style badge_style(const struct bead_look *look)
+{
+    const struct bead_rgb dark = {0.07, 0.08, 0.10}, light = {1, 1, 1};
+    return bead_words_style(look, look->label, look->dark ? dark : light, BEAD_ALIGN_MIDDLE);
+}
+
+double bead_badge_width(const struct bead_look *look, const struct bead_facts *facts)
+{
+    struct bead_text_style style = badge_style(look);
+    char text[MOST_FACT];
+    double factors[2], most = 0;
+    bead_film_factors(facts->film, factors);
+    /* Of rounded numbers between these, the ones with the most digits are as wide as that. */
+    const double all[] = {factors[0], factors[1], factors[0] < factors[1] ? 1.88 * pow(10, floor(log10(factors[0]))) : factors[0]};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        say_pace(facts, all[i], text, sizeof text);
+        most = fmax(most, bead_words_width(NULL, &style, text));
     }
+    return ceil(most + 0.9 * look->label);
+}
+
+void bead_badge_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect)
+{
+    struct bead_text_style style = badge_style(look);
+    double width = bead_words_width(cr, &style, text) + 0.9 * look->label, height = fmin(rect.height, 1.4 * look->label),
+           top = rect.y + 0.5 * (rect.height - height), round = 0.2 * look->label;
+    cairo_new_path(cr);
+    cairo_arc(cr, rect.x + round, top + round, round, M_PI, 1.5 * M_PI);
+    cairo_arc(cr, rect.x + width - round, top + round, round, -0.5 * M_PI, 0);
+    cairo_arc(cr, rect.x + width - round, top + height - round, round, 0, 0.5 * M_PI);
+    cairo_arc(cr, rect.x + round, top + height - round, round, 0.5 * M_PI, M_PI);
+    cairo_close_path(cr);
+    cairo_set_source_rgb(cr, look->accent.r, look->accent.g, look->accent.b);
+    cairo_fill(cr);
+    bead_text_draw(cr, &style, rect.x + 0.45 * look->label, rect.y + 0.5 * rect.height, text);
+}
+
+static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS][MOST_FACT])
+{
+    char number[64], plain[MOST_FACT];
+    size_t count = 0;
+    if (facts->magnify > 0 && facts->magnify != 1) {
+        bead_round_number(facts->magnify, number, sizeof number);
+        snprintf(text[count++], MOST_FACT, "displacements \u00d7\u00a0%s", number);
+    }
+    facts_chain(facts, plain, sizeof plain);
+    if (plain[0])
+        snprintf(text[count++], MOST_FACT, "%s", plain);
+    return count;
+}
+
+/* Markup of the next line of facts that fits into `room`; `first` moves on. */
+static void next_line(const struct bead_text_style *style, char text[MOST_FACTS][MOST_FACT], size_t count, size_t *first,
+                      double room, char *line, size_t size)
+{
+    char longer[4096], markup[1024];
+    for (line[0] = '\0'; *first < count; (*first)++) {
+        bead_markup(text[*first], markup, sizeof markup);
+        snprintf(longer, sizeof longer, "%s%s%s", line, line[0] ? "   \u00b7   " : "", markup);
+        if (line[0] && bead_words_width(NULL, style, longer) > room)
+            return;
+        snprintf(line, size, "%s", longer);
+    }
+}
+
+size_t bead_facts_lines(const struct bead_look *look, const struct bead_facts *facts, double room)
+{
+    struct bead_text_style style = bead_words_style(look, look->label, look->faint, BEAD_ALIGN_MIDDLE);
+    char text[MOST_FACTS][MOST_FACT], line[4096];
+    size_t count = words_gather(facts, text), lines = 0;
+    for (size_t first = 0; first < count; lines++)
+        next_line(&style, text, count, &first, room, line, sizeof line);
+    return lines;
 }
 
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left)
 {
     struct bead_text_style style = bead_words_style(look, look->label, look->faint, BEAD_ALIGN_MIDDLE);
-    char text[MOST_FACTS][256], line[2048];
+    char text[MOST_FACTS][MOST_FACT], line[4096];
+    size_t count = words_gather(facts, text), lines = bead_facts_lines(look, facts, rect.width);
+    double step = lines > 0 ? rect.height / (double)lines : 0, y = rect.y + 0.5 * step;
     style.across = left ? BEAD_ALIGN_START : BEAD_ALIGN_END;
-    for (size_t count = words_gather(facts, text); count > 0; count--) {
-        join(text, count, line, sizeof line);
-        if (bead_words_width(cr, &style, line) > rect.width)
-            continue;
-        bead_text_draw(cr, &style, left ? rect.x : rect.x + rect.width, rect.y + 0.5 * rect.height, line);
-        return;
+    for (size_t first = 0; first < count; y += step) {
+        next_line(&style, text, count, &first, rect.width, line, sizeof line);
+        double wide = bead_words_width(cr, &style, line); /* a single fact that is wider than the frame */
+        struct bead_text_style fitted = style;
+        fitted.size *= fmin(1, rect.width / fmax(1, wide));
+        bead_text_draw(cr, &fitted, left ? rect.x : rect.x + rect.width, y, line);
     }
 }
 
@@ -222,22 +288,34 @@ static void draw_label(cairo_t *cr, const struct bead_look *look, const char *ma
         bead_text_draw(cr, &style, x, y, markup);
 }
 
-double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
+/* px of name and M in one line, with the gap after each. */
+static double name_width(const struct bead_look *look, const struct bead_chain *chain, double size, double m_size)
 {
-    struct bead_text_style style = bead_words_style(look, heading_size * look->title, look->ink, BEAD_ALIGN_BASELINE);
-    char markup[HEADING_MARKUP], label[HEADING_MARKUP];
-    double gap = heading_gap * look->gap, all = 1;
-    label_markup(chain, label, sizeof label);
-    if (!label[0])
-        return 0;
+    struct bead_text_style style = bead_words_style(look, size, look->ink, BEAD_ALIGN_BASELINE);
+    char markup[HEADING_MARKUP];
+    double gap = heading_gap * look->gap, all = 0;
     style.bold = true;
     bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
     all += *markup ? bead_words_width(NULL, &style, markup) + gap : 0;
     style.bold = false;
+    style.size = m_size;
     bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
-    all += bead_chain_spins(chain)[0] ? bead_words_width(NULL, &style, markup) + gap : 0;
-    style.size = look->label;
-    return all + bead_words_width(NULL, &style, label);
+    return all + (bead_chain_spins(chain)[0] ? bead_words_width(NULL, &style, markup) + gap : 0);
+}
+
+double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
+{
+    struct bead_text_style style = bead_words_style(look, look->label, look->ink, BEAD_ALIGN_BASELINE);
+    const double size = heading_size * look->title;
+    char label[HEADING_MARKUP];
+    label_markup(chain, label, sizeof label);
+    return label[0] ? 1 + name_width(look, chain, size, size) + bead_words_width(NULL, &style, label) : 0;
+}
+
+double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain)
+{
+    const double size = heading_size * look->title;
+    return name_width(look, chain, smallest_name * size, size);
 }
 
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
@@ -245,28 +323,28 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
     const struct bead_chain *chain = heading->chain;
     const double under = heading->lines ? heading_line * look->label : 0, line = rect.height - under;
     const double size = fmin(heading_size * look->title, 0.75 * line), part = size / (heading_size * look->title);
-    struct bead_text_style style = bead_words_style(look, size, heading->colour, BEAD_ALIGN_BASELINE);
+    const bool has_m = bead_chain_spins(chain)[0], below = has_m && heading->lines && bead_heading_least(look, chain) > rect.width;
+    struct bead_text_style style = bead_words_style(look, size, look->accent, BEAD_ALIGN_BASELINE);
     double x = rect.x, y = rect.y + 0.5 * line + 0.36 * size, gap = heading_gap * look->gap;
-    char markup[HEADING_MARKUP];
-    style.bold = true;
+    char markup[HEADING_MARKUP], m[256] = "";
+    if (has_m)
+        bead_text_magnetism(bead_chain_magnetism(chain), m, sizeof m);
+    const double m_width = has_m ? bead_words_width(cr, &style, m) : 0, room = rect.width - (has_m && !below ? m_width + gap : 0);
     if (bead_chain_title(chain)[0]) { /* long names are set smaller before they are cut */
+        struct bead_text_style name = style;
+        name.bold = true;
+        name.colour = heading->colour;
         bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
-        double fits = 0.98 * rect.width / fmax(1, bead_words_width(cr, &style, markup));
-        style.size *= fmin(1, fmax(smallest_name, fits));
-        x += bead_words_fit(cr, &style, bead_chain_title(chain), false, rect.width, markup, sizeof markup) + gap;
-        bead_text_draw(cr, &style, rect.x, y, markup);
+        double fits = 0.98 * room / fmax(1, bead_words_width(cr, &name, markup));
+        name.size *= fmin(1, fmax(smallest_name, fits));
+        x += bead_words_fit(cr, &name, bead_chain_title(chain), false, room, markup, sizeof markup) + gap;
+        bead_text_draw(cr, &name, rect.x, y, markup);
     }
-    if (bead_chain_spins(chain)[0]) {
-        style.bold = false;
-        style.colour = look->accent;
-        bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
-        double width = bead_words_width(cr, &style, markup);
-        if (x + width <= rect.x + rect.width) {
-            bead_text_draw(cr, &style, x, y, markup);
-            x += width + gap;
-        }
-    }
-    x = heading->lines ? rect.x : x;
+    style.size = below ? part * look->label : size;
+    x = below ? rect.x : x;
+    if (has_m)
+        bead_text_draw(cr, &style, x, below ? y + under : y, m);
+    x = heading->lines && !below ? rect.x : x + (has_m ? bead_words_width(cr, &style, m) + gap : 0);
     label_markup(chain, markup, sizeof markup);
     if (markup[0])
         draw_label(cr, look, markup, part * look->label, x, y + under, rect.x + rect.width - x);
@@ -306,22 +384,28 @@ static void card_plain(struct card *c, const char *plain, double size, bool bold
     card_line(c, markup, size, bold, colour);
 }
 
-/* "1 s of film = 0.28 ms, 3 600 times slower" */
+/* "1 s of film = 0.28 ms, 3 600 times slower", or "1 s of film = 0.25 to 2 ms" */
 static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
 {
-    char factor[64], speed[160];
+    char least[160], most[40], factor[64];
     double factors[2];
     bead_film_factors(facts->film, factors);
     bool slower = factors[0] <= 1, even = factors[1] <= 1.001 * factors[0];
-    say_speed(facts, speed, sizeof speed);
+    say_speed(facts, factors[0], least, sizeof least);
     bead_round_number(slower ? 1 / factors[0] : factors[0], factor, sizeof factor);
-    if (facts->clock.sign[0] && even)
-        snprintf(out, size, "%s, %s times %s", speed, factor, slower ? "slower" : "faster");
+    bead_round_number(factors[0] / facts->clock.unit, most, sizeof most);
+    if (!even) {
+        char other[40];
+        bead_round_number(factors[1] / facts->clock.unit, other, sizeof other);
+        snprintf(out, size, "1\u00a0s of film = %s to %s\u00a0%s", most, other,
+                 facts->clock.sign[0] ? facts->clock.sign : "time units");
+    } else if (facts->clock.sign[0])
+        snprintf(out, size, "%s, %s times %s", least, factor, slower ? "slower" : "faster");
     else
-        snprintf(out, size, "%s", speed);
+        snprintf(out, size, "%s", least);
 }
 
-static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][256])
+static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][MOST_FACT])
 {
     char number[64];
     size_t count = 0;
@@ -365,7 +449,7 @@ static void card_chains(struct card *c, const struct bead_facts *facts, double r
 void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, const char *title, const char *text,
                     int width, int height)
 {
-    char words[MOST_FACTS][256];
+    char words[MOST_FACTS][MOST_FACT];
     size_t count = card_words(facts, words), chains = 0;
     bool has_title = title && title[0], has_text = text && text[0];
     double large = 2.1 * look->title, small = 1.15 * look->label, line = fmax(2, 2 * look->line);

@@ -29,11 +29,20 @@ struct bead_facts {
     const struct bead_film_clock *film;
     struct bead_clock clock;
     double magnify; /* 0: displacements are not shown */
+    bool keyed;     /* a key of the beads says what they are made of */
     const struct bead_chain *const *chains;
     size_t chain_count;
 };
-/* Right-aligned in `rect`; facts that do not fit are left out, the last ones first. */
+/* Lines that all facts need in `room` px. */
+size_t bead_facts_lines(const struct bead_look *look, const struct bead_facts *facts, double room);
+/* In as many lines as they need, from the left or ending at the right. */
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left);
+/* "slowed 3 600 times", at a time of the motion; "1 s of film = 5 time units" where times have no unit. */
+void bead_badge_text(const struct bead_facts *facts, double time, char *out, size_t size);
+/* px, of the widest that the film shows. */
+double bead_badge_width(const struct bead_look *look, const struct bead_facts *facts);
+/* At the left of `rect`. */
+void bead_badge_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
 /* A line of text, cut with an ellipsis; the style's `down` is BEAD_ALIGN_MIDDLE. */
 void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
 /* Name, M and label of a chain. */
@@ -45,7 +54,9 @@ struct bead_heading {
 bool bead_heading_has(const struct bead_chain *chain);
 /* px, of one line; 0: no label. */
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
-/* A label that does not fit is left out. */
+/* px, of name and M as small as they may be. */
+double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain);
+/* M stands beside the name or, in the second line, before the label. A label that does not fit is left out, M never. */
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 
 /* ---- captions: captions.c ---- */

@@ -7,6 +7,7 @@
 #include "sim/chain/chain_internal.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* From a panel's top to the baseline of its title, in units of the label's font size. */
 static const double title_rise = 0.38;
@@ -90,7 +91,14 @@ void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, con
 void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot)
 {
     bead_axis_draw(cr, setup->look, axis, plot, BEAD_SIDE_BOTTOM, false, !setup->time_shared,
-                   setup->titles == BEAD_TITLES_NONE ? NULL : "time");
+                   setup->titles == BEAD_TITLES_NONE || setup->against ? NULL : "time");
+}
+
+void bead_panel_against(const char *title, const struct bead_axis *time, char *out, size_t size)
+{
+    char words[2100];
+    bead_axis_title(time, "time", words, sizeof words);
+    snprintf(out, size, "%s against %s", title, words);
 }
 
 const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first,

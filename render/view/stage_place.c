@@ -7,6 +7,7 @@
 #include "render/view/panel.h"
 #include "render/view/stage_view.h"
 #include "sim/chain/chain_internal.h"
+#include "render/view/views.h"
 
 /* Beads side by side: more are in view where the stage is low, less only where there are no more. */
 static const double least_across = 14.5, best_across = 16;
@@ -79,8 +80,9 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
     const int *beyond = v->setup.beyond;
     double ends[2];
     const double length = length_of(v, ends), em = look->tick, width = v->plot.width + beyond[0] + beyond[1];
-    const double head = v->setup.axes && v->plot.height > 9 * em ? headroom(v) : 0;
-    const double numbers = v->setup.axes && v->setup.bead_labels && v->plot.height > 6 * em ? ceil(1.45 * em) : 0;
+    const bool film = v->setup.fill, tall = v->plot.height > 9 * em;
+    const double head = film ? v->setup.head : v->setup.axes && tall ? headroom(v) : 0;
+    const double numbers = v->setup.axes && v->setup.bead_labels && (film || tall) ? ceil(BEAD_STAGE_NUMBERS * em) : 0;
     const double row = ceil(fmax(6, 0.8 * em));
     const bool all = shows_all(v, width, v->plot.height - head - numbers, length);
     double below = numbers + (all ? 0 : row);

@@ -29,13 +29,27 @@ struct bead_view {
     int shown;                    /* columns up to here are in the frame */
     int mark[2];                  /* places of the camera's window, shown on the cursor */
     bool drawn, finished;
-    uint32_t colour[256]; /* as in frames */
+    uint32_t colour[256], ghost[256]; /* as in frames; dimmed */
     struct bead_colour_table table;
 };
 
 static unsigned spacetime_fields(const struct bead_view_setup *setup)
 {
     return BEAD_FIELD_BIT(setup->field);
+}
+
+static uint32_t pixel_of(struct bead_rgb c)
+{
+    return 0xff000000u | (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
+}
+
+/* A colour of the future, most of which is the panel's. */
+static struct bead_rgb dimmed(const struct bead_view *v, const uint8_t rgb[3])
+{
+    static const double seen = 0.3;
+    const struct bead_rgb *p = &v->look.panel;
+    return (struct bead_rgb){p->r + seen * (rgb[0] / 255.0 - p->r), p->g + seen * (rgb[1] / 255.0 - p->g),
+                             p->b + seen * (rgb[2] / 255.0 - p->b)};
 }
 
 static void recolour(struct bead_view *view, const struct bead_colours *colours)
@@ -45,6 +59,7 @@ static void recolour(struct bead_view *view, const struct bead_colours *colours)
     for (int i = 0; i < 256; i++) {
         const uint8_t *rgb = colours->map->rgb[i];
         view->colour[i] = 0xff000000u | (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+        view->ghost[i] = pixel_of(dimmed(view, rgb));
     }
 }
 
@@ -128,8 +143,10 @@ static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, stru
         bead_panel_axis(cr, s, &time, v->plot, true, "time");
         bead_panel_chain_axis(cr, s, &beads, v->plot, s->bead_labels ? name : NULL);
     } else {
+        char both[2200];
+        bead_panel_against(name, &time, both, sizeof both);
         bead_panel_time_axis(cr, s, &time, v->plot);
-        bead_panel_axis(cr, s, &beads, v->plot, false, name);
+        bead_panel_axis(cr, s, &beads, v->plot, false, s->against ? both : name);
     }
     return BEAD_OK;
 }
@@ -166,17 +183,12 @@ static enum bead_error colour_columns(struct bead_view *v, int to, struct bead_m
 }
 
 /* Writes the pixels of `rect`, a part of the plot. */
-static void put_pixels(const struct bead_view *v, struct bead_rect rect, uint8_t *row, size_t stride)
+static void put_pixels(const struct bead_view *v, const uint32_t colour[256], struct bead_rect rect, uint8_t *row, size_t stride)
 {
     const uint8_t *index = v->indices + (size_t)(rect.y - v->plot.y) * (size_t)v->plot.width + (size_t)(rect.x - v->plot.x);
     for (int y = 0; y < rect.height; y++, row += stride, index += v->plot.width)
         for (int x = 0; x < rect.width; x++)
-            memcpy(row + 4 * x, &v->colour[index[x]], 4);
-}
-
-static uint32_t pixel_of(struct bead_rgb c)
-{
-    return 0xff000000u | (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
+            memcpy(row + 4 * x, &colour[index[x]], 4);
 }
 
 /* The bead number, with fraction, at a position along the chain (m). As in the image, bead j covers j - 1/2 to j + 1/2. */
@@ -300,6 +312,15 @@ static struct bead_rect columns_rect(const struct bead_view *v, int from, int to
                    : (struct bead_rect){v->plot.x + from, v->plot.y, to - from, v->plot.height};
 }
 
+static void draw_future(const struct bead_view *v, int from, struct bead_frame *frame, struct bead_changes *changes)
+{
+    struct bead_rect rect = columns_rect(v, from > v->first ? from : v->first, v->done);
+    if (rect.width < 1 || rect.height < 1)
+        return;
+    put_pixels(v, v->ghost, rect, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)rect.x, frame->stride);
+    bead_changes_add(changes, rect);
+}
+
 static enum bead_error spacetime_draw(struct bead_view *v, double time, struct bead_frame *frame,
                                       const struct bead_frame *background, struct bead_changes *changes, struct bead_message *msg)
 {
@@ -308,7 +329,9 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
     if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
         return BEAD_OK;
-    BEAD_TRY(v->area ? colour_columns(v, until, msg) : BEAD_OK);
+    BEAD_TRY(v->area ? colour_columns(v, v->setup.ghost ? v->columns : until, msg) : BEAD_OK);
+    if (v->setup.ghost && v->area && !v->drawn)
+        draw_future(v, until, frame, changes);
     /* From the cursor's last place, or from the first change of the horizon. */
     double reach = ceil(bead_horizon_reach(&v->look)) + 1;
     int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
@@ -319,7 +342,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);
     struct bead_rect rect = columns_rect(v, first, to);
     if (v->area && to > first)
-        put_pixels(v, rect, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)rect.x, frame->stride);
+        put_pixels(v, v->colour, rect, frame->pixels + (size_t)rect.y * frame->stride + 4 * (size_t)rect.x, frame->stride);
     enum bead_error err = spacetime_draw_lines(v, rect, frame, msg);
     if (cursor) {
         int at = smaller(until, last);
@@ -357,7 +380,7 @@ static cairo_status_t embed(const struct bead_view *v, struct bead_rect rect, ca
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, rect.width, rect.height);
     cairo_status_t status = cairo_surface_status(image);
     if (!status) {
-        put_pixels(v, rect, cairo_image_surface_get_data(image), (size_t)cairo_image_surface_get_stride(image));
+        put_pixels(v, v->colour, rect, cairo_image_surface_get_data(image), (size_t)cairo_image_surface_get_stride(image));
         cairo_surface_mark_dirty(image);
         cairo_set_source_surface(cr, image, rect.x, rect.y);
         cairo_pattern_set_filter(cairo_get_source(cr), CAIRO_FILTER_NEAREST);

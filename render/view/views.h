@@ -14,3 +14,5 @@ double bead_stage_key_room(const struct bead_view_setup *setup);
 /* View `index` of those that an output asks for. Errors: USAGE (a function is missing). */
 BEAD_CHECK enum bead_error bead_view_take(const struct bead_views_asked *asked, size_t index, const struct bead_view_type **type,
                                           struct bead_message *msg);
+/* The line of numbers below a stage, in units of the ticks' font size. */
+#define BEAD_STAGE_NUMBERS 1.45

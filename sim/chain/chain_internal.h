@@ -27,7 +27,7 @@ BEAD_INTERNAL void bead_chain_mode_energies(const struct bead_chain *chain, cons
 double bead_chain_omega(const struct bead_chain *chain, double energy);
 /* About how long a wave of this energy takes from end to end, s: the sum of sqrt(m/K) over the contacts, m the mass of the heavier
  * bead, K the largest stiffness that the energy allows. Within a factor of a few. */
-double bead_chain_passage(const struct bead_chain *chain, double energy);
+BEAD_INTERNAL double bead_chain_passage(const struct bead_chain *chain, double energy);
 /* The largest velocity at the start, m/s, or that which the energy of displaced beads can give one of them, if that is larger: the
  * unit of velocities. */
 BEAD_INTERNAL double bead_chain_speed(const struct bead_chain *chain);

@@ -12,7 +12,7 @@
 enum { MOST_BEADS = 200000000 }; /* more than there may be */
 
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
-static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", NULL};
+static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", "images", "stage", NULL};
 static const char *const types[] = {"normal", "large", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
@@ -81,12 +81,18 @@ static const struct bead_option movie_rows[] = {
     BEAD_FILE_ROW("movie", "FILE.mp4, .mov, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
     {"size", BEAD_OPTION_CUSTOM, .initial = "[1920, 1080]", .shape = "[width, height] in pixels, 1 to 32768", .like = "[2 number]",
      .read = bead_output_read_frame_size, .help = "size of the frame", .example = "[1280, 720]"},
-    {"views", BEAD_OPTION_CUSTOM, .initial = "[beads, profile, spacetime]", .shape = BEAD_VIEWS_LISTED "in a list",
-     .like = "[text]", .read = bead_output_read_views, .help = "the views, from top to bottom", .example = "[beads, spacetime]"},
+    {"views", BEAD_OPTION_CUSTOM, .initial = "[stage, profile, spacetime]", .shape = BEAD_VIEWS_LISTED "in a list",
+     .like = "[text]", .read = bead_output_read_views,
+     .help = "the views, from top to bottom; default for more than three chains, for equations and in other layouts than stage: "
+             "[beads, profile, spacetime]",
+     .example = "[beads, spacetime]"},
     {"layout", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.layout), .initial = "auto", .choices = layouts,
-     .help = "arrangement of the chains. stacked: below each other; columns: side by side; grid: both; overlay: one axis for the "
-             "profiles of all chains, in their colours; beside: the space-time images at the right of the other views; auto: what "
-             "leaves most to see in a frame of this shape, and overlay where `views` is profile alone"},
+     .help = "arrangement of the chains. stage: large beads of each, below them one profile for all, in their colours, and small "
+             "space-time images, whose future is dimmed; images: large space-time images below each other, side by side or both, "
+             "whatever leaves most to see in a frame of this shape; of these stacked: below each other; columns: side by side; "
+             "grid: both; overlay: one axis for the profiles of all chains; beside: the space-time images at the right of the "
+             "other views; auto: stage where `views` has it, which is the default of one to three chains, else images, and overlay "
+             "where `views` is profile alone"},
     {"type", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.type), .initial = "normal", .choices = types,
      .help = "size of the letters. normal: labels have 3 % of the frame's shorter side; large: 4 %, for the last row of a lecture "
              "hall"},
@@ -96,8 +102,11 @@ static const struct bead_option movie_rows[] = {
      .help = "frames per second; a GIF has at most 50, its delays being whole hundredths of a second of which players want two: of "
              "more, every second frame is in it, or every third and so on",
      .example = "30"},
-    {"duration", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.duration), .unit = "s", .initial = "10 s", .low = 0.01, .high = 36000,
-     .help = "how long the movie shows the motion; a title card adds to it", .example = "15 s"},
+    {"duration", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.duration), .unit = "s", .initial = "auto", .low = 0.01, .high = 36000,
+     .word = "auto", .word_value = NAN,
+     .help = "how long the movie shows the motion; a title card adds to it. auto: 10 s, and of a stage as long as lets a wave pass "
+             "about eight beads a second, at most 30 s",
+     .example = "15 s"},
     {"speed", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
      .like = "[outputs.speed]", .read = bead_output_read_speeds,
      .help = "how fast time passes, instead of `duration`: see outputs.speed",
@@ -160,6 +169,8 @@ static const struct bead_options movie_options = {"movie", "a movie; .png is an 
 static BEAD_OUTPUT_CHECK(check_layout)
 {
     bool profile = bead_views_any(&output->views, BEAD_OVERLAYS);
+    if (output->movie.layout == BEAD_LAYOUT_STAGE && !bead_views_any(&output->views, BEAD_ACTS))
+        return BEAD_WRONG_KEY(reader, at, "layout", "is stage, but `views` has none");
     bool image = bead_views_any(&output->views, BEAD_SHOWS_IMAGE);
     if (output->movie.layout == BEAD_LAYOUT_OVERLAY && !profile)
         return BEAD_WRONG_KEY(reader, at, "layout", "is overlay, but `views` has no profile");

@@ -8,6 +8,8 @@
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
 
+enum { MOST_ON_STAGE = 3 /* chains, by default */ };
+
 /* Values of settings for which a kind has no key. */
 const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MAX}, .time = {NAN, NAN}},
                                                   .views = {.axes = true},
@@ -41,6 +43,17 @@ static void fit_without_contacts(const struct bead_reader *reader, const struct 
             output->views.kinds[kept++] = output->views.kinds[i];
     }
     output->views.count = kept;
+}
+
+/* The stage is the default of films of few chains; films of images have a row of beads instead. */
+static void fit_stage(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
+{
+    const bool wanted = output->movie.layout == BEAD_LAYOUT_STAGE ||
+                        (output->movie.layout == BEAD_LAYOUT_AUTO && reader->scene->chain_count <= MOST_ON_STAGE);
+    for (size_t i = 0; i < output->views.count && !bead_given(at, "views"); i++) {
+        if (output->views.kinds[i] == BEAD_VIEW_STAGE && !(wanted && bead_scene_system(reader->scene)->has_contacts))
+            output->views.kinds[i] = BEAD_VIEW_BEADS;
+    }
 }
 
 /* Chains have panels of their own, but for plots of peaks. */
@@ -83,6 +96,7 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
         err = settle_size(reader, at, type->draws, output);
     if (err)
         return err;
+    fit_stage(reader, at, output);
     fit_without_contacts(reader, at, output);
     if (sweep)
         return type->check_sweep ? type->check_sweep(reader, at, output) : BEAD_OK;

@@ -12,7 +12,7 @@
 #include "sim/session/session_internal.h"
 
 /* Widens the output's range by a sample of a scouting run. */
-static enum bead_error widen_range(const struct bead_consumer *c, const struct bead_sample *sample, struct bead_message *)
+static enum bead_error widen_range(const struct bead_consumer *c, const struct bead_sample *sample, struct bead_message *msg)
 {
     struct bead_made *m = c->context;
     const double *value = sample->field[c->needs.range_field];
@@ -23,7 +23,7 @@ static enum bead_error widen_range(const struct bead_consumer *c, const struct b
         m->range.low = value[j] < m->range.low ? value[j] : m->range.low;
         m->range.high = value[j] > m->range.high ? value[j] : m->range.high;
     }
-    return BEAD_OK;
+    return m->type->scout ? m->type->scout(m->sink, sample, msg) : BEAD_OK;
 }
 
 /* A run that finds the range of a field, for sinks that must know it before they begin. */

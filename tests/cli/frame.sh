@@ -35,6 +35,7 @@ same() {
 }
 if command -v ffmpeg >/dev/null; then
     same plain "beads, profile, space-time" "views: [beads, profile, spacetime]"
+    same stage "a stage, with what is to come" "views: [stage, profile, spacetime]"
     ok "... at a time" shows plain.yaml 0.46ms plain 20
     ok "... at the last" shows plain.yaml "0.9 ms" plain 39
     ok "... of its trajectory" exits 0 "$beadreel" plain/run.h5 -o again/film.apng
@@ -67,7 +68,7 @@ cat >given.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 40}]}
 simulate: {until: 0.6 ms}
 outputs:
-  - {movie: films/one.mp4, duration: 1 s, fps: 21, size: [320, 240], range: [0, 40 N]}
+  - {movie: films/one.mp4, duration: 1 s, fps: 21, layout: images, size: [320, 240], range: [0, 40 N]}
   - {image: still.png, size: [320, 240]}
   - {movie: two.webm, duration: 1 s, fps: 21, size: [320, 240], colormap: grey}
 YAML

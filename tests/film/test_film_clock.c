@@ -17,7 +17,7 @@ static void even_time_has_no_pieces(void **state)
     (void)state;
     struct bead_film_clock clock;
     struct bead_movie_asked movie = {.duration = 10};
-    bead_film_clock_make(&movie, whole, &clock);
+    bead_film_clock_make(&movie, whole, movie.duration, &clock);
     assert_int_equal(clock.count, 0);
     assert_float_equal(clock.slowed, 5000, 1e-9);
     assert_float_equal(bead_film_after(&clock, 1e-3, 2), 1.4e-3, 1e-12);
@@ -31,7 +31,7 @@ static void the_curve_is_integrated(void **state)
     struct bead_film_clock clock;
     struct bead_speed speeds[] = {{0, 1.0 / 4000}, {1e-3, 1.0 / 500}};
     struct bead_movie_asked movie = {.duration = 10, .speeds = speeds, .speed_count = 2};
-    bead_film_clock_make(&movie, whole, &clock);
+    bead_film_clock_make(&movie, whole, movie.duration, &clock);
     double first = 3.5 / log(8), factors[2];
     assert_float_equal(bead_film_length(&clock), first + 0.5, 1e-9);
     assert_float_equal(bead_film_time(&clock, 1e-3), first, 1e-9);
@@ -59,7 +59,7 @@ static void the_motion_stands_in_a_pause(void **state)
                                       {.at = 0.5e-3, .pause = 2, .until = NAN, .lasting = NAN},
                                       {.at = 1e-3, .pause = 0, .until = NAN, .lasting = NAN}};
     struct bead_movie_asked movie = {.duration = 10, .captions = captions, .caption_count = 3};
-    bead_film_clock_make(&movie, whole, &clock);
+    bead_film_clock_make(&movie, whole, movie.duration, &clock);
     assert_float_equal(bead_film_length(&clock), 13, 1e-9);
     assert_float_equal(bead_film_motion(&clock, 0.99), 0, 0);
     assert_float_equal(bead_film_motion(&clock, 2), 0.2e-3, 1e-12);

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stage of a movie's frame: a row of large beads for each chain, below each other, and under them one profile for all chains and
+ * their images, beside the profile or below it. Used by movie_layout.c. */
+#pragma once
+
+#include "render/movie/movie_layout.h"
+
+/* What a frame gives up, from plan to plan, until the rest fits. Shares are of the frame's area. */
+struct bead_stage_plan {
+    double beads;  /* share of the beads with their headings */
+    double images; /* least share of the images; 0: none */
+    bool bar, curve;
+    double air; /* gaps, in units of their usual size */
+};
+enum { BEAD_STAGE_PLANS = 18 };
+extern const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS];
+
+/* px by which beads are within the area of plots with their axes. */
+int bead_stage_inset(const struct bead_movie_wants *wants);
+/* Is there room for the key of beads beside the headings? */
+bool bead_stage_keyed(const struct bead_movie_wants *wants);
+/* The view of large beads; view_count: there is none. */
+size_t bead_stage_view(const struct bead_movie_wants *wants);
+/* Chooses rectangles for headings, plots and bar within `area`. False: there is no room. */
+BEAD_CHECK bool bead_stage_place(const struct bead_movie_wants *wants, const struct bead_stage_plan *plan, struct bead_rect area,
+                                 struct bead_movie_layout *layout);
