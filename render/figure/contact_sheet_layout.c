@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/layout.h"
 #include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"
 #include "sim/base/memory.h"
@@ -129,39 +130,80 @@ static double find_label_width(const struct contact_sheet *s)
     return most > 0 ? most + s->look.gap : 0;
 }
 
-/* Width of the bar with its ticks and title. */
-static double find_bar_width(const struct contact_sheet *s)
+/* What the bar's ticks and title need beside it. */
+static double find_bar_words(const struct contact_sheet *s, int width)
 {
-    const struct bead_rect bar = {0, 0, (int)round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET)), s->page.height / 2};
+    const struct bead_rect bar = {0, 0, width, s->page.height / 2};
     const struct bead_field_info *field = bead_field_info(s->output->shown.field);
     const struct bead_colours colours = {&s->map, s->output->colours.scale, 0, 1.234};
-    return 1.5 * s->look.gap + bar.width +
-           bead_colour_bar_draw(NULL, &s->look, &colours, field->unit, field->title, bar, false, false);
+    return bead_colour_bar_draw(NULL, &s->look, &colours, field->unit, field->title, bar, false, false);
 }
 
-static void place_image(struct contact_sheet *s, struct contact_image *image, double left, double top, double width, double height)
+/* A picture's box: its spins along the chain, the picture, and the words below it. */
+static void place_image(const struct contact_sheet *s, struct contact_image *image, struct bead_rect at)
 {
-    int x = (int)round(left), w = (int)round(left + width) - x, y = (int)round(top);
-    int bar = (int)fmax(2, round(spins_height * s->small)), gap = (int)fmax(1, round(spins_gap * s->small));
-    int h = (int)round(height), before = bar + gap;
-    bool down = s->orientation == BEAD_TIME_DOWN;
-    image->spins = (struct bead_rect){x, y, down ? w : bar, down ? bar : h};
-    image->picture = down ? (struct bead_rect){x, y + before, w, h - before} : (struct bead_rect){x + before, y, w - before, h};
-    image->words = (struct bead_rect){x, image->picture.y + image->picture.height, w, (int)round(words_height * s->small)};
+    const int bar = (int)fmax(2, round(spins_height * s->small)), before = bar + (int)fmax(1, round(spins_gap * s->small));
+    const bool down = s->orientation == BEAD_TIME_DOWN;
+    image->spins = image->picture = at;
+    *(down ? &image->spins.height : &image->spins.width) = bar;
+    *(down ? &image->picture.y : &image->picture.x) += before;
+    *(down ? &image->picture.height : &image->picture.width) -= before;
+    image->words = (struct bead_rect){at.x, at.y + at.height, at.width, (int)round(words_height * s->small)};
 }
 
-static enum bead_error make_images(struct contact_sheet *s, double left, double top, double width, double height,
-                                   struct bead_message *msg)
+/* Columns: names of rows, pictures, the bar. Rows: the words that explain the sheet, pictures. The last boxes are those of the
+ * words and the bar. */
+static enum bead_error make_grid(const struct contact_sheet *s, struct bead_layout_grid *grid, struct bead_message *msg)
+{
+    const double margin = s->look.margin, gap = between * s->small, bar = round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET));
+    BEAD_TRY(bead_layout_make(s->columns + 2, s->row_count + 1, s->image_count + 2, grid, msg));
+    struct bead_lane *columns = grid->columns.lane, *rows = grid->rows.lane;
+    columns[0].least = s->label_width;
+    bead_lanes_want(columns + 1, s->columns, (struct bead_lane){.share = 1, .least = least_width * s->small, .gap = gap});
+    columns[s->columns + 1] = (struct bead_lane){.least = bar, .gap = 1.5 * s->look.gap, .keep = {0, find_bar_words(s, (int)bar)}};
+    bead_lanes_want(
+        rows + 1, s->row_count,
+        (struct bead_lane){.share = 1, .least = least_height * s->small, .gap = gap, .keep = {0, words_height * s->small}});
+    bead_lanes_within(&grid->columns, margin, s->page.width - 2 * margin);
+    bead_lanes_within(&grid->rows, margin, s->page.height - 2 * margin);
+    struct bead_layout_box *box = grid->boxes;
+    for (size_t r = 0; r < s->row_count; r++) {
+        for (size_t c = 0; c < s->rows[r].count; c++)
+            *box++ = (struct bead_layout_box){.column = 1 + c, .row = 1 + r};
+    }
+    *box++ = (struct bead_layout_box){.columns = s->columns + 1};
+    *box = (struct bead_layout_box){.column = s->columns + 1, .row = 1, .rows = s->row_count};
+    bead_layout_reach(grid, false);
+    return BEAD_OK;
+}
+
+/* The words that explain the sheet are beside the first row if that has a single picture and there is room, else above. False: the
+ * pictures have no room. */
+static bool place_intro(const struct contact_sheet *s, struct bead_layout_grid *grid)
+{
+    struct bead_layout_box *intro = &grid->boxes[s->image_count];
+    const struct bead_layout_box above = *intro;
+    if (s->rows[0].count == 1 && s->columns >= 3 && s->row_count > 1) {
+        *intro = (struct bead_layout_box){.column = 2, .row = 1, .columns = s->columns - 1};
+        if (bead_layout_divide(grid, NULL) && contact_sheet_intro(s, NULL, intro->at.width) <= intro->at.height)
+            return true;
+        *intro = above;
+    }
+    const bool wide = bead_layout_divide(grid, NULL);
+    grid->rows.lane[0].least = ceil(contact_sheet_intro(s, NULL, intro->at.width));
+    grid->rows.lane[1].gap = 1.5 * between * s->small;
+    return bead_layout_divide(grid, NULL) && wide;
+}
+
+static enum bead_error make_images(struct contact_sheet *s, const struct bead_layout_box *boxes, struct bead_message *msg)
 {
     size_t i = 0;
     BEAD_TRY(bead_new(&s->images, s->image_count + 1, msg, "a sheet"));
     BEAD_TRY(bead_new(&s->watches, s->image_count + 1, msg, "a sheet"));
-    const double gap = between * s->small, step = width + gap, down = height + (words_height + between) * s->small;
     for (size_t r = 0; r < s->row_count; r++) {
         for (size_t c = 0; c < s->rows[r].count; c++, i++) {
-            struct contact_image *image = &s->images[i];
-            *image = (struct contact_image){.panel = s->rows[r].panel, .index = s->rows[r].first + c, .row = r};
-            place_image(s, image, left + (double)c * step, top + (double)r * down, width, height);
+            s->images[i] = (struct contact_image){.panel = s->rows[r].panel, .index = s->rows[r].first + c, .row = r};
+            place_image(s, &s->images[i], boxes[i].at);
         }
     }
     return BEAD_OK;
@@ -188,42 +230,24 @@ static size_t sheet_most_configurations(const struct contact_sheet *s)
     return most;
 }
 
-/* The words that explain the sheet, between two x; returns their height. */
-static double place_intro(struct contact_sheet *s, double left, double right)
-{
-    double height = contact_sheet_intro(s, NULL, right - left);
-    s->intro = (struct bead_rect){(int)round(left), (int)round(s->look.margin), (int)round(right - left), (int)ceil(height)};
-    return height;
-}
-
 enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_message *msg)
 {
-    const double margin = s->look.margin, gap = between * s->small, lines = (words_height + between) * s->small;
-    double width = s->page.width - 2 * margin - find_bar_width(s), height = s->page.height - 2 * margin;
-    size_t most = sheet_most_configurations(s);
+    const double gap = between * s->small, bar = round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET));
+    const double width = s->page.width - 2 * s->look.margin - 1.5 * s->look.gap - bar - find_bar_words(s, (int)bar);
+    const double height = s->page.height - 2 * s->look.margin, row = (wanted_height + words_height + between) * s->small;
+    const size_t most = sheet_most_configurations(s);
+    struct bead_layout_grid grid;
     s->several = bead_sweep_panels(s->sweep) > 1;
     s->columns = (size_t)fmax(1, floor((width - 5 * s->small + gap) / (wanted_width * s->small + gap)));
     if (s->output->sheet.configurations > 0)
         s->columns = s->output->sheet.configurations;
     s->columns = s->columns < most ? s->columns : most;
-    BEAD_TRY(sheet_choose(s, (size_t)fmax(1, floor((height + gap) / (wanted_height * s->small + lines))), msg));
+    BEAD_TRY(sheet_choose(s, (size_t)fmax(1, floor((height + gap) / row)), msg));
     s->label_width = find_label_width(s);
-    width = (width - s->label_width + gap) / (double)s->columns - gap;
-    const double left = margin + s->label_width, right = left + (double)s->columns * (width + gap) - gap;
-    const double row = (height + gap) / (double)s->row_count - gap;
-    double top = margin;
-    /* beside the first row if that has a single picture and there is room, else above */
-    bool beside = s->rows[0].count == 1 && s->columns >= 3 && s->row_count > 1;
-    if (!beside || place_intro(s, left + width + 2 * gap, right) > row) {
-        double words = place_intro(s, margin, right) + 1.5 * gap;
-        top += words;
-        height -= words;
-    }
-    height = (height + gap) / (double)s->row_count - lines;
-    if (width < least_width * s->small || height < least_height * s->small)
-        return sheet_no_room(s, msg);
-    s->bar = (struct bead_rect){(int)round(right + 1.5 * s->look.gap), (int)round(top),
-                                (int)round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET)),
-                                (int)round((double)s->row_count * (height + lines) - lines)};
-    return make_images(s, left, top, width, height, msg);
+    BEAD_TRY(make_grid(s, &grid, msg));
+    enum bead_error err = place_intro(s, &grid) ? make_images(s, grid.boxes, msg) : sheet_no_room(s, msg);
+    s->intro = grid.boxes[s->image_count].at;
+    s->bar = grid.boxes[s->image_count + 1].at;
+    bead_layout_free(&grid);
+    return err;
 }

@@ -28,7 +28,9 @@ void bead_plan_free(struct bead_plan *plan)
     for (size_t i = 0; plan->rows && i < plan->row_count; i++)
         free_strip(plan, &plan->rows[i].strip);
     free(plan->rows);
+    free(plan->lanes.lane);
     plan->rows = NULL;
+    plan->lanes.lane = NULL;
     plan->row_count = 0;
 }
 
@@ -88,39 +90,50 @@ static bool anchor_labels(const struct bead_plan *plan, struct bead_plan_row *ro
     return true;
 }
 
-/* Finds all positions in a row whose top is at y; false: too wide. */
-static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row, double y)
+/* Finds all positions in a row whose top is at 0; false: too wide. */
+static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row)
 {
     const struct bead_scene *scene = plan->d->context->scene;
     double em = plan->em, width = bead_strip_width(&row->strip, scene, plan->scale, gap_width * plan->em), ramp, top;
-    row->y = y;
-    row->first_x = row->guide_y = 0;
+    row->y = row->first_x = row->guide_y = 0;
     place_striker(plan, row, &ramp, &top);
     double used = ramp + width + bead_plan_wall(plan, row), spare = plan->area.width - used;
     if (spare < 0)
         return false;
     row->slope = fmin(tan(bead_chain_spec(row->chain)->tilt), plan->drop * em / (width + bead_plan_wall(plan, row)));
     row->first_x = plan->area.x + 0.5 * spare + ramp;
-    row->guide_y = y + (header_height + label_line + leader) * em + top;
+    row->guide_y = (header_height + label_line + leader) * em + top;
     place_striker(plan, row, &ramp, &top);
     bead_strip_place(&row->strip, scene, plan->scale, gap_width * plan->em, row->first_x);
     row->end_x = row->first_x + width;
     double drop = row->slope * (width + bead_plan_wall(plan, row));
     double below = guide_height + brace_height + leader + (plan->details ? 2 : 1) * label_line;
-    row->height = row->guide_y - y + drop + below * em;
+    row->height = row->guide_y + drop + below * em;
     return anchor_labels(plan, row);
 }
 
+/* The room that the rows do not need is shared by the spaces above, between and below them. */
 static bool place_rows(struct bead_plan *plan, size_t count)
 {
-    double y = plan->area.y;
     plan->drop = most_drop / (double)count;
+    plan->lanes = (struct bead_lanes){.lane = plan->lanes.lane, .count = count, .spring = 1};
+    bead_lanes_within(&plan->lanes, plan->area.y, plan->area.height);
     for (size_t i = 0; i < count; i++) {
-        if (!place_row(plan, &plan->rows[i], y))
+        if (!place_row(plan, &plan->rows[i]))
             return false;
-        y += plan->rows[i].height + between_rows * plan->em;
+        plan->lanes.lane[i] =
+            (struct bead_lane){.least = plan->rows[i].height, .gap = i > 0 ? between_rows * plan->em : 0, .spring = 1};
     }
-    return y - between_rows * plan->em <= plan->area.y + plan->area.height;
+    if (!bead_lanes_divide(&plan->lanes))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        struct bead_plan_row *row = &plan->rows[i];
+        row->y = plan->lanes.lane[i].at;
+        row->guide_y += row->y;
+        row->striker_y += row->y;
+        row->foot_y += row->y;
+    }
+    return true;
 }
 
 /* Finds the largest scale at which everything fits. */
@@ -181,21 +194,6 @@ static void find_largest(struct bead_plan *plan)
     }
 }
 
-/* Centres the rows in the area and divides the spare room between them. */
-static void centre_rows(struct bead_plan *plan)
-{
-    const struct bead_plan_row *last = &plan->rows[plan->row_count - 1];
-    double spare = plan->area.y + plan->area.height - last->y - last->height, n = (double)plan->row_count;
-    for (size_t i = 0; i < plan->row_count; i++) {
-        struct bead_plan_row *row = &plan->rows[i];
-        double down = spare * ((double)i + 1) / (n + 1);
-        row->y += down;
-        row->guide_y += down;
-        row->striker_y += down;
-        row->foot_y += down;
-    }
-}
-
 bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct bead_plan *plan)
 {
     size_t count = d->context->chain_count;
@@ -203,7 +201,8 @@ bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct 
     size_t wanted = (size_t)fmax(0, fmin((double)count, floor((area.height + gap) / (row + gap))));
     *plan = (struct bead_plan){.d = d, .area = area, .em = d->sketch->look->label};
     plan->rows = calloc(count, sizeof *plan->rows);
-    if (!plan->rows) {
+    plan->lanes.lane = calloc(count, sizeof *plan->lanes.lane);
+    if (!plan->rows || !plan->lanes.lane) {
         d->sketch->failed = true;
         return false;
     }
@@ -222,7 +221,6 @@ bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct 
         const int decimals = bead_magnetism_decimals(d->context->chains, count);
         for (size_t i = 0; i < wanted; i++)
             bead_parts_header(&plan->rows[i], &style, decimals, area.width);
-        centre_rows(plan);
     }
     return found;
 }

@@ -2,6 +2,7 @@
 /* Plans of the drawing of an experiment: the parts of each chain that are shown, their size, and the places of their labels. */
 #pragma once
 
+#include "render/draw/layout.h"
 #include "render/schematic/schematic.h"
 #include "render/schematic/schematic_strip.h"
 
@@ -43,6 +44,7 @@ struct bead_plan {
     const struct bead_drafting *d;
     struct bead_plan_row *rows;
     size_t row_count;
+    struct bead_lanes lanes; /* of these rows */
     struct bead_box area;
     double em, scale; /* scale: px a metre */
     double drop;      /* em, that a guide falls at most */
