@@ -14,6 +14,10 @@ static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
     needs->bead_peaks = sink->output->curves.show == BEAD_SHOW_BEAD_PEAKS;
     needs->uncertainty = sink->output->curves.uncertainty;
     needs->deviation = bead_scene_tolerances(sink->context.scene);
+    const struct bead_listed *listed = needs->contact_peaks ? &sink->output->curves.contacts : &sink->output->curves.beads;
+    needs->beads = (struct bead_span){listed->count > 0 ? SIZE_MAX : 0, SIZE_MAX};
+    for (size_t i = 0; i < listed->count; i++)
+        needs->beads.first = listed->all[i] < needs->beads.first ? listed->all[i] : needs->beads.first;
     needs->until = INFINITY;
 }
 

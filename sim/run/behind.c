@@ -65,6 +65,7 @@ double bead_behind_step(struct bead_behind *b, struct bead_stepper *s, double la
     size_t front = bead_stepper_contacts(s);
     while (front > before && s->end.f[front - 1] < part * largest)
         front--;
+    b->reached = b->reached || (before > 0 && b->edge > (double)front); /* it will be near any peak to come */
     const double ahead = (double)contacts - (double)front;
     const double kept = fmax(LEAST, (double)front - (double)b->target + b->widening * ahead + SPARE);
     if (!((double)front - kept >= (double)(before + FEWEST)))

@@ -107,7 +107,7 @@ static double never_over(const struct bead_run *)
     return NAN;
 }
 
-static bool never_lost(const struct bead_run *)
+static bool never_so(const struct bead_run *)
 {
     return false;
 }
@@ -189,7 +189,8 @@ const struct bead_run_kind bead_run_of_equation = {
     .destroy = equation_run_destroy,
     .time = time_of,
     .over = never_over,
-    .is_lost = never_lost,
+    .is_lost = never_so,
+    .is_cut_short = never_so,
     .step = equation_run_step,
     .sample = equation_run_sample,
     .finish = equation_run_finish,

@@ -308,6 +308,7 @@ static void find_exceeded(struct bead_peaks *p, const struct bead_stepper *s, si
 void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double limit, double over)
 {
     size_t n = s->active < p->count ? s->active : p->count;
+    p->first = s->first > p->first ? s->first : p->first; /* the others have been dropped */
     if (n <= p->first)
         return;
     if (s->t0 > limit) {

@@ -59,6 +59,7 @@ struct bead_play {
     double patience;                   /* limit for that, in passages of a wave; 0: 200 */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
+    size_t target;                     /* with that: the first contact or bead whose peaks are wanted; 0: all are */
     bool full_window, hash;
     int threads;                /* results do not depend on it */
     double refinement;          /* tolerance of the runs in units of the requested one; 0: 1 */
@@ -97,6 +98,10 @@ BEAD_CHECK enum bead_error bead_play_finish(const struct bead_play *play, struct
 /* Tolerance factor of comparison runs, whose `samples` consumers want, or only their peaks. */
 double bead_play_comparison_factor(const struct bead_play *play, bool samples);
 
+/* The tries of bead_play_cut: with `target`, plays with as few beads behind the front as the peaks allow, by one try after the
+ * other, from *try to the last, which keeps all; *try is then that of the results. */
+enum bead_play_try { BEAD_PLAY_USUAL, BEAD_PLAY_ALIKE = 3 }; /* of random chains; of one that may have equal cells */
+BEAD_CHECK enum bead_error bead_play_cut(struct bead_play *play, size_t *try, struct bead_played *played, struct bead_message *msg);
 /* Fails with what is to be said of a chain that its front does not pass. */
 enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_message *msg);
 

@@ -45,6 +45,8 @@ static struct bead_run_settings settings_of(const struct bead_play *p, double to
                                          .end = p->end,
                                          .passage = p->passage,
                                          .full_window = p->full_window,
+                                         .widening = p->widening,
+                                         .target = p->target,
                                          .tolerance_factor = tolerance_factor};
     for (size_t i = 0; i < p->consumer_count; i++) {
         const struct bead_needs *needs = &p->consumers[i].needs;

@@ -105,9 +105,8 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     }
     if (!(settings->simulate->step > 0))
         r->stepper->event_tolerance = event_part * r->stepping.accuracy * settings->chain->speed;
-    if (settings->passage == BEAD_PASSAGE_OF_FRONT && settings->peak_span && !bead_behind_refusal(settings->chain) &&
-        r->stepping.method->tableau)
-        r->behind = (struct bead_behind){.widening = settings->widening, .target = settings->peak_span->first};
+    if (settings->passage && settings->target > 0 && !bead_behind_refusal(settings->chain) && r->stepping.method->tableau)
+        r->behind = (struct bead_behind){.widening = settings->widening, .target = settings->target};
     r->control = bead_step_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
     r->drift_bound = drift_part * tolerance_factor * settings->simulate->accuracy;
     r->energy_start = bead_stepper_energy(r->stepper, &r->stepper->end);
@@ -164,6 +163,8 @@ double bead_run_over(const struct bead_run *run)
 {
     if (!isnan(run->given_up))
         return run->given_up;
+    if (run->behind.reached) /* what follows is to be repeated */
+        return run->stepper->t1;
     return run->settings.passage == BEAD_PASSAGE_OF_FRONT ? run->front.arrival : run->passing.time;
 }
 
@@ -330,13 +331,12 @@ static void look_for_peaks(struct bead_run *run)
 /* True if a wanted peak lies in the last step. */
 static bool has_peak(const struct bead_run *run)
 {
-    const struct bead_span *span = run->settings.peak_span;
-    const struct bead_peak *found = bead_run_bead_peaks(run);
-    for (size_t j = span->first; found && j <= span->last && j < run->stepper->active; j++) {
-        if (found[j].time >= run->stepper->t0)
-            return true;
-    }
-    return false;
+    const struct bead_stepper *s = run->stepper;
+    bool any = false;
+    for (size_t j = run->settings.target; j < s->active && !any; j++)
+        any = (run->bead_peaks && bead_peaks_found(run->bead_peaks)[j].time >= s->t0) ||
+              (run->contact_peaks && j < s->chain->contacts && bead_peaks_found(run->contact_peaks)[j].time >= s->t0);
+    return any;
 }
 
 /* Drops beads that no longer matter, with their energy. */

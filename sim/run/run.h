@@ -37,6 +37,7 @@ struct bead_run_settings {
     bool contact_peaks, bead_peaks;
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
+    size_t target;                     /* with that: the first contact or bead whose peaks are wanted; 0: all are */
     bool budget;                       /* samples include the energy budget */
     bool states;                       /* the outcome includes all beads when the front arrives and at the end */
     bool full_window, hash;

@@ -25,6 +25,7 @@ static const struct bead_run_kind of_beads = {
     .time = bead_run_time,
     .over = bead_run_over,
     .is_lost = bead_run_is_lost,
+    .is_cut_short = bead_run_cut_short,
     .give_up = bead_run_give_up,
     .step = bead_run_step,
     .sample = bead_run_sample,

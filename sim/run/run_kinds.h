@@ -10,9 +10,10 @@ struct bead_run_kind {
     enum bead_error (*create)(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg);
     void (*destroy)(struct bead_run *run);
     double (*time)(const struct bead_run *run);
-    double (*over)(const struct bead_run *run);  /* time when the passage was over, s; NaN: not yet, or no passage */
-    bool (*is_lost)(const struct bead_run *run); /* it never will be */
-    void (*give_up)(struct bead_run *run);       /* count it as over now */
+    double (*over)(const struct bead_run *run);       /* time when the passage was over, s; NaN: not yet, or no passage */
+    bool (*is_lost)(const struct bead_run *run);      /* it never will be */
+    bool (*is_cut_short)(const struct bead_run *run); /* to be repeated with more beads */
+    void (*give_up)(struct bead_run *run);            /* count it as over now */
     enum bead_error (*step)(struct bead_run *run, struct bead_message *msg);
     enum bead_error (*sample)(struct bead_run *run, double t, unsigned fields, struct bead_span span, struct bead_sample *sample,
                               struct bead_message *msg);

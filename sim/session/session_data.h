@@ -146,6 +146,9 @@ BEAD_CHECK enum bead_error bead_session_run_single(struct bead_session *session,
 BEAD_CHECK enum bead_error bead_session_finish(struct bead_session *session, struct bead_made *made, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_session_finish_all(struct bead_session *session, struct bead_message *msg);
 
+/* The first contact or bead of which an output wants anything, where only peaks of a passage are wanted: beads far behind the front
+ * may be dropped. 0: all are wanted. */
+size_t bead_session_target(const struct bead_session *session);
 /* Warn of the first chain that its front did not pass. */
 void bead_session_find_lost(struct bead_session *session, const struct bead_played *played);
 /* session_validity.c: could the model fail? Then the peaks of contacts are wanted. */

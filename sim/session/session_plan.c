@@ -191,6 +191,10 @@ static void plan_skips(const struct bead_session *s, FILE *out)
         fprintf(out, "skipped: HDF5 (no trajectory output)\n");
     if (!graphics)
         fprintf(out, "skipped: drawing (no picture asked for)\n");
+    const size_t target = bead_session_target(s);
+    if (target > 0)
+        fprintf(out, "skipped: beads so far behind the front that nothing of them reaches contact %zu: no output sees them\n",
+                target);
     if (!s->trajectory && bead_chain_spec(s->chains[0])->system->has_striker)
         fprintf(out, "skipped: beads ahead of the front, until it comes (exactly at rest)%s\n",
                 s->job.full_window ? ": computed all the same, as asked" : "");

@@ -8,6 +8,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/run/behind.h"
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
@@ -83,6 +84,27 @@ static enum bead_error session_begin(struct bead_session *s, struct bead_consume
     return BEAD_OK;
 }
 
+size_t bead_session_target(const struct bead_session *s)
+{
+    size_t first = SIZE_MAX;
+    if (!s->passage || isfinite(s->end) || s->trajectory || s->job.full_window)
+        return 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_needs *n = &s->made[i].needs;
+        const bool peaks = n->contact_peaks || n->bead_peaks;
+        if (!s->made[i].sink)
+            continue;
+        if (!peaks || n->fields || n->states || n->budget || n->range || n->deviation || n->sensitivities)
+            return 0;
+        first = n->beads.first < first ? n->beads.first : first;
+    }
+    for (size_t i = 0; i < s->chain_count; i++) {
+        if (bead_behind_refusal(s->chains[i]))
+            return 0;
+    }
+    return first < SIZE_MAX ? first : 0;
+}
+
 /* The run, and another one if a sink found only at its end which samples it needs. */
 static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, struct bead_message *msg)
 {
@@ -90,7 +112,10 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
     enum bead_error err = BEAD_OK;
     do {
         p->needed = s->needed = bead_session_latest(s);
-        err = bead_play(p, &s->played, msg);
+        p->target = bead_session_target(s);
+        const struct bead_span seen = {p->target, SIZE_MAX};
+        p->peak_span = p->target > 0 && !s->strained ? &seen : NULL;
+        err = bead_play_cut(p, &(size_t){BEAD_PLAY_ALIKE}, &s->played, msg);
         again = false;
         for (size_t i = 0; !err && i < p->consumer_count; i++) {
             struct bead_made *m = p->consumers[i].context;

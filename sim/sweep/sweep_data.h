@@ -19,6 +19,7 @@ struct sweep_panel {
     char *spins;                   /* [jobs][cells] */
     struct bead_sweep_peak *peaks; /* [jobs][places] */
     double *profiles;              /* [jobs][PROFILES][beads]; NULL: not measured */
+    size_t first_try;              /* of bead_play_cut */
 };
 
 struct bead_sweep {

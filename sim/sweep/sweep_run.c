@@ -16,9 +16,6 @@
 /* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four allow for a pulse widened
  * by disorder. */
 enum { REACH = 4 };
-/* How much faster than the front signals behind it may be, tried one after the other; 0: all beads are kept. In chains of dimers
- * with random spins, signals travel 1.26 times as fast. */
-static const double widenings[] = {1.3, 1.8, 0};
 /* Every so many chains one is also played whole, and the next one finer. */
 enum { ALSO_WHOLE = 64 };
 
@@ -123,18 +120,6 @@ static void collect(const struct measure *m, const struct bead_peak *found)
         profile_of(m, PROFILE_FORCE)[j] = found[j].value;
 }
 
-/* Plays a chain with as few beads as its peaks allow; `first`: number of the widening to begin with. */
-static enum bead_error play_cut(struct bead_play *play, size_t first, struct bead_played *played, struct bead_message *msg)
-{
-    for (size_t i = first;; i++) {
-        play->widening = widenings[i];
-        enum bead_error err = bead_play(play, played, msg);
-        if (err || !bead_run_cut_short(played->runs[0].run))
-            return err;
-        bead_played_free(played);
-    }
-}
-
 /* Plays it whole, too, and compares the peaks. */
 static enum bead_error check_whole(const struct measure *m, const struct bead_play *asked, const struct bead_peak *found,
                                    struct bead_message *msg)
@@ -142,6 +127,7 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     struct bead_play play = *asked;
     struct bead_played whole = {.count = 0};
     play.widening = 0;
+    play.target = 0;
     enum bead_error err = bead_play(&play, &whole, msg);
     for (size_t j = m->span.first; !err && j <= m->span.last; j++) {
         const double force = whole.outcomes[0].bead_peaks[j].value;
@@ -156,15 +142,14 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
 }
 
 /* Plays it once more, with a tenth of the tolerance, and finds how well its peaks are known. */
-static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t first,
-                                      struct bead_message *msg)
+static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t try, struct bead_message *msg)
 {
     struct bead_consumer consumer = {.needs = {.bead_peaks = true}};
     struct bead_play play = *asked;
     struct bead_played finer = {.count = 0};
     play.consumers = &consumer;
     play.refinement = BEAD_UNCERTAINTY_FINER;
-    enum bead_error err = play_cut(&play, first, &finer, msg);
+    enum bead_error err = bead_play_cut(&play, &try, &finer, msg);
     for (size_t i = 0; !err && i < m->panel->shown.places; i++) {
         struct bead_sweep_peak *peak = &m->panel->peaks[m->row * m->panel->shown.places + i];
         peak->uncertainty = bead_uncertainty_measured(play.simulate->step > 0 ? 0 : play.simulate->accuracy, peak->force,
@@ -185,8 +170,8 @@ const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bea
     return isnan(bead_chain_scene(chain)->simulate.until) ? bead_behind_refusal(chain) : "the runs end at a given time";
 }
 
-/* Plays the chain of a job and stores its results. */
-static enum bead_error sweep_measure(struct measure *m, const struct bead_play *asked, struct bead_message *msg)
+/* Plays the chain of a job and stores its results; *try: the one to begin with, then that of the results. */
+static enum bead_error sweep_measure(struct measure *m, const struct bead_play *asked, size_t *try, struct bead_message *msg)
 {
     struct bead_consumer consumer = {.needs = {.bead_peaks = true}, .context = m};
     struct bead_played played = {.count = 0};
@@ -203,15 +188,15 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
         consumer.step = watch_energies;
         BEAD_TRY(bead_new(&m->seen, m->panel->shown.beads, msg, "the energies of %zu beads", m->panel->shown.beads));
     }
-    const size_t first = whole ? sizeof widenings / sizeof *widenings - 1 : 0;
-    enum bead_error err = play_cut(&play, first, &played, msg);
+    play.target = whole ? 0 : m->span.first;
+    enum bead_error err = bead_play_cut(&play, try, &played, msg);
     if (!err && !whole && m->row % ALSO_WHOLE == 0)
         err = check_whole(m, &play, played.outcomes[0].bead_peaks, msg);
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
     m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
     if (!err && m->row % ALSO_WHOLE == 1)
-        err = measure_errors(m, &play, first, msg);
+        err = measure_errors(m, &play, *try, msg);
     if (!err && m->seen)
         err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);
     free(m->seen);
@@ -254,7 +239,7 @@ static enum bead_error play_job(void *context, size_t index, const struct bead_p
     const size_t job = w->jobs[index];
     struct measure m = {.chain = play->chains[0]};
     m.panel = bead_sweep_panel_of(w->sweep, job, &m.row);
-    enum bead_error err = sweep_measure(&m, play, msg);
+    enum bead_error err = sweep_measure(&m, play, &(size_t){m.panel->first_try}, msg);
     if (m.lost) {
         keep_lost(w, job, msg);
         return BEAD_OK;
@@ -284,6 +269,25 @@ static enum bead_error list_jobs(struct work *w, struct sweep_generator *generat
     return BEAD_OK;
 }
 
+static void find_pilot(void *, size_t index, size_t *panel, size_t *configuration)
+{
+    *panel = index;
+    *configuration = 0;
+}
+
+/* Where a chain of the panel needed more beads, as of hard and soft materials, the others do not try with fewer. */
+static enum bead_error play_pilot(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
+{
+    const struct work *w = context;
+    struct measure m = {.panel = &w->sweep->panels[index], .row = 1, .chain = play->chains[0]};
+    size_t try = BEAD_PLAY_USUAL;
+    if (m.panel->shown.configurations < ALSO_WHOLE)
+        return BEAD_OK;
+    const enum bead_error err = sweep_measure(&m, play, &try, msg);
+    m.panel->first_try = try;
+    return m.lost ? BEAD_OK : err;
+}
+
 enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings, uint64_t *computed,
                                struct bead_message *msg)
 {
@@ -302,7 +306,14 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
     if (!err && pthread_mutex_init(&w.lock, NULL) != 0)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "cannot create a lock for a sweep");
     if (!err) {
-        err = bead_sweep_play(&generator, msg);
+        struct bead_sweep_settings quiet = own;
+        quiet.progress = NULL;
+        struct sweep_generator pilot = {
+            .sweep = sweep, .settings = &quiet, .find = find_pilot, .play = play_pilot, .context = &w, .count = sweep->panel_count};
+        if (generator.count > 0)
+            err = bead_sweep_play(&pilot, msg);
+        if (!err)
+            err = bead_sweep_play(&generator, msg);
         if (!err && sweep->lost > 0 && sweep->lost == generator.count)
             err = bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", sweep->why.text);
         pthread_mutex_destroy(&w.lock);

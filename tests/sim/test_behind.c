@@ -29,6 +29,7 @@ static struct found play_chain(const struct built *built, struct bead_span span,
                                    .passage = BEAD_PASSAGE_OF_FRONT,
                                    .peak_span = &span,
                                    .widening = widening,
+                                   .target = span.first,
                                    .hash = true,
                                    .threads = 1,
                                    .counts = &counts};

@@ -75,6 +75,48 @@ static double comparison_work(const char *chain, const char *simulate)
     return (double)counts.comparison_evaluations / (double)counts.evaluations;
 }
 
+/* The peak in the last row of the table. */
+static double last_peak(void)
+{
+    char path[512], line[256];
+    double peak = NAN;
+    snprintf(path, sizeof path, "%s/peaks.csv", directory);
+    FILE *file = fopen(path, "r");
+    while (file && fgets(line, sizeof line, file))
+        sscanf(line, "%*[^,],%lf", &peak);
+    fclose(file);
+    return peak;
+}
+
+/* Where only the last contacts are asked for, beads far behind the front are dropped, unless something else is to be seen of them.
+ * A clean chain then costs about as much a bead whatever its length. */
+static void beads_behind_the_front_are_dropped(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *chain, *more;
+        double part; /* of the evaluations */
+    } cases[] = {{"beads: [{bead: large-steel, count: 600}]", "", 0.15},
+                 {"beads: [{cell: [large-steel, aluminium], count: 300}]", "", 0.15},
+                 {"beads: [{cell: [large-steel, aluminium], count: 300, spins: random, seed: 4}]", "", 0.6},
+                 {"beads: [{bead: large-steel, count: 600}], precompression: 1 N", "", 1},
+                 {"beads: [{bead: large-steel, count: 600}]", ", {table: measures.csv, show: measures}", 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512];
+        const char *const format = "chain: {%s}\noutputs: [{table: peaks.csv%s}%s]\n";
+        snprintf(text, sizeof text, format, cases[i].chain, "", cases[i].more);
+        const uint64_t whole = play(text, (struct bead_job){0}).evaluations;
+        const double peak = last_peak();
+        snprintf(text, sizeof text, format, cases[i].chain, ", contacts: [598, 599]", cases[i].more);
+        const uint64_t cut = play(text, (struct bead_job){0}).evaluations;
+        assert_near(last_peak() / peak, 1, 1.5e-8);
+        if (cases[i].part < 1)
+            assert_true((double)cut < cases[i].part * (double)whole);
+        else
+            assert_true(cut == whole);
+    }
+}
+
 /* A second run says how well peaks are known, and takes fewer steps than the first, even if a few peaks answer strongly, as at 1e-6
  * in the second chain. In the third one, where energy drifts, many do: a finer run measures them, and it alone costs more than the
  * run. */
@@ -316,6 +358,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_of_peaks_takes_no_samples),
         cmocka_unit_test(peaks_of_a_first_passage_need_no_scouting),
+        cmocka_unit_test(beads_behind_the_front_are_dropped),
         cmocka_unit_test(comparison_runs_are_cheaper),
         cmocka_unit_test(a_run_stops_when_nobody_needs_more),
         cmocka_unit_test(outputs_do_not_change_the_states),
