@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/elementary.h"
+
 typedef float light __attribute__((vector_size(16))); /* red, green, blue; or x, y (up), z (away from the camera) */
 
 const struct bead_stage_theme bead_stage_dark = {.floor = {.036f, .040f, .051f},
@@ -54,7 +56,8 @@ static float dot(light a, light b)
 
 static float linear(float x)
 {
-    return (float)(x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4));
+    const double y = (x + 0.055) / 1.055;
+    return (float)(x <= 0.04045F ? x / 12.92 : y * y * bead_two_fifths(y));
 }
 
 void bead_stage_glow(double part, float out[3])

@@ -89,7 +89,8 @@ static void set_light(const struct bead_view *v, struct bead_stage_bead *b, size
 /* Where two neighbours touch, or would: a plane between them that leans towards the smaller. */
 static void join(const struct bead_view *v, struct bead_stage_bead *a, struct bead_stage_bead *b)
 {
-    const double dx = fmax(1e-3, b->x - a->x), rise = b->r - a->r, distance = hypot(dx, rise), gap = distance - a->r - b->r;
+    const double dx = fmax(1e-3, b->x - a->x), rise = b->r - a->r, distance = sqrt(dx * dx + rise * rise),
+                 gap = distance - a->r - b->r;
     const double near = fmin(1, fmax(0, 1.15 - gap / (alone * v->stage.unit)));
     const double plane = a->x + dx * (0.5 + 0.5 * ((double)a->r * a->r - (double)b->r * b->r) / (distance * distance));
     const double high = BEAD_STAGE_COSINE * (a->r + rise * (plane - a->x) / dx), slope = -BEAD_STAGE_COSINE * rise / dx;
