@@ -11,6 +11,7 @@
 #include "render/paint/pixel_kernels.h"
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
+#include "sim/chain/system.h"
 #include "tests/eyes.h"
 #include "tests/missing.h"
 #include "tests/painting.h"
@@ -288,25 +289,44 @@ struct setting {
     struct labels labels;
 };
 
+/* Feeds a moment: no displacements, this value of every contact or bead. */
+static void feed_view(struct setting *s, enum bead_field field, double value)
+{
+    struct bead_message msg = {""};
+    const size_t beads = bead_chain_beads(s->chain);
+    double *zeros = calloc(2 * (beads + 1), sizeof *zeros), *values = zeros + beads + 1;
+    for (size_t i = 0; i <= beads; i++)
+        values[i] = value;
+    struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = zeros}};
+    sample.field[field] = values;
+    require(bead_view_stage_type.feed(s->view, &sample, &msg), &msg);
+    free(zeros);
+    bead_stage_advance(s->view, 0);
+    bead_stage_compose(s->view);
+    bead_stage_compose_row(s->view);
+}
+
 /* A stage of this chain, at rest, of 1740 x 260 px. */
-static void open_view(struct setting *s, const char *chain)
+static void open_view(struct setting *s, const char *chain, enum bead_light light)
 {
     struct bead_message msg = {""};
     char text[600];
-    snprintf(text, sizeof text, "%s\n" OUTPUTS, chain);
+    snprintf(text, sizeof text, "%s\noutputs: [{movie: a.mp4}]\n", chain);
     *s = (struct setting){.scene = parse(text)};
     require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
     bead_look_film(&s->look, 1920, 1080, true, false);
     const size_t beads = bead_chain_beads(s->chain);
     const struct bead_view_setup setup = {.chain = s->chain,
-                                          .field = BEAD_FIELD_FORCE,
+                                          .field = bead_chain_spec(s->chain)->system->has_contacts ? BEAD_FIELD_FORCE
+                                                                                                   : BEAD_FIELD_DISPLACEMENT,
                                           .beads = {0, beads - 1},
                                           .time = {0, 1e-3},
                                           .colours = {&s->map, BEAD_SCALE_LINEAR, 0, 40},
                                           .look = &s->look,
                                           .axes = true,
                                           .bead_labels = true,
-                                          .magnify = 100};
+                                          .magnify = 1e-6,
+                                          .light = light};
     require(bead_view_stage_type.create(&setup, &s->view, &msg), &msg);
     require(bead_view_stage_type.place(s->view, (struct bead_rect){90, 100, 1740, 360}, NULL, &msg), &msg);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1920, 1080);
@@ -316,13 +336,7 @@ static void open_view(struct setting *s, const char *chain)
     require(bead_view_stage_type.decorate(s->view, cr, &msg), &msg);
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
-    double *zeros = calloc(beads + 1, sizeof *zeros);
-    const struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = zeros, [BEAD_FIELD_CONTACT_FORCE] = zeros}};
-    require(bead_view_stage_type.feed(s->view, &sample, &msg), &msg);
-    free(zeros);
-    bead_stage_advance(s->view, 0);
-    bead_stage_compose(s->view);
-    bead_stage_compose_row(s->view);
+    feed_view(s, bead_stage_field(&setup), 0);
 }
 
 static void close_view(struct setting *s)
@@ -353,7 +367,7 @@ static void beads_touch_where_they_do(void **state)
     const char *const chains[] = {few, unlike, taper, apart};
     for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
         struct setting s;
-        open_view(&s, chains[c]);
+        open_view(&s, chains[c], BEAD_LIGHT_CONTACTS);
         const struct bead_stage *stage = &s.view->stage;
         /* Of two radii, and of places. */
         const double rounding = (double)stage->unit / BEAD_STAGE_RADII + 1.0 / 64;
@@ -382,7 +396,7 @@ static void beads_are_over_their_numbers(void **state)
     const char *const chains[] = {few, unlike, taper, apart, many};
     for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
         struct setting s;
-        open_view(&s, chains[c]);
+        open_view(&s, chains[c], BEAD_LIGHT_CONTACTS);
         const struct bead_view *v = s.view;
         assert_true((v->row.height > 0) == (c == 4)); /* more than there is room for: a row of all */
         assert_true(s.labels.count >= 2);
@@ -402,12 +416,34 @@ static void beads_are_large(void **state)
 {
     struct setting s;
     (void)state;
-    open_view(&s, many);
+    open_view(&s, many, BEAD_LIGHT_CONTACTS);
     const double across = s.view->strip.width / (2 * (double)s.view->stage.unit);
     assert_true(across >= 12 && across <= 18);
     assert_true(s.view->left == round(s.view->left));
     assert_true(s.view->camera.step == round(s.view->camera.step));
     close_view(&s);
+}
+
+/* Contacts light up, or whole beads, or nothing; masses of an equation, which have no contacts, always as a whole. */
+static void the_key_light_is_heard(void **state)
+{
+    static const char *const fput = "chain: {equation: fput, points: 31, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 10}";
+    (void)state;
+    for (int light = BEAD_LIGHT_CONTACTS; light <= BEAD_LIGHT_NONE; light++)
+        for (int equation = 0; equation < 2; equation++) {
+            struct setting s;
+            open_view(&s, equation ? fput : many, (enum bead_light)light);
+            const struct bead_stage_bead *bead = &s.view->stage.beads[3];
+            assert_true(bead->light[0][0] == 0 && bead->light[1][0] == 0 && bead->own[0] == 0);
+            feed_view(&s, equation ? BEAD_FIELD_DISPLACEMENT : BEAD_FIELD_CONTACT_FORCE, 20); /* half of the range */
+            float half[3];
+            bead_stage_glow(0.5, half);
+            const bool contacts = light == BEAD_LIGHT_CONTACTS && !equation, whole = !contacts && light != BEAD_LIGHT_NONE;
+            assert_true(bead->light[0][0] == (contacts ? half[0] : 0) && bead->light[1][2] == (contacts ? half[2] : 0));
+            assert_true((bead->own[0] > 0) == whole && (bead->own[2] > 0) == whole);
+            assert_true((s.view->row.height > 0) == !equation); /* no wave to follow */
+            close_view(&s);
+        }
 }
 
 int main(void)
@@ -420,6 +456,7 @@ int main(void)
         cmocka_unit_test(beads_touch_where_they_do),
         cmocka_unit_test(beads_are_over_their_numbers),
         cmocka_unit_test(beads_are_large),
+        cmocka_unit_test(the_key_light_is_heard),
     };
     return cmocka_run_group_tests_name("stage", tests, NULL, NULL);
 }
