@@ -22,9 +22,6 @@ enum { BEAD_STAGE_CELL = 8, BEAD_STAGE_STEP = 4, BEAD_STAGE_PAD = 16, BEAD_STAGE
 /* From linear light to t. */
 #define BEAD_STAGE_TONE 1.12f
 
-/* Heights in radii of the largest bead, from the row of its centre: how far light reaches above, and the mirror below the floor. */
-static const double bead_stage_above = 1.28, bead_stage_below = 2.2;
-
 struct bead_stage_theme {
     float floor[4], back[4];      /* the floor near and far */
     float up[4], down[4], key[4]; /* light from above, from below, from the lamp */

@@ -33,6 +33,7 @@ struct key {
     cairo_t *cr; /* NULL: measures only */
     struct bead_text_style style;
     double right, middle; /* the key's next entry ends here */
+    bool used;            /* it has entries */
 };
 
 /* A word that ends at the right of what is left. */
@@ -79,7 +80,8 @@ static void add_materials(struct key *key, const struct bead_view_setup *setup)
         count += k == count;
     }
     while (count-- > 0) {
-        key->right -= between * key->style.size;
+        key->right -= key->used ? between * key->style.size : 0;
+        key->used = true;
         add_word(key, scene->materials[found[count]].label);
         add_ball(key, scene->materials[found[count]].colour);
     }
@@ -128,6 +130,7 @@ static double add_key(cairo_t *cr, const struct bead_view_setup *setup, double r
     const double full = bead_stage_full(setup);
     if (setup->light != BEAD_LIGHT_NONE && setup->chain_index == 0 && full > 0)
         add_scale(&key, setup, full);
+    key.used = key.right < right;
     if (materials && bead_chain_spec(setup->chain)->system->has_contacts)
         add_materials(&key, setup);
     return right - key.right;

@@ -6,9 +6,12 @@
 #include "render/draw/axis.h"
 #include "render/view/panel.h"
 #include "render/view/stage_view.h"
-#include "sim/chain/chain_internal.h"
 #include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
 
+/* In radii of the largest bead, from the row of its centre: light reaches so far above, most of it less far; the floor with what it
+ * mirrors, and where there is room. */
+static const double light_above = 1.28, least_above = 1.15, least_below = 1.75, roomy_below = 2.2;
 /* Beads side by side: more are in view where the stage is low, less only where there are no more. */
 static const double least_across = 14.5, best_across = 16;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
@@ -32,7 +35,7 @@ static double length_of(const struct bead_view *v, double ends[2])
 
 static double largest_radius(double height)
 {
-    return height / (bead_stage_above + bead_stage_below);
+    return height / (least_above + least_below);
 }
 
 /* All beads are on the stage where they can be nearly as large as a few, and where there is no wave to follow. */
@@ -53,7 +56,7 @@ static double choose_radius(const struct bead_view *v, double width, double heig
 
 double bead_stage_height(double width)
 {
-    return (bead_stage_above + bead_stage_below) * width / (2 * least_across);
+    return (light_above + roomy_below) * width / (2 * least_across);
 }
 
 static void set_camera(struct bead_view *v, const double ends[2])
@@ -99,10 +102,11 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
         v->row = (struct bead_rect){v->strip.x, v->strip.y + v->strip.height, v->strip.width, 0};
     else
         set_row(v, (int)row);
-    /* What is left over goes above and below; what is lacking, more of the image in the floor than of the beads. */
-    const double spare = v->strip.height - head - (bead_stage_above + bead_stage_below) * r;
-    const double centre = ceil(head + bead_stage_above * r + (spare > 0 ? 0.5 : 0.2) * spare);
-    v->head = (int)fmax(0, floor(centre - bead_stage_above * r));
+    /* What is left over goes first below; what is lacking, more of the image in the floor than of the beads. */
+    const double spare = v->strip.height - head - (least_above + least_below) * r;
+    const double more = spare > 0 ? 0.5 * fmax(0, spare - (roomy_below - least_below) * r) : 0.2 * spare;
+    const double centre = ceil(head + least_above * r + more);
+    v->head = (int)fmax(fmax(0, head), floor(centre - light_above * r));
     v->stage.theme = look->dark ? &bead_stage_dark : &bead_stage_light;
     v->stage.width = v->strip.width;
     v->stage.height = v->strip.height;
