@@ -25,7 +25,7 @@ function tickLabels(ticks) {
 function scaledTicks(scale, low, high, length, room) {
     const wanted = roundTicks(low, high, Math.max(2, length / room / 2)), ticks = [];
     const reach = Math.max(Math.abs(low), Math.abs(high));
-    for (let e = Math.floor(Math.log10(reach)); scale !== 'linear' && e > Math.log10(reach) - 4; e--) {
+    for (let e = Math.floor(Math.log10(reach)); scale !== 'linear' && e > Math.log10(reach) - 2.5; e--) {
         for (const s of [5, 2, 1])
             wanted.push(s * Math.pow(10, e), -s * Math.pow(10, e));
     }
@@ -92,7 +92,7 @@ function drawBar(canvas, upright, width, height) {
     context.fillStyle = style('ink');
     context.font = font(13);
     context.textBaseline = 'middle';
-    const ticks = scaledTicks(scale, low, high, length, upright ? 19 : 34);
+    const ticks = scaledTicks(scale, low, high, length, upright ? 28 : 40);
     for (const tick of ticks) {
         const text = figures(tick.value / factor, 3);
         if (upright) {

@@ -206,16 +206,18 @@ static bool only_round(const struct bead_axis *axis)
 }
 
 /* On nonlinear scales: adds the roundest numbers first, while there is room between the ticks. */
-static void roundest_first(struct bead_axis *axis, const struct room *room)
+static void roundest_first(struct bead_axis *axis, const struct room *room, bool mirrored)
 {
     double low = axis->low * axis->factor, high = axis->high * axis->factor, slack = 1e-9 * (high - low);
     int largest = (int)floor(log10(fmax(fabs(low), fabs(high)) * (1 + 1e-12)));
+    const size_t enough = mirrored ? (ENOUGH_UNEVEN + 1) / 2 : ENOUGH_UNEVEN;
     for (int i = 0; i < 9; i++) {
         int mantissa = mantissas[2 - i % 3], exponent = largest - i / 3;
         double step = multiple(1, mantissa, exponent);
         if ((high - low) / step > 2000)
             return;
-        for (double k = ceil((low - slack) / step); k <= floor((high + slack) / step) && axis->count < ENOUGH_UNEVEN; k++) {
+        const double from = mirrored ? 0 : ceil((low - slack) / step);
+        for (double k = from; k <= floor((high + slack) / step) && axis->count < enough; k++) {
             double shown = multiple(k, mantissa, exponent);
             const bool root = axis->scale == BEAD_SCALE_SQRT, below = i >= 3 && fabs(k) > 1; /* 7 between 5 and 10 */
             if ((!root && !(shown > 0)) || (only_round(axis) && (!has_one_digit(shown) || (root && below))))
@@ -224,6 +226,20 @@ static void roundest_first(struct bead_axis *axis, const struct room *room)
             keep_if_room(axis, room);
         }
     }
+}
+
+/* A range from -a to a has the ticks of both signs. */
+static void mirror(struct bead_axis *axis)
+{
+    const struct bead_axis half = *axis; /* from 0 */
+    axis->count = 0;
+    for (size_t i = half.count; i > 1; i--) {
+        struct bead_tick *tick = &axis->ticks[axis->count++];
+        *tick = (struct bead_tick){-half.ticks[i - 1].value, 1 - half.ticks[i - 1].place, ""};
+        snprintf(tick->label, sizeof tick->label, "\u2212%.16s", half.ticks[i - 1].label);
+    }
+    memcpy(&axis->ticks[axis->count], half.ticks, half.count * sizeof *half.ticks);
+    axis->count += half.count;
 }
 
 /* Minor ticks in equal round steps between labels, at least this far apart, in units of the font size. */
@@ -323,12 +339,15 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
     if (!sensible || (scale == BEAD_SCALE_LOG && (!(low > 0) || !isfinite(high / low))))
         return;
     struct room room = {length, em, horizontal, false, ENOUGH};
+    const bool mirrored = scale == BEAD_SCALE_SQRT && low == -high;
     if (scale == BEAD_SCALE_LINEAR)
         equal_steps(axis, room, counts);
     else if (scale == BEAD_SCALE_LOG && high / low > 30)
         decades(axis, &room);
     else
-        roundest_first(axis, &room);
+        roundest_first(axis, &room, mirrored);
+    if (mirrored)
+        mirror(axis);
     const bool between = scale == BEAD_SCALE_SQRT || (scale == BEAD_SCALE_LINEAR && axis->count <= FEW && !counts);
     for (size_t i = 0; between && i + 1 < axis->count; i++)
         minor_between(axis, &room, i);

@@ -207,6 +207,22 @@ static void curve_gather(struct pen *pen, struct column *column, struct px at)
     column->last = at;
 }
 
+/* Whether the line to point i lies on that of an earlier curve, whose marks alternate with this one's: there one line is enough,
+ * since dashes on dashes of other colours look like none of them. */
+static bool is_under_another(const struct graph_cell *cell, const struct bead_series *series, size_t i)
+{
+    const struct bead_panel *panel = cell->panel;
+    const double close = 0.002 * cell->plot.height;
+    bool under = false;
+    for (size_t s = 0; !under && i > 0 && &panel->series[s] != series && s < panel->series_count; s++) {
+        const struct bead_series *other = &panel->series[s];
+        under = other->mark == BEAD_MARK_LINE_POINTS && !other->faint && i < other->count;
+        for (size_t k = i - 1; under && k <= i; k++)
+            under = other->x[k] == series->x[k] && fabs(px_y(cell, other->y[k]) - px_y(cell, series->y[k])) <= close;
+    }
+    return under;
+}
+
 static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_series *series, double margin)
 {
     const struct bead_rect *plot = &cell->plot;
@@ -227,6 +243,8 @@ static void trace(cairo_t *cr, const struct graph_cell *cell, const struct bead_
         } else if (dense) {
             curve_gather(&pen, &column, (struct px){px_x(cell, series->x[i]), y});
         } else {
+            if (series->mark == BEAD_MARK_LINE_POINTS && !series->faint && is_under_another(cell, series, i))
+                pen.down = pen.drawn = false;
             line_to(&pen, px_x(cell, series->x[i]), y);
         }
     }

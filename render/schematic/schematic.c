@@ -2,6 +2,8 @@
 /* Entry to schematic drawings: finds the drawing of an output, checks that there is room for it, and writes it as a file. */
 #include "render/schematic/schematic.h"
 
+#include <math.h>
+
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "render/draw/picture.h"
@@ -102,6 +104,16 @@ struct paper {
     struct bead_look look;
 };
 
+/* Chains are long and low: their drawings, on screens, have type in parts of the width, too. */
+static void enlarge(struct bead_look *look, int width)
+{
+    static const double part = 0.017, most = 1.6;
+    const double factor = fmin(most, fmax(1, part * width / look->label));
+    look->title *= factor;
+    look->label *= factor;
+    look->tick *= factor;
+}
+
 static enum bead_error open_paper(const struct bead_output *output, const struct bead_run_context *context, struct paper *paper,
                                   struct bead_message *msg)
 {
@@ -109,6 +121,8 @@ static enum bead_error open_paper(const struct bead_output *output, const struct
     enum bead_error err = bead_page_find(output, &paper->page, msg);
     if (!err)
         bead_page_look(&paper->page, &output->paper, &paper->look);
+    if (!err && output->curves.show == BEAD_SHOW_SETUP && !paper->page.paper)
+        enlarge(&paper->look, paper->page.width);
     return err;
 }
 
@@ -121,17 +135,33 @@ static enum bead_error draw_paper(void *context, cairo_t *cr, struct bead_messag
     return err;
 }
 
+static enum bead_error try_paper(struct paper *paper, struct bead_message *msg)
+{
+    cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
+    cairo_t *cr = cairo_create(nowhere);
+    enum bead_error err = draw_paper(paper, cr, msg);
+    cairo_destroy(cr);
+    cairo_surface_destroy(nowhere);
+    return err;
+}
+
+/* With larger type if there is room for it. */
+static enum bead_error choose_paper(const struct bead_output *output, const struct bead_run_context *context, struct paper *paper,
+                                    struct bead_message *msg)
+{
+    struct bead_message why;
+    BEAD_TRY(open_paper(output, context, paper, msg));
+    if (try_paper(paper, &why) == BEAD_OK)
+        return BEAD_OK;
+    bead_page_look(&paper->page, &output->paper, &paper->look);
+    return try_paper(paper, msg);
+}
+
 enum bead_error bead_schematic_check(const struct bead_output *output, const struct bead_run_context *context,
                                      struct bead_message *msg)
 {
     struct paper paper;
-    BEAD_TRY(open_paper(output, context, &paper, msg));
-    cairo_surface_t *nowhere = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    cairo_t *cr = cairo_create(nowhere);
-    enum bead_error err = draw_paper(&paper, cr, msg);
-    cairo_destroy(cr);
-    cairo_surface_destroy(nowhere);
-    return err;
+    return choose_paper(output, context, &paper, msg);
 }
 
 enum bead_error bead_schematic_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
@@ -139,6 +169,6 @@ enum bead_error bead_schematic_write(const struct bead_output *output, const str
 {
     struct paper paper;
     const struct bead_drawing drawing = {draw_paper, NULL, &paper, NULL};
-    BEAD_TRY(open_paper(output, context, &paper, msg));
+    BEAD_TRY(choose_paper(output, context, &paper, msg));
     return bead_page_write(&paper.page, output, context->scene, &drawing, path, bytes, msg);
 }

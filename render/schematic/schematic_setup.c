@@ -193,6 +193,29 @@ static size_t last_alike(const struct bead_scene *scene, bool *used, size_t firs
     return last;
 }
 
+/* The largest and the smallest bead of a material, where tapers and the like make them differ. True: they do. */
+static bool find_sizes(const struct bead_drafting *d, size_t material, struct bead_material ends[2])
+{
+    const struct bead_scene *scene = d->context->scene;
+    bool any = false;
+    for (size_t c = 0; c < d->context->chain_count; c++) {
+        const struct bead_chain *chain = d->context->chains[c];
+        for (size_t j = 1; j < bead_chain_beads(chain); j++) {
+            const double radius = bead_chain_radius(chain)[j];
+            if (scene->materials[bead_chain_material(chain)[j]].of != material)
+                continue;
+            for (int k = 0; k < 2; k++) {
+                if (any && (k == 0 ? radius <= ends[0].radius : radius >= ends[1].radius))
+                    continue;
+                ends[k].radius = radius;
+                ends[k].mass = bead_chain_mass(chain)[j];
+            }
+            any = true;
+        }
+    }
+    return any && !near(ends[0].radius, ends[1].radius);
+}
+
 /* Lists the materials of beads in the order of the scene; if there are many, those that differ in size only are one entry. */
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
@@ -212,7 +235,10 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
             continue;
         const size_t last = all > MOST_ENTRIES ? last_alike(scene, used, m, &listed) : m;
         listed += last == m;
-        bead_materials_words(&scene->materials[m], &scene->materials[last], pieces[count].markup, sizeof pieces[count].markup);
+        struct bead_material ends[2] = {scene->materials[m], scene->materials[last]};
+        const bool varied = last == m && find_sizes(d, m, ends);
+        bead_materials_words(&ends[0], last == m && !varied ? &ends[0] : &ends[1], pieces[count].markup,
+                             sizeof pieces[count].markup);
         pieces[count++].colour = scene->materials[m].colour;
     }
     if (listed < all)

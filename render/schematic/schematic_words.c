@@ -55,8 +55,9 @@ void bead_materials_words(const struct bead_material *first, const struct bead_m
         bead_quantity(ends[i]->radius, "m", 3, radius[i], sizeof radius[i]);
         mass_words(ends[i], mass[i], sizeof mass[i]);
     }
-    snprintf(out, size, "%s to %s, " BEAD_SYMBOL("R") " = %s to %s, %s to %s", name[0], name[1], radius[0], radius[1], mass[0],
-             mass[1]);
+    const bool named_alike = strcmp(name[0], name[1]) == 0;
+    snprintf(out, size, "%s%s%s, " BEAD_SYMBOL("R") " = %s to %s, %s to %s", name[0], named_alike ? "" : " to ",
+             named_alike ? "" : name[1], radius[0], radius[1], mass[0], mass[1]);
 }
 
 void bead_symbol_words(const char *letter, int index, char *out, size_t size)

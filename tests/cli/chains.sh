@@ -85,6 +85,7 @@ ok "pictures and a trajectory" exits 0 "$beadreel" run.yaml -o run
 ok "... which draws the same again" bash -c "'$beadreel' run/run.h5 -o again/force.png >/dev/null && cmp run/force.png again/force.png"
 if command -v pdftotext >/dev/null; then
     ok "... one line for each material" test "$(pdftotext run/setup.pdf - | grep -c 'R = ')" -eq 3
+    ok "... with the sizes that it has there" bash -c "pdftotext run/setup.pdf - | grep -Eq '^large steel, R = [0-9.]+.*mm to [0-9.]+.*mm, [0-9.]+.*g to [0-9.]+.*g$'"
 else
     skip "pdftotext (poppler-utils)" "materials in drawings"
 fi

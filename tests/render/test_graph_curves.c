@@ -90,6 +90,44 @@ static void test_curves_are_cut_at_the_frame(void **state)
     free_canvas(&empty);
 }
 
+/* Where curves with marks lie on each other, one line is drawn: dashes on dashes look like none of them. Beyond, each has its own. */
+static void test_lines_on_each_other_are_one(void **state)
+{
+    (void)state;
+    enum { POINTS = 401 };
+    static double x[POINTS], y[2][POINTS];
+    for (size_t i = 0; i < POINTS; i++) {
+        x[i] = 10.0 * (double)i / (POINTS - 1);
+        y[0][i] = 2.5;
+        y[1][i] = x[i] < 5 ? 2.5 : 1.5;
+    }
+    struct bead_series series[2];
+    for (size_t s = 0; s < 2; s++)
+        series[s] = (struct bead_series){
+            .x = x, .y = y[s], .count = POINTS, .mark = BEAD_MARK_LINE_POINTS, .colour = s, .shape = s, .dash = s};
+    struct bead_panel panel = plain_panel(series);
+    panel.series_count = 2;
+    struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+    struct bead_look look;
+    bead_look_screen(&look, 1200, 900, false);
+    struct canvas c = make_canvas(1200, 900);
+    draw(&graph, &look, &c);
+    struct graph_layout layout = lay_out(&graph, &look, 1200, 900);
+    int inked[2] = {0, 0}, marked = 0; /* of the second curve, left and right, in the rows of the lines */
+    for (int px = px_x(&layout.cells[0], 0.1); px < px_x(&layout.cells[0], 9.9); px++) {
+        const bool right = px > px_x(&layout.cells[0], 5);
+        const int py = px_y(&layout.cells[0], right ? 1.5 : 2.5), above = py - (int)(0.7 * graph_full_point(&look));
+        const uint32_t ink = packed(bead_look_curve(&look, 1));
+        marked += !right && near(pixel(&c, px, above), ink);
+        inked[right] += near(pixel(&c, px, py), ink) && !near(pixel(&c, px, above), ink);
+    }
+    assert_true(marked > 10); /* its marks are on the first one's line */
+    if (!(inked[0] < 0.1 * inked[1]))
+        fail_msg("%d pixels of the second line on the first, %d beside it", inked[0], inked[1]);
+    graph_layout_free(&layout);
+    free_canvas(&c);
+}
+
 static void test_no_value_is_a_gap(void **state)
 {
     (void)state;
@@ -151,6 +189,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_points_stand_at_their_place),
         cmocka_unit_test(test_curves_are_cut_at_the_frame),
+        cmocka_unit_test(test_lines_on_each_other_are_one),
         cmocka_unit_test(test_no_value_is_a_gap),
         cmocka_unit_test(test_spikes_of_dense_curves_show),
     };
