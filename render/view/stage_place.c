@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places the stage and the row of all beads in the view's rectangle, and draws what never changes. */
 #include <math.h>
-#include <stdio.h>
 
-#include "render/draw/axis.h"
-#include "render/view/panel.h"
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/chain_internal.h"
@@ -129,36 +126,10 @@ static void draw_backdrop(const struct bead_view *v, cairo_t *cr)
     }
 }
 
-/* Numbers below the row, or below the beads where all are on the stage. */
-static void draw_numbers(const struct bead_view *v, cairo_t *cr)
-{
-    const struct bead_look *look = &v->look;
-    const struct bead_chain_axis along = bead_chain_axis(v->setup.chain, false);
-    const int bottom = v->row.y + v->row.height;
-    struct bead_axis axis;
-    struct bead_text_style style = {.family = look->family,
-                                    .size = look->tick,
-                                    .colour = look->faint,
-                                    .across = BEAD_ALIGN_MIDDLE,
-                                    .down = BEAD_ALIGN_BASELINE};
-    if (!v->setup.axes || !v->setup.bead_labels || bottom + look->tick > v->plot.y + v->plot.height)
-        return;
-    bead_axis_along_chain(&axis, v->setup.chain, false, v->first, v->first + v->count - 1, v->plot.width, look->tick, true);
-    for (size_t k = 0; k < axis.count; k++) {
-        const double bead = (axis.ticks[k].value - along.first) / along.spacing - (double)v->first;
-        if (bead < 0 || bead >= (double)v->count)
-            continue;
-        const size_t i = (size_t)bead;
-        const double x =
-            v->row.height > 0 ? v->row_left + (v->position[i] - v->position[0]) * v->row_scale : v->place[i] * v->scale - v->left;
-        bead_text_draw(cr, &style, v->strip.x + x, bottom + 1.1 * look->tick, axis.ticks[k].label);
-    }
-}
-
 enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *)
 {
     draw_backdrop(v, cr);
-    draw_numbers(v, cr);
+    bead_stage_draw_names(v, cr);
     if (v->setup.axes && v->head >= headroom(v))
         bead_stage_draw_key(v, cr);
     return BEAD_OK;

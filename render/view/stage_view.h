@@ -49,6 +49,8 @@ struct bead_view {
 /* Divides the plot. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
+/* What is below the stage, around the row. */
+void bead_stage_draw_names(const struct bead_view *v, cairo_t *cr);
 /* The key, into the headroom. */
 void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr);
 /* The field that lights up, and its value of full light: the largest that colours show, or where they show another field, the force

@@ -262,22 +262,27 @@ static void camera_rests_and_follows(void **state)
 
 /* ---- the view ---- */
 
+/* A word below the stage: its middle, its width, px; and its number, -1 of names. */
 struct label {
-    double x;
+    double x, width;
     int number;
+    char text[24];
 };
 struct labels {
     struct label at[40];
     size_t count;
 };
 
-static void see(void *context, const char *markup, double x, double, double width, double)
+static void see(void *context, const char *markup, double x, double y, double width, double)
 {
     struct labels *labels = context;
     char *end;
     const long number = strtol(markup, &end, 10);
-    if (end != markup && !*end && labels->count < 40)
-        labels->at[labels->count++] = (struct label){x + 0.5 * width, (int)number};
+    if (y < 300 || labels->count == 40) /* the key */
+        return;
+    struct label *label = &labels->at[labels->count++];
+    *label = (struct label){.x = x + 0.5 * width, .width = width, .number = end != markup && !*end ? (int)number : -1};
+    snprintf(label->text, sizeof label->text, "%.23s", markup);
 }
 
 struct setting {
@@ -402,11 +407,38 @@ static void beads_are_over_their_numbers(void **state)
         assert_true(s.labels.count >= 2);
         for (size_t i = 0; i < s.labels.count; i++) {
             const size_t bead = (size_t)s.labels.at[i].number;
+            if (s.labels.at[i].number < 0)
+                continue;
             const double x = v->row.height > 0 ? (double)v->balls[bead].x : (double)v->stage.beads[bead].x;
             const double r = v->row.height > 0 ? (double)v->balls[bead].r : (double)v->stage.beads[bead].r;
             if (fabs(s.labels.at[i].x - v->strip.x - x) > fmax(1, 0.5 * r))
                 fail_msg("chain %zu: number %zu at %g, its bead at %g", c, bead, s.labels.at[i].x - v->strip.x, x);
         }
+        close_view(&s);
+    }
+}
+
+/* Sensors and the wall are named, over each other nothing is. */
+static void names_have_room(void **state)
+{
+    static const char *const sensors =
+        "chain: {" STRIKER "beads: [{bead: large-steel, count: 20}, {bead: small-steel, sensor: first}, "
+        "{bead: large-steel, count: 19}, {bead: small-steel, sensor: second}, {bead: large-steel, count: 15}], wall: brass}";
+    const char *const chains[] = {sensors, taper, unlike, many};
+    (void)state;
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct setting s;
+        int found = 0;
+        open_view(&s, chains[c], BEAD_LIGHT_CONTACTS);
+        for (size_t i = 0; i < s.labels.count; i++) {
+            const struct label *a = &s.labels.at[i];
+            const size_t bead = strcmp(a->text, "first") == 0 ? 21 : strcmp(a->text, "second") == 0 ? 41 : 0;
+            found += bead > 0 && fabs(a->x - s.view->strip.x - (double)s.view->balls[bead].x) < 2;
+            found += strcmp(a->text, "brass wall") == 0;
+            for (size_t k = 0; k < i; k++)
+                assert_true(fabs(a->x - s.labels.at[k].x) > 0.5 * (a->width + s.labels.at[k].width));
+        }
+        assert_true(c > 0 || found == 3);
         close_view(&s);
     }
 }
@@ -455,6 +487,7 @@ int main(void)
         cmocka_unit_test(camera_rests_and_follows),
         cmocka_unit_test(beads_touch_where_they_do),
         cmocka_unit_test(beads_are_over_their_numbers),
+        cmocka_unit_test(names_have_room),
         cmocka_unit_test(beads_are_large),
         cmocka_unit_test(the_key_light_is_heard),
     };
