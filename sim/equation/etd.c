@@ -2,6 +2,8 @@
 /* Exponential time differencing, see etd.h: the coefficients of a step, and the step. */
 #include "sim/equation/etd.h"
 
+#include <math.h>
+
 static struct bead_turn over(struct bead_turn a, struct bead_turn b)
 {
     bead_wide norm = b.re * b.re + b.im * b.im;
@@ -97,6 +99,70 @@ void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bea
                                         narrow(f.f1, h),  narrow(f.f2, h), narrow(f.f3, h)};
     }
 }
+
+/* ---- within a step ---- */
+
+/* a / (i angle)^3 */
+static struct bead_complex over_cube(double re, double im, double angle)
+{
+    const double cube = angle * angle * angle;
+    return (struct bead_complex){-im / cube, re / cube};
+}
+
+/* As `formulas`, over h. */
+static struct bead_etd_row near_formulas(double a, struct bead_complex e, struct bead_complex half)
+{
+    const double square = a * a;
+    const struct bead_complex e1 = bead_complex_times(e, (struct bead_complex){4 - square, -3 * a}),
+                              e2 = bead_complex_times(e, (struct bead_complex){-2, a}),
+                              e3 = bead_complex_times(e, (struct bead_complex){4, -a});
+    return (struct bead_etd_row){.q = {half.im / a, (1 - half.re) / a},
+                                 .f1 = over_cube(e1.re - 4, e1.im - a, a),
+                                 .f2 = over_cube(2 * (e2.re + 2), 2 * (e2.im + a), a),
+                                 .f3 = over_cube(e3.re - 4 + square, e3.im - 3 * a, a)};
+}
+
+static struct bead_complex near_sum(const bead_wide a[TERMS], int terms, double angle)
+{
+    struct bead_complex sum = {0, 0};
+    for (int n = terms - 2; n >= 0; n -= 2) {
+        sum.re = (double)a[n] - angle * angle * sum.re;
+        sum.im = (double)a[n + 1] - angle * angle * sum.im;
+    }
+    sum.im *= angle;
+    return sum;
+}
+
+static struct bead_complex times(double h, struct bead_complex z)
+{
+    return (struct bead_complex){h * z.re, h * z.im};
+}
+
+void bead_etd_rows_within(const bead_wide *w, size_t modes, bead_wide h, struct bead_etd_row *rows)
+{
+    const bead_wide difference[] = {w[0], w[1] - w[0], w[2] - 2 * w[1] + w[0], w[3] - 3 * (w[2] - w[1]) - w[0]};
+    struct bead_turn at[4]; /* exp(i h / 2) to the powers of the differences of the frequencies */
+    struct series a;
+    make_series(&a);
+    for (size_t n = 0; n < 4; n++)
+        at[n] = bead_turn_by(difference[n] * h / 2);
+    for (size_t j = 0; j <= modes; j++) {
+        const double angle = (double)w[j] * (double)h, step = (double)h;
+        const struct bead_complex half = narrow(at[0], 1), whole = bead_complex_times(half, half);
+        const int n = terms_at(angle);
+        const struct bead_etd_row row = fabs(angle) < cancels ? (struct bead_etd_row){.q = near_sum(a.q, n, angle),
+                                                                                      .f1 = near_sum(a.f1, n, angle),
+                                                                                      .f2 = near_sum(a.f2, n, angle),
+                                                                                      .f3 = near_sum(a.f3, n, angle)}
+                                                              : near_formulas(angle, whole, half);
+        rows[j] =
+            (struct bead_etd_row){whole, half, times(step, row.q), times(step, row.f1), times(step, row.f2), times(step, row.f3)};
+        for (size_t k = 0; k < 3; k++)
+            at[k] = bead_turn_on(at[k], at[k + 1]);
+    }
+}
+
+/* ---- steps ---- */
 
 static void add_product(struct bead_complex *sum, struct bead_complex a, struct bead_complex b)
 {

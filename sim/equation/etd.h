@@ -23,6 +23,9 @@ struct bead_etd_work {
 
 /* Rows for steps of h and the frequencies omega[0..modes]. */
 void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows);
+/* The same for a part of a step, of which nothing follows, to a few units in the last place of double: from frequencies that are a
+ * cubic of their number, as those of the Korteweg-de Vries equation, in a fifth of the time. */
+void bead_etd_rows_within(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows);
 /* from -> to (may be the same) over one step; work->slope[0] must be N(from). */
 void bead_etd_step(const struct bead_etd_row *rows, size_t modes, bead_etd_slope slope, void *context, struct bead_etd_work *work,
                    const struct bead_complex *from, struct bead_complex *to);

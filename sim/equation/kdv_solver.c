@@ -399,7 +399,7 @@ void bead_kdv_values(struct bead_kdv *kdv, double t)
     const struct bead_complex *u = kdv->end.u;
     double h = t - kdv->start.t;
     if (t < kdv->end.t && kdv->steps > 0) {
-        rows(kdv, h, kdv->other_rows);
+        bead_etd_rows_within(kdv->omega, kdv->spectral.modes, h, kdv->other_rows);
         copy(kdv, kdv->start.slope, kdv->work.slope[0]);
         move(kdv, kdv->other_rows, kdv->start.u, kdv->one);
         u = kdv->one;

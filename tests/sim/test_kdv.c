@@ -2,6 +2,8 @@
 /* The Korteweg-de Vries equation: solitons and their collisions against exact solutions, the recurrence of Zabusky and Kruskal. */
 #include "tests/motions.h"
 
+#include "sim/equation/etd.h"
+
 static const struct bead_system *const kdv = &bead_system_kdv;
 
 static const struct bead_equation_spec one_soliton = {.variable = BEAD_FIELD_DISPLACEMENT,
@@ -364,6 +366,31 @@ static void wrong_settings_are_told(void **state)
     assert_non_null(kdv->equation->check(&spec, &key));
 }
 
+/* The coefficients for samples within a step are those of steps, to rounding: for waves that turn by less than a millionth of a
+ * radian and by hundreds. */
+static void coefficients_within_a_step(void **state)
+{
+    (void)state;
+    enum { MODES = 300 };
+    static bead_wide omega[MODES + 1];
+    static struct bead_etd_row wide[MODES + 1], near[MODES + 1];
+    for (size_t j = 0; j <= MODES; j++) {
+        const bead_wide k = bead_wide_pi * j;
+        omega[j] = k * (4.84e-4 * k * k - 0.3);
+    }
+    for (double h = 1e-9; h < 1e-3; h *= 3) {
+        double worst = 0;
+        bead_etd_rows(omega, MODES, h, wide);
+        bead_etd_rows_within(omega, MODES, h, near);
+        for (size_t j = 0; j <= MODES; j++) {
+            const double *a = &wide[j].whole.re, *b = &near[j].whole.re;
+            for (size_t i = 0; i < sizeof *wide / sizeof *a; i++)
+                worst = fmax(worst, fabs(a[i] - b[i]) / (i < 4 ? 1 : h)); /* two turns; the others are times */
+        }
+        assert_true(worst < 1.5e-15);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_soliton_keeps_its_shape),
@@ -379,6 +406,7 @@ int main(void)
                                        cmocka_unit_test(errors_fall_with_the_fourth_power_of_the_step),
                                        cmocka_unit_test(errors_fall_exponentially_with_the_points),
                                        cmocka_unit_test(samples_are_as_exact_as_steps),
+                                       cmocka_unit_test(coefficients_within_a_step),
                                        cmocka_unit_test(linear_waves_are_exact),
                                        cmocka_unit_test(a_grid_too_coarse_is_told),
                                        cmocka_unit_test(a_grid_too_coarse_for_the_start_is_told),
