@@ -86,24 +86,23 @@ static void stage_floor(const struct bead_stage *s)
     }
 }
 
-/* The floor in a row of pixels, between the points of the grid. */
+/* The floor in a row of pixels: first its light at the points of the grid, then between them. */
 static void spread_floor(const struct bead_stage *s, int y)
 {
     const float part = (float)(y % BEAD_STAGE_STEP) / BEAD_STAGE_STEP;
     const eight across = ((eight){0, 1, 2, 3, 4, 5, 6, 7} + 0.5f) / 8;
+    const int row = y / BEAD_STAGE_STEP;
     float base[3];
     bead_stage_base(s, (float)y + 0.5f, base);
-    const float *from = grid_row(s, y / BEAD_STAGE_STEP, 0), *to = grid_row(s, y / BEAD_STAGE_STEP + 1, 0);
-    for (int i = 0; i * BEAD_STAGE_CELL < s->width; i++) {
-        eight value[BEAD_STAGE_CHANNELS];
-        for (int c = 0; c < BEAD_STAGE_CHANNELS; c++) {
-            const float *a = from + (size_t)c * (size_t)s->grid_width + i, *b = to + (size_t)c * (size_t)s->grid_width + i;
-            const float left = a[0] + part * (b[0] - a[0]), right = a[1] + part * (b[1] - a[1]);
-            value[c] = left + across * (right - left);
+    for (int c = 0; c < 3; c++) {
+        float *points = s->row + 3 * (size_t)s->row_width, *to = s->row + (size_t)c * (size_t)s->row_width;
+        for (int i = 0; i < s->grid_width; i += LANES) {
+            const reals own = load(grid_row(s, row, 0) + i), sent = load(grid_row(s, row, 1 + c) + i);
+            const reals next = load(grid_row(s, row + 1, 0) + i), next_sent = load(grid_row(s, row + 1, 1 + c) + i);
+            *(reals_anywhere *)(points + i) = base[c] * (own + part * (next - own)) + (sent + part * (next_sent - sent));
         }
-        for (int c = 0; c < 3; c++)
-            *(eight_anywhere *)(s->row + (size_t)c * (size_t)s->row_width + i * BEAD_STAGE_CELL) =
-                value[0] * base[c] + value[1 + c];
+        for (int i = 0; i * BEAD_STAGE_CELL < s->width; i++)
+            *(eight_anywhere *)(to + i * BEAD_STAGE_CELL) = points[i] + across * (points[i + 1] - points[i]);
     }
 }
 

@@ -95,7 +95,7 @@ struct bead_stage {
     float *columns;
     size_t column_room;
     float *grid; /* [grid_rows][CHANNELS][grid_width]: what is left of the floor's own light, and light of contacts */
-    float *row;  /* one row of the picture, three colours */
+    float *row;  /* one row of the picture, three colours; then one of the grid */
     int grid_rows, grid_width, row_width; /* the widths are multiples of 16 */
 };
 
