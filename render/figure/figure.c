@@ -94,22 +94,24 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
         err = bead_view_take(views, v, &panel->type, msg);
         if (err)
             return err;
-        panel->setup = (struct bead_view_setup){.chain = f->context.chains[cell->chain],
-                                                .chain_index = cell->chain,
-                                                .field = f->output->shown.field,
-                                                .time = {f->time[0], f->time[1]},
-                                                .colours = f->colours,
-                                                .look = &f->look,
-                                                .axes = f->output->views.axes,
-                                                .bead_labels = true,
-                                                .orientation = bead_orientation_of(f->output),
-                                                .sampling = f->output->image.sampling,
-                                                .marked = moments,
-                                                .mark = f->at,
-                                                .magnify = magnify,
-                                                .over_beads = bead_views_any(views, BEAD_SHOWS_BEADS),
-                                                .light = f->output->views.light,
-                                                .trust = f->output->shown.trust};
+        panel->setup = (struct bead_view_setup){
+            .chain = f->context.chains[cell->chain],
+            .chain_index = cell->chain,
+            .field = f->output->shown.field,
+            .time = {f->time[0], f->time[1]},
+            .colours = f->colours,
+            .look = &f->look,
+            .axes = f->output->views.axes,
+            .bead_labels = true,
+            .orientation = bead_orientation_of(f->output),
+            .sampling = f->output->image.sampling,
+            .marked = moments,
+            .mark = f->at,
+            .magnify = magnify,
+            .over_beads = bead_views_any(views, BEAD_SHOWS_BEADS) &&
+                          bead_orientation_across(bead_orientation_of(f->output), panel->type->info) == BEAD_ACROSS_CHAIN,
+            .light = f->output->views.light,
+            .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }
     reach_beyond(f, cell);

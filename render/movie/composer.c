@@ -48,6 +48,16 @@ static bool previewed(const struct bead_composer *c, size_t index)
     return c->setup.preview && !c->setup.output->shown.trust && bead_view_has(type_of(c, index), BEAD_SHOWS_IMAGE);
 }
 
+/* Is this plot straight above or below one of beads? */
+static bool over_beads(const struct bead_composer *c, const struct bead_movie_chain *place, size_t view)
+{
+    bool over = false;
+    for (size_t v = 0; v < c->wants.view_count; v++)
+        over = over || (bead_view_has(c->wants.views[v], BEAD_SHOWS_BEADS) && place->plot[v].x == place->plot[view].x &&
+                        place->plot[v].width == place->plot[view].width);
+    return over;
+}
+
 static struct bead_view_setup setup_of(const struct bead_composer *c, size_t index)
 {
     size_t chain = index / c->wants.view_count, view = index % c->wants.view_count;
@@ -56,35 +66,33 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
     enum bead_view_across across = bead_movie_across(&c->wants, view);
     const bool stage = c->layout.layout == BEAD_LAYOUT_STAGE;
     bool time = across == BEAD_ACROSS_TIME, labels = place->labels[view], along = across == BEAD_ACROSS_CHAIN;
-    return (struct bead_view_setup){.chain = c->setup.chains[chain],
-                                    .chain_index = chain,
-                                    .field = output->shown.field,
-                                    .beads = bead_composer_span(c, chain),
-                                    .time = {c->setup.time[0], c->setup.time[1]},
-                                    .colours = c->colours,
-                                    .look = &c->look,
-                                    .axes = c->layout.axes,
-                                    .ticks_only = !place->values[view],
-                                    .titles = c->layout.titles ? BEAD_TITLES_ABOVE : BEAD_TITLES_NONE,
-                                    .name_left = c->name_left,
-                                    .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
-                                    .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
-                                    .own_colour = shares_curves(c),
-                                    .bead_labels = labels && !time,
-                                    .orientation = c->wants.orientation,
-                                    .time_shared = time && !labels,
-                                    .against = c->layout.against,
-                                    .fill = true,
-                                    .ghost = previewed(c, index),
-                                    .magnify = c->magnify,
-                                    .over_beads =
-                                        c->layout.layout != BEAD_LAYOUT_OVERLAY && bead_views_any(&output->views, BEAD_SHOWS_BEADS),
-                                    .light = output->views.light,
-                                    .camera = c->cameras && !(stage && bead_view_has(type_of(c, index), BEAD_OVERLAYS))
-                                                  ? c->cameras[chain]
-                                                  : NULL,
-                                    .modes = output->movie.modes,
-                                    .trust = output->shown.trust};
+    return (struct bead_view_setup){
+        .chain = c->setup.chains[chain],
+        .chain_index = chain,
+        .field = output->shown.field,
+        .beads = bead_composer_span(c, chain),
+        .time = {c->setup.time[0], c->setup.time[1]},
+        .colours = c->colours,
+        .look = &c->look,
+        .axes = c->layout.axes,
+        .ticks_only = !place->values[view],
+        .titles = c->layout.titles ? BEAD_TITLES_ABOVE : BEAD_TITLES_NONE,
+        .name_left = c->name_left,
+        .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
+        .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
+        .own_colour = shares_curves(c),
+        .bead_labels = labels && !time,
+        .orientation = c->wants.orientation,
+        .time_shared = time && !labels,
+        .against = c->layout.against,
+        .fill = true,
+        .ghost = previewed(c, index),
+        .magnify = c->magnify,
+        .over_beads = along && over_beads(c, place, view),
+        .light = output->views.light,
+        .camera = c->cameras && !(stage && bead_view_has(type_of(c, index), BEAD_OVERLAYS)) ? c->cameras[chain] : NULL,
+        .modes = output->movie.modes,
+        .trust = output->shown.trust};
 }
 
 /* Does the view of the first chain draw this one? */

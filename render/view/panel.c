@@ -14,6 +14,8 @@ static const double title_rise = 0.38;
 /* Titles left of a panel: from its left edge, or from a number there, to the end of the title; from its bottom to the baseline, as
  * for numbers of axes. */
 static const double name_gap = 0.65, least_gap = 0.3, name_drop = 1.38;
+/* Places this close look the same, px. */
+static const double same_pixel = 1.5;
 
 void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct bead_rect plot)
 {
@@ -106,6 +108,9 @@ const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chai
 {
     const struct bead_chain_axis along = bead_chain_axis(chain, of_contacts);
     double low = along.first + ((double)first - 0.5) * along.spacing, high = along.first + ((double)last + 0.5) * along.spacing;
+    const bool points = strcmp(along.unit, "1") != 0;
+    if (points && 0.5 * along.spacing / (high - low) * length < same_pixel) /* half a cell from a round number: 2, not 1.998 */
+        high += 0.5 * along.spacing;
     bead_axis_make(axis, low, high, along.unit, BEAD_SCALE_LINEAR, length, em, horizontal);
     return along.title;
 }
