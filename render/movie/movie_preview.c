@@ -69,7 +69,6 @@ static enum bead_error preview_create(struct bead_film *film, struct bead_messag
                                           .time = {film->times.time[0], film->times.time[1]},
                                           .places = beads < PLACES ? (int)beads : PLACES,
                                           .columns = COLUMNS};
-    enum bead_error err = BEAD_OK;
     if (p) {
         p->chains = chains;
         p->samples = bead_grid_count(&film->times.grid) + 1;
@@ -80,10 +79,10 @@ static enum bead_error preview_create(struct bead_film *film, struct bead_messag
         p->value = is_kept(film) ? calloc(p->samples * chains * p->room, sizeof *p->value) : NULL;
     }
     if (!p || !p->area || !p->time || !p->active || (is_kept(film) && !p->value))
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a preview");
-    for (size_t i = 0; !err && i < chains; i++)
-        err = bead_area_create(&setup, &p->area[i], msg);
-    return err;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a preview");
+    for (size_t i = 0; i < chains; i++)
+        BEAD_TRY(bead_area_create(&setup, &p->area[i], msg));
+    return BEAD_OK;
 }
 
 /* Of a chain: beads that it has, or contacts. */
@@ -132,12 +131,11 @@ bool bead_preview_whole(const struct bead_preview *p)
 enum bead_error bead_preview_feed(const struct bead_preview *p, size_t chain, const struct bead_view_type *type,
                                   struct bead_view *view, struct bead_message *msg)
 {
-    enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < p->next; i++) {
+    for (size_t i = 0; i < p->next; i++) {
         struct bead_sample sample = {.chain = chain, .index = i, .time = p->time[i], .active = p->active[i * p->chains + chain]};
         for (unsigned f = 0; f < BEAD_FIELD_COUNT; f++) /* the only field that images read */
             sample.field[f] = p->value + (i * p->chains + chain) * p->room;
-        err = type->feed(view, &sample, msg);
+        BEAD_TRY(type->feed(view, &sample, msg));
     }
-    return err;
+    return BEAD_OK;
 }

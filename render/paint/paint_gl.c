@@ -293,11 +293,9 @@ static enum bead_error gl_stage(struct bead_canvas *canvas, const struct bead_st
 {
     const int size[2] = {canvas->width, canvas->height};
     const struct bead_rect *clip = &ground->clip;
-    enum bead_error err = use(canvas, msg);
-    if (err)
-        return err;
+    BEAD_TRY(use(canvas, msg));
     bead_pixel_kernels_find(NULL)->stage_floor(stage);
-    err = bead_stage_gl(&canvas->painter->stage, size, stage, clip->y, msg);
+    enum bead_error err = bead_stage_gl(&canvas->painter->stage, size, stage, clip->y, msg);
     if (!err)
         read_pixels(*clip, ground->pixels, ground->stride, ground->origin[0] + clip->x, ground->origin[1] + clip->y);
     return err ? err : bead_gl_check("reading pixels", msg);

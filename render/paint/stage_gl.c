@@ -55,9 +55,7 @@ static enum bead_error use_program(struct bead_stage_painter *p, enum kind kind,
     static const char *const samplers[] = {"ground", "beside", "alone", "image"};
     GLuint *program = &p->program[kind];
     if (!*program) {
-        enum bead_error err = bead_gl_program("stage", "stage", defines[kind], program, msg);
-        if (err)
-            return err;
+        BEAD_TRY(bead_gl_program("stage", "stage", defines[kind], program, msg));
         glUseProgram(*program);
         for (int i = 0; i < 4; i++)
             glUniform1i(glGetUniformLocation(*program, samplers[i]), i);
@@ -87,9 +85,7 @@ static enum bead_error upload_picture(const struct bead_stage_bake *bake, int pi
 {
     const int wide = bake->wide + 2 * BESIDE_PICTURE;
     float *rgba = NULL;
-    enum bead_error err = bead_new(&rgba, 4 * (size_t)wide * (size_t)bake->high, msg, "out of memory for the look of beads");
-    if (err)
-        return err;
+    BEAD_TRY(bead_new(&rgba, 4 * (size_t)wide * (size_t)bake->high, msg, "the look of beads"));
     for (int y = 0; y < bake->high; y++)
         for (int k = 0; k < 4; k++)
             for (int x = 0; x < bake->wide; x++)
@@ -119,7 +115,7 @@ static enum bead_error upload_floor(struct bead_stage_painter *p, const struct b
     if (p->ground_size[0] != s->grid_width || p->ground_size[1] != s->height) {
         free(p->light);
         p->light = NULL;
-        enum bead_error err = bead_new(&p->light, numbers_of_all, msg, "out of memory for a floor");
+        enum bead_error err = bead_new(&p->light, numbers_of_all, msg, "a floor");
         if (err)
             return err;
         if (p->ground)
@@ -265,9 +261,7 @@ static enum bead_error paint_wall(struct bead_stage_painter *p, const int size[2
 static enum bead_error open_painter(struct bead_stage_painter **painter, size_t count, struct bead_message *msg)
 {
     struct bead_stage_painter *p = *painter;
-    enum bead_error err = p ? BEAD_OK : bead_new(painter, 1, msg, "out of memory for a stage");
-    if (err)
-        return err;
+    BEAD_TRY(p ? BEAD_OK : bead_new(painter, 1, msg, "a stage"));
     p = *painter;
     if (!p->buffer) {
         glGenBuffers(1, &p->buffer);
@@ -287,20 +281,18 @@ static enum bead_error open_painter(struct bead_stage_painter **painter, size_t 
     free(p->rectangles);
     p->rectangles = NULL;
     p->room = count;
-    return bead_new(&p->rectangles, count, msg, "out of memory for a stage");
+    return bead_new(&p->rectangles, count, msg, "a stage");
 }
 
 enum bead_error bead_stage_gl(struct bead_stage_painter **painter, const int size[2], const struct bead_stage *s, int skip,
                               struct bead_message *msg)
 {
-    enum bead_error err = open_painter(painter, 3 * s->room + 2, msg);
-    if (err)
-        return err;
+    BEAD_TRY(open_painter(painter, 3 * s->room + 2, msg));
     struct bead_stage_painter *p = *painter;
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, size[0], size[1]);
-    err = upload_floor(p, s, skip, msg);
+    enum bead_error err = upload_floor(p, s, skip, msg);
     if (!err)
         err = use_program(p, FLOOR, size, s, msg);
     if (err)

@@ -74,10 +74,8 @@ static enum bead_error overlay(struct bead_plot_data *data, struct bead_message 
     size_t all = 0, used = 0;
     for (size_t p = 0; p < data->count; p++)
         all += data->panels[p].series_count;
-    data->overlaid = calloc(all + 1, sizeof *data->overlaid);
-    data->overlaid_labels = calloc(all + 1, sizeof *data->overlaid_labels);
-    if (!data->overlaid || !data->overlaid_labels)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot");
+    BEAD_TRY(bead_new(&data->overlaid, all + 1, msg, "a plot"));
+    BEAD_TRY(bead_new(&data->overlaid_labels, all + 1, msg, "a plot"));
     for (size_t p = 0; p < data->count; p++) {
         const struct bead_panel *panel = &data->panels[p];
         for (size_t k = 0; k < panel->series_count; k++, used++) {

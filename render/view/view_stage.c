@@ -7,6 +7,7 @@
 
 #include "render/view/stage_view.h"
 #include "render/view/views.h"
+#include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"
 
@@ -68,9 +69,8 @@ static bool make_arrays(struct bead_view *v)
 
 static enum bead_error stage_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
-    struct bead_view *v = *view = calloc(1, sizeof *v);
-    if (!v)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage");
+    BEAD_TRY(bead_new(view, 1, msg, "a stage"));
+    struct bead_view *v = *view;
     const struct bead_chain *chain = setup->chain;
     const size_t beads = bead_chain_beads(chain), last = setup->beads.last < beads ? setup->beads.last : beads - 1;
     v->setup = *setup;

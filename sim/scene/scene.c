@@ -99,13 +99,13 @@ static BEAD_OPTION_READER(read_simulate)
 {
     const struct bead_scene *scene = reader->scene;
     reader->without_units = !*bead_scene_system(scene)->time_unit;
-    enum bead_error err = bead_scene_read_simulate(reader, at);
-    for (size_t i = 0; i < scene->chain_count && !err && isnan(scene->simulate.until); i++) {
+    BEAD_TRY(bead_scene_read_simulate(reader, at));
+    for (size_t i = 0; i < scene->chain_count && isnan(scene->simulate.until); i++) {
         if (scene->chains[i].start_count > 0)
-            err = BEAD_WRONG_KEY(reader, at, "until",
-                                 "is missing: where `start` says what moves, no front says when the run is over");
+            return BEAD_WRONG_KEY(reader, at, "until",
+                                  "is missing: where `start` says what moves, no front says when the run is over");
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* Outputs cannot be checked without chains. If the chains are wrong, outputs are read as if there were none. */

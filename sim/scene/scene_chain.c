@@ -187,15 +187,14 @@ static enum bead_error settle_starts(const struct bead_reader *reader, const str
 static BEAD_OPTION_READER(read_starts)
 {
     struct bead_chain_spec *chain = settings;
-    enum bead_error err = bead_need_list(reader, at, option->shape, MOST_STARTS, "entries");
-    for (size_t i = 0; i < at->node->count && !err; i++) {
+    BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_STARTS, "entries"));
+    for (size_t i = 0; i < at->node->count; i++) {
         const struct bead_at entry = bead_at_item(at, i);
         struct starting starting = {.chain = chain};
-        err = bead_options_read(reader, &entry, &bead_starting_options, &starting);
-        if (!err)
-            err = add_starts(reader, &entry, &starting, chain);
+        BEAD_TRY(bead_options_read(reader, &entry, &bead_starting_options, &starting));
+        BEAD_TRY(add_starts(reader, &entry, &starting, chain));
     }
-    return err ? err : settle_starts(reader, at, chain);
+    return settle_starts(reader, at, chain);
 }
 
 static const struct bead_option damping_rows[] = {
