@@ -98,6 +98,7 @@ struct bead_sink_type {
     enum bead_output_kind kind;
     const char *endings; /* of BEAD_OUTPUT_OWN: how its files may end, ".txt or .dat"; else NULL, the kind knows */
     bool background;     /* works in threads of its own: ended after the others, which work meanwhile */
+    /* On failure *sink is NULL, or what `destroy` frees. */
     enum bead_error (*create)(const struct bead_output *output, const struct bead_run_context *context, struct bead_sink **sink,
                               struct bead_message *msg);
     /* Asked again after `begin` and `again`: what is known then may make it less. */

@@ -65,6 +65,7 @@ struct bead_view_type {
     const struct bead_view_info *info;
     /* BEAD_FIELD_BITs it reads of samples. */
     unsigned (*fields)(const struct bead_view_setup *setup);
+    /* On failure *view is NULL, or what `destroy` frees. */
     enum bead_error (*create)(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg);
     /* The plot rectangle (without axes) in device pixels; once, before anything is drawn. `canvas` is NULL without
      * BEAD_DRAWS_ON_CANVAS. */

@@ -118,16 +118,9 @@ static enum bead_error still_create(const struct bead_output *output, const stru
     BEAD_TRY(bead_new(sink, 1, msg, "a picture"));
     struct bead_sink *s = *sink;
     s->kind = still_kind_of(output);
-    s->still = calloc(1, s->kind->size);
-    enum bead_error err = s->still ? s->kind->create(output, context, s->still, msg)
-                                   : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a picture");
-    if (!err)
-        err = bead_file_join(context->directory, output->path, &s->path, msg);
-    if (err) {
-        still_destroy(s);
-        *sink = NULL;
-    }
-    return err;
+    BEAD_TRY(bead_allocate(&s->still, 1, s->kind->size, msg, "a picture"));
+    BEAD_TRY(s->kind->create(output, context, s->still, msg));
+    return bead_file_join(context->directory, output->path, &s->path, msg);
 }
 
 static void still_needs(const struct bead_sink *sink, struct bead_needs *needs)

@@ -90,16 +90,9 @@ static enum bead_error frame_create(const struct bead_output *output, const stru
 {
     BEAD_TRY(bead_new(sink, 1, msg, "a frame"));
     struct bead_sink *s = *sink;
-    enum bead_error err = bead_film_prepare(output, context, &s->film, msg);
-    if (!err)
-        err = find_frame(s, context->frame, msg);
-    if (!err)
-        err = bead_file_join(context->directory, output->path, &s->path, msg);
-    if (err) {
-        frame_destroy(s);
-        *sink = NULL;
-        return err;
-    }
+    BEAD_TRY(bead_film_prepare(output, context, &s->film, msg));
+    BEAD_TRY(find_frame(s, context->frame, msg));
+    BEAD_TRY(bead_file_join(context->directory, output->path, &s->path, msg));
     snprintf(s->why, sizeof s->why, "one frame of %zu, of %d x %d pixels", s->film.times.frames, s->film.width, s->film.height);
     return BEAD_OK;
 }

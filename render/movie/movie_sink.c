@@ -133,14 +133,8 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
                                     struct bead_sink **sink, struct bead_message *msg)
 {
     BEAD_TRY(bead_new(sink, 1, msg, "a movie"));
-    struct bead_sink *s = *sink;
-    s->seen = NAN;
-    enum bead_error err = movie_prepare(s, output, context, msg);
-    if (err) {
-        movie_destroy(s);
-        *sink = NULL;
-    }
-    return err;
+    (*sink)->seen = NAN;
+    return movie_prepare(*sink, output, context, msg);
 }
 
 static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)

@@ -138,22 +138,12 @@ static enum bead_error report_create(const struct bead_output *output, const str
     struct bead_sink *s = *sink;
     s->output = output;
     s->context = *context;
-    enum bead_error err = bead_file_join(context->directory, output->path, &s->path, msg);
-    if (!err)
-        err = list_chains(s, msg);
-    if (!err)
-        err = choose_times(s, msg);
-    if (!err)
-        err = load_maps(s, msg);
-    if (!err)
-        err = bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg);
-    if (!err)
-        choose_stride(s);
-    if (err) {
-        report_destroy(s);
-        *sink = NULL;
-        return err;
-    }
+    BEAD_TRY(bead_file_join(context->directory, output->path, &s->path, msg));
+    BEAD_TRY(list_chains(s, msg));
+    BEAD_TRY(choose_times(s, msg));
+    BEAD_TRY(load_maps(s, msg));
+    BEAD_TRY(bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg));
+    choose_stride(s);
     report_describe(s);
     return BEAD_OK;
 }

@@ -92,22 +92,17 @@ static void beads_measure(struct bead_view *v)
 
 static enum bead_error beads_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
-    *view = NULL;
-    struct bead_view *v;
-    BEAD_TRY(bead_new(&v, 1, msg, "a view of beads"));
+    BEAD_TRY(bead_new(view, 1, msg, "a view of beads"));
+    struct bead_view *v = *view;
     v->setup = *setup;
     v->look = *setup->look;
     v->map = *setup->colours.map;
     v->setup.look = &v->look;
     v->setup.colours.map = &v->map;
     beads_measure(v);
-    if (!make_arrays(v)) {
-        beads_destroy(v);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of %zu beads",
-                         setup->beads.last - setup->beads.first + 1);
-    }
-    *view = v;
-    return BEAD_OK;
+    return make_arrays(v) ? BEAD_OK
+                          : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a view of %zu beads",
+                                      setup->beads.last - setup->beads.first + 1);
 }
 
 static enum bead_error beads_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *canvas, struct bead_message *msg)

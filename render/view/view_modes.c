@@ -48,15 +48,14 @@ static enum bead_error modes_create(const struct bead_view_setup *setup, struct 
     *view = NULL;
     if (!bead_chain_mode_fields(setup->chain))
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a view of modes needs an equation with linear modes");
-    struct bead_view *v;
-    BEAD_TRY(bead_new(&v, 1, msg, "a view of modes"));
+    BEAD_TRY(bead_new(view, 1, msg, "a view of modes"));
+    struct bead_view *v = *view;
     v->setup = *setup;
     v->look = *setup->look;
     v->setup.look = &v->look;
     v->modes = setup->modes;
     v->energy[0] = v->energies[0];
     v->energy[1] = v->energies[1];
-    *view = v;
     return BEAD_OK;
 }
 

@@ -13,6 +13,7 @@
 #include "render/view/panel.h"
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"
+#include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/view_kinds.h"
 
@@ -69,29 +70,22 @@ static void profile_destroy(struct bead_view *v)
 
 static enum bead_error profile_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
 {
-    *view = NULL;
-    struct bead_view *v = calloc(1, sizeof *v);
     size_t n = setup->beads.last - setup->beads.first + 1;
-    if (v) {
-        v->setup = *setup;
-        v->look = *setup->look;
-        v->setup.look = &v->look;
-        v->first = setup->beads.first;
-        v->count = v->to = n;
-        v->numbers = calloc(3 * n, sizeof *v->numbers);
-        v->pixels = calloc(3 * n, sizeof *v->pixels);
-    }
-    if (!v || !v->numbers || !v->pixels) {
-        profile_destroy(v);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a profile of %zu beads", n);
-    }
+    BEAD_TRY(bead_new(view, 1, msg, "a profile"));
+    struct bead_view *v = *view;
+    v->setup = *setup;
+    v->look = *setup->look;
+    v->setup.look = &v->look;
+    v->first = setup->beads.first;
+    v->count = v->to = n;
+    BEAD_TRY(bead_new(&v->numbers, 3 * n, msg, "a profile of %zu beads", n));
+    BEAD_TRY(bead_new(&v->pixels, 3 * n, msg, "a profile of %zu beads", n));
     v->value[0] = v->numbers;
     v->value[1] = v->numbers + n;
     v->place = v->numbers + 2 * n;
     v->x = v->pixels;
     v->y = v->pixels + n;
     v->old_y = v->pixels + 2 * n;
-    *view = v;
     return BEAD_OK;
 }
 

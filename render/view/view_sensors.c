@@ -67,13 +67,9 @@ static enum bead_error sensors_create(const struct bead_view_setup *setup, struc
     if (count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%sthere is no sensor to show; give a bead one: {bead: steel, sensor: first}",
                          bead_chain_place(setup->chain, place, sizeof place));
-    struct bead_view *v = calloc(1, sizeof *v);
-    if (v)
-        v->values = calloc(count, sizeof *v->values);
-    if (!v || !v->values) {
-        sensors_destroy(v);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
-    }
+    BEAD_TRY(bead_new(view, 1, msg, "a plot of sensors"));
+    struct bead_view *v = *view;
+    BEAD_TRY(bead_new(&v->values, count, msg, "a plot of sensors"));
     v->setup = *setup;
     v->look = *setup->look;
     v->setup.look = &v->look;
@@ -82,7 +78,6 @@ static enum bead_error sensors_create(const struct bead_view_setup *setup, struc
     bead_curves_init(&v->curves, count, setup->time);
     bead_curves_init(&v->differences, count, setup->time);
     set_ends(v, fmin(0, setup->colours.low), setup->colours.high);
-    *view = v;
     return BEAD_OK;
 }
 

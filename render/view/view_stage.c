@@ -84,11 +84,8 @@ static enum bead_error stage_create(const struct bead_view_setup *setup, struct 
     v->wall = last + 1 == beads && bead_chain_spec(chain)->wall != BEAD_WALL_NONE;
     v->contacts = v->has_contacts ? v->count - 1 + v->wall : v->count;
     v->full = bead_stage_full(setup);
-    if (!make_arrays(v)) {
-        stage_destroy(v);
-        *view = NULL;
+    if (!make_arrays(v))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage of %zu beads", last - setup->beads.first + 1);
-    }
     place_beads(v);
     return BEAD_OK;
 }

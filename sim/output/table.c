@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/output/data_sinks.h"
 #include "sim/output/table.h"
 
@@ -49,25 +50,18 @@ static enum bead_error table_create(const struct bead_output *output, const stru
     *made = NULL;
     if ((size_t)output->curves.show >= sizeof tables / sizeof *tables || !tables[output->curves.show])
         return bead_output_wrong(output, msg, "show: tables cannot show this");
-    struct bead_sink *sink = calloc(1, sizeof *sink);
-    if (!sink)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    BEAD_TRY(bead_new(made, 1, msg, "a table"));
+    struct bead_sink *sink = *made;
     sink->context = *context;
     sink->output = output;
     sink->table = tables[output->curves.show];
     snprintf(sink->why, sizeof sink->why, "%s", sink->table->why);
-    enum bead_error error = bead_file_join(context->directory, output->path, &sink->path, msg);
-    if (!error)
-        error = bead_file_part_name(sink->path, &sink->part, msg);
-    if (!error && sink->table->prepare)
-        error = sink->table->prepare(sink, msg);
-    if (!error && (sink->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0)) == (locale_t)0)
-        error = bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
-    if (error)
-        table_destroy(sink);
-    else
-        *made = sink;
-    return error;
+    BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
+    BEAD_TRY(bead_file_part_name(sink->path, &sink->part, msg));
+    if (sink->table->prepare)
+        BEAD_TRY(sink->table->prepare(sink, msg));
+    sink->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    return sink->locale != (locale_t)0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
 }
 
 static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)

@@ -11,6 +11,7 @@
 #include "beadreel/trajectory.h"
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/output/data_sinks.h"
 #include "sim/output/sink_grid.h"
@@ -74,10 +75,8 @@ static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_me
 static enum bead_error trajectory_create(const struct bead_output *output, const struct bead_run_context *context,
                                          struct bead_sink **made, struct bead_message *msg)
 {
-    *made = NULL;
-    struct bead_sink *sink = calloc(1, sizeof *sink);
-    if (!sink)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
+    BEAD_TRY(bead_new(made, 1, msg, "a trajectory"));
+    struct bead_sink *sink = *made;
     *sink =
         (struct bead_sink){.context = *context, .output = output, .time = -1, .step = -1, .bead_scale = -1, .contact_scale = -1};
     sink->spatial_scale = sink->h5.file = -1;
@@ -87,23 +86,13 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
     if (!sink->fields)
         sink->fields =
             BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
-    sink->rows = calloc(context->chain_count ? context->chain_count : 1, sizeof *sink->rows);
-    enum bead_error err = sink->rows ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a trajectory");
-    if (!err)
-        err = bead_file_join(context->directory, output->path, &sink->path, msg);
-    if (!err)
-        err = bead_file_part_name(sink->path, &sink->part, msg);
-    if (!err && output->trajectory.xdmf)
-        err = bead_file_join(context->directory, output->trajectory.xdmf, &sink->xdmf, msg);
-    if (!err)
-        err = bead_sink_grid(output, context, &sink->grid, msg);
-    if (!err)
-        err = trajectory_measure(sink, msg);
-    if (err)
-        trajectory_destroy(sink);
-    else
-        *made = sink;
-    return err;
+    BEAD_TRY(bead_new(&sink->rows, context->chain_count + 1, msg, "a trajectory"));
+    BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
+    BEAD_TRY(bead_file_part_name(sink->path, &sink->part, msg));
+    if (output->trajectory.xdmf)
+        BEAD_TRY(bead_file_join(context->directory, output->trajectory.xdmf, &sink->xdmf, msg));
+    BEAD_TRY(bead_sink_grid(output, context, &sink->grid, msg));
+    return trajectory_measure(sink, msg);
 }
 
 static void trajectory_needs(const struct bead_sink *sink, struct bead_needs *needs)
