@@ -55,22 +55,22 @@ enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES }
 
 /* Shares are of the height that all views of a picture have; `most` is the largest useful height in widths of the plot. `shape`:
  * width / height that suits the view alone in a still. */
-#define BEAD_VIEWS(VIEW)                                                                                                      \
-    VIEW(BEADS, beads, .help = "the beads, coloured by the field; a lens follows the front",                                  \
-         .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,    \
-         .shape = 8, .movie_share = 1, .movie_most = 0.135)                                                                   \
-    VIEW(STAGE, stage, .help = "large beads in their materials' colours, lit at each contact by its force; a camera follows", \
-         .traits = BEAD_ACTS | BEAD_SHOWS_BEADS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.4, .shape = 5.5,            \
-         .movie_share = 2.2, .movie_most = 0.16)                                                                              \
-    VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT | BEAD_OVERLAYS,     \
-         .still_share = 0.22, .shape = 1.35, .movie_share = 1.6, .movie_most = 0.5)                                           \
-    VIEW(SPACETIME, spacetime, .help = "the field over chain and time, area-averaged; fills as time passes in movies",        \
-         .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_IMAGE | BEAD_SHOWS_COLOURS, .still_share = 0.5, .shape = 1.35,           \
-         .movie_share = 2, .movie_most = 2)                                                                                   \
-    VIEW(SENSORS, sensors, .help = "force against time of every sensor", .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_SENSORS, \
-         .across = BEAD_ACROSS_TIME, .still_share = 0.3, .shape = 1.35, .movie_share = 1.2, .movie_most = 0.5)                \
-    VIEW(MODES, modes, .help = "energies of an equation's linear modes, as fractions of the total at the start",              \
-         .traits = BEAD_SHOWS_MODES, .across = BEAD_ACROSS_MODES, .still_share = 0.3, .shape = 1.35, .movie_share = 1,        \
+#define BEAD_VIEWS(VIEW)                                                                                                       \
+    VIEW(BEADS, beads, .help = "the beads, coloured by the field; a lens follows the front",                                   \
+         .traits = BEAD_SHOWS_BEADS | BEAD_SHOWS_COLOURS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.34,     \
+         .shape = 8, .movie_share = 1, .movie_most = 0.135)                                                                    \
+    VIEW(STAGE, stage, .help = "large beads in their materials' colours, lit at each contact by its force; a camera follows",  \
+         .traits = BEAD_ACTS | BEAD_SHOWS_BEADS | BEAD_FOLLOWS_FRONT | BEAD_DRAWS_ON_CANVAS, .still_share = 0.4, .shape = 5.5, \
+         .movie_share = 2.2, .movie_most = 0.16)                                                                               \
+    VIEW(PROFILE, profile, .help = "the field along the chain at one time", .traits = BEAD_FOLLOWS_FRONT | BEAD_OVERLAYS,      \
+         .still_share = 0.22, .shape = 1.35, .movie_share = 1.6, .movie_most = 0.5)                                            \
+    VIEW(SPACETIME, spacetime, .help = "the field over chain and time, area-averaged; fills as time passes in movies",         \
+         .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_IMAGE | BEAD_SHOWS_COLOURS, .still_share = 0.5, .shape = 1.35,            \
+         .movie_share = 2, .movie_most = 2)                                                                                    \
+    VIEW(SENSORS, sensors, .help = "force against time of every sensor", .traits = BEAD_SHOWS_ALL_TIMES | BEAD_SHOWS_SENSORS,  \
+         .across = BEAD_ACROSS_TIME, .still_share = 0.3, .shape = 1.35, .movie_share = 1.2, .movie_most = 0.5)                 \
+    VIEW(MODES, modes, .help = "energies of an equation's linear modes, as fractions of the total at the start",               \
+         .traits = BEAD_SHOWS_MODES, .across = BEAD_ACROSS_MODES, .still_share = 0.3, .shape = 1.35, .movie_share = 1,         \
          .movie_most = 0.3)
 
 enum bead_view_kind {

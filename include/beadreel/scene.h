@@ -165,8 +165,8 @@ struct bead_sweep_group {
     size_t configurations;
 };
 
-/* Many chains that differ in the spins of their random cells, or in the values of any keys. Chain `chain` of the scene is the pattern;
- * its cells with `spins: random` are the random ones, left to right. Over keys: `cells` is 0, and there is one group. */
+/* Many chains that differ in the spins of their random cells, or in the values of any keys. Chain `chain` of the scene is the
+ * pattern; its cells with `spins: random` are the random ones, left to right. Over keys: `cells` is 0, and there is one group. */
 struct bead_sweep_spec {
     char *name;  /* "" for a single unnamed sweep */
     char *title; /* the same as pictures show it */

@@ -82,8 +82,8 @@ struct bead_sweep_peak {
 };
 
 struct bead_sweep_configuration {
-    const char *spins; /* [cells] '0' and '1', not terminated */
-    double magnetism;  /* NaN: over keys */
+    const char *spins;                   /* [cells] '0' and '1', not terminated */
+    double magnetism;                    /* NaN: over keys */
     const struct bead_sweep_peak *peaks; /* [places] */
     /* [beads], where decay is measured, else NULL. Peak forces of the first passage, N; the energy of the front, J: that of the
      * bead and the four on either side, at the moment of its peak force. */
@@ -91,7 +91,8 @@ struct bead_sweep_configuration {
     const double *last_force, *last_energy; /* [beads] N, J: of each bead when the front has reached the end */
 };
 
-#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up; over keys: the scene as it is */
+#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up; over keys: the scene as it is \
+                                       */
 
 /* The scene must outlive the sweep. Errors: MEMORY, USAGE (the scene has no sweep). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sweep **sweep,

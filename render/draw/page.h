@@ -26,8 +26,8 @@ const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WO
 void bead_look_darken(struct bead_look *look);
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look);
 enum { BEAD_DESCRIPTION = 2048 };
-/* Metadata of a picture file. The description, of what it shows and of what happens there (`tale`; NULL: unknown), must live as long
- * as the notes. */
+/* Metadata of a picture file. The description, of what it shows and of what happens there (`tale`; NULL: unknown), must live as
+ * long as the notes. */
 void bead_page_notes(const struct bead_page *page, const struct bead_output *output, const struct bead_scene *scene,
                      const char *tale, char description[BEAD_DESCRIPTION], struct bead_picture_notes *notes);
 /* Functions that draw a page into vector files and into frames (NULL: like vector files). */

@@ -43,7 +43,8 @@ static void put_date(cairo_surface_t *surface)
 
 static void describe_pdf(cairo_surface_t *surface, const struct bead_picture_notes *notes)
 {
-    cairo_pdf_surface_restrict_to_version(surface, CAIRO_PDF_VERSION_1_4); /* without compressed objects, which bead_pdf_write cannot read */
+    cairo_pdf_surface_restrict_to_version(surface,
+                                          CAIRO_PDF_VERSION_1_4); /* without compressed objects, which bead_pdf_write cannot read */
     vector_put(surface, CAIRO_PDF_METADATA_TITLE, notes->title);
     vector_put(surface, CAIRO_PDF_METADATA_AUTHOR, notes->author);
     vector_put(surface, CAIRO_PDF_METADATA_SUBJECT, notes->description);
@@ -91,8 +92,8 @@ struct page {
     const struct bead_picture_notes *notes;
 };
 
-/* What a screen reader finds on a page of PDF: a figure, whose text bead_pdf_write adds. It holds a dot that nobody sees, since cairo
- * 1.16 fails where images are within a tag; above all else, since what lies below the background is left out. */
+/* What a screen reader finds on a page of PDF: a figure, whose text bead_pdf_write adds. It holds a dot that nobody sees, since
+ * cairo 1.16 fails where images are within a tag; above all else, since what lies below the background is left out. */
 static void put_figure(cairo_t *cr)
 {
     cairo_save(cr);
@@ -153,7 +154,8 @@ static enum bead_error vector_fill(void *context, FILE *file, const char *part, 
     const struct page *page = context;
     struct bead_svg_parts svg = {.title = page->notes->title, .description = page->notes->description};
     FILE *drawn = open_memstream(&svg.text, &svg.length), *words = open_memstream(&svg.words, &svg.words_length);
-    enum bead_error err = drawn && words ? write_page(page, drawn, page->format->svg && !page->notes->outlines ? words : NULL, part, msg) : BEAD_OK;
+    enum bead_error err =
+        drawn && words ? write_page(page, drawn, page->format->svg && !page->notes->outlines ? words : NULL, part, msg) : BEAD_OK;
     bool full = !drawn || !words;
     full = (drawn && fclose(drawn) != 0) || full;
     full = (words && fclose(words) != 0) || full;

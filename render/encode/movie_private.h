@@ -66,7 +66,6 @@ struct bead_codec {
     int most_fps; /* 1/s: above it frames are left out, as players slow such files down; 0: no limit */
 };
 
-
 /* By the extension of `path`, ignoring case; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);
 /* The encoder for these settings (quality, transparency); NULL: there is none. */

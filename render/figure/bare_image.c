@@ -28,8 +28,8 @@ struct bead_still {
     struct bead_colormap map;
     struct bead_area **areas; /* [chains] */
     struct bead_tale *tale;
-    int columns, across;      /* px along time, and across it, of all chains */
-    int *tops;                /* [chains + 1], px: where chains begin across time */
+    int columns, across; /* px along time, and across it, of all chains */
+    int *tops;           /* [chains + 1], px: where chains begin across time */
     struct bead_grid grid;
     struct bead_span beads;
     char why[96];

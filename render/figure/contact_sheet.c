@@ -151,8 +151,8 @@ static enum bead_error write_sheet(const struct bead_output *output, const struc
     struct contact_sheet s = {.output = output, .sweep = context->sweep};
     enum bead_error err = contact_sheet_make(&s, context->sweep_settings, msg);
     if (!err)
-        err = bead_page_write(&s.page, output, context->scene, &(struct bead_drawing){contact_sheet_draw, NULL, &s, NULL}, path, bytes,
-                              msg);
+        err = bead_page_write(&s.page, output, context->scene, &(struct bead_drawing){contact_sheet_draw, NULL, &s, NULL}, path,
+                              bytes, msg);
     contact_sheet_clear(&s);
     return err;
 }

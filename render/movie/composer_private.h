@@ -30,7 +30,7 @@ struct bead_composer {
     cairo_t *cr;
     char time_text[256], badge_text[256]; /* as shown now */
     int passed;                           /* px of the line of progress */
-    bool carded, started; /* the card has been drawn; the static layer has been */
+    bool carded, started;                 /* the card has been drawn; the static layer has been */
     bool trust_said;
     size_t caption; /* shown now; SIZE_MAX: none */
     double *fed;    /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */

@@ -71,7 +71,6 @@ enum bead_error bead_film_prepare(const struct bead_output *output, const struct
     return find_beads(film, msg);
 }
 
-
 void bead_film_needs(const struct bead_film *film, const char *why, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = film->fields,

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "beadreel/movie.h"
-#include "beadreel/view.h"
 #include "beadreel/sink.h"
+#include "beadreel/view.h"
 #include "render/movie/composer.h"
 #include "render/movie/film_clock.h"
 
@@ -24,8 +24,8 @@ struct bead_film {
     struct bead_run_context context;
     int width, height;
     struct bead_movie_times times;
-    unsigned fields, comparison; /* BEAD_FIELD_BITs, of samples and of those of the comparison run */
-    size_t last_bead;            /* the last bead needed of the longest chain */
+    unsigned fields, comparison;  /* BEAD_FIELD_BITs, of samples and of those of the comparison run */
+    size_t last_bead;             /* the last bead needed of the longest chain */
     struct bead_preview *preview; /* own; NULL: nothing has been scouted */
 };
 

@@ -258,7 +258,8 @@ static double image_height(const struct bead_cells *c)
         images += has(c, v, BEAD_SHOWS_IMAGE);
     if (images == 0 || w->chain_count > PROMISED)
         return 0;
-    return ceil((c->level->share > 0 ? c->level->share + 0.004 : 0) * w->width * w->height / ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
+    return ceil((c->level->share > 0 ? c->level->share + 0.004 : 0) * w->width * w->height /
+                ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
 }
 
 static double least_height(const struct bead_cells *c, size_t view)

@@ -10,13 +10,13 @@
 /* Frames leave out more from one level to the next, until the rest fits. */
 enum { BEAD_LEVELS = 10 };
 struct bead_level {
-    double share; /* of the frame's area, for the images of up to four chains */
-    bool roomy;   /* labels may have lines of their own */
+    double share;                                              /* of the frame's area, for the images of up to four chains */
+    bool roomy;                                                /* labels may have lines of their own */
     bool images, values, headings, titles, facts, axes, words; /* shown: titles, also of the film; values of vertical axes; clock */
-    double views, rows;                                /* gaps between them, in units of the ticks' font size */
-    double heading;                                    /* line of a heading, in units of its font size */
-    double least[3];                                   /* heights that beads, images and other views need, in those of the ticks */
-    double least_px;                                   /* and that of all but images */
+    double views, rows;                                        /* gaps between them, in units of the ticks' font size */
+    double heading;                                            /* line of a heading, in units of its font size */
+    double least[3]; /* heights that beads, images and other views need, in those of the ticks */
+    double least_px; /* and that of all but images */
 };
 extern const struct bead_level bead_levels[BEAD_LEVELS];
 

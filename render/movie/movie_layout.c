@@ -36,8 +36,8 @@ static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *l
     return w->axes && level->axes && !w->colourless;
 }
 
-/* Clock and badge, the title beside them or below, lines of facts; the bar beside the cells, or lying beside the clock. The clock is above
- * the first panel. */
+/* Clock and badge, the title beside them or below, lines of facts; the bar beside the cells, or lying beside the clock. The clock
+ * is above the first panel. */
 static void measure_words(const struct bead_movie_wants *w, const struct bead_level *level, bool bar, bool stage, struct frame *f)
 {
     const struct bead_look *look = w->look;
@@ -48,7 +48,8 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
     f->bar_gap = bead_cells_whole(0.8 * look->tick);
     if (bar && !f->lying)
         f->right = f->bar_gap + bead_cells_whole(fmax(f->bar_width + w->bar, w->bar_title));
-    double room = w->width - 2.0 * (f->margin + f->inset) - f->right - (stage ? 0 : w->left), beside = room - w->time_width - 2 * look->gap;
+    double room = w->width - 2.0 * (f->margin + f->inset) - f->right - (stage ? 0 : w->left),
+           beside = room - w->time_width - 2 * look->gap;
     double least_bar = f->lying ? w->bar_title + 8 * look->tick : 0;
     bool title = w->title_width > 0 && level->titles;
     f->badge_beside = w->badge_width > 0 && w->badge_width + least_bar <= beside;
@@ -177,7 +178,8 @@ static double cost_of(const struct bead_cells *c)
     double holes = (double)(c->rows * c->columns - c->wants->chain_count) / (double)c->wants->chain_count;
     double names = c->label_lines && c->level->roomy ? level_costs : 0; /* two lines of names leave less room, too */
     names += c->level->titles ? 0 : never;
-    return names + level_costs * (double)(c->level - bead_levels) + bead_layout_misfit(width, height, best_shape) + hole_costs * holes;
+    return names + level_costs * (double)(c->level - bead_levels) + bead_layout_misfit(width, height, best_shape) +
+           hole_costs * holes;
 }
 
 static bool fits(struct bead_cells *c, struct bead_movie_layout *to)

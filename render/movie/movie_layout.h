@@ -47,9 +47,9 @@ struct bead_movie_wants {
     double keyed_heading; /* of the widest such heading with the key of its stage beside it */
     double time_width;    /* of the widest time that is shown */
     double badge_width;   /* of the widest badge of the speed; 0: none */
-    const struct bead_facts *facts; /* NULL: one line of them is enough */
-    double title_width;   /* of the title; 0: none */
-    double left;          /* how far ticks and labels of vertical axes reach out of plots */
+    const struct bead_facts *facts;                /* NULL: one line of them is enough */
+    double title_width;                            /* of the title; 0: none */
+    double left;                                   /* how far ticks and labels of vertical axes reach out of plots */
     double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
     double against;                                /* the title of both axes of an image whose time is to the right */
     double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
@@ -60,8 +60,8 @@ struct bead_movie_chain {
     struct bead_rect heading;               /* width 0: none, also below */
     struct bead_rect name;                  /* above its image, where it is not below the heading */
     struct bead_rect plot[BEAD_MOST_VIEWS]; /* width 0: the view has no room */
-    bool labels[BEAD_MOST_VIEWS]; /* this view labels its horizontal axis */
-    bool values[BEAD_MOST_VIEWS]; /* and its vertical one */
+    bool labels[BEAD_MOST_VIEWS];           /* this view labels its horizontal axis */
+    bool values[BEAD_MOST_VIEWS];           /* and its vertical one */
 };
 
 struct bead_movie_layout {

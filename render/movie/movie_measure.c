@@ -12,8 +12,8 @@
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
-#include "sim/chain/chain_internal.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"
 
@@ -183,7 +183,8 @@ static double measure_against(const struct bead_composer *c)
     const struct bead_text_style style = bead_words_style(&c->look, c->look.label, c->look.ink, BEAD_ALIGN_MIDDLE);
     struct bead_axis time;
     char markup[2200];
-    bead_axis_make(&time, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(chain), BEAD_SCALE_LINEAR, 100, c->look.tick, true);
+    bead_axis_make(&time, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(chain), BEAD_SCALE_LINEAR, 100, c->look.tick,
+                   true);
     bead_panel_against(bead_chain_axis(chain, false).title, &time, markup, sizeof markup);
     return bead_words_width(NULL, &style, markup);
 }

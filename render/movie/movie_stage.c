@@ -16,11 +16,12 @@ static const double curve_part = 0.28, most_images = 0.25;
 
 /* First the images become smaller, then the beads, then there is less air, then no bar, no images and no curve. */
 const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS] = {
-    {0.447, 0.15, true, true, 1},    {0.43, 0.15, true, true, 1},    {0.41, 0.15, true, true, 1},     {0.39, 0.15, true, true, 1},
-    {0.37, 0.15, true, true, 1},     {0.39, 0.15, true, true, 0.4},  {0.355, 0.15, true, true, 0.4},  {0.38, 0.15, false, true, 0.4},
-    {0.355, 0.15, false, true, 0.4}, {0.355, 0.12, false, true, 0.4}, {0.355, 0.09, false, true, 0.4}, {0.40, 0, false, true, 0.4},
-    {0.355, 0, false, true, 0.4},    {0.465, 0, false, true, 0.2},    {0.48, 0, false, true, 0.2},     {0.60, 0, false, true, 0.2},
-    {0.30, 0, false, true, 0.2},     {0.40, 0, false, false, 0.2},
+    {0.447, 0.15, true, true, 1},    {0.43, 0.15, true, true, 1},     {0.41, 0.15, true, true, 1},
+    {0.39, 0.15, true, true, 1},     {0.37, 0.15, true, true, 1},     {0.39, 0.15, true, true, 0.4},
+    {0.355, 0.15, true, true, 0.4},  {0.38, 0.15, false, true, 0.4},  {0.355, 0.15, false, true, 0.4},
+    {0.355, 0.12, false, true, 0.4}, {0.355, 0.09, false, true, 0.4}, {0.40, 0, false, true, 0.4},
+    {0.355, 0, false, true, 0.4},    {0.465, 0, false, true, 0.2},    {0.48, 0, false, true, 0.2},
+    {0.60, 0, false, true, 0.2},     {0.30, 0, false, true, 0.2},     {0.40, 0, false, false, 0.2},
 };
 
 /* One arrangement of one plan. */
@@ -29,8 +30,8 @@ struct stage {
     const struct bead_stage_plan *plan;
     struct bead_rect area;
     struct bead_movie_layout *to;
-    double em, area_px; /* px, of letters; px^2, of the frame */
-    size_t acts, curve; /* views; view_count: none */
+    double em, area_px;                          /* px, of letters; px^2, of the frame */
+    size_t acts, curve;                          /* views; view_count: none */
     size_t others[BEAD_MOST_VIEWS], other_count; /* below the beads, each chain in a plot of its own */
     bool bar;
     int inset; /* px: of beads, within the area of plots with their axes */
@@ -108,8 +109,8 @@ static int place_beads(const struct stage *s)
         chain->labels[s->acts] = numbered == n || (numbered == 1 && i + 1 == n);
         if (head > 0)
             chain->heading = (struct bead_rect){s->area.x + s->inset, y, width, head};
-        chain->plot[s->acts] = (struct bead_rect){s->area.x + s->inset, y + above, width,
-                                                  block - above + (chain->labels[s->acts] ? numbers : 0)};
+        chain->plot[s->acts] =
+            (struct bead_rect){s->area.x + s->inset, y + above, width, block - above + (chain->labels[s->acts] ? numbers : 0)};
         y += above + chain->plot[s->acts].height + (i + 1 < n ? gap : 0);
     }
     return y <= s->area.y + s->area.height ? y : -1;
@@ -132,8 +133,9 @@ static int below(const struct stage *s, size_t view)
 static double bar_room(const struct stage *s)
 {
     const struct bead_look *look = s->w->look;
-    return s->bar ? whole(0.8 * look->tick) + whole(fmax(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE) + s->w->bar, s->w->bar_title))
-                  : 0;
+    return s->bar
+               ? whole(0.8 * look->tick) + whole(fmax(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE) + s->w->bar, s->w->bar_title))
+               : 0;
 }
 
 /* Room left of the first plot of a view, and before each of the next; right of the last. */
@@ -238,7 +240,8 @@ static bool place_beside(const struct stage *s, int y, int bottom)
 static bool place_below(const struct stage *s, int y, int bottom)
 {
     const double n = (double)s->w->chain_count, rows = (double)s->other_count;
-    double room = s->area.width - left_of(s, true) - (n - 1) * left_of(s, false) - bar_room(s) - right_of(s), width = floor(room / n);
+    double room = s->area.width - left_of(s, true) - (n - 1) * left_of(s, false) - bar_room(s) - right_of(s),
+           width = floor(room / n);
     double left = bottom - y - above(s) - below(s, s->curve), gap = whole(s->plan->air * between * s->em);
     for (size_t k = 0; k < s->other_count; k++)
         left -= above(s) + below(s, s->others[k]) + gap;
@@ -262,8 +265,13 @@ static bool place_below(const struct stage *s, int y, int bottom)
 bool bead_stage_place(const struct bead_movie_wants *w, const struct bead_stage_plan *plan, struct bead_rect area,
                       struct bead_movie_layout *layout)
 {
-    struct stage s = {.w = w, .plan = plan, .area = area, .to = layout, .em = w->look->label,
-                      .area_px = (double)w->width * w->height, .inset = bead_stage_inset(w)};
+    struct stage s = {.w = w,
+                      .plan = plan,
+                      .area = area,
+                      .to = layout,
+                      .em = w->look->label,
+                      .area_px = (double)w->width * w->height,
+                      .inset = bead_stage_inset(w)};
     sort_views(&s);
     layout->overlay = w->view_count;
     int end = place_beads(&s), top = end + whole(plan->air * before_plots * s.em), bottom = area.y + area.height;

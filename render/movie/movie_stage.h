@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The stage of a movie's frame: a row of large beads for each chain, below each other, and under them one profile for all chains and
- * their images, beside the profile or below it. Used by movie_layout.c. */
+/* The stage of a movie's frame: a row of large beads for each chain, below each other, and under them one profile for all chains
+ * and their images, beside the profile or below it. Used by movie_layout.c. */
 #pragma once
 
 #include "render/movie/movie_layout.h"

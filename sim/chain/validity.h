@@ -2,9 +2,9 @@
 /* Validity: where the model, elastic spheres that touch in small circles, ends.
  *
  * A contact must be small beside the radii, a strike slow beside the speed of sound in a bar, and the beads must stay elastic: two
- * spheres begin to yield below the surface when the pressure p0 in the centre of their contact is 1.6 times the yield strength, which
- * changes forces little, and are fully plastic, so that no elastic law holds, when its mean over the contact, 2/3 p0, is 3 times that
- * (D. Tabor, The Hardness of Metals, 1951; K. L. Johnson, Contact Mechanics, 1985, chapters 4, 6 and 11). */
+ * spheres begin to yield below the surface when the pressure p0 in the centre of their contact is 1.6 times the yield strength,
+ * which changes forces little, and are fully plastic, so that no elastic law holds, when its mean over the contact, 2/3 p0, is 3
+ * times that (D. Tabor, The Hardness of Metals, 1951; K. L. Johnson, Contact Mechanics, 1985, chapters 4, 6 and 11). */
 #pragma once
 
 #include "beadreel/chain.h"

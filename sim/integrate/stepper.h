@@ -126,4 +126,3 @@ double bead_stepper_momentum(const struct bead_stepper *stepper, const struct be
  * method of lower order, and so an upper bound of the error of the step if forces are smooth. Excludes beads at contacts that open
  * or close, whose quadrature is replaced (events.h). 0 for methods without an embedded one. */
 double bead_nystrom_error(const struct bead_stepper *stepper);
-

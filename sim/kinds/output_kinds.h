@@ -31,7 +31,7 @@ struct bead_output_type {
     bool stores_samples;                              /* of a run: pictures can be drawn from its file */
     bool stores_sweep;                                /* all results of a sweep */
     bool draws;
-    bool only_in_scenes; /* of a sweep: a file name alone means another kind */
+    bool only_in_scenes;                /* of a sweep: a file name alone means another kind */
     bool shows_configurations;          /* of a sweep, or of a chain that could be one: --sheet */
     const char *shown_of[BEAD_SOURCES]; /* what `show` is where a file name alone asks for it; NULL: its default */
 };

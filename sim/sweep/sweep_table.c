@@ -231,9 +231,11 @@ static const struct kind {
     const char *why;
     bool of_places;
     enum bead_error (*write)(const struct out *out, struct bead_message *msg);
-} kinds[] = {{BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold, or against a key", true, write_magnetism},
-             {BEAD_SWEEP_CONFIGURATIONS, "peak force of every configuration, with its spins or values of keys", true, write_configurations},
-             {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay}};
+} kinds[] = {
+    {BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold, or against a key", true,
+     write_magnetism},
+    {BEAD_SWEEP_CONFIGURATIONS, "peak force of every configuration, with its spins or values of keys", true, write_configurations},
+    {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay}};
 
 static const struct kind *kind_of(const struct bead_output *output)
 {

@@ -197,7 +197,8 @@ static void test_stage_has_its_share(void **state)
                    large ? ", large" : "", w.caption_lines, 100 * beads, 100 * images, curve);
         bool upright = size[1] > size[0];
         if ((chains < 4 && curve && !(beads > 0.35 && beads < 0.505)) || images > 0.26 || (usual && !upright && images < 0.149))
-            fail_msg("%d x %d, %zu chains: beads have %.1f %%, images %.1f %%", size[0], size[1], chains, 100 * beads, 100 * images);
+            fail_msg("%d x %d, %zu chains: beads have %.1f %%, images %.1f %%", size[0], size[1], chains, 100 * beads,
+                     100 * images);
         assert_true(curve || chains + large + (size_t)w.caption_lines >= 5);
         assert_true(found.axes && found.time.width && found.badge.width && found.title.width && found.facts.width);
         assert_true(found.chains[chains - 1].heading.width > 0);

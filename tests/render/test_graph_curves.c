@@ -90,7 +90,8 @@ static void test_curves_are_cut_at_the_frame(void **state)
     free_canvas(&empty);
 }
 
-/* Where curves with marks lie on each other, one line is drawn: dashes on dashes look like none of them. Beyond, each has its own. */
+/* Where curves with marks lie on each other, one line is drawn: dashes on dashes look like none of them. Beyond, each has its own.
+ */
 static void test_lines_on_each_other_are_one(void **state)
 {
     (void)state;
@@ -187,10 +188,8 @@ static void test_spikes_of_dense_curves_show(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points_stand_at_their_place),
-        cmocka_unit_test(test_curves_are_cut_at_the_frame),
-        cmocka_unit_test(test_lines_on_each_other_are_one),
-        cmocka_unit_test(test_no_value_is_a_gap),
+        cmocka_unit_test(test_points_stand_at_their_place), cmocka_unit_test(test_curves_are_cut_at_the_frame),
+        cmocka_unit_test(test_lines_on_each_other_are_one), cmocka_unit_test(test_no_value_is_a_gap),
         cmocka_unit_test(test_spikes_of_dense_curves_show),
     };
     return cmocka_run_group_tests_name("curves", tests, NULL, NULL);

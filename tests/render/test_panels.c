@@ -101,8 +101,9 @@ static void test_labels_and_bars_are_shared(void **state)
     assert_true(still->panels[0].set.no_bar && !still->panels[1].set.no_bar);
     assert_true(still->panels[2].set.no_bar && !still->panels[3].set.no_bar && !still->panels[4].set.no_bar);
     release(&built, still);
-    still = make_panels(&built, "size: [1280, 900], panels: [[{field: force}, {field: force}], [{field: velocity}, {field: velocity}], "
-                                "[{show: peaks}, {show: peaks}]]");
+    still =
+        make_panels(&built, "size: [1280, 900], panels: [[{field: force}, {field: force}], [{field: velocity}, {field: velocity}], "
+                            "[{show: peaks}, {show: peaks}]]");
     for (size_t p = 0; p < still->count; p++)
         assert_int_equal(labelled_across(still, p), p >= 2); /* the same time below both of the first row */
     release(&built, still);

@@ -325,7 +325,8 @@ static void test_pdf_frames_are_seen_on_screens(void **state)
 static void test_pdf_is_tagged(void **state)
 {
     (void)state;
-    static const char *const outputs[] = {"image: t.pdf", "image: t.pdf, axes: false", "image: t.pdf, background: none, style: paper"};
+    static const char *const outputs[] = {"image: t.pdf", "image: t.pdf, axes: false",
+                                          "image: t.pdf, background: none, style: paper"};
     char pdf[512], command[1200];
     if (!has_program("pdfinfo"))
         skip_without("pdfinfo (poppler-utils)");
