@@ -21,7 +21,8 @@ const char *bead_behind_refusal(const struct bead_chain *chain)
         return "gravity acts on all beads";
     if (chain->spec->start_count > 0)
         return "not only the striker moves at first";
-    for (size_t k = 0; k < chain->contacts; k++) {
+    /* Chains of a plan have no contacts yet. */
+    for (size_t k = 0; chain->static_compression && k < chain->contacts; k++) {
         if (chain->static_compression[k] < 0)
             return "beads that are apart hold the front up";
         if (chain->static_force[k] != 0)
