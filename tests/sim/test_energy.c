@@ -52,7 +52,11 @@ static void budgets_close(void **state)
                  {"chain: {" BEADS ", wall: brass, precompression: 5 N}\n", "simulate: {until: 0.5 ms}\n", true, false, false},
                  {"chain: {" BEADS ", wall: rigid, tilt: 40 deg}\n", "simulate: {until: 0.5 ms}\n", true, true, false},
                  {"chain: {" BEADS ", wall: rigid, tilt: 40 deg, damping: {coefficient: 20, exponent: 1.8}}\n",
-                  "simulate: {until: 0.4 ms}\n", true, true, true}};
+                  "simulate: {until: 0.4 ms}\n", true, true, true},
+                 {"chain: {" BEADS ", wall: brass, damping: {coefficient: 20, exponent: 1.8}}\n", "simulate: {until: 0.5 ms}\n",
+                  true, false, true},
+                 {"chain: {" BEADS ", wall: brass, law: {power: 2.2, coefficient: 1e12}}\n", "simulate: {until: 1 ms}\n", true,
+                  false, false}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct budget b = read_budget(cases[i].scene, cases[i].more);
         assert_true(b.rows > 50);

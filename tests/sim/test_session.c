@@ -286,7 +286,7 @@ static void a_budget_left_out_changes_nothing(void **state)
         assert_int_equal(bead_session_plan(session, out, &msg), BEAD_OK);
         fclose(out);
         bead_session_close(session);
-        assert_int_equal(strstr(plan, "accuracy: 1e-10 instead of the default, for energy.csv\n") == NULL, only);
+        assert_int_equal(strstr(plan, "accuracy: 1e-11 instead of the default, for energy.csv\n") == NULL, only);
     }
 }
 
