@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end. */
+/* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end,
+ * or where the run went on to a larger one. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -69,19 +70,23 @@ static void plot_peaks_find_range(const struct bead_plot_data *data, const struc
     axis->low = isnan(axis->low) ? fmax(log_span * largest, fmin(least, largest)) / log_room : axis->low;
 }
 
-/* Fills two series: finished peaks, and peaks that were still rising. Returns the number of the latter. */
-static size_t plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
-                              struct bead_series series[2])
+/* Why marks are hollow. */
+enum { RISING = 1, EXCEEDED = 2 };
+
+/* Fills two series: finished peaks, and hollow marks. Returns why there are some. */
+static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
+                                struct bead_series series[2])
 {
-    size_t count = contacts_of(data, chain), hollow = 0;
+    const size_t count = contacts_of(data, chain);
+    unsigned why = 0;
     double *x = values, *done = values + count, *open = values + 2 * count;
     for (size_t i = 0; i < count; i++) {
         const struct bead_peak *peak = &outcome->contact_peaks[i];
         bool is_open = has_peak(peak) && peak->open;
         x[i] = (double)i;
         done[i] = has_peak(peak) && !peak->open ? peak->value : NAN;
-        open[i] = is_open ? peak->value : NAN;
-        hollow += is_open;
+        open[i] = is_open || peak->exceeded ? peak->value : NAN;
+        why |= (is_open ? RISING : 0) | (peak->exceeded ? EXCEEDED : 0);
     }
     for (int s = 0; s < 2; s++) {
         series[s] = (struct bead_series){.x = x,
@@ -92,14 +97,17 @@ static size_t plot_peaks_fill(const struct bead_plot_data *data, const struct be
                                          .arrows = true};
         plot_tell_apart(&series[s], only_chain(data) == SIZE_MAX ? chain : 0);
     }
-    return hollow;
+    return why;
 }
 
 static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
-    static const char hollow_words[] = "hollow: still rising at the end";
+    static const char *const words[] = {[RISING] = "hollow: still rising at the end",
+                                        [EXCEEDED] = "hollow: more after the first passage",
+                                        [RISING | EXCEEDED] = "hollow: still rising, or more later"};
     struct plot_panel *part = &data->parts[0];
-    size_t chains = data->context.chain_count, all = 0, hollow = 0, used = 0, series = 0;
+    size_t chains = data->context.chain_count, all = 0, used = 0, series = 0;
+    unsigned why = 0;
     for (size_t c = 0; c < chains; c++) {
         if (contacts_of(data, c) > 0 && (!outcomes || !outcomes[c].contact_peaks))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are known only at the end of a run", data->output->path);
@@ -109,15 +117,15 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
     for (size_t c = 0; c < chains; c++) {
         if (!plot_shows(data, c))
             continue;
-        hollow += plot_peaks_fill(data, &outcomes[c], c, part->values + used, part->series + series);
+        why |= plot_peaks_fill(data, &outcomes[c], c, part->values + used, part->series + series);
         used += 3 * contacts_of(data, c);
         plot_heading(data, c, part->labels[c], sizeof part->labels[c]);
         if (only_chain(data) == SIZE_MAX && *part->labels[c])
             part->series[series].label = part->labels[c];
         series += 2;
     }
-    if (hollow > 0)
-        part->series[series++] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = hollow_words};
+    if (why)
+        part->series[series++] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = words[why]};
     plot_peaks_find_range(data, outcomes, &data->panels[0].y);
     data->panels[0].series_count = series;
     return BEAD_OK;

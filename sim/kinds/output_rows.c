@@ -159,7 +159,8 @@ const struct bead_option bead_curves_rows[5] = {
 /* Keys of plots and of panels that are plots. */
 const struct bead_option bead_plot_rows[5] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "sensors", .choices = plot_shows, .values = plot_values,
-     .help = "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot; the "
+     .help = "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
+             "where it was rising at the end, or was larger later); the "
              "energies of modes against time; profiles, a field along the chain at several times; or a schematic drawing of the "
              "experiment, of a contact or of the cells"},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = scales,

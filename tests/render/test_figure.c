@@ -156,7 +156,7 @@ static void test_largest_values_of_chains_under_load(void **state)
 enum { CONTACTS = 10 };
 
 /* Draws peaks of the chain of ten beads as the sink would at the end of a run. */
-static struct png_file draw_peaks(const char *output, const double values[CONTACTS], size_t open)
+static struct png_file draw_peaks(const char *output, const double values[CONTACTS], size_t open, size_t exceeded)
 {
     struct built built = build_chain(output);
     struct bead_run_context context = make_stage(&built);
@@ -168,7 +168,8 @@ static struct png_file draw_peaks(const char *output, const double values[CONTAC
     char path[512];
     assert_int_equal(bead_chain_contacts(built.chain), CONTACTS);
     for (size_t i = 0; i < CONTACTS; i++)
-        peaks[i] = (struct bead_peak){.value = values[i], .time = values[i] > 0 ? 1e-4 * (double)i : NAN, .open = i == open};
+        peaks[i] = (struct bead_peak){
+            .value = values[i], .time = values[i] > 0 ? 1e-4 * (double)i : NAN, .open = i == open, .exceeded = i == exceeded};
     assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &context, &sink, &msg), BEAD_OK);
     bead_plot_sink.needs(sink, &needs);
     assert_true(needs.contact_peaks && needs.fields == 0);
@@ -200,7 +201,7 @@ static void test_peaks_stand_at_their_height(void **state)
 {
     (void)state;
     static const double values[CONTACTS] = {10, 10, 10, 10, 10, 10, 10, 10, 10, 0}; /* the last one was never loaded */
-    struct png_file png = draw_peaks("plot: peaks.png, show: peaks, size: [640, 400]", values, 99);
+    struct png_file png = draw_peaks("plot: peaks.png, show: peaks, size: [640, 400]", values, 99, 99);
     int rows = 0, first = png.height, last = 0;
     for (int y = 0; y < png.height; y++) {
         if (count_ink(&png, 0, png.width, y, y + 1) > 0) {
@@ -221,15 +222,32 @@ static void test_peaks_below_a_logarithmic_axis_are_marked(void **state)
     (void)state;
     static const double values[CONTACTS] = {100, 50, 20, 10, 5, 2, 1, 0.5, 0.2, 1e-9};
     static const char output[] = "plot: peaks.png, show: peaks, scale: log, size: [640, 400]";
-    struct png_file png = draw_peaks(output, values, 99);
+    struct png_file png = draw_peaks(output, values, 99, 99);
     int below = count_ink(&png, 560, png.width, 320, png.height);
     assert_true(below > 0);
     free(png.rgb);
-    png = draw_peaks(output, values, 0); /* hollow: less ink for the first */
-    struct png_file closed = draw_peaks(output, values, 99);
+    png = draw_peaks(output, values, 0, 99); /* hollow: less ink for the first */
+    struct png_file closed = draw_peaks(output, values, 99, 99);
     assert_true(count_ink(&png, 0, 120, 0, 200) < count_ink(&closed, 0, 120, 0, 200));
     free(png.rgb);
     free(closed.rgb);
+}
+
+/* A peak of the first passage, after which the force was larger, is hollow, and stays on the line. */
+static void test_exceeded_peaks_are_hollow(void **state)
+{
+    (void)state;
+    static const double values[CONTACTS] = {10, 10, 10, 10, 10, 10, 10, 10, 10, 10};
+    static const char output[] = "plot: peaks.png, show: peaks, size: [640, 400]";
+    struct png_file plain = draw_peaks(output, values, 99, 99), exceeded = draw_peaks(output, values, 99, 0),
+                    open = draw_peaks(output, values, 0, 99);
+    const int first = plain.width / 8, all = count_ink(&plain, 0, first, 0, plain.height);
+    const int hollow = count_ink(&exceeded, 0, first, 0, plain.height);
+    assert_true(hollow < all);
+    assert_true(hollow >= count_ink(&open, 0, first, 0, plain.height));
+    free(plain.rgb);
+    free(exceeded.rgb);
+    free(open.rgb);
 }
 
 static void run_scene(const char *text)
@@ -280,7 +298,7 @@ static void test_peaks_are_not_cut(void **state)
     for (size_t s = 0; s < sizeof settings / sizeof settings[0]; s++) {
         char output[256];
         snprintf(output, sizeof output, "plot: peaks.png, show: peaks, %s", settings[s]);
-        struct png_file png = draw_peaks(output, values, 3);
+        struct png_file png = draw_peaks(output, values, 3, 99);
         assert_border_white(&png, output);
         free(png.rgb);
     }
@@ -320,6 +338,7 @@ int main(void)
         cmocka_unit_test(test_largest_values_of_chains_under_load),
         cmocka_unit_test(test_peaks_stand_at_their_height),
         cmocka_unit_test(test_peaks_below_a_logarithmic_axis_are_marked),
+        cmocka_unit_test(test_exceeded_peaks_are_hollow),
         cmocka_unit_test(test_peaks_are_not_cut),
         cmocka_unit_test(test_long_names_leave_the_others),
         cmocka_unit_test(test_settings_that_do_not_fit_are_refused),
