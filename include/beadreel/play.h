@@ -81,6 +81,7 @@ struct bead_outcome {
     const double *contact_uncertainty, *bead_uncertainty; /* N, of these; NULL where not asked */
     double predictable_until; /* s: time of the first peak that is not predictable; INFINITY: all are; 0: not asked */
     const double *contact_deviation, *bead_deviation; /* N, standard deviations of these; NULL where not asked */
+    const bool *contact_rivalled, *bead_rivalled;     /* with these: may another maximum be the highest? */
     const struct bead_sensitivity *sensitivities;     /* of the contacts asked for by any sink, rising */
     size_t sensitivity_count;
     /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not

@@ -17,6 +17,7 @@ typedef __float128 bead_wide;
 bead_wide sinf128(bead_wide x);
 bead_wide cosf128(bead_wide x);
 bead_wide expf128(bead_wide x);
+bead_wide erfcf128(bead_wide x);
 bead_wide logf128(bead_wide x);
 bead_wide cbrtf128(bead_wide x);
 bead_wide powf128(bead_wide x, bead_wide y);
@@ -43,6 +44,11 @@ static inline double bead_sin(double x)
 static inline double bead_exp(double x)
 {
     return (double)bead_wide_exp(x);
+}
+
+static inline double bead_erfc(double x)
+{
+    return (double)BEAD_WIDE_NAME(erfc)(x);
 }
 
 static inline double bead_pow(double x, double y)

@@ -33,6 +33,7 @@ static void peaks_header(struct bead_sink *sink)
 struct listed {
     const struct bead_peak *peaks;
     const double *uncertainty, *deviation;
+    const bool *rivalled;
 };
 
 static void write_column(FILE *file, bool wanted, const double *numbers, size_t index)
@@ -61,6 +62,7 @@ static void write_peak(const struct bead_sink *sink, const struct listed *listed
     } states[] = {{peak->open, "open"},
                   {peak->exceeded && !peak->open, "exceeded"},
                   {peak->unpredictable, "unpredictable"},
+                  {listed->rivalled && listed->rivalled[index], "rival"},
                   {beyond, "invalid"}};
     fprintf(sink->file, "%zu", index);
     bead_table_numbers(sink->file, 2, (const double[]){peak->value, peak->time});
@@ -80,8 +82,9 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
     for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
         const struct bead_chain *chain = sink->context.chains[c];
         const struct bead_outcome *o = &outcomes[c];
-        const struct listed listed = contacts ? (struct listed){o->contact_peaks, o->contact_uncertainty, o->contact_deviation}
-                                              : (struct listed){o->bead_peaks, o->bead_uncertainty, o->bead_deviation};
+        const struct listed listed =
+            contacts ? (struct listed){o->contact_peaks, o->contact_uncertainty, o->contact_deviation, o->contact_rivalled}
+                     : (struct listed){o->bead_peaks, o->bead_uncertainty, o->bead_deviation, o->bead_rivalled};
         size_t first = sink->output->shown.beads.first;
         size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
         for (size_t i = first; listed.peaks && i < first + count; i++) {

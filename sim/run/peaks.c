@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
 #include "sim/run/force_curve.h"
@@ -22,10 +23,11 @@ struct bead_peaks {
     bool of_beads;
     size_t first, count; /* first..count-1 are searched */
     struct bead_peak *best;
-    unsigned char *mark; /* [beads]: has a maximum in this step */
-    unsigned char *high; /* [beads]: contacts that may be compressed beyond `least` in this step; NULL: not needed */
-    bool *late;          /* [beads]: was still rising at the limit */
-    double *least;       /* [beads]: compressions beyond the static one, m, required for a higher maximum */
+    struct bead_peak *rival; /* [beads]: the last other maximum; time NaN: none. NULL: not asked */
+    unsigned char *mark;     /* [beads]: has a maximum in this step */
+    unsigned char *high;     /* [beads]: contacts that may be compressed beyond `least` in this step; NULL: not needed */
+    bool *late;              /* [beads]: was still rising at the limit */
+    double *least;           /* [beads]: compressions beyond the static one, m, required for a higher maximum */
 };
 
 /* The static force, at time 0; time NaN if there is none. */
@@ -36,11 +38,20 @@ static struct bead_peak static_peak(const struct bead_chain *chain, bool of_bead
     return (struct bead_peak){.value = force, .time = force > 0 ? 0 : NAN};
 }
 
+/* A maximum lower than this part of the highest is no rival. */
+static const double rivalry = 0.5;
+
+/* Maxima of lower forces are of no interest. */
+static double interest(const struct bead_peaks *p, size_t i)
+{
+    return p->rival ? rivalry * p->best[i].value : p->best[i].value;
+}
+
 /* A lower bound of the compression of contact k beyond the static one, m, at a higher maximum. A bead has a higher force only if
  * one of its contacts has. */
 static double least_of(const struct bead_peaks *p, const struct bead_chain *chain, size_t k)
 {
-    const double here = p->best[k].value, best = p->of_beads && k + 1 < chain->beads ? fmin(here, p->best[k + 1].value) : here;
+    const double here = interest(p, k), best = p->of_beads && k + 1 < chain->beads ? fmin(here, interest(p, k + 1)) : here;
     return chain->law->compression(chain->stiffness[k], &chain->spec->law, best) * (1 - least_part) - chain->static_compression[k];
 }
 
@@ -78,6 +89,7 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
     if (!peaks)
         return;
     free(peaks->best);
+    free(peaks->rival);
     free(peaks->mark);
     free(peaks->high);
     free(peaks->late);
@@ -88,6 +100,22 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
 const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
 {
     return peaks->best;
+}
+
+enum bead_error bead_peaks_keep_rivals(struct bead_peaks *p, const struct bead_stepper *stepper, struct bead_message *msg)
+{
+    const struct bead_chain *c = stepper->chain;
+    BEAD_TRY(bead_new(&p->rival, stepper->beads, msg, "the peaks of %zu beads", stepper->beads));
+    for (size_t i = 0; i < stepper->beads; i++)
+        p->rival[i].time = NAN;
+    for (size_t k = 0; k < c->contacts && c->law->one_sided; k++)
+        p->least[k] = least_of(p, c, k);
+    return BEAD_OK;
+}
+
+const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks)
+{
+    return peaks->rival;
 }
 
 /* A maximum within the step. */
@@ -148,12 +176,17 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
 {
     const double x = bead_curve_part_turn(part, rate0, rate1);
     struct maximum most = {x, bead_force_curve_value(part->curve, x)};
-    if (s->events && x > 0 && most.value > p->best[index].value * (1 - close_call))
+    if (s->events && x > 0 && most.value > interest(p, index) * (1 - close_call))
         sharpen(s, part->curve, &most);
     double time = s->t0 + most.x * s->h;
-    if (!(time <= limit && most.value > p->best[index].value))
+    if (!(time <= limit && most.value > interest(p, index)))
         return;
-    p->best[index] = (struct bead_peak){.value = most.value, .time = time};
+    const struct bead_peak found = {.value = most.value, .time = time}, before = p->best[index];
+    const bool is_best = found.value > before.value;
+    if (is_best)
+        p->best[index] = found;
+    if (p->rival && (!is_best || before.time > 0))
+        p->rival[index] = is_best ? before : found;
     for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < s->chain->contacts; k++)
         p->least[k] = least_of(p, s->chain, k);
 }
@@ -170,7 +203,7 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
 /* The force of a bead, the sum of two contacts, may have more than one maximum within a step. */
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    if (!bead_stepper_damped(s) && force_bound(p, s, index) < p->best[index].value)
+    if (!bead_stepper_damped(s) && force_bound(p, s, index) < interest(p, index))
         return;
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     if (bead_stepper_damped(s))
@@ -246,7 +279,7 @@ static double bead_bend(const struct bead_stepper *s, const struct bead_state *s
 static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, struct bead_slope at0,
                       struct bead_slope at1)
 {
-    const double most = s->h * (at0.swing > at1.swing ? at0.swing : at1.swing), best = p->best[j].value;
+    const double most = s->h * (at0.swing > at1.swing ? at0.swing : at1.swing), best = interest(p, j);
     if (!(bead_force(s, &s->start, j) + bead_force(s, &s->end, j) + most > 2 * best)) /* up and down at the fastest rate */
         return false;
     const double sign = at0.rate > 0 ? 1 : -1, half = 0.5 * sign * s->h;
@@ -257,7 +290,7 @@ static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, 
  */
 static bool may_turn(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, bool contact_turns)
 {
-    if (force_bound(p, s, j) < p->best[j].value)
+    if (force_bound(p, s, j) < interest(p, j))
         return false;
     const struct bead_slope at0 = slope_of(s, &s->start, j), at1 = slope_of(s, &s->end, j);
     if (contact_turns || (at0.rate > 0 && at1.rate <= 0))

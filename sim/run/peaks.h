@@ -18,6 +18,10 @@ struct bead_peaks;
 /* of_beads: mean of a bead's two contact forces; else contact forces. Only those in `span` are searched. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
                                              struct bead_peaks **peaks, struct bead_message *msg);
+/* Also keeps a rival of each, which a change of the chain may make the highest: of the maxima above half the highest the last one,
+ * which answers most strongly, or the one before the highest if that is the last. Before the first step. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, const struct bead_stepper *stepper,
+                                                  struct bead_message *msg);
 void bead_peaks_destroy(struct bead_peaks *peaks);
 /* Searches the last step; maxima after time `limit` do not count. When the step contains `limit`, forces still rising then are
  * marked as open; these are followed until `over`, and are no longer open after a maximum.
@@ -25,3 +29,5 @@ void bead_peaks_destroy(struct bead_peaks *peaks);
 void bead_peaks_step(struct bead_peaks *peaks, const struct bead_stepper *stepper, double limit, double over);
 /* [contacts] or [beads]. */
 const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks);
+/* The rivals, if they are kept (else NULL); time NaN: none. */
+const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks);

@@ -93,6 +93,7 @@ static enum bead_error create_runs(const struct bead_play *p, struct bead_played
     for (size_t i = 0; i < p->consumer_count; i++) {
         settings.contact_peaks |= p->consumers[i].needs.contact_peaks;
         settings.bead_peaks |= p->consumers[i].needs.bead_peaks;
+        settings.rivals |= p->consumers[i].needs.deviation;
         settings.budget |= p->consumers[i].needs.budget;
         settings.states |= p->consumers[i].needs.states;
     }

@@ -99,6 +99,10 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         err = bead_peaks_create(r->stepper, false, span, &r->contact_peaks, msg);
     if (!err && settings->bead_peaks)
         err = bead_peaks_create(r->stepper, true, span, &r->bead_peaks, msg);
+    if (!err && settings->rivals && r->contact_peaks)
+        err = bead_peaks_keep_rivals(r->contact_peaks, r->stepper, msg);
+    if (!err && settings->rivals && r->bead_peaks)
+        err = bead_peaks_keep_rivals(r->bead_peaks, r->stepper, msg);
     if (err) {
         bead_run_destroy(r);
         return err;
@@ -137,6 +141,12 @@ double bead_run_time(const struct bead_run *run)
 const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run)
 {
     return run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL;
+}
+
+const struct bead_peak *bead_run_rivals(const struct bead_run *run, bool of_beads)
+{
+    const struct bead_peaks *peaks = of_beads ? run->bead_peaks : run->contact_peaks;
+    return peaks ? bead_peaks_rivals(peaks) : NULL;
 }
 
 double bead_run_arrival(const struct bead_run *run)

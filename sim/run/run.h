@@ -35,6 +35,7 @@ struct bead_run_settings {
     enum bead_passage passage; /* ends the run if `end` is unknown; peaks count until the front arrives, forces still rising then
                                   until the passage is over */
     bool contact_peaks, bead_peaks;
+    bool rivals;                       /* and their rivals: see peaks.h */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
     size_t target;                     /* with that: the first contact or bead whose peaks are wanted; 0: all are */
@@ -87,6 +88,8 @@ bool bead_run_is_lost(const struct bead_run *run); /* found so, or given up */
 bool bead_run_cut_short(const struct bead_run *run);
 /* Peaks so far, [beads]; NULL: not requested. */
 const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);
+/* Rivals of the peaks of contacts, or beads; NULL: not kept. */
+const struct bead_peak *bead_run_rivals(const struct bead_run *run, bool of_beads);
 /* Errors: NUMBERS if the energy diverges. */
 BEAD_CHECK enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg);
 /* Samples fields (BEAD_FIELD_BITs) of the beads in `span` at time t: sets time, active and field. Borrowed until the next call. */

@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "sim/adjoint/adjoint.h"
+#include "sim/base/memory.h"
 #include "sim/base/stop.h"
+#include "sim/base/wide.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/play.h"
 
@@ -119,7 +121,11 @@ struct receiver {
     const struct care *care;
     const struct bead_chain *chain;
     struct bead_sensitivity *found;
-    double *deviation;
+    double *deviation; /* of peaks row[0], row[1], ... of a list that begins with `pairs` peaks and their rivals */
+    bool *rivalled;    /* the same */
+    const struct bead_sensitive *peaks;
+    const size_t *row;
+    size_t pairs;
 };
 
 static enum bead_error find_all(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
@@ -157,38 +163,96 @@ enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *with,
                                         struct bead_sensitivity *found, struct bead_message *msg)
 {
     memset(found, 0, count * sizeof *found);
-    return find_all(with, peaks, count, &(struct receiver){keep, &for_sensitivities, with->chain, found, NULL}, msg);
+    return find_all(with, peaks, count,
+                    &(struct receiver){.take = keep, .care = &for_sensitivities, .chain = with->chain, .found = found}, msg);
 }
 
-/* At constant density m is proportional to R^3. */
-static double deviation_of(const struct bead_chain *c, const struct bead_sensitivity *s)
+/* Covariance of two peaks. At constant density m is proportional to R^3. */
+static double covariance(const struct bead_chain *c, const struct bead_sensitivity *a, const struct bead_sensitivity *b)
 {
     const struct bead_material *materials = c->scene->materials;
     double sum = 0;
     for (size_t j = 0; j < c->beads; j++) {
         const struct bead_material *m = &materials[c->material[j]];
-        const double by_radius = m->radius_tolerance * (c->radius[j] * s->radius[j] + 3 * c->mass[j] * s->mass[j]);
-        const double by_modulus = m->modulus_tolerance * m->modulus * s->modulus[j];
-        sum += by_radius * by_radius + by_modulus * by_modulus;
+        const double radius = m->radius_tolerance * m->radius_tolerance, modulus = m->modulus_tolerance * m->modulus;
+        sum += radius * (c->radius[j] * a->radius[j] + 3 * c->mass[j] * a->mass[j]) *
+               (c->radius[j] * b->radius[j] + 3 * c->mass[j] * b->mass[j]);
+        sum += modulus * modulus * a->modulus[j] * b->modulus[j];
     }
     if (c->spec->wall == BEAD_WALL_MATERIAL) {
         const struct bead_material *wall = &materials[c->spec->wall_material];
-        const double by_wall = wall->modulus_tolerance * wall->modulus * s->wall_modulus;
-        sum += by_wall * by_wall;
+        const double by_wall = wall->modulus_tolerance * wall->modulus;
+        sum += by_wall * by_wall * a->wall_modulus * b->wall_modulus;
     }
-    return sqrt(sum);
+    return sum;
 }
 
+/* Standard deviation of the larger of two normal deviates of these means, variances and covariance: C. E. Clark, The greatest of a
+ * finite set of random variables, Operations Research 9 (1961) 145. *close: either may be the larger. */
+static double deviation_of_larger(const double mean[2], const double variance[2], double both, bool *close)
+{
+    const double apart = sqrt(fmax(variance[0] + variance[1] - 2 * both, 0)), middle = 0.5 * (mean[0] + mean[1]);
+    *close = fabs(mean[0] - mean[1]) < 3 * apart;
+    if (!*close)
+        return sqrt(variance[mean[1] > mean[0]]);
+    const double b = (mean[0] - mean[1]) / apart, density = bead_exp(-0.5 * b * b) / sqrt(2 * (double)bead_wide_pi);
+    const double first = 0.5 * bead_erfc(-b / sqrt(2)), second = 0.5 * bead_erfc(b / sqrt(2));
+    const double x = mean[0] - middle, y = mean[1] - middle, larger = x * first + y * second + apart * density;
+    const double square = (x * x + variance[0]) * first + (y * y + variance[1]) * second + (x + y) * apart * density;
+    return sqrt(fmax(square - larger * larger, 0));
+}
+
+/* Peaks come first, each with its rival behind it, then those without. */
 static void sum_up(const struct receiver *r, size_t first, size_t count, struct bead_sensitivity *found)
 {
-    for (size_t i = 0; i < count; i++)
-        r->deviation[first + i] = deviation_of(r->chain, &found[i]);
+    for (size_t i = 0; i < count; i++) {
+        const struct bead_sensitivity *own = &found[i];
+        const size_t row = r->row[first + i];
+        const bool is_rival = first + i < 2 * r->pairs && i % 2 == 1;
+        const double variance = covariance(r->chain, own, own);
+        if (!is_rival) {
+            r->deviation[row] = sqrt(variance);
+            continue;
+        }
+        const struct bead_sensitive *of = &r->peaks[first + i];
+        const double mean[2] = {of[-1].peak->value, of->peak->value},
+                     variances[2] = {r->deviation[row] * r->deviation[row], variance};
+        r->deviation[row] = deviation_of_larger(mean, variances, covariance(r->chain, own, own - 1), &r->rivalled[row]);
+    }
+}
+
+static bool has_rival(const struct bead_sensitive *s)
+{
+    return s->rival && s->rival->time > 0 && s->peak->time > 0 && !s->peak->open;
 }
 
 enum bead_error bead_deviations_find(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
-                                     double *deviation, struct bead_message *msg)
+                                     double *deviation, bool *rivalled, struct bead_message *msg)
 {
-    return find_all(with, peaks, count, &(struct receiver){sum_up, &for_deviations, with->chain, NULL, deviation}, msg);
+    BEAD_FREED struct bead_sensitive *list;
+    BEAD_FREED size_t *row;
+    size_t used = 0;
+    BEAD_TRY(bead_new(&list, 2 * count, msg, "the deviations of %zu peaks", count));
+    BEAD_TRY(bead_new(&row, 2 * count, msg, "the deviations of %zu peaks", count));
+    struct receiver receiver = {
+        .take = sum_up, .care = &for_deviations, .chain = with->chain, .deviation = deviation, .rivalled = rivalled};
+    for (int pass = 0; pass < 2; pass++) {
+        for (size_t i = 0; i < count; i++) {
+            if (has_rival(&peaks[i]) != (pass == 0))
+                continue;
+            list[used] = peaks[i];
+            row[used++] = i;
+            if (pass > 0)
+                continue;
+            list[used] = peaks[i];
+            list[used].peak = peaks[i].rival;
+            row[used++] = i;
+            receiver.pairs++;
+        }
+    }
+    receiver.row = row;
+    receiver.peaks = list;
+    return find_all(with, list, used, &receiver, msg);
 }
 
 size_t bead_sensitive_contacts(const struct bead_chain *chain, const struct bead_peak *peaks, size_t *list)

@@ -17,6 +17,7 @@ struct bead_sensitive {
     bool of_bead;
     size_t index;
     const struct bead_peak *peak;
+    const struct bead_peak *rival; /* for deviations: another maximum (peaks.h); NULL, or time NaN: none */
 };
 
 /* The default contacts: both of each bead with a sensor; without sensors the last one whose force has had a maximum, or the last of
@@ -36,8 +37,9 @@ struct bead_sensitivity_run {
  * front's arrival ended the run, because that time differs from chain to chain. Errors: MEMORY, NUMBERS, STOPPED. */
 BEAD_CHECK enum bead_error bead_sensitivities_find(const struct bead_sensitivity_run *run, const struct bead_sensitive *peaks,
                                                    size_t count, struct bead_sensitivity *found, struct bead_message *msg);
-/* Standard deviations of all these peaks, N, to first order: beads of a material with tolerances vary independently in radius, with
- * the mass that follows from the density, and in modulus; a wall varies in modulus. Errors: as above. */
+/* Standard deviations of all these peaks, N, to first order, of the larger of a peak and its rival if it has one: beads of a
+ * material with tolerances vary independently in radius, with the mass that follows from the density, and in modulus; a wall varies
+ * in modulus. rivalled: either may be the highest (out). Errors: as above. */
 BEAD_CHECK enum bead_error bead_deviations_find(const struct bead_sensitivity_run *run, const struct bead_sensitive *peaks,
-                                                size_t count, double *deviation, struct bead_message *msg);
+                                                size_t count, double *deviation, bool *rivalled, struct bead_message *msg);
 void bead_sensitivity_free(struct bead_sensitivity *sensitivity);

@@ -52,8 +52,9 @@ static const struct bead_option rows[] = {
      .example = "\"steel, 4.76 mm\""},
     {"tolerance", BEAD_OPTION_MAP, .map = &bead_tolerance_options,
      .help = "how much beads of it differ from one another, each on its own: tables of peaks of single runs then have a column "
-             "`deviation_N`, the standard deviation of each peak that follows, to first order and three digits; none with damping. "
-             "Those of 100 beads take as long as 25 runs, of 500 as 80; see materials.NAME.tolerance",
+             "`deviation_N`, the standard deviation of each peak that follows, to first order and three digits, or of the larger "
+             "of two maxima if either may be the highest (state `rival`); none with damping. "
+             "Those of 100 beads take as long as 40 runs, of 500 as 150; see materials.NAME.tolerance",
      .example = "{radius: 0.1 %, modulus: 2 %}"},
 };
 

@@ -13,6 +13,7 @@ struct bead_sensitivities {
     size_t count;
     struct bead_sensitivity *found; /* [count], rising */
     double *deviation[2];           /* [contacts], [beads]; NULL: not asked */
+    bool *rivalled[2];              /* the same */
 };
 
 void bead_session_free_sensitivities(struct bead_session *s)
@@ -24,6 +25,8 @@ void bead_session_free_sensitivities(struct bead_session *s)
         free(own->found);
         free(own->deviation[0]);
         free(own->deviation[1]);
+        free(own->rivalled[0]);
+        free(own->rivalled[1]);
     }
     free(s->sensitivities);
     s->sensitivities = NULL;
@@ -68,7 +71,7 @@ static size_t list_peaks(const struct bead_peak *peaks, size_t count, bool of_be
     size_t listed = 0;
     for (size_t i = 0; i < count; i++) {
         if (!mark || mark[i])
-            list[listed++] = (struct bead_sensitive){of_beads, i, &peaks[i]};
+            list[listed++] = (struct bead_sensitive){.of_bead = of_beads, .index = i, .peak = &peaks[i]};
     }
     return listed;
 }
@@ -99,11 +102,18 @@ static enum bead_error find_deviations(struct bead_session *s, size_t chain, boo
     const struct bead_sensitivity_run run = run_of(s, chain);
     const size_t count = list_peaks(of_beads ? o->bead_peaks : o->contact_peaks,
                                     of_beads ? bead_chain_beads(c) : bead_chain_contacts(c), of_beads, NULL, list);
+    const struct bead_peak *rivals = bead_run_rivals(s->played.runs[chain].run, of_beads);
+    for (size_t i = 0; rivals && i < count; i++)
+        list[i].rival = &rivals[i];
     double *deviation;
     BEAD_TRY(bead_new(&deviation, count, msg, "a session"));
     s->sensitivities[chain].deviation[of_beads] = deviation;
     *(of_beads ? &o->bead_deviation : &o->contact_deviation) = deviation;
-    return bead_deviations_find(&run, list, count, deviation, msg);
+    bool *rivalled;
+    BEAD_TRY(bead_new(&rivalled, count, msg, "a session"));
+    s->sensitivities[chain].rivalled[of_beads] = rivalled;
+    *(of_beads ? &o->bead_rivalled : &o->contact_rivalled) = rivalled;
+    return bead_deviations_find(&run, list, count, deviation, rivalled, msg);
 }
 
 /* The wishes of all outputs. */

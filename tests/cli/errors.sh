@@ -35,4 +35,17 @@ exceeded() { grep -c ',exceeded' "$1"; }
 ok "eleven of 45 contacts reach more later" test "$(exceeded accB0/p.csv)" -eq 11
 run "$beadsim" "$top/tests/errors/draw36.yaml" -o verified --set simulate.verify=true --only p
 ok "verify takes all but chaotic peaks" grep -Eq 'simulate.verify: [1-3] of 102 peaks' err
+
+# deviations TABLE NAME : within 15 % of those of drawn chains, unless another maximum is as high
+deviations() {
+    awk -F, -v name="$2" '
+        NR == FNR {if ($1 == name) drawn[$2] = $3; next}
+        !($1 in drawn) || $4 ~ /rival/ {next}
+        {rows++; if ($6 < .85 * drawn[$1] || $6 > 1.15 * drawn[$1]) {print $1, $6, drawn[$1]; bad++}}
+        END {exit bad || rows < 16}
+    ' "$top/tests/errors/tolerance.csv" "$1"
+}
+ok "tolerances" exits 0 "$beadsim" "$top/tests/errors/tolerance.yaml" -o tolerance --quiet
+ok "... of contacts, or another maximum is as high" deviations tolerance/p.csv p
+ok "... of beads" deviations tolerance/b.csv b
 finish

@@ -154,7 +154,7 @@ static struct bead_sensitivity sensitivity_of(const struct bead_scene *scene, bo
     struct bead_chain *chain = chain_of(scene);
     const struct bead_peak peak = peak_of(scene, of_bead, index, 1e-6);
     const struct bead_sensitivity_run run = {.chain = chain, .kernels = bead_kernels_find(NULL), .accuracy = 1e-6};
-    const struct bead_sensitive of = {of_bead, index, &peak};
+    const struct bead_sensitive of = {.of_bead = of_bead, .index = index, .peak = &peak};
     struct bead_sensitivity found;
     if (bead_sensitivities_find(&run, &of, 1, &found, &msg))
         fail_msg("%s", msg.text);
@@ -269,7 +269,7 @@ static void collision(void **state)
                pow(0.02 * one->modulus * by_modulus, 2);
     }
     const struct bead_sensitivity_run run = {.chain = chain, .kernels = bead_kernels_find(NULL), .accuracy = 1e-6};
-    if (bead_deviations_find(&run, &(struct bead_sensitive){false, 0, &peak}, 1, &deviation, &msg))
+    if (bead_deviations_find(&run, &(struct bead_sensitive){.peak = &peak}, 1, &deviation, (bool[1]){false}, &msg))
         fail_msg("%s", msg.text);
     assert_near(deviation / (peak.value * sqrt(sum)), 1, 1e-5);
     assert_near(s.velocity * scene->chains[0].striker_velocity / peak.value, 1.2, 1e-7);
