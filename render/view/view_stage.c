@@ -131,6 +131,13 @@ static enum bead_error paint_row(struct bead_view *v, struct bead_frame *frame, 
     return bead_paint_end(v->canvas, msg);
 }
 
+static enum bead_error prepare(struct bead_view *v, double time, struct bead_message *msg)
+{
+    bead_stage_advance(v, time);
+    bead_stage_compose(v);
+    return bead_stage_prepare(&v->stage, msg);
+}
+
 static enum bead_error stage_draw(struct bead_view *v, double time, struct bead_frame *frame, const struct bead_frame *background,
                                   struct bead_changes *changes, struct bead_message *msg)
 {
@@ -138,9 +145,7 @@ static enum bead_error stage_draw(struct bead_view *v, double time, struct bead_
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "a stage needs a canvas to be painted on");
     if (v->latest.fed == 0)
         return BEAD_OK;
-    bead_stage_advance(v, time);
-    bead_stage_compose(v);
-    enum bead_error err = bead_stage_prepare(&v->stage, msg);
+    enum bead_error err = prepare(v, time, msg);
     if (!err)
         err = bead_paint_stage(v->canvas, &v->stage, v->strip, v->head, frame, msg);
     if (!err && changes)
@@ -203,9 +208,7 @@ static enum bead_error stage_vector(struct bead_view *v, double time, cairo_t *c
 {
     if (v->latest.fed == 0)
         return BEAD_OK;
-    bead_stage_advance(v, time);
-    bead_stage_compose(v);
-    enum bead_error err = bead_stage_prepare(&v->stage, msg);
+    enum bead_error err = prepare(v, time, msg);
     if (!err)
         err = draw_stage(v, cr, msg);
     if (!err && v->row.height > 0)
