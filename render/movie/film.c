@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "render/colour/colour_range.h"
+#include "sim/chain/system.h"
 #include "sim/chain/chain_internal.h"
 
 static const double inch = 0.0254, most_pixels = 16384;
@@ -88,7 +89,8 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
 {
     const struct bead_output *output = film->output;
     const struct bead_chain *first = film->context.chains[0];
-    const double typical = film->preview ? bead_preview_typical(film->preview) : INFINITY;
+    const bool struck = bead_chain_spec(first)->system->has_striker; /* only then something short is left out */
+    const double typical = film->preview && struck ? bead_preview_typical(film->preview) : INFINITY;
     const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),
                                                                     &(struct bead_shown_values){range.low, range.high, typical});
     struct bead_composer_setup setup = {.output = output,

@@ -102,7 +102,20 @@ static double shown(const struct bead_composer *c, double time)
     return (bead_composer_averages(c->setup.output) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
 }
 
+/* Does a value leave its panel, which reaches a little beyond the range? */
+static bool leaves_panel(const struct bead_composer *c)
+{
+    const double *range = c->setup.range, air = 0.04 * (range[1] - range[0]);
+    for (size_t i = 0; i < c->setup.chain_count * c->fed_room; i++) {
+        if (c->fed[i] > range[1] + air || (range[0] < 0 && c->fed[i] < range[0] - air))
+            return true;
+    }
+    return false;
+}
+
 double bead_composer_interest(const struct bead_composer *c, double time)
 {
-    return !c->fed ? 0 : c->setup.chain_count > 1 ? difference(c) : shown(c, time);
+    static const double cut = 1e-6; /* such a frame is better than none */
+    double interest = !c->fed ? 0 : c->setup.chain_count > 1 ? difference(c) : shown(c, time);
+    return interest > 0 && leaves_panel(c) ? cut * interest : interest;
 }

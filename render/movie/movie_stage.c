@@ -88,7 +88,8 @@ static bool heads_above(const struct stage *s)
 static int heading_of(const struct stage *s)
 {
     const double lines = s->to->label_lines ? line : 0;
-    return s->w->axes && s->w->headings ? whole((heading + lines) * s->w->look->label) : 0;
+    const bool needed = s->w->axes && (s->w->headings || bead_stage_keyed(s->w));
+    return needed ? whole((heading + lines) * s->w->look->label) : 0;
 }
 
 /* Returns their end; < 0: there is no room. Where chains have the same numbers, only the last has them. */
@@ -107,7 +108,7 @@ static int place_beads(const struct stage *s)
     for (size_t i = 0; i < n; i++) {
         struct bead_movie_chain *chain = &s->to->chains[i];
         chain->labels[s->acts] = numbered == n || (numbered == 1 && i + 1 == n);
-        if (head > 0)
+        if (head > 0 && w->headings)
             chain->heading = (struct bead_rect){s->area.x + s->inset, y, width, head};
         chain->plot[s->acts] =
             (struct bead_rect){s->area.x + s->inset, y + above, width, block - above + (chain->labels[s->acts] ? numbers : 0)};

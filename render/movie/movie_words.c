@@ -13,7 +13,6 @@
 #include "sim/chain/chain_internal.h"
 
 #define THIN_SPACE   "\u2009"
-#define FIGURE_SPACE "\u2007"
 #define ELLIPSIS     "\u2026"
 
 /* The second line of a heading, in units of the label's font size. */
@@ -24,11 +23,10 @@ static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, 
 struct bead_clock bead_clock_make(double end, double step, const char *unit)
 {
     int exponent = bead_prefix_exponent(end, unit);
-    struct bead_clock clock = {.unit = bead_power_of_ten(exponent), .digits = 1};
+    struct bead_clock clock = {.unit = bead_power_of_ten(exponent)};
     if (*unit)
         snprintf(clock.sign, sizeof clock.sign, "%s%s", bead_prefix_sign(exponent), unit);
-    double most = fabs(end) / clock.unit, small = step / clock.unit;
-    clock.digits = most >= 1 ? 1 + (int)fmin(9, floor(log10(most + 1e-9))) : 1;
+    double small = step / clock.unit;
     clock.decimals = small > 0 ? (int)fmax(0, fmin(4, ceil(-log10(small) - 1e-9))) : 0;
     return clock;
 }
@@ -41,16 +39,12 @@ static void hex(struct bead_rgb c, char out[8])
 
 void bead_clock_text(const struct bead_clock *clock, double time, const struct bead_look *look, char *out, size_t size)
 {
-    char number[48], padded[120] = "", faint[8];
-    int wanted = clock->digits + (clock->decimals ? 1 + clock->decimals : 0);
-    int length = snprintf(number, sizeof number, "%.*f", clock->decimals, fmax(0, time / clock->unit) + 0.0);
-    for (int i = length; i < wanted && i < length + 12; i++)
-        strcat(padded, FIGURE_SPACE);
-    strcat(padded, number);
+    char number[48], faint[8];
+    snprintf(number, sizeof number, "%.*f", clock->decimals, fmax(0, time / clock->unit) + 0.0);
     hex(look->faint, faint);
     snprintf(out, size,
              "<span font_features=\"tnum=1\"><span foreground=\"%s\">" BEAD_SYMBOL("t") " =</span> %s" THIN_SPACE "%s</span>",
-             faint, padded, clock->sign);
+             faint, number, clock->sign);
 }
 
 struct bead_text_style bead_clock_style(const struct bead_look *look)

@@ -11,16 +11,16 @@
 #include "render/draw/axis.h"
 #include "render/movie/film_clock.h"
 
-/* The format of times: in the unit of the picture's axes of time, always with one width. */
+/* The format of times: in the unit of the picture's axes of time, with as many decimals throughout. */
 struct bead_clock {
     double unit;   /* s */
     char sign[16]; /* "ms"; "": times have no unit */
-    int digits, decimals;
+    int decimals;
 };
 
 /* For times up to `end`, `step` apart, s. */
 struct bead_clock bead_clock_make(double end, double step, const char *unit);
-/* Markup of "t = 1.640 ms", padded to constant width. */
+/* Markup of "t = 1.640 ms", with figures of one width. */
 void bead_clock_text(const struct bead_clock *clock, double time, const struct bead_look *look, char *out, size_t size);
 struct bead_text_style bead_clock_style(const struct bead_look *look);
 
