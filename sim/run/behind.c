@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "sim/chain/contact_walk.h"
+
 /* Steps between cuts; beads dropped at once at least; beads kept besides, and at least. */
 enum { EVERY = 8, FEWEST = 8, SPARE = 20, LEAST = 24 };
 /* Beads between the edge and the target at the time of a peak. */
@@ -21,11 +23,11 @@ const char *bead_behind_refusal(const struct bead_chain *chain)
         return "gravity acts on all beads";
     if (chain->spec->start_count > 0)
         return "not only the striker moves at first";
-    /* Chains of a plan have no contacts yet. */
-    for (size_t k = 0; chain->static_compression && k < chain->contacts; k++) {
-        if (chain->static_compression[k] < 0)
+    struct bead_contact_walk w; /* chains of a plan have no arrays */
+    for (bead_contact_walk_start(&w, chain, true); bead_contact_walk_next(&w);) {
+        if (w.static_compression < 0)
             return "beads that are apart hold the front up";
-        if (chain->static_force[k] != 0)
+        if (w.static_force != 0)
             return "in a precompressed chain signals overtake the front";
     }
     return NULL;

@@ -31,7 +31,7 @@ static const struct bead_option rows[] = {
              "asks for a later time; in sweeps when the front reaches the end of the chain",
      .example = "2.8 ms"},
     {"accuracy", BEAD_OPTION_NUMBER, SIMULATE(accuracy), .initial = "1e-6", .low = 1e-14, .high = 0.1,
-     .help = "requested relative error of first-passage peak forces; the step follows from it; 1e-10 if not given and a table of "
+     .help = "requested relative error of first-passage peak forces; the step follows from it; 1e-11 if not given and a table of "
              "the energy is made",
      .example = "1e-8"},
     {"method", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "auto or a method of --list methods", .like = "text",
