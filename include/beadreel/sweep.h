@@ -91,8 +91,8 @@ struct bead_sweep_configuration {
     const double *last_force, *last_energy; /* [beads] N, J: of each bead when the front has reached the end */
 };
 
-#define BEAD_SWEEP_CLEAN ((size_t)-1) /* instead of a configuration's number: all random cells up; over keys: the scene as it is \
-                                       */
+/* Instead of a configuration's number: all random cells up; over keys: the scene as it is. */
+#define BEAD_SWEEP_CLEAN ((size_t)-1)
 
 /* The scene must outlive the sweep. Errors: MEMORY, USAGE (the scene has no sweep). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sweep **sweep,

@@ -170,7 +170,7 @@ static inline __attribute__((always_inline)) void stage_span(const struct bead_s
     const reals whole = all(1);
     for (int x = run.first; x < run.end; x += LANES) {
         const int i = x - b->left;
-        const ints inside = (ints){COUNT} < run.end - x;
+        const ints lane = {COUNT}, inside = lane < run.end - x;
         reals glow[3], form = whole, keep = whole;
         for (int k = 0; ways.lit && k < 3; k++)
             glow[k] = load(b->columns + k * columns + i);

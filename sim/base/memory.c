@@ -70,7 +70,7 @@ enum bead_error bead_allocate(void *pointer, size_t count, size_t size, struct b
     void *made = calloc(count, size);
     memcpy(pointer, &made, sizeof made);
     if (made)
-        return BEAD_OK;
+        return BEAD_OK; /* cppcheck-suppress memleak ; it is the caller's */
     va_start(arguments, what);
     vsnprintf(words, sizeof words, what, arguments);
     va_end(arguments);

@@ -115,7 +115,8 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
         p->target = bead_session_target(s);
         const struct bead_span seen = {p->target, SIZE_MAX};
         p->peak_span = p->target > 0 && !s->strained ? &seen : NULL;
-        err = bead_play_cut(p, &(size_t){BEAD_PLAY_ALIKE}, &s->played, msg);
+        size_t behind = BEAD_PLAY_ALIKE;
+        err = bead_play_cut(p, &behind, &s->played, msg);
         again = false;
         for (size_t i = 0; !err && i < p->consumer_count; i++) {
             struct bead_made *m = p->consumers[i].context;

@@ -239,7 +239,8 @@ static enum bead_error play_job(void *context, size_t index, const struct bead_p
     const size_t job = w->jobs[index];
     struct measure m = {.chain = play->chains[0]};
     m.panel = bead_sweep_panel_of(w->sweep, job, &m.row);
-    enum bead_error err = sweep_measure(&m, play, &(size_t){m.panel->first_try}, msg);
+    size_t behind = m.panel->first_try;
+    enum bead_error err = sweep_measure(&m, play, &behind, msg);
     if (m.lost) {
         keep_lost(w, job, msg);
         return BEAD_OK;

@@ -82,7 +82,8 @@ static double last_peak(void)
     double peak = NAN;
     snprintf(path, sizeof path, "%s/peaks.csv", directory);
     FILE *file = fopen(path, "r");
-    while (file && fgets(line, sizeof line, file))
+    assert_non_null(file);
+    while (fgets(line, sizeof line, file))
         sscanf(line, "%*[^,],%lf", &peak);
     fclose(file);
     return peak;
