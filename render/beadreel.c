@@ -67,14 +67,13 @@ int main(int argc, char **argv)
     const struct command_program program = {
         .name = "beadreel",
         .purpose = "compute and film waves in chains of elastic beads",
-        .usage =
-            "Usage:\n"
-            "  beadreel [OPTION]... SCENE.yaml          make all outputs of a scene, or of a ready one by its name\n"
-            "  beadreel [OPTION]... FILE.h5 -o out.png  draw a trajectory, or the results of a sweep (png, pdf, svg, mp4, ...)\n",
+        .usage = "Usage:\n"
+                 "  beadreel [OPTION]... SCENE.yaml          make all outputs of a scene, or of a ready one by its name\n"
+                 "  beadreel [OPTION]... FILE.h5 -o out.png  draw a trajectory, several, or the results of a sweep (png, pdf, mp4, "
+                 "...)\n",
         .examples = "Examples:\n"
                     "  beadreel clean-vs-delocalised -o demo\n"
-                    "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n"
-                    "  beadreel --list keys movie                keys of one part of a scene\n",
+                    "  beadreel scene.yaml --only beads.mp4 --set outputs.0.size='[640, 360]'\n",
         .lists = lists,
         .sinks = sinks,
         .canvases = canvases,

@@ -25,7 +25,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ASSETS = os.path.dirname(HERE)
-CHAPTERS = ['first-film', 'figure', 'lecture', 'report', 'recipes', 'settings', 'sweep', 'cluster', 'python', 'library', 'troubleshooting']
+CHAPTERS = ['first-film', 'figure', 'lecture', 'report', 'recipes', 'ask', 'settings', 'sweep', 'cluster', 'python', 'library', 'troubleshooting']
 PAGES = ['beadreel.1', 'beadsim.1', 'beadreel-scene.5']
 COMMENT = re.compile(r'<!-- (\w+): (.*?) -->', re.S)
 TOKENS = re.compile(r'^```(?P<info>[^\n]*)\n(?P<text>.*?)^```$|' + COMMENT.pattern, re.S | re.M)

@@ -57,6 +57,9 @@ struct bead_job {
     const char *frame;  /* make nothing but this frame of a movie, as PNG: "2.1 ms" of the motion, "50%" of the film, or "peak", the
                            moment that a poster shows; NULL: no */
     const struct bead_own *own; /* what the program adds to scenes (scene.h); NULL: nothing. As long as the session */
+    const char *const *others;  /* more trajectories, whose chains are shown beside those of `input` */
+    size_t other_count;
+    bool difference; /* of two trajectories: the second less the first */
 };
 
 struct bead_session;

@@ -76,6 +76,7 @@ struct bead_run_context {
     const char *directory;   /* where relative paths of outputs go */
     const volatile sig_atomic_t *stop; /* non-zero: what takes long ends soon, with STOPPED; NULL: never */
     bool replayed;                     /* samples come from a trajectory: there are no peaks */
+    bool difference;                   /* of two: values are differences, `comparison` those of the first run */
     /* Is that output of the scene made already, in this run? Asked in `end`, by sinks that come last. NULL: nobody knows. */
     bool (*is_made)(const void *asker, const struct bead_output *output);
     const void *asker;

@@ -141,6 +141,7 @@ static const struct command_option rows[] = {
      .action = COMMAND_INFO},
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
      .text = COMMAND(job.configuration)},
+    {"diff", 0, NULL, "of two trajectories: show the second less the first, into the file -o", .flag = COMMAND(job.difference)},
     {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", .flag = COMMAND(job.sheet),
      .draws = true},
     {"allow-outside", 0, NULL, "let the scene write outside the directory -o (absolute paths, `..`); for scenes you trust",
@@ -286,8 +287,15 @@ static enum bead_error apply_row(struct command *command, const struct command_o
 
 static enum bead_error take_input(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
-    while (command->action == COMMAND_MERGE && optind < argc)
+    const bool runs = command->action == COMMAND_RUN || command->action == COMMAND_PLAN;
+    if (runs && optind < argc && !command->job.input)
+        command->job.input = argv[optind++];
+    while ((command->action == COMMAND_MERGE || runs) && optind < argc)
         command->parts[command->part_count++] = argv[optind++];
+    if (runs) {
+        command->job.others = command->parts;
+        command->job.other_count = command->part_count;
+    }
     if (optind < argc && command->job.input)
         return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->job.input, argv[optind]);
     if (optind < argc)

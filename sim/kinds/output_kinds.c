@@ -36,6 +36,8 @@ bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind sourc
 {
     const struct bead_output_type *type = bead_output_type(kind);
     switch (source) {
+    case BEAD_OF_TRAJECTORIES:
+    case BEAD_OF_DIFFERENCE:
     case BEAD_OF_TRAJECTORY: /* what it was made with does not make another one */
         return type->options && !type->stores_samples;
     case BEAD_OF_SWEEP:
@@ -47,12 +49,19 @@ bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind sourc
     }
 }
 
+bool bead_output_ending_means(enum bead_output_kind kind, enum bead_source_kind source)
+{
+    const bool several = source == BEAD_OF_SWEEP || source == BEAD_OF_TRAJECTORIES;
+    return bead_output_made_of(kind, source) && !(several && bead_output_type(kind)->only_in_scenes);
+}
+
 enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kind source)
 {
     enum bead_output_kind kind = 0;
+    if (source == BEAD_OF_TRAJECTORIES && bead_output_ends_like(bead_output_endings(BEAD_OUTPUT_PLOT), file))
+        return BEAD_OUTPUT_PLOT; /* not a film of .png */
     while (kind < BEAD_OUTPUT_KINDS &&
-           !(bead_output_made_of(kind, source) && !(source == BEAD_OF_SWEEP && types[kind]->only_in_scenes) &&
-             bead_output_ends_like(bead_output_endings(kind), file)))
+           !(bead_output_ending_means(kind, source) && bead_output_ends_like(bead_output_endings(kind), file)))
         kind++;
     return kind;
 }

@@ -16,6 +16,8 @@ enum bead_source_kind {
     BEAD_OF_RUN,
     BEAD_OF_CONFIGURATION, /* of a sweep, run again */
     BEAD_OF_TRAJECTORY,
+    BEAD_OF_TRAJECTORIES, /* side by side */
+    BEAD_OF_DIFFERENCE,   /* of two */
     BEAD_OF_SWEEP,
     BEAD_OF_CONFIGURATIONS, /* many of them: --sheet */
     BEAD_SOURCES
@@ -31,7 +33,7 @@ struct bead_output_type {
     bool stores_samples;                              /* of a run: pictures can be drawn from its file */
     bool stores_sweep;                                /* all results of a sweep */
     bool draws;
-    bool only_in_scenes;                /* of a sweep: a file name alone means another kind */
+    bool only_in_scenes;                /* of a sweep, or of several trajectories: a file name alone means another kind */
     bool shows_configurations;          /* of a sweep, or of a chain that could be one: --sheet */
     const char *shown_of[BEAD_SOURCES]; /* what `show` is where a file name alone asks for it; NULL: its default */
 };
@@ -47,6 +49,8 @@ const struct bead_sink_type *bead_output_own_of(const struct bead_own *own, cons
 const char *bead_output_endings(enum bead_output_kind kind);
 /* Can outputs of a kind be made from it? */
 bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind source);
+/* Does an ending alone mean this kind? */
+bool bead_output_ending_means(enum bead_output_kind kind, enum bead_source_kind source);
 /* The kind that a file's ending asks for: the first that can be made. BEAD_OUTPUT_KINDS: none. */
 enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kind source);
 /* The file that an output makes besides its own, as its path, and the key that asks for it; "": none. */

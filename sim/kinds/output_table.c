@@ -3,11 +3,11 @@
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/scene_facts.h"
 
-static const char *const table_shows[] = {"sensors",  "peaks", "bead-peaks", "measures",      "modes",
-                                          "profiles", "chain", "energy",     "sensitivities", NULL};
-static const unsigned table_values[] = {BEAD_SHOW_SENSORS,  BEAD_SHOW_PEAKS,  BEAD_SHOW_BEAD_PEAKS,
-                                        BEAD_SHOW_MEASURES, BEAD_SHOW_MODES,  BEAD_SHOW_PROFILES,
-                                        BEAD_SHOW_CHAIN,    BEAD_SHOW_ENERGY, BEAD_SHOW_SENSITIVITIES};
+static const char *const table_shows[] = {"sensors", "peaks",  "bead-peaks",    "measures", "modes", "profiles",
+                                          "chain",   "energy", "sensitivities", "extremes", NULL};
+static const unsigned table_values[] = {BEAD_SHOW_SENSORS,       BEAD_SHOW_PEAKS,    BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
+                                        BEAD_SHOW_MODES,         BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN,      BEAD_SHOW_ENERGY,
+                                        BEAD_SHOW_SENSITIVITIES, BEAD_SHOW_EXTREMES};
 static const char *const sweep_table_shows[] = {"magnetism", "statistics", "configurations", "decay", NULL};
 static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS,
                                               BEAD_SWEEP_DECAY};
@@ -22,7 +22,8 @@ static const struct bead_option table_rows[] = {
          "of a radius, or struck at more than a tenth of the bar speed, where Hertz's law does not hold); "
          "measures of the run (--list measures); the energies of modes; profiles, a field along the chain at several times; the "
          "beads and contacts of the "
-         "chain; the energy budget; or sensitivities, the derivatives of the peaks of `contacts` by the mass (N/kg), radius "
+         "chain; the energy budget; extremes, the value of `field` furthest from 0 over time, and where; or sensitivities, the "
+         "derivatives of the peaks of `contacts` by the mass (N/kg), radius "
          "(N/m) and modulus (N/Pa) of every bead, the two others kept, and by the velocity of the striker (N s/m)"},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help =
@@ -81,11 +82,13 @@ static const struct bead_option_rows sweep_table_shared[] = {
     {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, {NULL, 0}};
 static const struct bead_options sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
                                                         BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};
-const struct bead_output_type bead_table_output = {
-    .options = &table_options,
-    .sweep_options = &sweep_table_options,
-    .checks = {bead_output_check_times, check_show, check_sensitivities},
-    .check_sweep = bead_output_check_sweep_curves,
-    .shows = true,
-    /* The peaks that sweeps measure are those of bead forces. */
-    .shown_of = {[BEAD_OF_CONFIGURATION] = "bead-peaks", [BEAD_OF_TRAJECTORY] = "sensors"}};
+const struct bead_output_type bead_table_output = {.options = &table_options,
+                                                   .sweep_options = &sweep_table_options,
+                                                   .checks = {bead_output_check_times, check_show, check_sensitivities},
+                                                   .check_sweep = bead_output_check_sweep_curves,
+                                                   .shows = true,
+                                                   /* The peaks that sweeps measure are those of bead forces. */
+                                                   .shown_of = {[BEAD_OF_CONFIGURATION] = "bead-peaks",
+                                                                [BEAD_OF_TRAJECTORY] = "sensors",
+                                                                [BEAD_OF_TRAJECTORIES] = "sensors",
+                                                                [BEAD_OF_DIFFERENCE] = "extremes"}};

@@ -20,6 +20,7 @@ static const struct table *const tables[] = {
     [BEAD_SHOW_CHAIN] = &bead_table_chain,
     [BEAD_SHOW_ENERGY] = &bead_table_energy,
     [BEAD_SHOW_SENSITIVITIES] = &bead_table_sensitivities,
+    [BEAD_SHOW_EXTREMES] = &bead_table_extremes,
 };
 
 static void table_destroy(struct bead_sink *sink)
@@ -39,6 +40,7 @@ static void table_destroy(struct bead_sink *sink)
     bead_profile_times_destroy(sink->moments);
     free(sink->measures);
     free(sink->columns);
+    free(sink->largest);
     free(sink->path);
     free(sink->part);
     free(sink);

@@ -126,7 +126,13 @@ static enum bead_error check_job(const struct bead_job *job, struct bead_message
 /* A trajectory, a sweep's file, or a scene. */
 static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
 {
-    if (s->job.configuration || !bead_trajectory_is(s->job.input))
+    const bool trajectory = !s->job.configuration && bead_trajectory_is(s->job.input);
+    if (!trajectory && s->job.other_count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`; only trajectories are shown together",
+                         s->job.input, s->job.others[0]);
+    if (!trajectory && s->job.difference)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--diff: needs two trajectories, as in --diff a.h5 b.h5 -o diff.png");
+    if (!trajectory)
         return open_scene(s, msg);
     BEAD_TRY(bead_trajectory_begin(s->job.input, s->job.own, &s->trajectory, msg));
     if (!s->trajectory)
@@ -199,6 +205,7 @@ void bead_session_close(struct bead_session *s)
     for (size_t i = 0; s->own_chains && i < s->chain_count; i++)
         bead_chain_destroy(s->own_chains[i]);
     free(s->own_chains);
+    bead_session_part(s);
     bead_trajectory_close(s->trajectory);
     bead_sweep_close(s->sweep);
     bead_scene_free(s->scene);

@@ -62,7 +62,7 @@ static enum bead_error limit_to_file(struct bead_session *s, struct bead_output 
 
 static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
 {
-    unsigned missing = m->needs.fields & ~bead_trajectory_fields(s->trajectory);
+    unsigned missing = m->needs.fields & ~bead_session_joined_fields(s);
     if (m->needs.contact_peaks || m->needs.bead_peaks)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are found while simulating, not from samples: run the scene",
                          m->output->path);
@@ -114,7 +114,10 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     if (s->job.parts > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
     BEAD_TRY(check_settings(s, msg));
-    enum bead_error err = bead_session_choose(s, bead_trajectory_scene(s->trajectory), BEAD_OF_TRAJECTORY, NULL, &changed, msg);
+    const enum bead_source_kind source = s->job.difference        ? BEAD_OF_DIFFERENCE
+                                         : s->job.other_count > 0 ? BEAD_OF_TRAJECTORIES
+                                                                  : BEAD_OF_TRAJECTORY;
+    enum bead_error err = bead_session_choose(s, bead_trajectory_scene(s->trajectory), source, NULL, &changed, msg);
     if (!err)
         err = bead_trajectory_settle(s->trajectory, changed, msg);
     if (err)
@@ -124,8 +127,11 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     s->end = s->needed = bead_trajectory_end(s->trajectory);
     s->native = *bead_trajectory_grid(s->trajectory);
     s->stored = stored_samples(s->trajectory);
+    BEAD_TRY(bead_session_join(s, msg));
     err = bead_session_list_outputs(s, msg);
     struct bead_made *m = s->made;
+    if (!err && source == BEAD_OF_TRAJECTORIES)
+        m->changed.curves.overlay = true;
     if (!err)
         err = bead_session_find_resolution(s, msg);
     if (!err)

@@ -35,6 +35,7 @@ struct bead_made {
 enum { SESSION_DOUBTS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_LOST, SESSION_UNVERIFIED, SESSION_WARNINGS };
 
 struct bead_sensitivities; /* session_sensitivity.c */
+struct bead_joined;        /* session_join.c */
 
 struct bead_session {
     struct bead_job job;
@@ -46,6 +47,7 @@ struct bead_session {
     bool amid;                          /* the other outputs stay known: frames keep the sample times of a trajectory */
     char *frame_path;                   /* what `single` is for a frame, own */
     struct bead_trajectory *trajectory; /* NULL with a scene */
+    struct bead_joined *joined;         /* with others; NULL: it is alone */
     struct bead_stored stored;          /* its samples */
     const struct bead_scene *source;    /* either's */
     struct bead_chain **own_chains;
@@ -169,6 +171,14 @@ void bead_session_free_sensitivities(struct bead_session *session);
 
 /* session_again.c: a trajectory. */
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
+
+/* session_join.c: opens the other trajectories of the job, whose chains the session then has, or their difference. Errors: USAGE,
+ * those of bead_trajectory_open. What a stored chain came to; the fields that all have; closes the others. */
+BEAD_CHECK enum bead_error bead_session_join(struct bead_session *session, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_session_joined_outcome(const struct bead_session *session, size_t chain,
+                                                       struct bead_outcome *outcome, struct bead_message *msg);
+unsigned bead_session_joined_fields(const struct bead_session *session);
+void bead_session_part(struct bead_session *session);
 
 /* session_scene.c: the session's scene. Errors: USAGE, those of bead_scene_load and bead_sweep_open. */
 BEAD_CHECK enum bead_error bead_session_load(struct bead_session *session, struct bead_message *msg);

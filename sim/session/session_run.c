@@ -141,7 +141,8 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->chain_count; i++) {
         if (s->trajectory)
-            err = bead_trajectory_outcome(s->trajectory, i, &s->outcomes[i], msg);
+            err = s->joined ? bead_session_joined_outcome(s, i, &s->outcomes[i], msg)
+                            : bead_trajectory_outcome(s->trajectory, i, &s->outcomes[i], msg);
         else
             s->outcomes[i] = s->played.outcomes[i];
     }

@@ -63,7 +63,8 @@ static int rank(const struct bead_output *output, const struct bead_job *job, en
         return 0;
     if (strcmp(bead_session_base_name(output->path), bead_session_base_name(job->output)) == 0)
         return 3;
-    if (strcasecmp(extension(output->path), extension(job->output)) != 0 || !takes_looks(job, output, sweep))
+    if (strcasecmp(extension(output->path), extension(job->output)) != 0 || !bead_output_ending_means(output->kind, source) ||
+        !takes_looks(job, output, sweep))
         return 0;
     return 1 + (job->look_count > 0 && output->kind == bead_output_kind_of(job->output, source));
 }

@@ -160,6 +160,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .canvas = s->job.canvas,
                                        .stop = s->job.stop,
                                        .replayed = s->trajectory != NULL,
+                                       .difference = s->joined && s->job.difference,
                                        .is_made = is_made,
                                        .asker = s,
                                        .claimed = true,
