@@ -240,6 +240,7 @@ enum bead_layout {
     BEAD_LAYOUT_IMAGES, /* the best of those above */
     BEAD_LAYOUT_STAGE
 };
+enum bead_profile_of { BEAD_PROFILE_BEAD, BEAD_PROFILE_CELL }; /* the profile of a movie: of each bead, or over cells */
 enum bead_type { BEAD_TYPE_NORMAL, BEAD_TYPE_LARGE };
 
 /* ---- outputs: groups of settings that several kinds share ---- */
@@ -393,6 +394,8 @@ struct bead_movie_asked {
     char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */
     double poster_at;        /* s of the motion; NaN: where there is most to see */
     size_t modes;            /* how many the view modes shows */
+    enum bead_profile_of profile;
+    double strobe; /* s of the motion from sample to sample, between which pictures blend; 0: every picture has its own */
 };
 
 struct bead_plot_asked {

@@ -48,6 +48,8 @@ struct bead_view_setup {
     bool time_shared;                  /* spacetime, sensors: no labels on the time axis; a view below has them */
     bool against;                      /* spacetime with time to the right: one title above for both axes */
     bool fill;                         /* spacetime: show only what has passed, with a cursor at the present (movies) */
+    bool hold;                         /* profile: with the largest values so far */
+    bool cells;                        /* profile: the largest value over a cell and its passage, rather than that of each bead */
     bool ghost;                        /* and what comes, dimmed: all samples are fed before the first is drawn */
     enum bead_sampling sampling;       /* spacetime */
     double magnify;                    /* beads, stage: factor on displacements, > 0 */

@@ -86,6 +86,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .time_shared = time && !labels,
         .against = c->layout.against,
         .fill = true,
+        .hold = stage,
+        .cells = output->movie.profile == BEAD_PROFILE_CELL,
         .ghost = previewed(c, index),
         .magnify = c->magnify,
         .over_beads = along && over_beads(c, place, view),

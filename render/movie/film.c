@@ -5,8 +5,8 @@
 #include <math.h>
 
 #include "render/colour/colour_range.h"
-#include "sim/chain/system.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/chain/system.h"
 
 static const double inch = 0.0254, most_pixels = 16384;
 

@@ -203,4 +203,5 @@ const struct bead_sink_type bead_frame_sink = {
     .destroy = frame_destroy,
     .result = frame_result,
     .makers = frame_makers,
+    .looks_at_beads = bead_film_looks_at_beads,
 };

@@ -382,7 +382,7 @@ static enum bead_error movie_scout(struct bead_sink *s, const struct bead_sample
 
 static bool movie_looks_at_beads(const struct bead_output *output)
 {
-    return output->movie.sound.of == BEAD_SOUND_SENSOR;
+    return output->movie.sound.of == BEAD_SOUND_SENSOR || bead_film_looks_at_beads(output);
 }
 
 static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)

@@ -14,19 +14,25 @@ static const double most_frames = 1e7, most_samples = 1e9;
 static const double draft_pictures = 30;
 
 /* Where the scene gives no duration. A stage shows about 16 beads: a wave that passes no more than half as many in a second
- * stays in sight for two. One less than that, since the passage is only an estimate. */
-static const double usual_duration = 10, longest_duration = 30, pace = 7;
+ * stays in sight for two. A little less than that: of dimers the passage is estimated too long, since it counts the heavier bead.
+ */
+static const double usual_duration = 10, longest_duration = 30, pace = 6.5;
 /* Time of a solitary wave from contact to contact, in sqrt(m/K): sqrt(3/2) sqrt(5)/2 with K at its largest compression (Nesterenko
  * 1983), where a contact has about 0.3 of the energy and K 0.3^(1/5) of that by which bead_chain_passage counts. */
 static const double passage_time = 1.54;
 
+bool bead_film_looks_at_beads(const struct bead_output *output)
+{
+    return isnan(output->movie.duration) && bead_views_any(&output->views, BEAD_ACTS);
+}
+
 static double find_duration(const struct bead_film *film, const double time[2])
 {
-    const bool acts = bead_views_any(&film->output->views, BEAD_ACTS);
     double fastest = 0; /* contacts in a second of the motion */
     if (!isnan(film->output->movie.duration))
         return film->output->movie.duration;
-    for (size_t i = 0; acts && i < film->context.chain_count; i++) {
+    const bool looks = bead_film_looks_at_beads(film->output);
+    for (size_t i = 0; looks && i < film->context.chain_count; i++) {
         const struct bead_chain *chain = film->context.chains[i];
         double passage = passage_time * bead_chain_passage(chain, bead_chain_energy(chain));
         fastest = fmax(fastest, passage > 0 ? (double)bead_chain_contacts(chain) / passage : 0);
@@ -62,8 +68,8 @@ static enum bead_error choose_frames(struct bead_film *film, struct bead_message
     return BEAD_OK;
 }
 
-/* Samples at the frames, or k times as often for views that average over time and for sound. Replayed trajectories keep their own
- * times; frames between two samples blend them. */
+/* Samples at the times of the strobe, between which frames blend; else at the frames, or k times as often for views that average
+ * over time and for sound. Replayed trajectories keep their own times; frames between two samples blend them. */
 static enum bead_error times_choose_grid(struct bead_film *film, struct bead_message *msg)
 {
     const struct bead_output *o = film->output;
@@ -75,6 +81,10 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
         double beyond = ceil((t->time[1] - native->start) / native->every - 1e-6);
         t->grid = (struct bead_grid){native->start + first * native->every, native->every,
                                      fmin(native->end, native->start + beyond * native->every)};
+    } else if (o->movie.strobe > 0) {
+        t->grid = (struct bead_grid){t->time[0], o->movie.strobe,
+                                     t->time[0] + ceil((t->time[1] - t->time[0]) / o->movie.strobe - 1e-9) * o->movie.strobe};
+        t->grid.end = fmin(t->grid.end, context->end);
     } else {
         double finer = (bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF) && context->resolution > 0
                            ? ceil(t->step / context->resolution - 1e-9)

@@ -12,8 +12,8 @@
 #include "render/movie/movie_words.h"
 #include "sim/chain/chain_internal.h"
 
-#define THIN_SPACE   "\u2009"
-#define ELLIPSIS     "\u2026"
+#define THIN_SPACE "\u2009"
+#define ELLIPSIS   "\u2026"
 
 /* The second line of a heading, in units of the label's font size. */
 static const double heading_line = 1.35;

@@ -39,6 +39,21 @@ void bead_panel_axis(cairo_t *cr, const struct bead_view_setup *setup, const str
     bead_text_draw(cr, &style, panel.x, panel.y - title_rise * look->label, markup);
 }
 
+void bead_panel_remark(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                       const char *title, const char *remark)
+{
+    const struct bead_look *look = setup->look;
+    struct bead_text_style style = {
+        .family = look->family, .size = look->label, .colour = look->faint, .across = BEAD_ALIGN_END, .down = BEAD_ALIGN_BASELINE};
+    char markup[2100];
+    double width, height, taken;
+    bead_axis_title(axis, title, markup, sizeof markup);
+    bead_text_size(cr, &style, markup, &taken, &height);
+    bead_text_size(cr, &style, remark, &width, &height);
+    if (setup->titles == BEAD_TITLES_ABOVE && !setup->ticks_only && taken + width + look->label < plot.width)
+        bead_text_draw(cr, &style, plot.x + plot.width, plot.y - title_rise * look->label, remark);
+}
+
 static struct bead_text_style name_style(const struct bead_look *look)
 {
     return (struct bead_text_style){

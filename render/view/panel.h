@@ -25,6 +25,9 @@ void bead_panel_fill(cairo_t *cr, const struct bead_view_setup *setup, struct be
 /* Ticks, labels and title of the vertical axis, as the setup wants them. */
 void bead_panel_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
                      bool downwards, const char *title);
+/* Words at the right of a title above the panel, if they fit. */
+void bead_panel_remark(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
+                       const char *title, const char *remark);
 /* The axis along the chain, or of modes, below the plot. `title` NULL: without numbers too. */
 void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
                            const char *title);

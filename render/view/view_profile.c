@@ -11,10 +11,12 @@
 #include "render/view/latest.h"
 #include "render/view/moving_labels.h"
 #include "render/view/panel.h"
+#include "render/view/profile_hold.h"
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"
 
 /* Heights are rounded to this fraction of a pixel; smaller motion is not redrawn. */
@@ -31,7 +33,7 @@ struct bead_view {
     double *numbers;     /* memory of `value` and `place` */
     double *value[2];
     struct bead_latest latest;
-    float *pixels;        /* memory of x, y, old_y */
+    float *pixels;        /* memory of x, y, old_y, held, old_held */
     float *x, *y, *old_y; /* px of the plot, of the values */
     float *sx, *sy;       /* of the curve through them, in one piece of memory */
     size_t points;        /* of the curve, as of now */
@@ -46,7 +48,9 @@ struct bead_view {
     double ends[2];                        /* of the axis along the chain, in its units */
     struct bead_view *others[MOST_OTHERS]; /* borrowed: drawn with this one */
     size_t other_count;
-    uint8_t *changed; /* [plot.width]: columns to be drawn again */
+    struct bead_hold *hold; /* NULL: nothing is kept */
+    float *held, *old_held; /* px of the plot: the largest values so far */
+    uint8_t *changed;       /* [plot.width]: columns to be drawn again */
     struct bead_rect plot;
     bool drawn;
 };
@@ -65,7 +69,15 @@ static void profile_destroy(struct bead_view *v)
     free(v->sx);
     free(v->changed);
     bead_moving_labels_destroy(v->labels);
+    bead_hold_destroy(v->hold);
     free(v);
+}
+
+/* Values of one sign in films that show all beads. */
+static bool holds(const struct bead_view_setup *setup)
+{
+    const bool contacts = bead_chain_spec(setup->chain)->system->has_contacts, one_sign = setup->colours.low >= 0;
+    return (setup->hold || setup->cells) && setup->fill && contacts && one_sign && !setup->camera;
 }
 
 static enum bead_error profile_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
@@ -79,13 +91,17 @@ static enum bead_error profile_create(const struct bead_view_setup *setup, struc
     v->first = setup->beads.first;
     v->count = v->to = n;
     BEAD_TRY(bead_new(&v->numbers, 3 * n, msg, "a profile of %zu beads", n));
-    BEAD_TRY(bead_new(&v->pixels, 3 * n, msg, "a profile of %zu beads", n));
+    BEAD_TRY(bead_new(&v->pixels, 5 * n, msg, "a profile of %zu beads", n));
     v->value[0] = v->numbers;
     v->value[1] = v->numbers + n;
     v->place = v->numbers + 2 * n;
     v->x = v->pixels;
     v->y = v->pixels + n;
     v->old_y = v->pixels + 2 * n;
+    v->held = v->pixels + 3 * n;
+    v->old_held = v->pixels + 4 * n;
+    if (holds(setup))
+        BEAD_TRY(bead_hold_create(setup->chain, setup->beads, &v->hold, msg));
     return BEAD_OK;
 }
 
@@ -252,6 +268,8 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
         return BEAD_OK;
     const struct bead_field_info *field = bead_chain_field(v->setup.chain, v->setup.field);
     bead_panel_axis(cr, &v->setup, &v->axis, v->plot, false, bead_field_short(field));
+    if (v->hold && v->setup.hold)
+        bead_panel_remark(cr, &v->setup, &v->axis, v->plot, bead_field_short(field), "faint: peak so far");
     if (v->setup.bead_labels && v->setup.camera)
         return move_labels(v, cr, msg);
     if (v->setup.bead_labels) {
@@ -273,6 +291,10 @@ static enum bead_error profile_feed(struct bead_view *v, const struct bead_sampl
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a profile of %s needs that field", bead_field_info(v->setup.field)->name);
     bead_latest_feed(&v->latest, sample->time);
     memcpy(v->value[v->latest.newest], field + v->first, v->count * sizeof(double));
+    if (v->hold)
+        bead_hold_feed(v->hold, sample->time, field + v->first);
+    for (size_t i = 0; v->hold && v->setup.cells && i < v->count; i++)
+        v->value[v->latest.newest][i] = bead_hold_passing(v->hold, i);
     return BEAD_OK;
 }
 
@@ -284,6 +306,11 @@ static void profile_advance(struct bead_view *v, double time)
     v->y = was;
     for (size_t i = 0; i < v->count; i++)
         v->y[i] = profile_y_of(v, bead_latest_value(&v->latest, v->value, i, weight));
+    was = v->old_held;
+    v->old_held = v->held;
+    v->held = was;
+    for (size_t i = 0; v->hold && v->setup.hold && i < v->count; i++)
+        v->held[i] = profile_y_of(v, bead_hold_largest(v->hold, i));
 }
 
 /* Finds the curve through the values in the plot. Forces and other values of one sign stay on their side of zero. */
@@ -306,13 +333,35 @@ static struct bead_curve profile_curve_of(const struct bead_view *v)
                                .area_alpha = v->setup.own_colour ? shared_alpha : area_alpha};
 }
 
+/* The largest values so far: a thin line, fainter than the curve. */
+static struct bead_curve held_curve_of(const struct bead_view *v)
+{
+    static const double faint = 0.5;
+    struct bead_curve curve = profile_curve_of(v);
+    const struct bead_rgb *panel = &v->look.panel;
+    curve.line = (struct bead_rgb){panel->r + faint * (curve.line.r - panel->r), panel->g + faint * (curve.line.g - panel->g),
+                                   panel->b + faint * (curve.line.b - panel->b)};
+    curve.x = v->x;
+    curve.y = v->held;
+    curve.count = v->count;
+    curve.width = (float)fmax(1, 0.6 * curve.width);
+    curve.area_alpha = 0;
+    return curve;
+}
+
 static void draw_span(struct bead_view *v, int from, int to, struct bead_frame *frame, const struct bead_frame *background,
                       struct bead_changes *changes)
 {
     for (size_t k = 0; k <= v->other_count; k++) {
         const struct bead_view *own = curve_at(v, k);
+        struct bead_curve held = held_curve_of(own);
+        if (own->hold && own->setup.hold)
+            bead_curve_draw(&held, v->plot, from, to, frame, k == 0 ? background : NULL);
+    }
+    for (size_t k = 0; k <= v->other_count; k++) {
+        const struct bead_view *own = curve_at(v, k);
         struct bead_curve curve = profile_curve_of(own);
-        bead_curve_draw(&curve, v->plot, from, to, frame, k == 0 ? background : NULL);
+        bead_curve_draw(&curve, v->plot, from, to, frame, k == 0 && !(own->hold && own->setup.hold) ? background : NULL);
         if (own->dots > 0) {
             curve.x = own->x + own->from;
             curve.y = own->y + own->from;
@@ -331,7 +380,8 @@ static void find_changed(const struct bead_view *curve, bool all, uint8_t *chang
     int reach = bead_curve_reach(&drawn) + (int)ceilf(curve->dots), width = curve->plot.width;
     size_t gaps = curve->parts > 1 ? BEAD_SMOOTH_REACH : 1;
     for (size_t i = 0; i < curve->count; i++) {
-        if ((!all && curve->y[i] == curve->old_y[i]) || i + gaps < curve->from || i >= curve->to + gaps)
+        if ((!all && curve->y[i] == curve->old_y[i] && curve->held[i] == curve->old_held[i]) || i + gaps < curve->from ||
+            i >= curve->to + gaps)
             continue;
         int a = i <= curve->from + gaps - 1 ? 0 : (int)floorf(curve->x[i - gaps]) - reach;
         int b = i + gaps >= curve->to ? width : (int)ceilf(curve->x[i + gaps]) + reach;

@@ -13,6 +13,7 @@ enum { MOST_BEADS = 200000000 }; /* more than there may be */
 
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
 static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", "images", "stage", NULL};
+static const char *const profiles[] = {"bead", "cell", NULL};
 static const char *const types[] = {"normal", "large", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
@@ -96,6 +97,10 @@ static const struct bead_option movie_rows[] = {
     {"type", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.type), .initial = "normal", .choices = types,
      .help = "size of the letters. normal: labels have 3 % of the frame's shorter side; large: 4 %, for the last row of a lecture "
              "hall"},
+    {"profile", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.profile), .initial = "bead", .choices = profiles,
+     .help =
+         "what the view `profile` shows. bead: the field of each bead; cell: its largest value over a cell while a wave passes "
+         "one, for fields of one sign in chains of cells, where a pulse swings from bead to bead and is even from cell to cell"},
     {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(movie.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
      .help = "how many modes the view `modes` shows", .example = "4"},
     {"fps", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.fps), .initial = "60", .low = 1, .high = 240,
@@ -107,6 +112,12 @@ static const struct bead_option movie_rows[] = {
      .help = "how long the movie shows the motion; a title card adds to it. auto: 10 s, and of a stage as long as lets a wave pass "
              "about eight beads a second, at most 30 s",
      .example = "15 s"},
+    {"strobe", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.strobe), BEAD_TIME_OF_MOTION, .initial = "none", .word = "none",
+     .word_value = 0,
+     .help =
+         "show the motion only at multiples of this time, the period of something fast, and blend between them: what is slow is "
+         "seen, and nothing flickers",
+     .example = "64"},
     {"speed", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
      .like = "[outputs.speed]", .read = bead_output_read_speeds,
      .help = "how fast time passes, instead of `duration`: see outputs.speed",

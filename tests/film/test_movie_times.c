@@ -128,11 +128,68 @@ static void plans_count_what_is_in_a_gif(void **state)
     }
 }
 
+/* Prepares the film of a scene with its chain up to `end`; returns its scene and chain, to be freed. */
+static struct bead_film prepared(const char *text, double end, struct bead_scene **scene, struct bead_chain **chain)
+{
+    struct bead_film film;
+    struct bead_message msg = {""};
+    if (bead_scene_parse("test", text, strlen(text), NULL, scene, &msg) || bead_chain_create(*scene, 0, chain, &msg))
+        fail_msg("%s", msg.text);
+    const struct bead_run_context context = {
+        .scene = *scene, .chains = (const struct bead_chain *const *)chain, .chain_count = 1, .end = end};
+    if (bead_film_prepare(&(*scene)->outputs[0], &context, &film, &msg))
+        fail_msg("%s", msg.text);
+    return film;
+}
+
+/* A wave is in sight for two seconds: it passes at most eight beads, half of a stage, in one. Arrivals at the last contact are
+ * those of runs. */
+static void waves_stay_in_sight(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *beads;
+        double contacts, arrival; /* s */
+    } chains[] = {{"[{cell: [large-steel, aluminium], count: 64}]", 128, 2.362e-3},
+                  {"[{cell: [large-steel, aluminium], count: 64, spins: random, magnetism: 0, seed: 2009}]", 128, 2.621e-3}};
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+        char text[300];
+        struct bead_scene *scene;
+        struct bead_chain *chain;
+        snprintf(text, sizeof text,
+                 "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: %s}\noutputs: [{movie: film.mp4}]\n",
+                 chains[i].beads);
+        const struct bead_film film = prepared(text, 2.8e-3, &scene, &chain);
+        double lasting = (double)film.times.frames / scene->outputs[0].movie.fps, pace = chains[i].contacts / chains[i].arrival;
+        double beads = pace * 2.8e-3 / lasting;
+        if (!(beads <= 8 && beads > 4))
+            fail_msg("chain %zu: the wave passes %.1f beads in a second", i, beads);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
+/* A strobe takes a sample in each of its periods, whatever the number of frames. */
+static void strobes_have_their_own_samples(void **state)
+{
+    (void)state;
+    struct bead_scene *scene;
+    struct bead_chain *chain;
+    const struct bead_film film =
+        prepared("simulate: {until: 1000}\nchain: {equation: fput, points: 31, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
+                 "outputs: [{movie: film.mp4, views: [profile], strobe: 64, duration: 5 s}]\n",
+                 1000, &scene, &chain);
+    assert_true(film.times.grid.every == 64 && film.times.grid.start == 0 && film.times.grid.end >= 1000 - 64);
+    assert_int_equal(film.times.frames, 300);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_are_counted),
-        cmocka_unit_test(drafts_show_pictures_for_longer),
+        cmocka_unit_test(pictures_are_counted),         cmocka_unit_test(drafts_show_pictures_for_longer),
+        cmocka_unit_test(waves_stay_in_sight),          cmocka_unit_test(strobes_have_their_own_samples),
         cmocka_unit_test(plans_count_what_is_in_a_gif),
     };
     return cmocka_run_group_tests_name("movie_times", tests, make_directory, remove_directory);

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What profiles keep of the past: a pulse that swings from bead to bead is even over cells. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "render/view/profile_hold.h"
+#include "sim/chain/chain_internal.h"
+
+enum { BEADS = 61, COUNT = 60 };
+
+static struct bead_chain *chain_of(const char *cell, struct bead_scene **scene)
+{
+    char text[300];
+    struct bead_message msg = {""};
+    struct bead_chain *chain;
+    snprintf(
+        text, sizeof text,
+        "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: %s, count: 30}]}\noutputs: [{table: p.csv}]\n",
+        cell);
+    if (bead_scene_parse("test", text, strlen(text), NULL, scene, &msg))
+        fail_msg("%s", msg.text);
+    assert_int_equal(bead_chain_create(*scene, 0, &chain, &msg), BEAD_OK);
+    return chain;
+}
+
+/* A pulse whose crest is at `at` contacts: 36 N at even contacts, 26 N at odd ones. */
+static void pulse(double at, double *values)
+{
+    for (int i = 0; i < COUNT; i++)
+        values[i] = (i % 2 ? 26 : 36) * exp(-pow((i - at) / 1.2, 2));
+}
+
+static void test_dimers_are_even(void **state)
+{
+    (void)state;
+    struct bead_scene *scene;
+    struct bead_chain *chain = chain_of("[large-steel, aluminium]", &scene);
+    struct bead_hold *hold;
+    double values[COUNT], raw[2] = {INFINITY, 0}, cell[2] = {INFINITY, 0};
+    double step =
+        bead_chain_passage(chain, bead_chain_energy(chain)) / BEADS / 10; /* ten samples a contact, as fast as it may be */
+    assert_int_equal(bead_hold_create(chain, (struct bead_span){0, COUNT - 1}, &hold, NULL), BEAD_OK);
+    for (int k = 0; k < 400; k++) {
+        double now = 0, passing = 0;
+        pulse(5 + 0.1 * k, values);
+        bead_hold_feed(hold, k * step, values);
+        for (size_t i = 0; i < COUNT; i++) {
+            now = fmax(now, values[i]);
+            passing = fmax(passing, bead_hold_passing(hold, i));
+        }
+        if (k < 40)
+            continue;
+        raw[0] = fmin(raw[0], now), raw[1] = fmax(raw[1], now);
+        cell[0] = fmin(cell[0], passing), cell[1] = fmax(cell[1], passing);
+    }
+    assert_true(raw[1] > 1.2 * raw[0]);
+    assert_true(cell[0] > 0.99 * 36 && cell[1] <= 36);
+    for (size_t i = 8; i < 40; i++) /* the envelope has no zigzag */
+        assert_float_equal(bead_hold_largest(hold, i), 36, 0.4);
+    assert_true(bead_hold_largest(hold, 55) < 1);
+    bead_hold_destroy(hold);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+}
+
+/* Of single beads each keeps its own. */
+static void test_beads_keep_their_own(void **state)
+{
+    (void)state;
+    struct bead_scene *scene;
+    struct bead_chain *chain = chain_of("[large-steel]", &scene);
+    struct bead_hold *hold;
+    double values[30] = {[3] = 5, [4] = 2}, none[30] = {0};
+    assert_int_equal(bead_hold_create(chain, (struct bead_span){0, 29}, &hold, NULL), BEAD_OK);
+    bead_hold_feed(hold, 0, values);
+    bead_hold_feed(hold, 1, none); /* much later */
+    assert_true(bead_hold_largest(hold, 3) == 5 && bead_hold_largest(hold, 4) == 2 && bead_hold_largest(hold, 5) == 0);
+    assert_true(bead_hold_passing(hold, 3) == 0);
+    bead_hold_destroy(hold);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dimers_are_even), cmocka_unit_test(test_beads_keep_their_own)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
