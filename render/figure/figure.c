@@ -220,7 +220,8 @@ enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *ms
 static double bare_margin(const struct bead_figure *f)
 {
     int left = 0, right = 0;
-    if (!f->part && f->view_count == 1 && bead_views_all(&f->output->views, BEAD_SHOWS_BEADS))
+    const struct bead_views_asked *views = &f->output->views;
+    if (!f->part && f->view_count == 1 && bead_views_all(views, BEAD_SHOWS_BEADS) && !bead_views_any(views, BEAD_ACTS))
         bead_view_find(BEAD_VIEW_BEADS)->margins(&f->look, &left, &right);
     return ceil(1.5 * fmax(left, right)); /* the arrow of the striker leads it */
 }

@@ -335,7 +335,8 @@ enum bead_error bead_figure_put(struct bead_figure *f, struct bead_rect area, co
     want_rows(&plan, least);
     want_columns(&plan, least);
     bead_lanes_within(&grid->columns, area.x + f->margin, area.width - 2 * f->margin);
-    bead_lanes_within(&grid->rows, area.y + f->margin, area.height - 2 * f->margin);
+    const double above = f->output->views.axes ? f->margin : 0;
+    bead_lanes_within(&grid->rows, area.y + above, area.height - 2 * above);
     const struct bead_layout_owner owner = {&plan, heights, measure_all, too_small};
     enum bead_error err = bead_layout_settle(grid, 2, false, &owner, msg);
     if (!err && narrow(&plan))

@@ -423,6 +423,20 @@ static void test_nothing_is_cut(void **state)
     }
 }
 
+/* Beads alone, without axes: striker, its arrow and the wall are on the picture. */
+static void test_bare_beads_are_whole(void **state)
+{
+    (void)state;
+    char path[512];
+    in_directory("b.png", path, sizeof path);
+    struct built built = build_chain("image: b.png, views: [beads], axes: false, size: [640, 160], at: 0.3 ms");
+    draw_output(&built, pulse_down_the_chain);
+    release_chain(&built);
+    struct png_file png = read_png(path);
+    assert_border_white(&png, "bare beads");
+    free(png.rgb);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -436,6 +450,7 @@ int main(void)
         cmocka_unit_test(test_pdf_raster_is_the_png_s),
         cmocka_unit_test(test_pdf_frames_are_seen_on_screens),
         cmocka_unit_test(test_pdf_is_tagged),
+        cmocka_unit_test(test_bare_beads_are_whole),
         cmocka_unit_test(test_same_picture_same_bytes),
         cmocka_unit_test(test_svg_keeps_letters),
         cmocka_unit_test(test_nothing_is_cut),
