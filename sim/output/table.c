@@ -21,6 +21,7 @@ static const struct table *const tables[] = {
     [BEAD_SHOW_ENERGY] = &bead_table_energy,
     [BEAD_SHOW_SENSITIVITIES] = &bead_table_sensitivities,
     [BEAD_SHOW_EXTREMES] = &bead_table_extremes,
+    [BEAD_SHOW_SPREADING] = &bead_table_spreading,
 };
 
 static void table_destroy(struct bead_sink *sink)
@@ -41,6 +42,7 @@ static void table_destroy(struct bead_sink *sink)
     free(sink->measures);
     free(sink->columns);
     free(sink->largest);
+    bead_table_spreading_free(sink);
     free(sink->path);
     free(sink->part);
     free(sink);

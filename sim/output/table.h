@@ -29,6 +29,7 @@ struct bead_sink {
     size_t column_count, next_chain, next_sample;
     struct bead_measures **measures;    /* [chains]; NULL for a chain without measures */
     struct bead_profile_times *moments; /* of profiles */
+    struct bead_spreading *spreading;   /* [chains], of spreading */
     double *largest;                    /* [chains], of extremes: of the first run, so far */
     uint64_t rows;
     bool open, finished;
@@ -69,4 +70,6 @@ void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sam
 
 /* One for each word of `show`. */
 extern const struct table bead_table_sensors, bead_table_contact_peaks, bead_table_bead_peaks, bead_table_measures,
-    bead_table_energy, bead_table_modes, bead_table_profiles, bead_table_chain, bead_table_sensitivities, bead_table_extremes;
+    bead_table_energy, bead_table_modes, bead_table_profiles, bead_table_chain, bead_table_sensitivities, bead_table_extremes,
+    bead_table_spreading;
+void bead_table_spreading_free(struct bead_sink *sink);
