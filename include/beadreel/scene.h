@@ -190,6 +190,7 @@ struct bead_simulate {
     double until;        /* s; NaN: until the first pulse has passed the end of the chain */
     double accuracy;     /* relative error wanted in first-passage peak forces */
     bool accuracy_given; /* else outputs may want more (sink.h) */
+    bool statistical;    /* of sweeps: errors of a hundredth of the standard error are enough; then accuracy is that of all else */
     char *method;        /* "auto" or a name from methods.h */
     double step;         /* s; 0: chosen from accuracy */
     bool verify;         /* accuracy as a guarantee: shorter steps until two runs agree to it */

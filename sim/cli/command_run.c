@@ -91,8 +91,10 @@ static void print_sweep_errors(const struct bead_sweep *sweep)
         for (size_t i = 0; i < bead_sweep_panel(sweep, p)->places; i++)
             worst = fmax(worst, bead_sweep_uncertainty(sweep, p, i)); /* fmax ignores NaN */
     }
-    const double asked = bead_sweep_scene(sweep)->simulate.accuracy;
-    if (worst > 1.001 * asked)
+    const double asked = bead_sweep_scene(sweep)->simulate.accuracy, taken = bead_sweep_accuracy(sweep);
+    if (taken > 0)
+        printf("; accuracy %.0e: errors of a hundredth of the standard error", taken);
+    else if (worst > 1.001 * asked)
         printf("; forces are known to %.2g of themselves, not to the %.2g asked for", worst, asked);
 }
 

@@ -24,15 +24,28 @@ static BEAD_OPTION_READER(read_method)
     return simulate->method ? BEAD_OK : bead_no_memory(reader);
 }
 
+static BEAD_OPTION_READER(read_accuracy)
+{
+    static const struct bead_option number = {
+        .initial = "1e-6", .low = 1e-14, .high = 0.1, .shape = "from 1e-14 to 0.1, or statistical"};
+    struct bead_simulate *simulate = settings;
+    simulate->statistical = at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "statistical") == 0;
+    simulate->accuracy = 1e-6;
+    return simulate->statistical ? BEAD_OK : bead_read_number(reader, at, &number, &simulate->accuracy);
+}
+
 static const struct bead_option rows[] = {
     {"until", BEAD_OPTION_NUMBER, SIMULATE(until), BEAD_TIME_OF_MOTION, .initial = "auto", .open = BEAD_OPEN_LOW, .word = "auto",
      .word_value = NAN,
      .help = "end of the run; auto: when the first pulse has passed the last contact and the last sensor, or later if an output "
              "asks for a later time; in sweeps when the front reaches the end of the chain",
      .example = "2.8 ms"},
-    {"accuracy", BEAD_OPTION_NUMBER, SIMULATE(accuracy), .initial = "1e-6", .low = 1e-14, .high = 0.1,
-     .help = "requested relative error of first-passage peak forces; the step follows from it; 1e-11 if not given and a table of "
-             "the energy is made",
+    {"accuracy", BEAD_OPTION_CUSTOM, .initial = "1e-6", .shape = "from 1e-14 to 0.1, or statistical", .like = "number|statistical",
+     .read = read_accuracy,
+     .help =
+         "requested relative error of first-passage peak forces; the step follows from it; 1e-11 if not given and a table of "
+         "the energy is made. statistical: for sweeps of random cells, errors of a hundredth of the standard error of the means, "
+         "found with a few of the chains and told at the end",
      .example = "1e-8"},
     {"method", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "auto or a method of --list methods", .like = "text",
      .read = read_method, .help = "integrator", .example = "rk4"},
@@ -77,6 +90,9 @@ enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struc
     if (reader->faults && reader->faults->count > 0)
         return BEAD_OK; /* of the chains: nothing to check against */
     BEAD_TRY(bead_scene_system(reader->scene)->equation ? check_equations(reader, at) : BEAD_OK);
+    if (simulate->statistical && (reader->scene->sweep_count == 0 || simulate->step > 0))
+        return BEAD_WRONG_KEY(reader, at, "accuracy",
+                              "`statistical` is for sweeps without a `step`; must be from 1e-14 to 0.1 here");
     if (simulate->verify && simulate->step > 0)
         return BEAD_WRONG_KEY(reader, at, "verify", "chooses the steps itself; cannot be combined with `step`");
     if (simulate->verify && !bead_scene_system(reader->scene)->has_contacts)

@@ -20,6 +20,7 @@ struct sweep_panel {
     struct bead_sweep_peak *peaks; /* [jobs][places] */
     double *profiles;              /* [jobs][PROFILES][beads]; NULL: not measured */
     size_t first_try;              /* of bead_play_cut */
+    double accuracy;               /* that the means need; 0: as asked */
 };
 
 struct bead_sweep {

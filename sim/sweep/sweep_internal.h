@@ -6,6 +6,8 @@
 #include "sim/base/internal.h"
 
 BEAD_INTERNAL const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
+/* With `accuracy: statistical`, the smallest that a panel needed; 0: as asked. */
+double bead_sweep_accuracy(const struct bead_sweep *sweep);
 /* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
  * it. Errors: MEMORY, SCENE. */
 struct bead_sweep_chain;

@@ -176,6 +176,10 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     struct bead_consumer consumer = {.needs = {.bead_peaks = true}, .context = m};
     struct bead_played played = {.count = 0};
     struct bead_play play = *asked;
+    struct bead_simulate simulate = *asked->simulate;
+    if (m->panel->accuracy > 0)
+        simulate.accuracy = m->panel->accuracy;
+    play.simulate = &simulate;
     find_span(m);
     if (m->span.last >= m->chain->beads)
         return bead_fail(msg, BEAD_ERROR_SCENE, "sweep: chain %zu has no bead %zu, which is measured: its last is %zu", m->row - 1,
@@ -289,6 +293,87 @@ static enum bead_error play_pilot(void *context, size_t index, const struct bead
     return m.lost ? BEAD_OK : err;
 }
 
+/* ---- the accuracy that means need ---- */
+
+enum { TRIED = 16 }; /* chains */
+static const double part_of_error = 0.01, coarsest = 1e-4, finest = 1e-12;
+
+struct trial {
+    struct bead_sweep *sweep;
+    size_t panel, first; /* configurations first, first + 1, ... */
+    double force[TRIED];
+};
+
+static void find_tried(void *context, size_t index, size_t *panel, size_t *configuration)
+{
+    const struct trial *t = context;
+    *panel = t->panel;
+    *configuration = t->first + index;
+}
+
+static enum bead_error play_tried(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
+{
+    struct trial *t = context;
+    struct measure m = {.panel = &t->sweep->panels[t->panel], .row = 1 + t->first + index, .chain = play->chains[0]};
+    const enum bead_error err = sweep_measure(&m, play, &(size_t){m.panel->first_try}, msg);
+    t->force[index] = err ? NAN : m.panel->peaks[m.row * m.panel->shown.places].force;
+    return m.lost ? BEAD_OK : err;
+}
+
+/* Is the standard error of the mean of `members` such forces a hundred times as large as what these are off by? */
+static bool means_allow(const struct trial *coarse, const struct trial *fine, size_t count, size_t members)
+{
+    double mean = 0, squares = 0, off = 0;
+    for (size_t i = 0; i < count; i++)
+        mean += fine->force[i] / (double)count;
+    for (size_t i = 0; i < count; i++) {
+        squares += (fine->force[i] - mean) * (fine->force[i] - mean);
+        off += (fine->force[i] - coarse->force[i]) * (fine->force[i] - coarse->force[i]);
+    }
+    return sqrt(off / (double)count) <= part_of_error * sqrt(squares / (double)(count - 1) / (double)members);
+}
+
+/* The largest power of ten at which chains of the largest group of a magnetism are off by no more than a hundredth of the standard
+ * error of its mean, as runs with a tenth of it tell. */
+static enum bead_error find_accuracy(struct bead_sweep *sweep, size_t index, const struct bead_sweep_settings *settings,
+                                     struct bead_message *msg)
+{
+    struct sweep_panel *panel = &sweep->panels[index];
+    const struct bead_sweep_spec *spec = panel->shown.spec;
+    struct trial coarse = {.sweep = sweep, .panel = index}, fine;
+    size_t members = 0;
+    for (size_t g = 0, at = 0; g < spec->group_count; at += spec->groups[g++].configurations) {
+        if (spec->groups[g].configurations > members) {
+            members = spec->groups[g].configurations;
+            coarse.first = at;
+        }
+    }
+    struct sweep_generator generator = {
+        .sweep = sweep, .settings = settings, .find = find_tried, .play = play_tried, .count = members < TRIED ? members : TRIED};
+    bool good = members < 2 || panel->shown.places == 0;
+    for (double accuracy = coarsest; !good && accuracy > finest; accuracy *= 0.1) {
+        fine = coarse;
+        panel->accuracy = accuracy;
+        generator.context = &coarse;
+        BEAD_TRY(bead_sweep_play(&generator, msg));
+        panel->accuracy = 0.1 * accuracy;
+        generator.context = &fine;
+        BEAD_TRY(bead_sweep_play(&generator, msg));
+        panel->accuracy = accuracy;
+        good = means_allow(&coarse, &fine, generator.count, members);
+    }
+    panel->accuracy = good ? panel->accuracy : 0;
+    return BEAD_OK;
+}
+
+double bead_sweep_accuracy(const struct bead_sweep *sweep)
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < sweep->panel_count; i++)
+        least = sweep->panels[i].accuracy > 0 ? fmin(least, sweep->panels[i].accuracy) : least;
+    return isfinite(least) ? least : 0;
+}
+
 enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings, uint64_t *computed,
                                struct bead_message *msg)
 {
@@ -313,6 +398,8 @@ enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep
             .sweep = sweep, .settings = &quiet, .find = find_pilot, .play = play_pilot, .context = &w, .count = sweep->panel_count};
         if (generator.count > 0)
             err = bead_sweep_play(&pilot, msg);
+        for (size_t i = 0; !err && generator.count > 0 && sweep->scene->simulate.statistical && i < sweep->panel_count; i++)
+            err = find_accuracy(sweep, i, &quiet, msg);
         if (!err)
             err = bead_sweep_play(&generator, msg);
         if (!err && sweep->lost > 0 && sweep->lost == generator.count)

@@ -439,6 +439,40 @@ static void watches_give_samples(void **state)
     bead_scene_free(scene);
 }
 
+/* `accuracy: statistical` moves no mean by more than a hundredth of its standard error, and takes a coarser accuracy for it: the
+ * same for any number of threads. */
+static void means_are_as_exact_as_they_need(void **state)
+{
+    (void)state;
+#define RANDOM_CELLS "sweep: {cells: 24, configurations: 30, seed: 5, magnetism: [0, 0.5]}\n"
+    struct bead_message msg = {""};
+    struct bead_scene *scene[] = {parse(RANDOM_CELLS "simulate: {accuracy: 1e-8}\n" OUTPUT),
+                                  parse(RANDOM_CELLS "simulate: {accuracy: statistical}\n" OUTPUT)};
+    struct bead_sweep *exact = compute(scene[0], &(struct bead_sweep_settings){.threads = 1}), *sweep[2];
+    assert_true(bead_sweep_accuracy(exact) == 0);
+    for (int i = 0; i < 2; i++) {
+        struct bead_sweep_statistics a, b;
+        sweep[i] = compute(scene[1], &(struct bead_sweep_settings){.threads = 1 + 3 * i});
+        assert_true(bead_sweep_accuracy(sweep[i]) > 1e-6);
+        assert_int_equal(bead_sweep_statistics(exact, 0, 0, "law", &a, &msg), BEAD_OK);
+        assert_int_equal(bead_sweep_statistics(sweep[i], 0, 0, "law", &b, &msg), BEAD_OK);
+        for (size_t r = 0; r < a.row_count; r++)
+            assert_near(b.rows[r].summary.mean, a.rows[r].summary.mean, 0.01 * a.rows[r].summary.standard_error);
+        bead_sweep_statistics_free(&a);
+        bead_sweep_statistics_free(&b);
+    }
+    for (size_t i = 0; i < bead_sweep_panel(exact, 0)->configurations; i++) {
+        struct bead_sweep_configuration a, b;
+        assert_true(bead_sweep_configuration(sweep[0], 0, i, &a) && bead_sweep_configuration(sweep[1], 0, i, &b));
+        assert_memory_equal(a.peaks, b.peaks, sizeof *a.peaks);
+    }
+    bead_sweep_close(exact);
+    for (int i = 0; i < 2; i++) {
+        bead_sweep_close(sweep[i]);
+        bead_scene_free(scene[i]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -450,6 +484,7 @@ int main(void)
         cmocka_unit_test(parts_make_the_whole),
         cmocka_unit_test(files_are_not_trusted),
         cmocka_unit_test(long_chains_say_that_they_are_off),
+        cmocka_unit_test(means_are_as_exact_as_they_need),
         cmocka_unit_test(watches_measure_single_runs),
         cmocka_unit_test(watches_give_samples),
     };
