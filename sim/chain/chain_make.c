@@ -66,8 +66,8 @@ static enum bead_error check_numbers(const struct bead_chain_settings *given, st
         return wrong(given, msg, "velocity", given->velocity, "0 m/s or more");
     if (!is_not_negative(given->precompression))
         return wrong(given, msg, "precompression", given->precompression, "0 N or more");
-    if (!(given->tilt >= 0 && given->tilt < 1.5707963267948966))
-        return wrong(given, msg, "tilt", given->tilt, "from 0 to below 1.5708 rad");
+    if (!(given->tilt >= 0 && given->tilt <= 1.5707963267948968))
+        return wrong(given, msg, "tilt", given->tilt, "from 0 to 1.5708 rad");
     if (given->tilt > 0 && given->wall == BEAD_WALL_NONE)
         return wrong(given, msg, "tilt", given->tilt, "0 where no wall holds the lower end");
     if (!is_not_negative(given->damping_coefficient))

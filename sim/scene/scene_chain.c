@@ -263,8 +263,8 @@ static const struct bead_option chain_rows[] = {
              "random ones chain.beads.disorder",
      .example = "10 um"},
     {"tilt", BEAD_OPTION_NUMBER, CHAIN(tilt), .unit = "rad", .usual = {0, 0.785}, .likely = BEAD_LIKELY("deg"), .initial = "0 deg",
-     .low = 0, .high = 1.5707963267948966, .open = BEAD_OPEN_HIGH, .shape = "from 0 to below 90 deg (1.5708 rad)",
-     .help = "slope of the chain, with its wall at the lower end", .example = "3.5 deg"},
+     .low = 0, .high = 1.5707963267948968, .shape = "from 0 to 90 deg (1.5708 rad)",
+     .help = "slope of the chain, with its wall at the lower end; 90 deg: it stands on the wall", .example = "3.5 deg"},
     {"damping", BEAD_OPTION_MAP, .initial = "{}", .map = &bead_damping_options, .help = "see chain.damping",
      .example = "{coefficient: 10, exponent: 1.8}"},
 };

@@ -297,7 +297,7 @@ static void wrong_numbers_name_what_is_allowed(void **state)
         refuse(text, "test:3:1");
         refuse(text, "; must be from 0 to 10000 m/s");
     }
-    refuse("chain: {tilt: 3.5, wall: brass, beads: [{bead: ptfe}]}\n" OUTPUTS, "from 0 to below 90 deg");
+    refuse("chain: {tilt: 3.5, wall: brass, beads: [{bead: ptfe}]}\n" OUTPUTS, "from 0 to 90 deg");
 }
 
 static void flags(void **state)

@@ -160,6 +160,16 @@ static void gaps_are_where_they_are_said_to_be(void **state)
     release(&random);
 }
 
+/* A chain that stands on its wall: each contact carries the beads above it, the striker not yet. */
+static void a_standing_chain_carries_its_weight(void **state)
+{
+    (void)state;
+    struct built b = build(MATERIAL "chain: {tilt: 90 deg, wall: rigid, beads: [{bead: unit, count: 6}]}\n", "");
+    for (size_t k = 0; k < 7; k++)
+        assert_near(bead_chain_static_force(b.chain)[k], (double)k * mass * 9.80665, 1e-12);
+    release(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -168,6 +178,7 @@ int main(void)
         cmocka_unit_test(strikes_from_both_sides_are_alike),
         cmocka_unit_test(gaps_make_collisions_of_a_wave),
         cmocka_unit_test(gaps_are_where_they_are_said_to_be),
+        cmocka_unit_test(a_standing_chain_carries_its_weight),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
