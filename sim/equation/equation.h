@@ -40,7 +40,7 @@ struct bead_equation {
     const char *const *methods; /* allowed in `simulate.method` besides auto, NULL-terminated; NULL: none */
     /* An error of the settings as a whole, and the key to blame; NULL: none. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
-    /* Errors: MEMORY, NUMBERS. On failure *motion is NULL. */
+    /* Errors: MEMORY, NUMBERS. On failure *motion is NULL, or what `destroy` frees. */
     enum bead_error (*create)(const struct bead_motion_settings *settings, struct bead_motion **motion, struct bead_message *msg);
     void (*destroy)(struct bead_motion *motion);
     void (*pace)(const struct bead_motion *motion, struct bead_pace *pace);

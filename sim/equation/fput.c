@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/base/wide.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/fput_string.h"
@@ -268,28 +269,18 @@ static enum bead_error fput_create(const struct bead_motion_settings *settings, 
     *motion = NULL;
     if (!method)
         return bead_fail(msg, BEAD_ERROR_SCENE, "simulate.method: there is no method `%s`", name);
-    struct bead_motion *m = calloc(1, sizeof *m);
-    if (!m || !(m->u = calloc(2 * n, sizeof(double)))) {
-        free(m);
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a string of %zu masses", n);
-    }
+    BEAD_TRY(bead_new(motion, 1, msg, "an equation"));
+    struct bead_motion *m = *motion;
+    BEAD_TRY(bead_new(&m->u, 2 * n, msg, "a string of %zu masses", n));
     m->settings = *settings;
     m->v = m->u + n;
-    enum bead_error err = bead_string_create(settings->spec, method, &m->stepper, msg);
-    if (!err) {
-        bead_string_start(&m->stepper.string, m->stepper.end.u, m->stepper.end.v);
-        bead_string_begin(&m->stepper);
-        m->energy_start = energy(m);
-        m->momentum_start = momentum(m);
-        err = choose_step(m, msg);
-    }
-    if (!err)
-        err = begin_watch(m, msg);
-    if (err)
-        fput_destroy(m);
-    else
-        *motion = m;
-    return err;
+    BEAD_TRY(bead_string_create(settings->spec, method, &m->stepper, msg));
+    bead_string_start(&m->stepper.string, m->stepper.end.u, m->stepper.end.v);
+    bead_string_begin(&m->stepper);
+    m->energy_start = energy(m);
+    m->momentum_start = momentum(m);
+    BEAD_TRY(choose_step(m, msg));
+    return begin_watch(m, msg);
 }
 
 static void pace(const struct bead_motion *m, struct bead_pace *pace)

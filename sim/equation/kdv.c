@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/kdv_solitons.h"
 #include "sim/equation/kdv_solver.h"
@@ -205,18 +206,11 @@ static void kdv_destroy(struct bead_motion *m)
 static enum bead_error kdv_create(const struct bead_motion_settings *settings, struct bead_motion **motion,
                                   struct bead_message *msg)
 {
-    struct bead_motion *m = calloc(1, sizeof *m);
-    *motion = NULL;
-    if (!m)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an equation");
-    enum bead_error err = bead_kdv_create(settings, &m->kdv, msg);
-    if (err) {
-        free(m);
-        return err;
-    }
+    BEAD_TRY(bead_new(motion, 1, msg, "an equation"));
+    struct bead_motion *m = *motion;
+    BEAD_TRY(bead_kdv_create(settings, &m->kdv, msg));
     watch_begin(&m->watch, &m->kdv);
     bead_kdv_solitons_begin(&m->solitons, settings->spec);
-    *motion = m;
     return BEAD_OK;
 }
 

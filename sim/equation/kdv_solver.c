@@ -200,10 +200,8 @@ static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead
     size_t bytes =
         n * (sizeof(bead_wide) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
     char *memory = kdv->memory = calloc(1, bytes);
-    if (!memory) {
-        bead_spectral_destroy(&kdv->spectral);
+    if (!memory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu points", points);
-    }
     kdv->omega = (bead_wide *)(void *)memory;
     struct bead_etd_row *row = (struct bead_etd_row *)(void *)(kdv->omega + n);
     kdv->rows = row, kdv->half_rows = row + n, kdv->other_rows = row + 2 * n;
@@ -300,19 +298,14 @@ enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, str
     *kdv = (struct bead_kdv){.spec = settings->spec};
     BEAD_TRY(allocate(kdv, settings->points, msg));
     double lost = kdv_solver_begin(kdv);
-    if (!(lost <= momentum_limit)) {
-        bead_kdv_destroy(kdv);
+    if (!(lost <= momentum_limit))
         return bead_fail(msg, BEAD_ERROR_NUMBERS,
                          "a grid of %zu points is too coarse for the start: it loses %.2g of the integral of u^2", settings->points,
                          lost);
-    }
     kdv->momentum = sum_of_squares(kdv);
     kdv->tail_limit = settings->spec->points ? tail_limit : fmin(tail_limit, tail_by_accuracy * settings->accuracy);
     choose_step(kdv, settings);
-    enum bead_error err = kdv_solver_check(kdv, msg);
-    if (err)
-        bead_kdv_destroy(kdv);
-    return err;
+    return kdv_solver_check(kdv, msg);
 }
 
 void bead_kdv_destroy(struct bead_kdv *kdv)

@@ -50,7 +50,7 @@ struct bead_kdv {
     void *memory;
 };
 
-/* Errors: MEMORY, NUMBERS. On failure there is nothing to destroy. */
+/* Errors: MEMORY, NUMBERS. To be destroyed even after one. */
 BEAD_CHECK enum bead_error bead_kdv_create(const struct bead_motion_settings *settings, struct bead_kdv *kdv,
                                            struct bead_message *msg);
 void bead_kdv_destroy(struct bead_kdv *kdv);

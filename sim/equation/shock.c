@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/base/wide.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/shock_law.h"
@@ -164,32 +165,24 @@ static double find_faces(const struct bead_motion *m, const double *r)
 static enum bead_error shock_create(const struct bead_motion_settings *settings, struct bead_motion **motion,
                                     struct bead_message *msg)
 {
-    struct bead_motion *m = calloc(1, sizeof *m);
-    *motion = NULL;
-    if (!m)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an equation");
+    BEAD_TRY(bead_new(motion, 1, msg, "an equation"));
+    struct bead_motion *m = *motion;
     m->settings = *settings;
     m->cells = settings->points;
     m->dx = settings->spec->length / (double)m->cells;
     m->smooth = bead_shock_smooth(settings->spec, m->dx);
-    enum bead_error err = allocate(m, msg);
-    if (!err) {
-        double *scratch = m->work + 4 * (m->cells + 2 * BEAD_SHOCK_GHOSTS);
-        bead_shock_start(settings->spec, m->cells, m->end.r, m->end.v);
-        bead_shock_watch_begin(&m->watch, settings->spec, m->cells, scratch, &m->end);
-        m->mean_displacement = find_faces(m, m->end.r);
-        m->mean_velocity = m->watch.start.momentum / settings->spec->length;
-        m->h = longest(m, &m->end);
-        find_rates(m, &m->end);
-        if (!(m->h * fastest(m, &m->end) <= courant_limit * m->dx))
-            err = bead_fail(msg, BEAD_ERROR_SCENE, "simulate.step: %.3g is too long for cells of %.3g: at most %.3g", m->h, m->dx,
-                            courant_limit * m->dx / fastest(m, &m->end));
-    }
-    if (err)
-        shock_destroy(m);
-    else
-        *motion = m;
-    return err;
+    BEAD_TRY(allocate(m, msg));
+    double *scratch = m->work + 4 * (m->cells + 2 * BEAD_SHOCK_GHOSTS);
+    bead_shock_start(settings->spec, m->cells, m->end.r, m->end.v);
+    bead_shock_watch_begin(&m->watch, settings->spec, m->cells, scratch, &m->end);
+    m->mean_displacement = find_faces(m, m->end.r);
+    m->mean_velocity = m->watch.start.momentum / settings->spec->length;
+    m->h = longest(m, &m->end);
+    find_rates(m, &m->end);
+    if (!(m->h * fastest(m, &m->end) <= courant_limit * m->dx))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "simulate.step: %.3g is too long for cells of %.3g: at most %.3g", m->h, m->dx,
+                         courant_limit * m->dx / fastest(m, &m->end));
+    return BEAD_OK;
 }
 
 /* The resolution: waves cross two cells or a five-hundredth of the domain. */

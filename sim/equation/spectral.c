@@ -5,18 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/base/wide.h"
 
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)
 {
     *s = (struct bead_spectral){.points = points, .modes = (points - 1) / 3};
     BEAD_TRY(bead_fourier_create(points, &s->fourier, msg));
-    s->grid = calloc(points, sizeof *s->grid);
-    s->bins = calloc(points / 2 + 1, sizeof *s->bins);
-    if (s->grid && s->bins)
-        return BEAD_OK;
-    bead_spectral_destroy(s);
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu points", points);
+    BEAD_TRY(bead_new(&s->grid, points, msg, "a grid of %zu points", points));
+    return bead_new(&s->bins, points / 2 + 1, msg, "a grid of %zu points", points);
 }
 
 void bead_spectral_destroy(struct bead_spectral *s)

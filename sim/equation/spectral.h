@@ -18,7 +18,7 @@ struct bead_spectral {
     struct bead_fourier *fourier;
 };
 
-/* Errors: MEMORY. On failure there is nothing to destroy. */
+/* Errors: MEMORY. To be destroyed even after one. */
 BEAD_CHECK enum bead_error bead_spectral_create(size_t points, struct bead_spectral *spectral, struct bead_message *msg);
 void bead_spectral_destroy(struct bead_spectral *spectral);
 /* c[0..modes] -> grid. */

@@ -44,8 +44,13 @@ static enum bead_error create_motion(const struct bead_chain *chain, const struc
 {
     struct bead_motion_settings settings = settings_of(chain, asked, tolerance_factor);
     struct bead_message inner;
+    *motion = NULL;
     enum bead_error err = equation_of(chain)->create(&settings, motion, &inner);
     const char *name = bead_chain_name(chain);
+    if (err) {
+        equation_of(chain)->destroy(*motion);
+        *motion = NULL;
+    }
     if (err == BEAD_ERROR_MEMORY)
         return bead_fail(msg, err, "%s", inner.text);
     return err ? bead_fail(msg, err, "%s: %s%s%s%s", chain->scene->file, *name ? "chain " : "", name, *name ? ": " : "", inner.text)
