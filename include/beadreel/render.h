@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Drawing: frames (pixels in memory, and which of them changed), colour maps, the look and letters of a picture, and the sinks that
- * draw. All lengths in device pixels; a vector file's context is scaled so that its unit is the pixel of the raster inside. */
+/* Drawing: frames (pixels in memory, and which of them changed), colour maps, and the sinks that draw. */
 #ifndef BEADREEL_RENDER_H
 #define BEADREEL_RENDER_H
 
-#include <cairo.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -74,47 +72,6 @@ struct bead_colours {
 BEAD_API double bead_colours_place(const struct bead_colours *colours, double value);
 /* The map's 256 colours are equal bands along the bar. */
 BEAD_API uint8_t bead_colours_index(const struct bead_colours *colours, double value);
-
-/* ---- looks and text ---- */
-
-struct bead_rgb {
-    double r, g, b;
-};
-
-struct bead_look {
-    bool dark, clear;          /* clear: nothing is painted behind what is drawn */
-    char family[64];           /* Pango font family: "STIX" on paper, "Lato" on screens */
-    double title, label, tick; /* font sizes, px */
-    double line;               /* width of axes and curves, px */
-    double gap;                /* the usual distance between things, px */
-    double margin;             /* between the page's border and what is on it, px */
-    struct bead_rgb background, panel, ink, faint, accent;
-    struct bead_rgb axis; /* lines and ticks */
-};
-
-/* Paint all of the page, or a rectangle of a panel, in the look's colours; nothing where it is clear. */
-BEAD_API void bead_look_paint(const struct bead_look *look, cairo_t *cr);
-
-/* Colour of the curve of this number, from 0; six, then again. */
-BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);
-
-enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIGN_BASELINE };
-
-struct bead_text_style {
-    const char *family;
-    double size; /* px */
-    struct bead_rgb colour;
-    bool bold;
-    enum bead_align across, down; /* where (x, y) lies in the text's box: start, middle, end; down also baseline */
-    bool upwards;                 /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
-};
-/* BEAD_ALIGN_MIDDLE of `down` is the middle of digits and capitals, which looks right beside ticks. */
-/* Draw Pango markup at (x, y). */
-BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
-/* Size of its logical box, before turning. */
-BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
-/* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
-BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
 
 /* The drawing half's outputs: images, plots, movies. Hand this list and bead_data_sinks() to a job (session.h). NULL-terminated. */
 BEAD_API const struct bead_sink_type *const *bead_render_sinks(void);

@@ -21,6 +21,50 @@
 
 BEAD_BEGIN
 
+/* ---- looks and text: colours, lines and letters of a picture. All lengths in device pixels; a vector file's context is scaled so
+ * that its unit is the pixel of the raster inside ---- */
+
+struct bead_rgb {
+    double r, g, b;
+};
+
+struct bead_look {
+    bool dark, clear;          /* clear: nothing is painted behind what is drawn */
+    char family[64];           /* Pango font family: "STIX" on paper, "Lato" on screens */
+    double title, label, tick; /* font sizes, px */
+    double line;               /* width of axes and curves, px */
+    double gap;                /* the usual distance between things, px */
+    double margin;             /* between the page's border and what is on it, px */
+    struct bead_rgb background, panel, ink, faint, accent;
+    struct bead_rgb axis; /* lines and ticks */
+};
+
+/* Paint all of the page, or a rectangle of a panel, in the look's colours; nothing where it is clear. */
+BEAD_API void bead_look_paint(const struct bead_look *look, cairo_t *cr);
+
+/* Colour of the curve of this number, from 0; six, then again. */
+BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);
+
+enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIGN_BASELINE };
+
+struct bead_text_style {
+    const char *family;
+    double size; /* px */
+    struct bead_rgb colour;
+    bool bold;
+    enum bead_align across, down; /* where (x, y) lies in the text's box: start, middle, end; down also baseline */
+    bool upwards;                 /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
+};
+/* BEAD_ALIGN_MIDDLE of `down` is the middle of digits and capitals, which looks right beside ticks. */
+/* Draw Pango markup at (x, y). */
+BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
+/* Size of its logical box, before turning. */
+BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
+/* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
+BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
+
+/* ---- views ---- */
+
 struct bead_camera;
 struct bead_canvas;
 

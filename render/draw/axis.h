@@ -2,7 +2,7 @@
 /* Axes, colour bars and quantities: the parts of a picture that explain it. */
 #pragma once
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "sim/base/internal.h"
 
 /* `seen` is called for every text drawn on this surface, with the box of its ink in device units: to see what collides. `watch` is

@@ -2,7 +2,7 @@
 /* Draws the bar beside a picture that explains its colours, and measures it for layouts. */
 #include <math.h>
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 
 /* In units of the label's font size and of the look's gap; movies leave more to the picture. */

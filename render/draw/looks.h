@@ -2,7 +2,7 @@
 /* Looks of pictures and lines of text, beyond what views of a program's own need. */
 #pragma once
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 
 /* Paper look (lengths with dpi: 8 pt type) or screen look (type in proportion to the height, never unreadably small). */
 void bead_look_paper(struct bead_look *look, double dpi);

@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 #include "beadreel/error.h"
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "sim/base/internal.h"
 
 struct bead_picture_notes {

@@ -6,7 +6,7 @@
  *   err = bead_raster_end(cr, "curves", &msg); */
 #pragma once
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/picture.h"
 
 /* A surface of the frame's pixels, which must outlive it. */

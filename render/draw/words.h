@@ -2,7 +2,7 @@
 /* Lines of words: their style, their width, and shortening them to the room that there is. */
 #pragma once
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 
 /* From the baseline of a heading, of images and of plots, to the plot below it, in units of the label's font size. */
 static const double bead_heading_drop = 0.6;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/page.h"
 #include "render/draw/picture_times.h"

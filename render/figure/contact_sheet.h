@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#include "beadreel/render.h"
 #include "beadreel/sweep.h"
+#include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/axis.h"
 #include "render/draw/page.h"

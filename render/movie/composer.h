@@ -7,9 +7,9 @@
 #pragma once
 
 #include "beadreel/chain.h"
-#include "beadreel/render.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
+#include "beadreel/view.h"
 
 struct bead_composer;
 struct bead_preview; /* film.h */

@@ -13,7 +13,6 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
-#include "beadreel/render.h"
 #include "beadreel/scene.h"
 #include "beadreel/view.h"
 #include "render/draw/axis.h"

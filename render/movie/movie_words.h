@@ -6,8 +6,8 @@
 #include <stddef.h>
 
 #include "beadreel/chain.h"
-#include "beadreel/render.h"
 #include "beadreel/scene.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 #include "render/movie/film_clock.h"
 

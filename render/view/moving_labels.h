@@ -3,7 +3,7 @@
  * it reaches an end. */
 #pragma once
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 
 enum bead_label_sign { BEAD_LABEL_PLAIN, BEAD_LABEL_TICK /* above the text */, BEAD_LABEL_POINTER /* below it */ };

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 
 struct bead_curve {

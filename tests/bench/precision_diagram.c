@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The work-precision diagram of a table of precision.sh, drawn with this program's own axes and text.
  *   precision_diagram TABLE.csv NAME [velocity]       writes NAME.png and NAME.pdf: errors of peaks, or of velocities */
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/looks.h"
 #include "tests/bench/diagram.h"
 

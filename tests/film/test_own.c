@@ -2,7 +2,6 @@
 /* Views and sinks of a program's own: what they draw is there, and those that lack something are refused. */
 #include "support.h"
 
-#include "beadreel/render.h"
 #include "beadreel/session.h"
 #include "beadreel/view.h"
 #include "scratch.h"

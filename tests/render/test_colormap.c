@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "tests/eyes.h"

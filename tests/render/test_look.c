@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/looks.h"
 #include "render/draw/page.h"
 #include "tests/eyes.h"

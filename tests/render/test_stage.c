@@ -3,7 +3,7 @@
  */
 #include "tests/scenes.h"
 
-#include "beadreel/render.h"
+#include "beadreel/view.h"
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "render/paint/canvas.h"

@@ -5,7 +5,6 @@
 
 #include "scratch.h"
 
-#include "beadreel/render.h"
 #include "beadreel/session.h"
 #include "beadreel/view.h"
 #include "render/draw/looks.h"
