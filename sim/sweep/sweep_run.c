@@ -315,7 +315,8 @@ static enum bead_error play_tried(void *context, size_t index, const struct bead
 {
     struct trial *t = context;
     struct measure m = {.panel = &t->sweep->panels[t->panel], .row = 1 + t->first + index, .chain = play->chains[0]};
-    const enum bead_error err = sweep_measure(&m, play, &(size_t){m.panel->first_try}, msg);
+    size_t behind = m.panel->first_try;
+    const enum bead_error err = sweep_measure(&m, play, &behind, msg);
     t->force[index] = err ? NAN : m.panel->peaks[m.row * m.panel->shown.places].force;
     return m.lost ? BEAD_OK : err;
 }
