@@ -3,6 +3,7 @@
 """The module assets/python/beadreel.py, as a user has it: module.py FOLDER. numpy and h5py are needed. Prints TAP."""
 import os
 import pathlib
+import subprocess
 import sys
 import warnings
 
@@ -118,6 +119,18 @@ def errors():
     ok(bool(seen) and all("done" in line for line in seen), "progress")
 
 
+def many():
+    """A result larger than a pipe holds (64 KiB), in a process that can be given up."""
+    names = [f"a-rather-long-name-of-a-table-of-peaks-{number:04}.csv" for number in range(500)]
+    code = ("import beadreel, sys; made = beadreel.run({'chain': {'beads': [{'bead': 'large-steel'}]}, "
+            "'outputs': [{'table': name} for name in sys.argv[1:]]}); print(len(made.outputs))")
+    try:
+        said = subprocess.run([sys.executable, "-c", code, *names], capture_output=True, text=True, timeout=100).stdout
+    except subprocess.TimeoutExpired:
+        said = "hung"
+    ok(said.strip() == str(len(names)), "a result larger than a pipe holds")
+
+
 def sweeps():
     scene = {**STEEL, "outputs": [{"table": "peaks.csv", "show": "peaks"}]}
     runs = beadreel.sweep(scene, over={"chain.striker.velocity": ["0.1 m/s", "1 m/s"], "chain.beads.0.count": [5, 10]},
@@ -136,6 +149,7 @@ demo()
 without_xarray()
 scenes()
 errors()
+many()
 sweeps()
 print(f"1..{count}")
 sys.exit(failed > 0)

@@ -106,6 +106,8 @@ BEAD_API const struct bead_chain *const *bead_session_chains(const struct bead_s
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
 /* The sweep of a scene or file that has one, else NULL. */
 BEAD_API const struct bead_sweep *bead_session_sweep(const struct bead_session *session);
+/* Removes unfinished files. For the handlers of signals that end the program at once: nothing else may be called after it. */
+BEAD_API void bead_session_abandon(const struct bead_session *session);
 BEAD_API void bead_session_close(struct bead_session *session);
 
 BEAD_END

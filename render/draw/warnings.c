@@ -12,7 +12,8 @@ static GLogFunc others;
 
 static void keep(const gchar *domain, GLogLevelFlags level, const gchar *text, gpointer data)
 {
-    if (!(level & (G_LOG_LEVEL_ERROR | G_LOG_LEVEL_CRITICAL | G_LOG_LEVEL_WARNING)))
+    /* After a fatal one GLib aborts. */
+    if (level & G_LOG_FLAG_FATAL || !(level & (G_LOG_LEVEL_ERROR | G_LOG_LEVEL_CRITICAL | G_LOG_LEVEL_WARNING)))
         others(domain, level, text, data);
     else if (!*first)
         snprintf(first, sizeof first, "%s%s%s", domain ? domain : "", domain ? ": " : "", text);

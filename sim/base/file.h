@@ -52,6 +52,8 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_claim(const char *path, struc
  * happens.
  */
 BEAD_INTERNAL void bead_file_release(struct bead_claim *claim, bool keep);
+/* Remove the unfinished file, as bead_file_release does; may be called in handlers of signals. NULL: nothing happens. */
+BEAD_INTERNAL void bead_file_abandon(const struct bead_claim *claim);
 
 /* Remove `part` (NULL, or not there: nothing happens). */
 BEAD_INTERNAL void bead_file_discard(const char *part);
@@ -62,7 +64,14 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_parents(const char *path
 /* Bytes in the file, 0 where there is none. */
 BEAD_INTERNAL uint64_t bead_file_bytes(const char *path);
 
-/* The whole of a file of at most `most` bytes: it could be a device. *bytes end with a NUL more, and are to be freed; NULL on
- * failure. Errors: IO, SCENE (too long), MEMORY. */
+/* Open a regular file for reading; anything else is not even touched, as opening a pipe would wake its writer. -1: errno says why,
+ * ENXIO: it is not a regular file. */
+BEAD_INTERNAL int bead_file_look(const char *path);
+/* The whole of a regular file of at most `most` bytes. *bytes end with a NUL more, and are to be freed; NULL on failure. Errors:
+ * IO, SCENE (too long), MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t most, char **bytes, size_t *length,
                                                         struct bead_message *msg);
+/* The same for what the user names: also a pipe, a terminal or, as `-`, standard input. Further errors: STOPPED (a signal came while
+ * it was waited for). */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read_input(const char *path, size_t most, char **bytes, size_t *length,
+                                                              struct bead_message *msg);

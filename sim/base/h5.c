@@ -151,7 +151,7 @@ bool bead_h5_is(const char *path)
 {
     static const char signature[8] = "\211HDF\r\n\032\n";
     char bytes[sizeof signature];
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    int file = bead_file_look(path);
     off_t at = 0;
     bool found = false, more = file >= 0;
     while (!found && more) {

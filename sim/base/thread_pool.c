@@ -44,8 +44,11 @@ static void *work(void *context)
 
 int bead_thread_start(pthread_t *thread, void *(*function)(void *context), void *context)
 {
+    static const int own[] = {SIGTRAP, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}; /* faults of the thread itself */
     sigset_t all, before;
     sigfillset(&all);
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        sigdelset(&all, own[i]);
     int failed = pthread_sigmask(SIG_SETMASK, &all, &before);
     if (failed)
         return failed;

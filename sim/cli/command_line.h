@@ -125,6 +125,8 @@ COMMAND_LISTS(command_list_schema); /* of the same: a JSON Schema, for editors *
  * command_run; USAGE, IO. */
 enum bead_error command_watch(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_new(const struct command *command, struct bead_message *msg);
+/* The session whose unfinished files go where a fault ends the program; NULL: none. */
+void command_guard(struct bead_session *session);
 /* The message on stderr. */
 void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);
 /* The same for a warning, which may have several lines. */

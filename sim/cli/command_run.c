@@ -197,12 +197,14 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     job.progress_context = &meter;
     enum bead_error err = bead_session_open(&job, &session, msg);
     command_meter_clear(&meter);
+    command_guard(session);
     if (!err)
         err = play(command, session, &meter, began, msg);
     if (err == BEAD_ERROR_STOPPED && *stop)
         bead_fail(msg, err, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
     if (command_is_json(command))
         command_print_result(session, err, command_status(err, *stop), bead_clock() - began, msg);
+    command_guard(NULL);
     bead_session_close(session);
     return err;
 }

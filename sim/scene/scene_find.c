@@ -184,8 +184,8 @@ enum bead_error bead_scene_find(const char *name, char *path, size_t size, struc
 {
     char asset[1100];
     struct stat status;
-    bool exists = stat(name, &status) == 0;
-    if (exists && !S_ISDIR(status.st_mode)) {
+    const bool standard = strcmp(name, "-") == 0, exists = standard || stat(name, &status) == 0;
+    if (standard || (exists && !S_ISDIR(status.st_mode))) {
         if (is_unfinished(name))
             return bead_fail(
                 msg, BEAD_ERROR_FORMAT,

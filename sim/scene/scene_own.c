@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
@@ -225,13 +224,6 @@ static char *colours_file(const struct own *own, const struct bead_node *node, c
     return path;
 }
 
-/* A stranger's scene must not make the program wait at a pipe. */
-static bool may_be_read(const struct bead_node *node, const char *path)
-{
-    struct stat found;
-    return node->origin || stat(path, &found) != 0 || S_ISREG(found.st_mode);
-}
-
 static enum bead_error take_colours(struct own *own, const struct bead_at *at)
 {
     struct bead_reader *reader = own->reader;
@@ -243,9 +235,7 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
         free(path);
         return BEAD_OK;
     }
-    enum bead_error err = !path                         ? BEAD_ERROR_MEMORY
-                          : may_be_read(at->node, path) ? bead_file_read(path, BEAD_YAML_BYTES, &text, &length, &why)
-                                                        : bead_fail(&why, BEAD_ERROR_IO, "%s: is no plain file", path);
+    enum bead_error err = path ? bead_file_read(path, BEAD_YAML_BYTES, &text, &length, &why) : BEAD_ERROR_MEMORY;
     if (err == BEAD_ERROR_IO || err == BEAD_ERROR_SCENE)
         err = bead_wrong(reader, at, "%s", why.text);
     if (!err && !(colours = read_colours(text, turned, wrong, sizeof wrong)))

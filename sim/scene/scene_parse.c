@@ -186,7 +186,7 @@ enum bead_error bead_scene_load(const char *path, const struct bead_overrides *o
     BEAD_FREED char *text = NULL;
     size_t length = 0;
     *scene = NULL;
-    BEAD_TRY(bead_file_read(path, BEAD_YAML_BYTES, &text, &length, msg));
+    BEAD_TRY(bead_file_read_input(path, BEAD_YAML_BYTES, &text, &length, msg));
     return bead_scene_parse(path, text, length, overrides, scene, msg);
 }
 

@@ -58,6 +58,12 @@ void bead_session_release_output(struct bead_made *m)
     }
 }
 
+void bead_session_abandon(const struct bead_session *s)
+{
+    for (size_t i = 0; i < 2 * s->made_count; i++)
+        bead_file_abandon(s->made[i / 2].claims[i % 2]);
+}
+
 void bead_session_release(struct bead_session *s)
 {
     for (size_t i = 0; s->made && i < s->made_count; i++)

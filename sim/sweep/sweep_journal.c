@@ -214,7 +214,7 @@ bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progr
 {
     struct head head;
     uint64_t label;
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    int file = bead_file_look(path);
     bool is = file >= 0 && read_at(file, &head, sizeof head, 0) && memcmp(head.magic, magic, sizeof magic) == 0;
     *progress = (struct bead_sweep_progress){0};
     if (is) {

@@ -106,7 +106,7 @@ ok "no such file" fails 2 "$beadreel" run/run.h5 -o no.png --colormap no.txt
 ok "... says the option" says "--colormap:1:1: outputs.0.colormap: no.txt: cannot be read"
 mkfifo deep/pipe.txt && sed 's/colormap: mine/colormap: pipe.txt/' scene.yaml >deep/pipe.yaml
 ok "a scene does not wait at a pipe" fails 2 timeout 20 "$beadreel" deep/pipe.yaml -o no
-ok "..." says "outputs.0.colormap: deep/pipe.txt: is no plain file"
+ok "..." says "outputs.0.colormap: deep/pipe.txt: cannot be read: it is not a regular file"
 ok "no such name" fails 2 "$beadreel" run/run.h5 -o no.png --colormap no
 ok "... says it, too" says "--colormap:1:1: colormap: there is no colour map \`no\`"
 ok "no such colours" fails 2 "$beadreel" run/run.h5 -o no.png --colormap '"#00 #11"'

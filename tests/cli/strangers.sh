@@ -1,0 +1,80 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Files of strangers, and machines that refuse: nothing hangs, nothing ends by a signal, nothing is left half-written.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+nm -D "$beadsim" 2>/dev/null | grep -q __asan_ && sanitized=1
+scene() { # OUTPUTS [KEYS]
+    printf 'chain: {beads: [{bead: large-steel, count: 3}]}\noutputs: [%s]\n%s\n' "$1" "${2:-}"
+}
+# refuse FUNCTION RESULT ERRNO [LIBRARY] : a library to load before a program, in which FUNCTION fails; called by LIBRARY only.
+refuse() {
+    cat >"$1.c" <<C
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <string.h>
+int $1();
+int $1(void *a, void *b, void *c, void *d)
+{
+    Dl_info caller;
+    if (dladdr(__builtin_return_address(0), &caller) && strstr(caller.dli_fname, "${4:-}")) {
+        errno = $3;
+        return $2;
+    }
+    int (*real)(void *, void *, void *, void *) = (int (*)(void *, void *, void *, void *))dlsym(RTLD_NEXT, "$1");
+    return real(a, b, c, d);
+}
+C
+    ${CC:-cc} -w -shared -fPIC "$1.c" -o "$1.so" -ldl
+}
+
+# ---- what is read ----
+mkfifo pipe.yaml
+waits() { # SIGNAL : a scene that never comes
+    timeout --preserve-status -k 20 -s "$1" 1 "$beadsim" pipe.yaml -o no 2>err
+    [ $? -eq $((128 + $(kill -l "$1"))) ] || { cat err; return 1; }
+}
+ok "a pipe that stays empty: SIGTERM ends the wait" waits TERM
+ok "... SIGINT, too" waits INT
+through() {
+    (scene '{table: a.csv}' >pipe.yaml) & # opens once there is a reader
+    timeout 20 "$beadsim" pipe.yaml -o piped && [ -s piped/a.csv ]
+}
+ok "a scene through a pipe" through
+standard() { scene '{table: a.csv}' | "$beadsim" - -o standard && cmp standard/a.csv piped/a.csv; }
+ok "a scene from standard input" standard
+mkdir -p .config/beadreel && mkfifo .config/beadreel/config.yaml
+scene '{table: a.csv}' >plain.yaml
+ok "own settings are no pipe" fails 1 timeout 20 "$beadsim" plain.yaml -o no
+ok "..." says "config.yaml: cannot be read: it is not a regular file"
+rm -r .config
+scene '{image: a.png, colormap: /proc/kmsg}' >kernel.yaml # says that it is a regular file, of no length
+ok "a colour map in /proc" fails 2 timeout 20 "$beadreel" kernel.yaml -o no
+ok "..." says "outputs.0.colormap: /proc/kmsg: has 0 colours"
+
+# ---- a trajectory without a film ----
+scene '{trajectory: run.h5, every: 5 us}' >run.yaml
+"$beadsim" run.yaml -o . >/dev/null
+ok "a frame of no film" fails 2 "$beadreel" run.h5 --frame 50%
+ok "..." says "--frame: run.h5 has no movie"
+
+# ---- no threads, no time ----
+if [ "${sanitized:-}" ] || ! refuse pthread_create 11 11 libglib; then
+    skip "a compiler, and a build without sanitizers" "GLib without threads"
+else
+    threadless() {
+        LD_PRELOAD=$T/pthread_create.so run "$beadreel" "$1" -o none
+        [ $status -eq 1 ] && says GLib-ERROR && says "no unfinished file is left" && empty none
+    }
+    scene '{image: a.png}, {plot: b.pdf, show: setup}, {table: c.csv}, {trajectory: d.h5, every: 5 us}' >drawn.yaml
+    ok "GLib gives up without threads: it says so, and nothing is left" threadless drawn.yaml
+fi
+scene '{trajectory: run.h5, every: 100 us, fields: [displacement]}' 'simulate: {until: 20 s, method: rk4, step: 0.1 us}' >long.yaml
+limited() {
+    (ulimit -S -t 1 && exec "$beadsim" long.yaml -o limited --progress none) >out 2>err
+    status=$?
+    [ $status -eq 152 ] && says "stopped by signal 24" && "$beadsim" --info limited/run.h5.part >/dev/null
+}
+ok "a limit of CPU time stops a run in good order" limited
+finish
