@@ -214,22 +214,18 @@ def _call(arguments, progress=None):
     """Run the program; returns its result (JSON), or raises what is wrong."""
     command = [_program(), *map(str, arguments), "--progress=json" if progress else "--json"]
     words = ["no result"]
-    text = {"encoding": "utf-8", "errors": "replace"}
-    # The result goes to a file: a pipe that is read after the other one would fill up, and both programs would wait.
-    with tempfile.TemporaryFile("w+", **text) as out, subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out,
-                                                                       stderr=subprocess.PIPE, **text) as process:
-        try:
-            for line in process.stderr:
-                if not line.startswith("{"):
-                    words.append(line.strip())
-                elif progress:
-                    progress(json.loads(line))
-            process.wait()
-            out.seek(0)
-            said = out.read()
-        except BaseException:  # ctrl-C reaches the program, too; it ends in good order
-            process.send_signal(signal.SIGINT)
-            raise
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as out:  # a pipe would fill up while the other is read
+        with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, text=True, encoding="utf-8",
+                              errors="replace") as process:
+            try:
+                for line in process.stderr:
+                    if line.startswith("{") and progress:
+                        progress(json.loads(line))
+                    words += [] if line.startswith("{") else [line.strip()]
+            except BaseException:  # ctrl-C reaches the program, too; it ends in good order
+                process.send_signal(signal.SIGINT)
+                raise
+        said = out.seek(0) or out.read()
     try:
         result = json.loads(said)
     except ValueError:

@@ -353,7 +353,7 @@ static enum bead_error file_info(const struct command *command, FILE *out, struc
     return bead_trajectory_is(command->job.input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
 }
 
-enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
+static enum bead_error print_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     struct bead_sweep_progress progress;
     if (bead_sweep_journal_look(command->job.input, &progress)) {
@@ -363,5 +363,22 @@ enum bead_error command_info(const struct command *command, FILE *out, struct be
     enum bead_error err = file_info(command, out, msg);
     if (!err && !command->json)
         command_print_config(out, command->config);
+    return err;
+}
+
+/* Names and texts may be a stranger's. */
+enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
+{
+    char *text = NULL;
+    size_t size = 0;
+    if (command->json)
+        return print_info(command, out, msg);
+    FILE *held = open_memstream(&text, &size);
+    enum bead_error err = held ? print_info(command, held, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+    if (held && fclose(held) == 0)
+        command_show(out, text, "");
+    else if (!err)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+    free(text);
     return err;
 }

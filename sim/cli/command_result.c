@@ -6,6 +6,7 @@
 
 #include "beadreel/chain.h"
 #include "beadreel/sweep.h"
+#include "sim/base/yaml.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
 #include "sim/session/session_internal.h"
@@ -15,16 +16,24 @@ int command_status(enum bead_error err, int signal)
     return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
 }
 
+void command_show(FILE *out, const char *text, const char *line)
+{
+    for (size_t obeyed; *text; text += obeyed ? obeyed : 1) {
+        obeyed = bead_text_obeyed(text);
+        if (line && *text == '\n')
+            fprintf(out, "\n%s", line);
+        else
+            fputc(obeyed ? ' ' : *text, out);
+    }
+}
+
 /* One line, or, with `lines`, one for each line of the text. */
 static void tell(const struct command_program *program, const char *word, const char *text, bool lines)
 {
-    fprintf(stderr, "%s: %s", program->name, word);
-    for (const char *c = text; *c; c++) {
-        if (lines && *c == '\n')
-            fprintf(stderr, "\n%s: %s", program->name, word);
-        else
-            fputc((unsigned char)*c < ' ' ? ' ' : *c, stderr);
-    }
+    char begin[64];
+    snprintf(begin, sizeof begin, "%s: %s", program->name, word);
+    fputs(begin, stderr);
+    command_show(stderr, text, lines ? begin : NULL);
     fputc('\n', stderr);
 }
 

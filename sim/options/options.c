@@ -233,11 +233,6 @@ enum bead_error bead_read_choice(const struct bead_reader *reader, const struct 
 }
 
 /* U+0080 to U+009F in UTF-8. */
-static bool is_c1_control(const unsigned char *c)
-{
-    return c[0] == 0xC2 && c[1] >= 0x80 && c[1] <= 0x9F;
-}
-
 /* U+FDD0 to U+FDEF, and the last two code points of every plane. `c` is the first byte of a character of valid UTF-8. */
 static bool is_noncharacter(const unsigned char *c)
 {
@@ -247,18 +242,25 @@ static bool is_noncharacter(const unsigned char *c)
     return arabic || basic || other;
 }
 
+enum bead_error bead_check_text(const struct bead_reader *reader, const struct bead_at *at, const char *text)
+{
+    if (strlen(text) > LONGEST_TEXT)
+        return bead_wrong(reader, at, "is too long: at most %d bytes are allowed", LONGEST_TEXT);
+    for (const char *c = text; *c; c++) {
+        const size_t obeyed = bead_text_obeyed(c);
+        if (obeyed == 1 || (obeyed == 2 && (unsigned char)*c == 0xC2))
+            return bead_wrong(reader, at, "contains a line break or another control character; must be one line of text");
+        if (is_noncharacter((const unsigned char *)c))
+            return bead_wrong(reader, at, "contains a code point that Unicode reserves as no character, such as U+FFFF");
+    }
+    return BEAD_OK;
+}
+
 enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text)
 {
     const char *read = NULL;
     BEAD_TRY(bead_read_scalar(reader, at, "a text", &read));
-    if (strlen(read) > LONGEST_TEXT)
-        return bead_wrong(reader, at, "is too long: at most %d bytes are allowed", LONGEST_TEXT);
-    for (const unsigned char *c = (const unsigned char *)read; *c; c++) {
-        if (*c < ' ' || *c == 127 || is_c1_control(c))
-            return bead_wrong(reader, at, "contains a line break or another control character; must be one line of text");
-        if (is_noncharacter(c))
-            return bead_wrong(reader, at, "contains a code point that Unicode reserves as no character, such as U+FFFF");
-    }
+    BEAD_TRY(bead_check_text(reader, at, read));
     free(*text);
     *text = strdup(read);
     return *text ? BEAD_OK : bead_no_memory(reader);

@@ -140,7 +140,8 @@ static enum bead_error add_material(struct bead_reader *reader, const char *name
 static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at)
 {
     struct written written = {0};
-    if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0 || strchr(at->key, '\n'))
+    BEAD_TRY(bead_check_text(reader, at, at->key));
+    if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0)
         return bead_wrong(reader, at, "cannot be the name of a material; must not be `none` or `rigid`");
     enum bead_error err = bead_options_read(reader, at, &bead_material_options, &written);
     if (!err)

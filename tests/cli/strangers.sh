@@ -53,6 +53,41 @@ scene '{image: a.png, colormap: /proc/kmsg}' >kernel.yaml # says that it is a re
 ok "a colour map in /proc" fails 2 timeout 20 "$beadreel" kernel.yaml -o no
 ok "..." says "outputs.0.colormap: /proc/kmsg: has 0 colours"
 
+# ---- what is shown ----
+quiet() { ! LC_ALL=C grep -qP '[\x01-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]' "$@"; }
+printf '"ch\\u009b31main\\u202e": 1\n%s\n' "$(scene '{table: a.csv}')" >key.yaml
+ok "an unknown key with C1 and bidi characters" fails 2 "$beadsim" key.yaml
+ok "... is told without them" quiet err
+for name in '\e[31mred' '\uffff' '\u009b31m'; do
+    printf 'materials: {"%s": {modulus: 193 GPa, poisson: 0.3, radius: 4.76 mm, mass: 3.63 g}}\n%s\n' "$name" \
+        "$(scene '{table: a.csv}')" >name.yaml
+    ok "a material is not named $name" fails 2 "$beadsim" --plan name.yaml
+    ok "..." quiet err
+done
+bidi() { "$beadsim" --info turned.yaml >out && quiet out && grep -q '^title: a b$' out; }
+scene '{table: a.csv}' 'title: "a\u202eb"' >turned.yaml
+ok "a title that turns the line is shown without that" bidi
+python=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3) # the one that has Debian's packages
+if $python -c 'import h5py' 2>/dev/null; then
+    scene '{trajectory: method.h5, every: 5 us}' >method.yaml && "$beadsim" method.yaml -o . >/dev/null
+    printf 'sweep: {cells: 4, configurations: 2}\noutputs: [{sweep: version.h5}]\n' >version.yaml && "$beadsim" version.yaml -o . >/dev/null
+    $python -c '
+import h5py, numpy as np
+evil = b"\x1b]0;title\x07\x1b[31mred"
+with h5py.File("method.h5", "r+") as file:
+    del file["parameters/beadreel/outcome/method"]
+    file["parameters/beadreel/outcome/method"] = np.array([evil], dtype="S30")
+with h5py.File("version.h5", "r+") as file:
+    file.attrs["version"] = np.bytes_(evil)'
+    for file in method version; do
+        ok "--info of escapes in a file: its $file" exits 0 "$beadsim" --info $file.h5
+        ok "..." prints '[31mred'
+        ok "... are obeyed by no terminal" quiet out
+    done
+else
+    skip "python3-h5py" "--info of escapes in files"
+fi
+
 # ---- a trajectory without a film ----
 scene '{trajectory: run.h5, every: 5 us}' >run.yaml
 "$beadsim" run.yaml -o . >/dev/null
