@@ -127,6 +127,8 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
 enum bead_error command_new(const struct command *command, struct bead_message *msg);
 /* The session whose unfinished files go where a fault ends the program; NULL: none. */
 void command_guard(struct bead_session *session);
+/* From now on. Returns false on failure. */
+bool command_catch_faults(void);
 /* Text with words of strangers, without what a terminal would obey; after the end of a line `line` (NULL: there is but one). */
 void command_show(FILE *out, const char *text, const char *line);
 /* The message on stderr. */

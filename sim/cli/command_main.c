@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "beadreel/scene.h"
 #include "sim/base/h5.h"
@@ -138,43 +137,6 @@ static void on_signal(int number)
     bead_stop_ask(&stop_signal, number);
 }
 
-/* The run that a fault would end. */
-static struct bead_session *volatile running;
-
-void command_guard(struct bead_session *session)
-{
-    running = session;
-}
-
-/* A library has given up: GLib aborts where it can make no thread. Nothing half-written stays. */
-static void on_fault(int number)
-{
-    static const char said[] = "ended by a fault within a library, for want of memory or threads perhaps; no unfinished file is left\n";
-    static volatile sig_atomic_t faults;
-    if (__atomic_add_fetch(&faults, 1, __ATOMIC_RELAXED) > 1)
-        pause(); /* the first thread ends the program */
-    if (running)
-        bead_session_abandon(running);
-    (void)!write(STDERR_FILENO, said, sizeof said - 1);
-    if (number == SIGTRAP) /* GLib has said why */
-        _exit(1);
-    (void)signal(number, SIG_DFL);
-    (void)raise(number);
-}
-
-/* Where no debugger or sanitizer has its own way. */
-static bool catch_faults(void)
-{
-    static const int faults[] = {SIGTRAP, SIGABRT, SIGSEGV, SIGBUS};
-    struct sigaction fault = {.sa_handler = on_fault, .sa_flags = SA_NODEFER}, before;
-    sigemptyset(&fault.sa_mask);
-    bool caught = true;
-    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-        caught = caught && sigaction(faults[i], NULL, &before) == 0 &&
-                 (before.sa_handler != SIG_DFL || sigaction(faults[i], &fault, NULL) == 0);
-    return caught;
-}
-
 /* The first signal ends the run in good order; a second of the same kind kills the program, but not that of a limit of CPU time, which
  * comes every second. */
 static enum bead_error catch_signals(struct bead_message *msg)
@@ -185,7 +147,7 @@ static enum bead_error catch_signals(struct bead_message *msg)
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigemptyset(&stop.sa_mask);
     sigemptyset(&ignore.sa_mask);
-    bool failed = !catch_faults() || sigaction(SIGHUP, NULL, &before) != 0;
+    bool failed = !command_catch_faults() || sigaction(SIGHUP, NULL, &before) != 0;
     bool no_hangup = before.sa_handler == SIG_IGN; /* nohup */
     for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++) {
         stop.sa_flags = SA_RESTART | (stopping[i] == SIGXCPU ? 0 : (int)SA_RESETHAND);
