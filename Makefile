@@ -257,7 +257,7 @@ $(patsubst $(1)/%.c,$(BUILD)/tests/%.o,$(wildcard $(1)/test_*.c)): $(BUILD)/test
 endef
 $(foreach room,$(TEST_ROOMS),$(eval $(call test_room,$(room))))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(TEST_SUPPORT) $(STATIC)
-	$(call say,TEST,$@) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) \
+	$(call say,TEST,$@) $(run) $(compile_test) -MF $@.link.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) \
 	    $(sim_libs) $(hdf5_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.
 example_film = -lbeadreel $(shell pkg-config --cflags --libs cairo)
