@@ -120,7 +120,7 @@ struct bead_sink_type {
     const char *(*beside)(const struct bead_sink *sink, uint64_t *bytes);
     /* Does `create` look at arrays of the chains, such as the places of beads? Else they need not be built for a plan: until
      * `begin` only functions may be asked that return no arrays. NULL: it does not. */
-    bool (*looks_at_beads)(const struct bead_output *output);
+    bool (*looks_at_beads)(const struct bead_output *output, const struct bead_run_context *context);
     /* The accuracy that its run should have where the scene gives none; 0: it does not matter. Asked before `create`, and only of
      * outputs that are made. NULL: it does not matter. */
     double (*accuracy)(const struct bead_output *output);

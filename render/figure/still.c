@@ -106,7 +106,7 @@ static const struct bead_still_kind *still_kind_of(const struct bead_output *out
     return kinds[k];
 }
 
-static bool still_looks_at_beads(const struct bead_output *output)
+static bool still_looks_at_beads(const struct bead_output *output, const struct bead_run_context *)
 {
     const struct bead_still_kind *kind = still_kind_of(output);
     return kind->looks_at_beads && kind->looks_at_beads(output);

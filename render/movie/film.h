@@ -58,7 +58,7 @@ bool bead_preview_whole(const struct bead_preview *preview);
 /* Fills in film->times. Errors: SCENE (nothing to show, or too much). */
 BEAD_CHECK enum bead_error bead_movie_times_choose(struct bead_film *film, struct bead_message *msg);
 /* Does their number follow from the beads? */
-bool bead_film_looks_at_beads(const struct bead_output *output);
+bool bead_film_looks_at_beads(const struct bead_output *output, const struct bead_run_context *context);
 /* s of the motion at frame `index`, or between frames; groups do not matter. */
 double bead_movie_time(const struct bead_movie_times *times, double index);
 /* s of the film, from its first frame on, when a time of the motion is first shown; `fps`: frames a second. */

@@ -380,9 +380,9 @@ static enum bead_error movie_scout(struct bead_sink *s, const struct bead_sample
     return bead_film_scout(&s->film, sample, msg);
 }
 
-static bool movie_looks_at_beads(const struct bead_output *output)
+static bool movie_looks_at_beads(const struct bead_output *output, const struct bead_run_context *context)
 {
-    return output->movie.sound.of == BEAD_SOUND_SENSOR || bead_film_looks_at_beads(output);
+    return output->movie.sound.of == BEAD_SOUND_SENSOR || bead_film_looks_at_beads(output, context);
 }
 
 static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)

@@ -13,6 +13,9 @@ static const double most_frames = 1e7, most_samples = 1e9;
 /* 1/s: enough to judge a motion; at 60 frames a second this halves the cost of drawing. */
 static const double draft_pictures = 30;
 
+/* Plans build no chains longer than this: 64 MB. Nobody follows a wave along them bead by bead. */
+static const size_t most_followed = 1000000;
+
 /* Where the scene gives no duration. A stage shows about 16 beads: a wave that passes no more than half as many in a second
  * stays in sight for two. A little less than that: of dimers the passage is estimated too long, since it counts the heavier bead.
  */
@@ -21,9 +24,12 @@ static const double usual_duration = 10, longest_duration = 30, pace = 6.5;
  * 1983), where a contact has about 0.3 of the energy and K 0.3^(1/5) of that by which bead_chain_passage counts. */
 static const double passage_time = 1.54;
 
-bool bead_film_looks_at_beads(const struct bead_output *output)
+bool bead_film_looks_at_beads(const struct bead_output *output, const struct bead_run_context *context)
 {
-    return isnan(output->movie.duration) && bead_views_any(&output->views, BEAD_ACTS);
+    bool acts = isnan(output->movie.duration) && bead_views_any(&output->views, BEAD_ACTS);
+    for (size_t c = 0; c < context->chain_count; c++)
+        acts = acts && bead_chain_contacts(context->chains[c]) <= most_followed;
+    return acts;
 }
 
 static double find_duration(const struct bead_film *film, const double time[2])
@@ -31,7 +37,7 @@ static double find_duration(const struct bead_film *film, const double time[2])
     double fastest = 0; /* contacts in a second of the motion */
     if (!isnan(film->output->movie.duration))
         return film->output->movie.duration;
-    const bool looks = bead_film_looks_at_beads(film->output);
+    const bool looks = bead_film_looks_at_beads(film->output, &film->context);
     for (size_t i = 0; looks && i < film->context.chain_count; i++) {
         const struct bead_chain *chain = film->context.chains[i];
         double passage = passage_time * bead_chain_passage(chain, bead_chain_energy(chain));

@@ -166,7 +166,8 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .claimed = true,
                                        .frame = m->frame.text ? &m->frame : NULL,
                                        .directory = s->trajectory || !s->job.output ? "." : s->job.output};
-    enum bead_error err = m->type->looks_at_beads && m->type->looks_at_beads(m->output) ? bead_session_lay(s, msg) : BEAD_OK;
+    enum bead_error err =
+        m->type->looks_at_beads && m->type->looks_at_beads(m->output, &context) ? bead_session_lay(s, msg) : BEAD_OK;
     if (!err)
         err = m->type->create(m->output, &context, &m->sink, msg);
     if (err)
