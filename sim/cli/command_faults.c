@@ -16,7 +16,8 @@ void command_guard(struct bead_session *session)
 /* A library has given up: GLib aborts where it can make no thread. Nothing half-written stays. */
 static void on_fault(int number)
 {
-    static const char said[] = "ended by a fault within a library, for want of memory or threads perhaps; no unfinished file is left\n";
+    static const char said[] =
+        "ended by a fault within a library, for want of memory or threads perhaps; no unfinished file is left\n";
     static volatile sig_atomic_t faults;
     if (__atomic_add_fetch(&faults, 1, __ATOMIC_RELAXED) > 1)
         pause(); /* the first thread ends the program */

@@ -137,8 +137,8 @@ static void on_signal(int number)
     bead_stop_ask(&stop_signal, number);
 }
 
-/* The first signal ends the run in good order; a second of the same kind kills the program, but not that of a limit of CPU time, which
- * comes every second. */
+/* The first signal ends the run in good order; a second of the same kind kills the program, but not that of a limit of CPU time,
+ * which comes every second. */
 static enum bead_error catch_signals(struct bead_message *msg)
 {
     static const int stopping[] = {SIGINT, SIGTERM, SIGHUP, SIGXCPU};
