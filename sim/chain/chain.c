@@ -162,7 +162,7 @@ static enum bead_error check_contacts(const struct bead_chain *chain, struct bea
 static void find_start(struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = chain->spec;
-    const struct bead_start *left = spec->starts, *end = left + spec->start_count, rest = {0};
+    const struct bead_start *left = spec->starts, *end = left ? left + spec->start_count : left, rest = {0};
     struct bead_contact_walk w;
     chain->speed = fabs(spec->striker_velocity);
     for (bead_contact_walk_start(&w, chain, false); left < end && bead_contact_walk_next(&w);) {
