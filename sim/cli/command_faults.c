@@ -14,18 +14,20 @@ void command_guard(struct bead_session *session)
 }
 
 /* A library has given up: GLib aborts where it can make no thread. Nothing half-written stays. */
-static void on_fault(int number)
+static void on_fault(int number, siginfo_t *info, void *)
 {
     static const char said[] =
         "ended by a fault within a library, for want of memory or threads perhaps; no unfinished file is left\n";
     static volatile sig_atomic_t faults;
     if (__atomic_add_fetch(&faults, 1, __ATOMIC_RELAXED) > 1)
-        pause(); /* the first thread ends the program */
-    if (running)
-        bead_session_abandon(running);
-    (void)!write(STDERR_FILENO, said, sizeof said - 1);
-    if (number == SIGTRAP) /* GLib has said why */
-        _exit(1);
+        pause();                    /* the first thread ends the program */
+    if (info->si_code != SI_USER) { /* else another process has sent it: no fault, and the program ends as if killed */
+        if (running)
+            bead_session_abandon(running);
+        (void)!write(STDERR_FILENO, said, sizeof said - 1);
+        if (number == SIGTRAP) /* GLib has said why */
+            _exit(1);
+    }
     (void)signal(number, SIG_DFL);
     (void)raise(number);
 }
@@ -34,7 +36,7 @@ static void on_fault(int number)
 bool command_catch_faults(void)
 {
     static const int faults[] = {SIGTRAP, SIGABRT, SIGSEGV, SIGBUS};
-    struct sigaction fault = {.sa_handler = on_fault, .sa_flags = SA_NODEFER}, before;
+    struct sigaction fault = {.sa_sigaction = on_fault, .sa_flags = SA_NODEFER | SA_SIGINFO}, before;
     sigemptyset(&fault.sa_mask);
     bool caught = true;
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
