@@ -30,7 +30,7 @@ struct bead_plot_data {
     struct bead_series *overlaid; /* of all panels, in the first; NULL: each has its own */
     char (*overlaid_labels)[300];
     size_t count;
-    char why[96], axis_title[256];
+    char why[96], axis_title[384];
 };
 
 struct plot_kind {
