@@ -184,6 +184,7 @@ def main():
     ask.add_argument("--count", type=int, default=100)
     ask.add_argument("--seed", type=int, default=1)
     ask.add_argument("--work", default="build-mutants", help="folder for copies of the commit, and for the map; default: %(default)s")
+    ask.add_argument("--jobs", type=int, default=os.cpu_count(), help="faults tried at a time; default: a core each")
     ask.add_argument("--tests", nargs="+", help="only these, not all; kept with the map")
     ask.add_argument("rooms", nargs="*", default=["sim", "render"])
     said = ask.parse_args()
@@ -212,8 +213,8 @@ def main():
                     results.append((fault, *found))
                     print(f"{found[0] or 'SURVIVED':24} {found[1]:5.1f} s  {fault}", flush=True)
 
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for done in [pool.submit(work, number) for number in range(os.cpu_count())]:
+    with concurrent.futures.ThreadPoolExecutor(said.jobs) as pool:
+        for done in [pool.submit(work, number) for number in range(said.jobs)]:
             done.result()
     print("\nSurvivors:")
     rooms = {}
