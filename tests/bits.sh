@@ -30,6 +30,7 @@ shortened() {
     fput-kdv) settings=(simulate.until=200 'outputs.1.at=[0, 200]') ;;
     zabusky-kruskal) settings=(simulate.until=1.2) ;;
     thesis/fig8) settings=(simulate.until=4 'outputs.0.at=[0, 4]' 'outputs.1.at=[0, 4]') ;;
+    cradle) settings=(simulate.until=0.1) ;;
     sweep) settings=(sweep.configurations=2) ;;
     thesis/fig6) settings=(sweep.configurations=1) ;;
     thesis/decay) settings=(sweep.configurations=2 'sweep.magnetism=[0.9]') ;;

@@ -57,7 +57,8 @@ BEAD_API double bead_grid_time(const struct bead_grid *grid, size_t index);
 struct bead_budget {
     double kinetic;
     double contacts, wall; /* elastic, above the chain at rest, less the work of what precompresses it */
-    double gravity;        /* potential: minus the work of gravity on a tilt */
+    double gravity;        /* potential: minus the work of gravity on a tilt, and that of pendulums */
+    double springs;        /* that hold beads at their places */
     double dissipated;     /* lost to damping */
 };
 

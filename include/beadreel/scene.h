@@ -42,8 +42,9 @@ struct bead_material {
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
     /* Standard deviations of beads of it, as parts of the value; 0: they are all alike. Their density is that of the material. */
     double radius_tolerance, modulus_tolerance;
-    double gap; /* m: free space to the left of a bead of it, where it is not the first */
-    size_t of;  /* the material that it is with other values, or itself */
+    double gap;    /* m: free space to the left of a bead of it, where it is not the first */
+    double spring; /* N/m: of a spring that holds each bead of it at its place */
+    size_t of;     /* the material that it is with other values, or itself */
 };
 
 enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };
@@ -126,6 +127,7 @@ struct bead_chain_spec {
     double precompression;      /* N, >= 0: static force in every contact */
     double gap;                 /* m, >= 0: free space between every two beads behind the striker, besides those of materials */
     double tilt;                /* rad, >= 0: the wall end is the lower one */
+    double cradle;              /* m: length of the pendulums that the beads are; 0: they are none */
     double damping_coefficient; /* N (s/m)^exponent */
     double damping_exponent;
     /* For the other systems: */

@@ -42,7 +42,7 @@ static size_t count_spins(const struct bead_chain_spec *spec)
 
 uint64_t bead_chain_bytes(const struct bead_chain *chain)
 {
-    return chain->beads * (sizeof *chain->material + 7 * sizeof(double));
+    return chain->beads * (sizeof *chain->material + (chain->spring_rate > 0 ? 8 : 7) * sizeof(double));
 }
 
 /* Arrays of all beads are filled at once: refuse a chain that does not fit, before the system kills the program halfway. */
@@ -55,8 +55,8 @@ static enum bead_error check_memory(const struct bead_chain *chain, struct bead_
 
 static void free_arrays(struct bead_chain *chain)
 {
-    double **array[] = {&chain->mass,         &chain->inverse_mass,      &chain->radius, &chain->position, &chain->stiffness,
-                        &chain->static_force, &chain->static_compression};
+    double **array[] = {&chain->mass,         &chain->inverse_mass,       &chain->radius, &chain->position, &chain->stiffness,
+                        &chain->static_force, &chain->static_compression, &chain->spring};
     for (size_t i = 0; i < sizeof array / sizeof *array; i++) {
         free(*array[i]);
         *array[i] = NULL;
@@ -79,6 +79,8 @@ static enum bead_error allocate(struct bead_chain *chain, struct bead_message *m
     chain->static_compression = calloc(n, sizeof(double));
     bool all = chain->material && chain->mass && chain->inverse_mass && chain->radius && chain->position && chain->stiffness &&
                chain->static_force && chain->static_compression;
+    if (chain->spring_rate > 0)
+        all = (chain->spring = calloc(n, sizeof(double))) && all;
     if (all)
         return BEAD_OK;
     free_arrays(chain);
@@ -143,8 +145,27 @@ static enum bead_error find_sensors(struct bead_chain *chain, struct bead_messag
     return BEAD_OK;
 }
 
-/* Masses need no check: their materials were checked. */
-static enum bead_error check_contacts(const struct bead_chain *chain, struct bead_message *msg)
+/* A pendulum of length L swings to both sides as if held by a spring m g / L, as long as the angle u / L is small: L. D. Landau and
+ * E. M. Lifshitz, Mechanics, section 21. */
+double bead_chain_pendulum_of(const struct bead_chain *chain, size_t material)
+{
+    return chain->spec->cradle > 0 ? chain->scene->materials[material].mass * gravity / chain->spec->cradle : 0;
+}
+
+double bead_chain_spring_of(const struct bead_chain *chain, size_t material)
+{
+    return chain->scene->materials[material].spring + bead_chain_pendulum_of(chain, material);
+}
+
+static void count_spring(struct bead_chain *chain, size_t material)
+{
+    if (material != SIZE_MAX) /* the wall */
+        chain->spring_rate =
+            fmax(chain->spring_rate, bead_chain_spring_of(chain, material) / chain->scene->materials[material].mass);
+}
+
+/* Masses need no check: their materials were checked. Finds the fastest spring on the way. */
+static enum bead_error check_contacts(struct bead_chain *chain, struct bead_message *msg)
 {
     struct bead_contact_walk w;
     char place[128];
@@ -153,6 +174,8 @@ static enum bead_error check_contacts(const struct bead_chain *chain, struct bea
             return bead_fail(msg, BEAD_ERROR_SCENE,
                              "%schain: a contact's stiffness is not a positive finite number: check materials and law",
                              bead_chain_place(chain, place, sizeof place));
+        count_spring(chain, w.left);
+        count_spring(chain, w.right);
     }
     return BEAD_OK;
 }
@@ -169,12 +192,16 @@ static void find_start(struct bead_chain *chain)
         const struct bead_start *next = left->bead == w.k ? left + 1 : left;
         const struct bead_start *right = next < end && next->bead == w.k + 1 ? next : &rest, *here = next > left ? left : &rest;
         const double change = here->displacement - right->displacement;
-        const double stored = change != 0 ? bead_contact_walk_excess(&w, w.static_compression + change) : 0;
+        const double held = chain->spring_rate > 0 ? 0.5 * bead_chain_spring_of(chain, w.left) : 0;
+        const double stored = (change != 0 ? bead_contact_walk_excess(&w, w.static_compression + change) : 0) +
+                              held * (here->displacement * here->displacement);
         chain->started += 0.5 * w.left_mass * (here->velocity * here->velocity) + stored;
         chain->speed = fmax(chain->speed, fmax(fabs(here->velocity), sqrt(2 * fmax(stored, 0) / w.left_mass)));
         if (right != &rest && w.k + 2 == chain->beads && w.k + 1 == chain->contacts) { /* at a free end */
-            chain->started += 0.5 * w.right_mass * (right->velocity * right->velocity);
-            chain->speed = fmax(chain->speed, fabs(right->velocity));
+            const double pulled = chain->spring_rate > 0 ? bead_chain_spring_of(chain, w.right) : 0;
+            const double swing = 0.5 * pulled * (right->displacement * right->displacement);
+            chain->started += 0.5 * w.right_mass * (right->velocity * right->velocity) + swing;
+            chain->speed = fmax(chain->speed, fmax(fabs(right->velocity), sqrt(2 * swing / w.right_mass)));
         }
         left = next;
     }
@@ -239,6 +266,8 @@ static void lay_beads(struct bead_chain *chain)
         chain->mass[i] = material->mass;
         chain->inverse_mass[i] = 1 / material->mass;
         chain->radius[i] = material->radius;
+        if (chain->spring)
+            chain->spring[i] = bead_chain_spring_of(chain, chain->material[i]);
     }
     /* The centre of bead 1 is at 0, the striker to its left. */
     chain->position[0] = -(chain->radius[0] + chain->radius[1]);

@@ -17,6 +17,7 @@ struct bead_chain {
     double slope;         /* m/s^2: gravity along the chain */
     double striker_mass;  /* kg */
     double striker_force; /* N: constant force on the striker: its weight, on a tilt */
+    double spring_rate;   /* 1/s^2: the largest stiffness over mass of the springs that hold beads at their places */
     double started;       /* J: energy of the beads that do not start at rest, without the striker's velocity */
     double speed;         /* m/s: bead_chain_speed */
     double energy, omega; /* bead_chain_energy, and bead_chain_omega at this energy */
@@ -33,12 +34,24 @@ struct bead_chain {
     double *stiffness;          /* [contacts] */
     double *static_force;       /* [contacts] N */
     double *static_compression; /* [contacts] m; below 0: a gap */
+    double *spring;             /* [beads] N/m: of what holds beads at their places; NULL: nothing does */
 };
 
 /* Part of a contact's energy that counts as the energy of the bead beside it: half of it, or all at the wall. */
 static inline double bead_chain_share(const struct bead_chain *chain, size_t contact)
 {
     return contact + 1 < chain->beads ? 0.5 : 1;
+}
+
+/* Stiffness of what holds a bead of a material at its place: its spring, and gravity where it is a pendulum, N/m. */
+double bead_chain_spring_of(const struct bead_chain *chain, size_t material);
+/* Part of that due to gravity. */
+double bead_chain_pendulum_of(const struct bead_chain *chain, size_t material);
+
+/* Energy of a bead displaced by u from its place, J. */
+static inline double bead_chain_spring_energy(const struct bead_chain *chain, size_t bead, double u)
+{
+    return chain->spring ? 0.5 * chain->spring[bead] * (u * u) : 0;
 }
 
 /* Make a chain without the arrays of its beads and contacts, so that 1e8 beads can be planned. Before bead_chain_lay, call only

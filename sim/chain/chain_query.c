@@ -161,7 +161,7 @@ double bead_chain_omega(const struct bead_chain *chain, double energy)
         left = 1 / w.left_mass;
         right = 1 / w.right_mass;
     }
-    return sqrt(fmax(worst, here * (left + right) + before * left));
+    return sqrt(fmax(worst, here * (left + right) + before * left) + chain->spring_rate);
 }
 
 double bead_chain_passage(const struct bead_chain *chain, double energy)

@@ -43,6 +43,7 @@ static void find_jerks(const struct bead_dense *dense, const struct bead_stepper
             rate[k] = bead_dense_force_rate(s, state, k);
     }
     s->kernels->accelerations(n, rate, s->chain->inverse_mass, jerk);
+    bead_stepper_pull(s, state->v, jerk, (struct bead_part){0, n});
 }
 
 static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
@@ -165,7 +166,8 @@ static double jerk(const struct bead_stepper *s, const struct bead_state *state,
     if (j >= s->beads)
         return 0;
     double before = j > 0 ? bead_dense_force_rate(s, state, j - 1) : 0;
-    return (before - bead_dense_force_rate(s, state, j)) * s->chain->inverse_mass[j];
+    const double jerk = (before - bead_dense_force_rate(s, state, j)) * s->chain->inverse_mass[j];
+    return s->pull ? jerk - s->pull[j] * state->v[j] : jerk;
 }
 
 static void derivatives(const struct bead_stepper *s, const struct bead_state *state, const double *a, size_t k, double out[4])

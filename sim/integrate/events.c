@@ -21,10 +21,17 @@ enum { GAP = 64 };
 static bool make_arrays(struct bead_events *e, size_t beads)
 {
     struct bead_kinks *k = &e->kinks;
-    double **const array[] = {&e->stiffness,      &e->static_compression, &e->static_force, &e->inverse_mass, &e->hardness,
-                              &e->speeds.weighed, &e->speeds.most,        &e->speeds.known, &e->flags.d0,     &e->flags.r0,
-                              &e->flags.d1,       &e->flags.r1,           &e->flags.effect, &k->left,         &k->impulse[0],
-                              &k->impulse[1],     &k->impulse[2],         &k->moment[0],    &k->moment[1],    &k->moment[2]};
+    double **const array[] = {&e->stiffness,    &e->static_compression,
+                              &e->static_force, &e->inverse_mass,
+                              &e->hardness,     &e->speeds.weighed,
+                              &e->speeds.most,  &e->speeds.known,
+                              &e->flags.d0,     &e->flags.r0,
+                              &e->flags.d1,     &e->flags.r1,
+                              &e->flags.effect, &k->left,
+                              &k->impulse[0],   &k->impulse[1],
+                              &k->impulse[2],   &k->moment[0],
+                              &k->moment[1],    &k->moment[2],
+                              &e->pull};
     const size_t count = sizeof array / sizeof *array, length = beads + 2 * BEAD_EVENTS_MARGIN;
     double *at = e->memory = calloc(length, count * sizeof *at);
     e->flags.contact = calloc(length, sizeof *e->flags.contact);
@@ -45,6 +52,9 @@ static void copy_constants(struct bead_events *e, const struct bead_chain *chain
     e->source.static_compression = e->static_compression;
     e->source.static_force = e->static_force;
     e->source.inverse_mass = e->inverse_mass;
+    for (size_t j = 0; chain->spring && j < chain->beads; j++)
+        e->pull[j] = chain->spring[j] * chain->inverse_mass[j];
+    e->source.pull = e->patch.pulled = chain->spring ? e->pull : NULL;
 }
 
 /* Kinks are known for methods whose sums use no stages beyond BEAD_KINK_STAGES. */
@@ -182,6 +192,7 @@ static void refresh(struct bead_stepper *s, size_t first, size_t last)
     table.static_force += from;
     s->force(to - from, &table, s->end.u + from, NULL, s->end.f + from);
     s->accelerate(bead_to - from, s->end.f + from, s->inverse_mass + from, s->end.a + from);
+    bead_stepper_pull(s, s->end.u, s->end.a, (struct bead_part){from, bead_to});
 }
 
 /* Largest remaining error of kinks at..at + count - 1, m/s. */

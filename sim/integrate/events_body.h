@@ -98,6 +98,34 @@ static void guess_forces(const struct nodes *nodes, const struct bead_patch_rule
     }
 }
 
+/* Adds to d'' what holds the beads at their places: a cubic in s. */
+static void pull_curvatures(const struct nodes *nodes, const struct bead_patch *patch, const struct pushing *pushing)
+{
+    double *const *p = patch->array + BEAD_PATCH_PULL;
+    for (size_t n = pushing->first; n < pushing->last; n++) {
+        const size_t k = pushing->contact[n];
+        for (size_t i = 0; i < NODES; i += LANES) {
+            const lanes s = load_lanes(nodes->s + i), pull = p[0][k] + s * (p[1][k] + s * (p[2][k] + s * p[3][k]));
+            double *curvature = patch->curvature + NODES * k + i;
+            store_lanes(curvature, load_lanes(curvature) + load_lanes(nodes->rate + i) * pull);
+        }
+    }
+}
+
+/* Adds to d and d' at the end of the piece the double and the single integral of these cubics. */
+static void pull_ends(const struct bead_patch_piece *piece, const struct bead_patch *patch)
+{
+    double *const *p = patch->array + BEAD_PATCH_PULL, *d = patch->array[BEAD_PATCH_D], *rate = patch->array[BEAD_PATCH_RATE];
+    const double from = piece->from, l = piece->to - from;
+    for (size_t k = 1; k <= patch->count; k++) {
+        /* the cubic about `from` */
+        const double c3 = p[3][k], c2 = p[2][k] + 3 * from * c3, c1 = p[1][k] + from * (2 * p[2][k] + 3 * from * c3);
+        const double c0 = p[0][k] + from * (p[1][k] + from * (p[2][k] + from * c3));
+        d[k] += l * l * (c0 / 2 + l * (c1 / 6 + l * (c2 / 12 + l * c3 / 20)));
+        rate[k] += l * (c0 + l * (c1 / 2 + l * (c2 / 3 + l * c3 / 4)));
+    }
+}
+
 /* d'' = h^2 (u_k'' - u_{k+1}'') ds/dz at the nodes from the forces of the contact and its neighbours. */
 static void find_curvatures(const struct nodes *nodes, const struct bead_patch *patch, const struct pushing *pushing)
 {
@@ -141,6 +169,8 @@ static double picard(const struct nodes *nodes, double from, const struct bead_p
         one[i] = (lanes){0} + 1;
     }
     find_curvatures(nodes, patch, pushing);
+    if (patch->pulled)
+        pull_curvatures(nodes, patch, pushing);
     for (size_t n = pushing->first; n < pushing->last; n++) {
         const size_t k = pushing->contact[n];
         const double a = stiffness[k], f0 = static_force[k], weight = larger(left[k], right[k]);
@@ -198,6 +228,8 @@ static void finish_piece(const struct bead_patch_piece *piece, const struct node
         d[k] += length * rate[k] + ((w * i[-1] + y * i[3]) - (w + y) * i[1]);
         rate[k] += (w * i[-2] + y * i[2]) - (w + y) * i[0];
     }
+    if (patch->pulled)
+        pull_ends(piece, patch);
 }
 
 /* Makes at most `sweeps` Picard steps, until one changes little enough: see bead_patch. */

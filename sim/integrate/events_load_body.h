@@ -26,6 +26,22 @@ static inline lanes step_of(const double *x, ptrdiff_t k)
     return load_lanes(x + k) - load_lanes(x + k + 1);
 }
 
+/* Cubic Hermite over the step of the difference of two beads' accelerations by what holds them at their places. */
+static inline void load_pull(const struct bead_patch_source *source, ptrdiff_t from, size_t k, struct bead_patch *patch)
+{
+    const double h = source->h, square = h * h;
+    double *const *array = patch->array + BEAD_PATCH_PULL;
+    const lanes left = -square * load_lanes(source->pull + from), right = -square * load_lanes(source->pull + from + 1);
+    const lanes e0 = left * load_lanes(source->u0 + from) - right * load_lanes(source->u0 + from + 1);
+    const lanes e1 = left * load_lanes(source->u1 + from) - right * load_lanes(source->u1 + from + 1);
+    const lanes r0 = h * (left * load_lanes(source->v0 + from) - right * load_lanes(source->v0 + from + 1));
+    const lanes r1 = h * (left * load_lanes(source->v1 + from) - right * load_lanes(source->v1 + from + 1));
+    store_lanes(array[0] + k, e0);
+    store_lanes(array[1] + k, r0);
+    store_lanes(array[2] + k, 3 * (e1 - e0) - (2 * r0 + r1));
+    store_lanes(array[3] + k, 2 * (e0 - e1) + (r0 + r1));
+}
+
 /* Loads all contacts of the patch; elements of the last vector beyond them are never used. */
 static void load_patch(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch)
 {
@@ -43,6 +59,8 @@ static void load_patch(const struct bead_patch_source *source, ptrdiff_t at, str
             impulse += source->impulse[i] * f;
             moment += source->moment[i] * f;
         }
+        if (source->pull)
+            load_pull(source, from, k, patch);
         store_lanes(array[BEAD_PATCH_GIVEN_IMPULSE] + k, impulse);
         store_lanes(array[BEAD_PATCH_GIVEN_MOMENT] + k, moment);
         store_lanes(array[BEAD_PATCH_IMPULSE] + k, zero);

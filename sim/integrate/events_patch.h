@@ -41,6 +41,8 @@ enum bead_patch_array {
     BEAD_PATCH_MOMENT,
     BEAD_PATCH_GIVEN_IMPULSE, /* N: those of the method's quadrature over the whole step */
     BEAD_PATCH_GIVEN_MOMENT,
+    BEAD_PATCH_PULL, /* h^2 (a_k - a_{k+1}) by what holds beads at their places, m: cubic Hermite over the step; 4 arrays */
+    BEAD_PATCH_PULL_END = BEAD_PATCH_PULL + 3,
     BEAD_PATCH_ARRAYS
 };
 
@@ -48,6 +50,7 @@ enum bead_patch_array {
 struct bead_patch {
     size_t count;
     double *array[BEAD_PATCH_ARRAYS];
+    const double *pulled;      /* NULL: no bead is held at its place, and BEAD_PATCH_PULL is not set */
     double *force, *curvature; /* BEAD_GAUSS_NODES each: at the nodes of the current piece, f less its static part, N, and d'', m */
     bool *closed;              /* in the current piece */
     uint32_t *pushing;         /* the closed contacts, in order */
@@ -63,6 +66,7 @@ enum { BEAD_PATCH_STAGES_MAX = 18 };
 struct bead_patch_source {
     const double *u0, *v0, *a0, *u1, *v1, *a1;
     const double *stiffness, *static_compression, *static_force, *inverse_mass;
+    const double *pull; /* 1/s^2, or NULL: see bead_stepper */
     double h;
     size_t stages;
     const double *stage[BEAD_PATCH_STAGES_MAX];

@@ -21,7 +21,7 @@ typedef void bead_patch_keeper(void *keeper, struct bead_events *events, const s
 struct bead_events {
     struct bead_patch_rule rule;
     /* Constants of the contacts; 0 in the margins, except "contact -1", the constant force on the striker. */
-    double *stiffness, *static_compression, *static_force, *inverse_mass, *hardness;
+    double *stiffness, *static_compression, *static_force, *inverse_mass, *hardness, *pull;
     struct bead_event_speeds speeds;
     struct bead_event_flags flags;
     size_t flagged_count;

@@ -35,7 +35,7 @@ static double *take(double **at, size_t beads)
 
 static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg)
 {
-    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 5 + 2;
+    size_t stages = stage_count(s->method), arrays = 2 * 4 + 2 * stages + 5 + 2 + (s->chain->spring != NULL);
     size_t bytes;
     /* calloc maps zero pages, which use no memory until touched: beads that the wave never reaches cost nothing. */
     if (__builtin_mul_overflow(padded(s->beads) * sizeof(double), arrays, &bytes) || !(s->memory = calloc(1, bytes + ALIGN)))
@@ -63,6 +63,10 @@ static enum bead_error allocate(struct bead_stepper *s, struct bead_message *msg
     memcpy(inverse_mass, s->force == bead_force_printed ? s->chain->mass : s->chain->inverse_mass, s->beads * sizeof *inverse_mass);
     s->table.stiffness = stiffness;
     s->inverse_mass = inverse_mass;
+    double *pull = s->chain->spring ? take(&at, s->beads) : NULL;
+    for (size_t j = 0; pull && j < s->beads; j++)
+        pull[j] = s->chain->spring[j] * s->chain->inverse_mass[j];
+    s->pull = pull;
     return BEAD_OK;
 }
 
@@ -208,6 +212,7 @@ void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, c
     table.stiffness += from;
     if (s->fused) {
         s->kernels->hertz_move(part.to - from, &table, u + from, s->inverse_mass + from, f + from, a + from);
+        bead_stepper_pull(s, u, a, part);
         return;
     }
     const size_t to = part.to < s->active ? part.to : s->active;
@@ -218,6 +223,7 @@ void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, c
     table.closed = table.closed ? table.closed + from : NULL;
     s->force(to - from, &table, u + from, v ? v + from : NULL, f + from);
     s->accelerate(to - from, f + from, s->inverse_mass + from, a + from);
+    bead_stepper_pull(s, u, a, (struct bead_part){from, to});
 }
 
 void bead_stepper_advance(struct bead_stepper *s, double t1)
@@ -286,6 +292,8 @@ double bead_stepper_energy(const struct bead_stepper *s, const struct bead_state
     for (size_t j = s->first; j < s->active; j++) {
         double d0 = c->static_compression[j], d = d0 + (state->u[j] - state->u[j + 1]);
         energy += 0.5 * c->mass[j] * (state->v[j] * state->v[j]);
+        if (c->spring)
+            energy += bead_chain_spring_energy(c, j, state->u[j]);
         if (c->stiffness[j] > 0)
             energy += c->law->energy(c->stiffness[j], &c->spec->law, d) - c->law->energy(c->stiffness[j], &c->spec->law, d0) -
                       c->static_force[j] * (d - d0);

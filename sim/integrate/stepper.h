@@ -39,6 +39,7 @@ struct bead_stepper {
     bead_acceleration_kernel accelerate;
     bool fused;                 /* Hertz's law without static forces: kernels find forces and accelerations in one loop */
     const double *inverse_mass; /* for accelerate: inverse masses, or masses for the printed arithmetic */
+    const double *pull;         /* [beads] 1/s^2: stiffness over mass of what holds beads at their places; NULL: nothing does */
     struct bead_contact_table table;
     size_t beads;
     size_t active;    /* beads that the last step may have moved */
@@ -118,6 +119,12 @@ struct bead_part {
 };
 void bead_stepper_evaluate_part(const struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a,
                                 struct bead_part part);
+/* Adds the accelerations by what holds beads from..to - 1 at their places. */
+static inline void bead_stepper_pull(const struct bead_stepper *stepper, const double *u, double *a, struct bead_part part)
+{
+    for (size_t j = part.from; stepper->pull && j < part.to; j++)
+        a[j] -= stepper->pull[j] * u[j];
+}
 /* Energy relative to the static state, J, and momentum, kg m/s. */
 double bead_stepper_energy(const struct bead_stepper *stepper, const struct bead_state *state);
 double bead_stepper_momentum(const struct bead_stepper *stepper, const struct bead_state *state);

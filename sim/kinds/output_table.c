@@ -42,8 +42,10 @@ static BEAD_OUTPUT_CHECK(check_show)
     return bead_output_check_show(reader, at, output, &table_options);
 }
 
-/* A damped contact's force jumps as it closes: the derivatives of what follows would jump with it. */
-static enum bead_error check_damping(const struct bead_reader *reader, const struct bead_at *at, const char *key, const char *what)
+/* A damped contact's force jumps as it closes: the derivatives of what follows would jump with it. Springs are not in the equations
+ * of the derivatives. */
+static enum bead_error check_derivatives(const struct bead_reader *reader, const struct bead_at *at, const char *key,
+                                         const char *what)
 {
     const struct bead_scene *scene = reader->scene;
     for (size_t c = 0; c < scene->chain_count; c++) {
@@ -51,6 +53,9 @@ static enum bead_error check_damping(const struct bead_reader *reader, const str
         if (chain->damping_coefficient > 0)
             return BEAD_WRONG_KEY(reader, at, key,
                                   "%s do not exist for chain%s%s: it has `damping`, whose forces jump when contacts close", what,
+                                  chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
+        if (bead_scene_has_springs(scene, chain))
+            return BEAD_WRONG_KEY(reader, at, key, "%s are not known for chain%s%s: springs, or a cradle, hold its beads", what,
                                   chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
     }
     return BEAD_OK;
@@ -61,10 +66,10 @@ static BEAD_OUTPUT_CHECK(check_sensitivities)
     const enum bead_show show = output->curves.show;
     const bool peaks = show == BEAD_SHOW_PEAKS || show == BEAD_SHOW_BEAD_PEAKS;
     if (show == BEAD_SHOW_SENSITIVITIES) {
-        return check_damping(reader, at, "show", "sensitivities");
+        return check_derivatives(reader, at, "show", "sensitivities");
     }
-    return peaks && bead_scene_tolerances(reader->scene) ? check_damping(reader, at, show == BEAD_SHOW_PEAKS ? "table" : "show",
-                                                                         "the deviations of peaks that follow from `tolerance`")
+    return peaks && bead_scene_tolerances(reader->scene) ? check_derivatives(reader, at, show == BEAD_SHOW_PEAKS ? "table" : "show",
+                                                                             "the deviations of peaks that follow from `tolerance`")
                                                          : BEAD_OK;
 }
 

@@ -65,3 +65,21 @@ bool bead_scene_tolerances(const struct bead_scene *scene)
         any = any || scene->materials[i].radius_tolerance > 0 || scene->materials[i].modulus_tolerance > 0;
     return any;
 }
+
+bool bead_scene_has_any(const struct bead_scene *scene, const struct bead_chain_spec *chain, size_t offset)
+{
+    bool any = false;
+    for (size_t s = 0; s < chain->segment_count; s++) {
+        const struct bead_segment *segment = &chain->segments[s];
+        const size_t *of = segment->each ? segment->each : segment->cell;
+        for (size_t i = 0; i < segment->cell_beads * (segment->each ? segment->count : 1); i++)
+            any = any || *(const double *)(const void *)((const char *)&scene->materials[of[i]] + offset) > 0;
+    }
+    return any;
+}
+
+bool bead_scene_has_springs(const struct bead_scene *scene, const struct bead_chain_spec *chain)
+{
+    return chain->cradle > 0 || (chain->segments && scene->materials[chain->striker_material].spring > 0) ||
+           bead_scene_has_any(scene, chain, offsetof(struct bead_material, spring));
+}

@@ -27,3 +27,7 @@ bool bead_scene_has_beads(const struct bead_scene *scene);
 bool bead_scene_has_modes(const struct bead_scene *scene);
 /* Does a material have tolerances: do its beads differ? */
 bool bead_scene_tolerances(const struct bead_scene *scene);
+/* Has a bead behind the striker a value above 0 at this offset in its material? */
+bool bead_scene_has_any(const struct bead_scene *scene, const struct bead_chain_spec *chain, size_t offset);
+/* Are beads held at their places? */
+bool bead_scene_has_springs(const struct bead_scene *scene, const struct bead_chain_spec *chain);

@@ -29,7 +29,7 @@ double bead_chain_participation(const struct bead_chain *chain, const double *u,
             ahead = bead_chain_share(chain, j) * (chain->law->energy(a, &chain->spec->law, d) -
                                                   chain->law->energy(a, &chain->spec->law, d0) - chain->static_force[j] * (d - d0));
         }
-        double e = 0.5 * chain->mass[j] * v[j] * v[j] + behind + ahead;
+        double e = 0.5 * chain->mass[j] * v[j] * v[j] + bead_chain_spring_energy(chain, j, u[j]) + behind + ahead;
         sum += e;
         squares += e * e;
         behind = ahead;

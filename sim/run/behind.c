@@ -21,6 +21,8 @@ const char *bead_behind_refusal(const struct bead_chain *chain)
         return "damping changes the speed of signals";
     if (chain->striker_force != 0)
         return "gravity acts on all beads";
+    if (chain->spring_rate > 0)
+        return "springs pull beads back to their places";
     if (chain->spec->start_count > 0)
         return "not only the striker moves at first";
     struct bead_contact_walk w; /* chains of a plan have no arrays */

@@ -60,11 +60,21 @@ static void add_contact(const struct bead_stepper *s, const struct bead_state *s
     budget->gravity -= (c->static_force[k] - held) * change;
 }
 
+/* A pendulum's is potential energy of gravity. */
+static void add_spring(const struct bead_chain *c, size_t bead, double u, struct bead_budget *budget)
+{
+    const double gravity = 0.5 * bead_chain_pendulum_of(c, c->material[bead]) * (u * u);
+    budget->gravity += gravity;
+    budget->springs += bead_chain_spring_energy(c, bead, u) - gravity;
+}
+
 static struct bead_budget add_up(const struct bead_stepper *s, const struct bead_state *state, double dissipated)
 {
     struct bead_budget budget = {.gravity = 0 - s->chain->striker_force * state->u[0], .dissipated = dissipated};
     for (size_t j = 0; j < s->active; j++) {
         budget.kinetic += 0.5 * s->chain->mass[j] * (state->v[j] * state->v[j]);
+        if (s->chain->spring)
+            add_spring(s->chain, j, state->u[j], &budget);
         if (j < s->chain->contacts)
             add_contact(s, state, j, &budget);
     }

@@ -125,7 +125,7 @@ bool bead_front_is_lost(const struct bead_front *front, const struct bead_steppe
 {
     const struct bead_chain *c = s->chain;
     const size_t last = c->contacts - 1;
-    if (!isnan(front->arrival) || !c->law->one_sided || c->striker_force != 0 || c->static_force[0] != 0 ||
+    if (!isnan(front->arrival) || !c->law->one_sided || c->striker_force != 0 || c->spring || c->static_force[0] != 0 ||
         c->static_force[last] != 0)
         return false;
     const double energy = energy_behind(s), weight = c->inverse_mass[last] + (last + 1 < c->beads ? c->inverse_mass[last + 1] : 0);

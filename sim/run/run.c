@@ -408,7 +408,7 @@ static void sample_energy(struct bead_run *run, size_t first, size_t last)
 {
     const struct bead_chain *c = run->settings.chain;
     for (size_t j = first; j <= last; j++) {
-        double energy = 0.5 * c->mass[j] * (run->v[j] * run->v[j]);
+        double energy = 0.5 * c->mass[j] * (run->v[j] * run->v[j]) + bead_chain_spring_energy(c, j, run->u[j]);
         for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++) {
             double d0 = c->static_compression[k], d = d0 + (run->u[k] - run->u[k + 1]), a = c->stiffness[k];
             energy += bead_chain_share(c, k) *

@@ -88,7 +88,7 @@ static double allowed(const struct bead_step_control *control, const struct bead
     const size_t n = bead_stepper_contacts(s);
     const double ahead = EVERY * h;
     double worst = s->chain->law->hertz ? hertz_circles(s, n, v, ahead) : circles(s, n, v, ahead, false);
-    double omega = fmax(sqrt(worst), control->static_omega);
+    double omega = fmax(sqrt(worst + s->chain->spring_rate), control->static_omega);
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
 }
 

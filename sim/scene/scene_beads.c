@@ -53,6 +53,10 @@ static const struct bead_option rows[] = {
            "free space to the left of each of these beads; the first of the chain has none, because the striker touches it at "
            "time 0. For random gaps see chain.beads.disorder",
            "10 um"),
+    VARIED(BEAD_VARIED_SPRING, "spring", "N/m", 0, 1e30, 0,
+           "stiffness of a spring that holds each of these beads at its place: force against its displacement. For pendulums see "
+           "chain.cradle",
+           "300 N/m"),
     {"taper", BEAD_OPTION_CUSTOM, offsetof(struct written, variation), .unit = "1", .low = -1, .high = 1, .open = BEAD_OPEN_HIGH,
      .shape = "from -100 % to below 100 %, or {from: RADIUS, to: RADIUS}", .like = "number|chain.beads.taper",
      .read = bead_scene_read_taper,
@@ -67,9 +71,9 @@ static const struct bead_option rows[] = {
     {"repeat", BEAD_OPTION_COUNT, offsetof(struct written, repeat), .low = 1, .high = BEAD_SCENE_BEADS,
      .help = "how many times the entries `of` follow each other; random spins are the same each time", .example = "3"},
     {"of", BEAD_OPTION_CUSTOM, .shape = "a list of entries", .like = "[chain.beads]", .read = read_group,
-     .help =
-         "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, gap, taper and disorder apply to the "
-         "whole",
+     .help = "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, gap, spring, taper and disorder "
+             "apply to the "
+             "whole",
      .example = "[{bead: brass, count: 5}, {cell: [large-steel, ptfe], count: 2}]"},
 };
 

@@ -77,6 +77,8 @@ static const struct bead_option striker_rows[] = {
     VARIED(BEAD_VARIED_MASS, "mass", "kg", 0, 1e9, BEAD_OPEN_LOW, "its mass, instead of that of the material", "2 g"),
     VARIED(BEAD_VARIED_MODULUS, "modulus", "Pa", 1, 1e15, 0, "its Young's modulus, instead of that of the material", "70 GPa",
            BEAD_USUAL_MODULUS),
+    VARIED(BEAD_VARIED_SPRING, "spring", "N/m", 0, 1e30, 0, "stiffness of a spring that holds it where it touches the first bead",
+           "300 N/m"),
 };
 const struct bead_options bead_striker_options = {"chain.striker", "the bead that strikes the chain", BEAD_OPTIONS(striker_rows),
                                                   NULL, NULL};
@@ -235,6 +237,15 @@ const struct bead_options *bead_law_options(size_t index)
     return index < sizeof laws / sizeof *laws ? &laws[index] : NULL;
 }
 
+static const struct bead_option cradle_rows[] = {
+    {"length", BEAD_OPTION_NUMBER, CHAIN(cradle), .unit = "m", .required = true, .low = 0, .high = 1e6, .open = BEAD_OPEN_LOW,
+     .help = "length L of the pendulums: gravity pulls a bead of mass m back by m g / L times its displacement, which holds for "
+             "small angles",
+     .example = "20 cm"},
+};
+const struct bead_options bead_cradle_options = {"chain.cradle", "all beads, and the striker, hang as pendulums: Newton's cradle",
+                                                 BEAD_OPTIONS(cradle_rows), NULL, NULL};
+
 static const struct bead_option chain_rows[] = {
     {"name", BEAD_OPTION_TEXT, CHAIN(name), .initial = "", .help = "name of the chain; required under `chains`",
      .example = "disordered"},
@@ -265,6 +276,8 @@ static const struct bead_option chain_rows[] = {
     {"tilt", BEAD_OPTION_NUMBER, CHAIN(tilt), .unit = "rad", .usual = {0, 0.785}, .likely = BEAD_LIKELY("deg"), .initial = "0 deg",
      .low = 0, .high = 1.5707963267948968, .shape = "from 0 to 90 deg (1.5708 rad)",
      .help = "slope of the chain, with its wall at the lower end; 90 deg: it stands on the wall", .example = "3.5 deg"},
+    {"cradle", BEAD_OPTION_MAP, .map = &bead_cradle_options, .help = "beads that hang; needs simulate.until: see chain.cradle",
+     .example = "{length: 20 cm}"},
     {"damping", BEAD_OPTION_MAP, .initial = "{}", .map = &bead_damping_options, .help = "see chain.damping",
      .example = "{coefficient: 10, exponent: 1.8}"},
 };
@@ -272,23 +285,12 @@ const struct bead_options bead_chain_options = {
     "chain", "a chain of beads; `chains` is a list of chains with a `name` each, run and shown together", BEAD_OPTIONS(chain_rows),
     NULL, NULL};
 
-static bool has_gaps(const struct bead_reader *reader, const struct bead_chain_spec *chain)
-{
-    bool any = chain->gap > 0;
-    for (size_t s = 0; s < chain->segment_count; s++) {
-        const struct bead_segment *segment = &chain->segments[s];
-        const size_t *of = segment->each ? segment->each : segment->cell;
-        for (size_t i = 0; i < segment->cell_beads * (segment->each ? segment->count : 1); i++)
-            any = any || reader->scene->materials[of[i]].gap > 0;
-    }
-    return any;
-}
-
 /* Nothing presses beads together that are apart, nor do they pull at each other. */
 static enum bead_error check_gaps(const struct bead_reader *reader, const struct bead_at *at, const struct bead_chain_spec *chain)
 {
     const char *key = chain->precompression > 0 ? "precompression" : chain->tilt > 0 ? "tilt" : "law";
-    if ((chain->precompression == 0 && chain->tilt == 0 && chain->law.row->one_sided) || !has_gaps(reader, chain))
+    if ((chain->precompression == 0 && chain->tilt == 0 && chain->law.row->one_sided) ||
+        !(chain->gap > 0 || bead_scene_has_any(reader->scene, chain, offsetof(struct bead_material, gap))))
         return BEAD_OK;
     return BEAD_WRONG_KEY(reader, at, key, "%s, but there are gaps between beads: give one or the other",
                           *key == 'l' ? "pulls as well as pushes" : "presses the chain together");

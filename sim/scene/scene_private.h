@@ -16,8 +16,9 @@
 enum { BEAD_SCENE_CHAINS = 64 };
 
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
-    bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_simulate_options,
-    bead_soliton_options, bead_sweep_options, bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
+    bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_cradle_options,
+    bead_simulate_options, bead_soliton_options, bead_sweep_options, bead_sweep_measure_options, bead_taper_options,
+    bead_disorder_options;
 /* The laws that have settings, the equations, and their starts: NULL behind the last. */
 const struct bead_options *bead_law_options(size_t index);
 const struct bead_options *bead_equation_options(size_t index);
@@ -72,9 +73,16 @@ bool bead_colours_are_file(const char *value);
 BEAD_CHECK enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *config, bool *changed);
 
 /* ---- beads that differ from their material: radius, mass and modulus of an entry of `beads`, or of the striker, taper, disorder;
- * and the gaps before them ---- */
+ * the gaps before them, and springs that hold them ---- */
 
-enum bead_varied { BEAD_VARIED_RADIUS, BEAD_VARIED_MASS, BEAD_VARIED_MODULUS, BEAD_VARIED_GAP, BEAD_VARIED_COUNT };
+enum bead_varied {
+    BEAD_VARIED_RADIUS,
+    BEAD_VARIED_MASS,
+    BEAD_VARIED_MODULUS,
+    BEAD_VARIED_GAP,
+    BEAD_VARIED_SPRING,
+    BEAD_VARIED_COUNT
+};
 
 /* Random values: of their own, or factors. */
 struct bead_distribution {

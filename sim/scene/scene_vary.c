@@ -13,7 +13,7 @@
 /* Beads that differ one by one, in a scene: each takes a material. */
 enum { MOST_VARIED = 100000 };
 
-const struct bead_variation bead_variation_none = {.value = {NAN, NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}};
+const struct bead_variation bead_variation_none = {.value = {NAN, NAN, NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}};
 
 /* `draws`: number of the random numbers; 1003 are those of materials. */
 static const struct {
@@ -24,7 +24,8 @@ static const struct {
 } varied[BEAD_VARIED_COUNT] = {[BEAD_VARIED_RADIUS] = {"radius", "m", offsetof(struct bead_material, radius), 1e-9, 1e3, 1000},
                                [BEAD_VARIED_MASS] = {"mass", "kg", offsetof(struct bead_material, mass), 1e-30, 1e15, 1001},
                                [BEAD_VARIED_MODULUS] = {"modulus", "Pa", offsetof(struct bead_material, modulus), 1, 1e15, 1002},
-                               [BEAD_VARIED_GAP] = {"gap", "m", offsetof(struct bead_material, gap), 0, 1e3, 1004}};
+                               [BEAD_VARIED_GAP] = {"gap", "m", offsetof(struct bead_material, gap), 0, 1e3, 1004},
+                               [BEAD_VARIED_SPRING] = {"spring", "N/m", offsetof(struct bead_material, spring), 0, 1e30, 1005}};
 enum { MATERIAL_DRAWS = 1003 };
 
 static double *value_of(struct bead_material *material, enum bead_varied what)
@@ -168,6 +169,7 @@ static const struct bead_option disorder_rows[] = {
     RANDOM_ROW("mass", BEAD_VARIED_MASS, "random masses at the same radius", "normal 5 %"),
     RANDOM_ROW("modulus", BEAD_VARIED_MODULUS, "random Young's moduli", "uniform 100 GPa..193 GPa"),
     RANDOM_ROW("gap", BEAD_VARIED_GAP, "random gaps before the beads", "uniform 0..10 um"),
+    RANDOM_ROW("spring", BEAD_VARIED_SPRING, "random springs that hold the beads at their places", "uniform 0..300 N/m"),
     {"material", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]", .read = read_materials,
      .help = "each bead is one of these at random, instead of its own; `3 ptfe` has three chances",
      .example = "[large-steel, 3 ptfe]"},

@@ -46,7 +46,7 @@ base() {
     kind=${kind%)}
     case $1 in
     scene) prefix= ;;
-    chain | chain.striker | chain.damping | simulate) prefix=$1. ;;
+    chain | chain.striker | chain.damping | chain.cradle | simulate) prefix=$1. ;;
     chain.starts) prefix=chain.start.0. before=('chain.start=[{bead: 1, velocity: 1 m/s}]' simulate.until=1ms) ;;
     chain.beads) prefix=chain.beads.0. ;;
     chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
@@ -88,7 +88,8 @@ needs() { # SECTION KEY
     'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against') scene=over ;;
     'sweep: over' | 'sweep: combine') scene=over ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
-    'chain: start') before=(simulate.until=1ms) ;;
+    'chain: start' | 'chain: cradle' | chain.cradle:* | 'chain.beads: spring' | 'chain.beads.disorder: spring' | 'chain.striker: spring')
+        before=(simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
     'outputs (movie): background') before=('outputs=[{movie: m.webm}]') ;;
