@@ -53,13 +53,14 @@ BEAD_API size_t bead_grid_count(const struct bead_grid *grid);
 /* Time of sample `index`. */
 BEAD_API double bead_grid_time(const struct bead_grid *grid, size_t index);
 
-/* The parts of a chain's energy, those lost included: their sum is the energy at the start, J. */
+/* The parts of a chain's energy, those lost included: their sum, less the work of a drive, is the energy at the start, J. */
 struct bead_budget {
     double kinetic;
     double contacts, wall; /* elastic, above the chain at rest, less the work of what precompresses it */
     double gravity;        /* potential: minus the work of gravity on a tilt, and that of pendulums */
     double springs;        /* that hold beads at their places */
     double dissipated;     /* lost to damping */
+    double work;           /* of the drive, which is in the sum of the others */
 };
 
 /* One chain at one time. Arrays are borrowed until the call returns. They have one value for every

@@ -109,6 +109,17 @@ struct bead_start {
     double velocity, displacement; /* m/s, m */
 };
 
+/* A bead that is driven: one of the two waves is given. */
+enum bead_wave { BEAD_WAVE_NONE, BEAD_WAVE_SINE, BEAD_WAVE_CHIRP, BEAD_WAVE_NOISE };
+struct bead_drive {
+    size_t bead;
+    enum bead_wave displacement, force;
+    double amplitude;     /* m or N */
+    double frequency, to; /* Hz; to: of chirps, at the end of the run */
+    double ramp;          /* s */
+    uint64_t seed;
+};
+
 struct bead_chain_spec {
     const struct bead_system *system; /* what it is; never NULL */
     char *name;                       /* "" for a single unnamed chain */
@@ -119,6 +130,7 @@ struct bead_chain_spec {
     double striker_velocity;   /* m/s */
     struct bead_start *starts; /* besides the striker's velocity, which bead 0 has: by rising numbers of beads */
     size_t start_count;
+    struct bead_drive drive; /* zeros: nothing is driven */
     struct bead_segment *segments;
     size_t segment_count;
     enum bead_wall wall;

@@ -15,6 +15,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/contact_walk.h"
+#include "sim/chain/drive.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"
 
@@ -207,6 +208,18 @@ static void find_start(struct bead_chain *chain)
     }
 }
 
+/* Nobody knows what a drive will bring in: count the energy of its bead at the largest velocity. */
+static void find_drive(struct bead_chain *chain)
+{
+    const size_t bead = chain->spec->drive.bead;
+    struct bead_contact_walk w;
+    for (bead_contact_walk_start(&w, chain, false); bead_contact_walk_next(&w) && w.k < bead;)
+        ;
+    const double mass = w.k == bead ? w.left_mass : w.right_mass, speed = bead_drive_speed(chain, mass, w.stiffness);
+    chain->speed = fmax(chain->speed, speed);
+    chain->started += 0.5 * mass * (speed * speed);
+}
+
 static enum bead_error outline(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
@@ -225,6 +238,8 @@ static enum bead_error outline(struct bead_chain *chain, struct bead_message *ms
     if (err || !spec->system->has_contacts)
         return err;
     find_start(chain);
+    if (bead_is_driven(spec))
+        find_drive(chain);
     const double energy = bead_chain_energy(chain);
     chain->energy = NAN; /* until omega is known */
     chain->omega = bead_chain_omega(chain, energy);
@@ -269,6 +284,8 @@ static void lay_beads(struct bead_chain *chain)
         if (chain->spring)
             chain->spring[i] = bead_chain_spring_of(chain, chain->material[i]);
     }
+    if (chain->spec->drive.displacement) /* nothing moves it otherwise */
+        chain->inverse_mass[chain->spec->drive.bead] = 0;
     /* The centre of bead 1 is at 0, the striker to its left. */
     chain->position[0] = -(chain->radius[0] + chain->radius[1]);
     for (size_t i = 2; i < chain->beads; i++)

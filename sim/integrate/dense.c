@@ -2,6 +2,7 @@
 /* Dense output: interpolates states, compressions and forces between the ends of a step, for samples, peaks and the front. */
 #include "sim/integrate/dense.h"
 #include "sim/base/memory.h"
+#include "sim/chain/drive.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -43,7 +44,10 @@ static void find_jerks(const struct bead_dense *dense, const struct bead_stepper
             rate[k] = bead_dense_force_rate(s, state, k);
     }
     s->kernels->accelerations(n, rate, s->chain->inverse_mass, jerk);
-    bead_stepper_pull(s, state->v, jerk, (struct bead_part){0, n});
+    for (size_t j = 0; s->pull && j < n; j++)
+        jerk[j] -= s->pull[j] * state->v[j];
+    if (s->driven != SIZE_MAX)
+        bead_drive_apply(s->chain, state == &s->start ? s->t0 : s->t1, 1, jerk);
 }
 
 static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
@@ -61,9 +65,9 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     dense->step = s->steps;
 }
 
-static void update_between(struct bead_dense *dense, const struct bead_stepper *s)
+void bead_dense_find_events(struct bead_dense *dense, const struct bead_stepper *s)
 {
-    if (dense->between_step == s->steps)
+    if (!dense->between || dense->between_step == s->steps)
         return;
     bead_between_find(dense->between, s, (struct bead_part){0, s->active}, s->event_tolerance);
     dense->between_step = s->steps;
@@ -148,7 +152,7 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *s, do
     combine(dense, s, rate, s->start.v, all, v);
     if (!dense->septic)
         return;
-    update_between(dense, s);
+    bead_dense_find_events(dense, s);
     bead_between_correct(dense->between, s, x, all, u, v);
 }
 
@@ -166,8 +170,13 @@ static double jerk(const struct bead_stepper *s, const struct bead_state *state,
     if (j >= s->beads)
         return 0;
     double before = j > 0 ? bead_dense_force_rate(s, state, j - 1) : 0;
-    const double jerk = (before - bead_dense_force_rate(s, state, j)) * s->chain->inverse_mass[j];
-    return s->pull ? jerk - s->pull[j] * state->v[j] : jerk;
+    double jerk = (before - bead_dense_force_rate(s, state, j)) * s->chain->inverse_mass[j], driven[2];
+    if (s->pull)
+        jerk -= s->pull[j] * state->v[j];
+    if (j != s->driven)
+        return jerk;
+    bead_drive_acceleration(s->chain, state == &s->start ? s->t0 : s->t1, driven);
+    return s->chain->spec->drive.displacement ? driven[1] : jerk + driven[1];
 }
 
 static void derivatives(const struct bead_stepper *s, const struct bead_state *state, const double *a, size_t k, double out[4])

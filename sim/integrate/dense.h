@@ -32,6 +32,8 @@ void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper
                              double *u);
 
 /* Compression of contact k over the step: septic Hermite from d, d', d'', d''' at both ends; with damping quintic, without d'''. */
+/* Finds the contact events of the last step, once, for corrections by dense->between. */
+void bead_dense_find_events(struct bead_dense *dense, const struct bead_stepper *stepper);
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *stepper, size_t k);
 
 /* Rate of the force of contact k in a state, N/s. */

@@ -11,7 +11,8 @@
  * weighed, in units of that. */
 static const double usual_speed = 1 / 8.0, least_speed = 1 / 16384.0;
 
-/* Two beads of reduced mass m separate or meet at less than sqrt(2 E/m). On a slope the energy grows: no bound. */
+/* Two beads of reduced mass m separate or meet at less than sqrt(2 E/m). On a slope, or with a drive, the energy grows: no bound.
+ */
 void bead_events_bound(struct bead_events *e, const struct bead_stepper *s)
 {
     double lightest = 0;
@@ -21,7 +22,7 @@ void bead_events_bound(struct bead_events *e, const struct bead_stepper *s)
         e->hardest = fmax(e->hardest, e->hardness[k]);
         lightest = fmax(lightest, left + right);
     }
-    e->fastest = s->chain->striker_force == 0 ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
+    e->fastest = s->chain->striker_force == 0 && s->driven == SIZE_MAX ? sqrt(2 * bead_chain_energy(s->chain) * lightest) : 0;
     e->limits =
         (struct bead_event_limits){&e->rule, e->speeds.weighed, BEAD_EFFECT_OUTSIDE, BEAD_EFFECT_DECAY, BEAD_EVENTS_REACH, 0, 0};
     e->unit = s->chain->speed;

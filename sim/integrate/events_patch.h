@@ -66,7 +66,9 @@ enum { BEAD_PATCH_STAGES_MAX = 18 };
 struct bead_patch_source {
     const double *u0, *v0, *a0, *u1, *v1, *a1;
     const double *stiffness, *static_compression, *static_force, *inverse_mass;
-    const double *pull; /* 1/s^2, or NULL: see bead_stepper */
+    const double *pull; /* 1/s^2, or NULL: see bead_stepper; set if a bead is driven, too */
+    ptrdiff_t driven;   /* bead; PTRDIFF_MIN: none */
+    double drive[2][2]; /* its acceleration by the drive and the derivative, m/s^2, m/s^3, at both ends */
     double h;
     size_t stages;
     const double *stage[BEAD_PATCH_STAGES_MAX];

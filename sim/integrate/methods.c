@@ -22,6 +22,7 @@ static void step_rk4(struct bead_stepper *s, double h)
 
     /* The bead after these is at rest; other code uses this memory between steps. */
     v2[n] = v3[n] = v4[n] = 0;
+    s->now = s->t0 + half;
     k->combine(n, s->y, from->u, half, from->v, 0, NULL, NULL);
     k->combine(n, v2, from->v, half, from->a, 0, NULL, NULL);
     bead_stepper_evaluate(s, s->y, v2, f, a2);
@@ -31,6 +32,7 @@ static void step_rk4(struct bead_stepper *s, double h)
     /* end.a is free until the end: accelerations of the third stage */
     bead_stepper_evaluate(s, s->y, v3, f, to->a);
 
+    s->now = s->t1;
     k->combine(n, s->y, from->u, h, v3, 0, NULL, NULL);
     k->combine(n, v4, from->v, h, to->a, 0, NULL, NULL);
     const double *const sum_v[] = {from->v, v2, v3, v4};
@@ -136,11 +138,13 @@ static void make_stage(struct bead_stepper *s, double h, size_t i, struct bead_p
     const struct bead_part beads = {part.from, part.to + SKEW < s->span ? part.to + SKEW : s->span};
     struct terms terms;
     if (i < stages) {
+        s->now = s->t0 + t->c[i] * h;
         terms = gather(s, t->a + i * t->stages, i, h * h);
         sum(s, beads, s->y, s->start.u, t->c[i] * h, s->start.v, &terms, 0);
         bead_stepper_evaluate_part(s, s->y, NULL, s->stage_f[i], s->stage_a[i], part);
         return;
     }
+    s->now = s->t1;
     terms = gather(s, t->b, t->stages, h * h);
     sum(s, beads, s->end.u, s->start.u, h, s->start.v, &terms, 0);
     bead_stepper_evaluate_part(s, s->end.u, NULL, s->end.f, s->end.a, part);

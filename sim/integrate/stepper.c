@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/chain/drive.h"
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/subnormals.h"
@@ -95,13 +96,23 @@ static void open_window(struct bead_stepper *s, const struct bead_state *from)
 {
     size_t reach = (size_t)s->method->info.evaluations + 2, last = s->active;
     /* the wave may have stopped short of the old window's end */
-    while (last > 1 && from->u[last - 1] == 0 && from->v[last - 1] == 0)
+    while (last > 1 && last != s->driven + 1 && from->u[last - 1] == 0 && from->v[last - 1] == 0)
         last--;
     last = s->full ? s->beads : last + reach;
     size_t active = last < s->beads ? last : s->beads;
     if (active > s->active)
         s->active = active;
     s->span = (s->active + VECTOR - 1) / VECTOR * VECTOR;
+}
+
+/* Puts a bead whose displacement is given where it should be at the end of the step, without the quadrature error of the method. */
+static void hold(struct bead_stepper *s)
+{
+    if (!s->chain->spec->drive.displacement)
+        return;
+    const struct bead_wave_at at = bead_drive_at(s->chain, s->t1);
+    s->end.u[s->driven] = at.x[0];
+    s->end.v[s->driven] = at.x[1];
 }
 
 enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
@@ -116,6 +127,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->kernels = kernels;
     s->beads = chain->beads;
     s->full = full;
+    s->driven = bead_is_driven(chain->spec) ? chain->spec->drive.bead : SIZE_MAX;
     s->force = choose_force(chain, kernels);
     s->fused = s->force == kernels->hertz && !has_static(chain);
     bool printed = s->force == bead_force_printed;
@@ -147,6 +159,10 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
         s->end.u[start->bead] = start->displacement;
         s->end.v[start->bead] = start->bead > 0 ? start->velocity : s->end.v[0];
         s->active = start->bead + 1;
+    }
+    if (s->driven != SIZE_MAX) {
+        hold(s);
+        s->active = s->driven + 1 > s->active ? s->driven + 1 : s->active;
     }
     open_window(s, &s->end);
     if (s->closed) /* all beads touch, ahead of the window too */
@@ -240,6 +256,8 @@ static void end_at_closing(struct bead_stepper *s)
         s->h *= first.at;
         s->t1 = s->t0 + s->h;
         s->method->step(s, s->h);
+        if (s->driven != SIZE_MAX)
+            hold(s);
     }
     memcpy(s->was_closed, s->closed, s->active);
     bead_damped_contacts_update(s);
@@ -265,6 +283,8 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
      * with subnormal numbers is slow. The caller's flags are restored afterwards. */
     const uint64_t flags = flush_subnormals();
     s->method->step(s, h);
+    if (s->driven != SIZE_MAX)
+        hold(s);
     s->last_a = s->end.a;
     if (s->closed)
         end_at_closing(s);

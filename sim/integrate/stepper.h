@@ -15,6 +15,7 @@
 
 #include "beadreel/error.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/drive.h"
 #include "sim/integrate/kernels.h"
 #include "sim/integrate/methods.h"
 
@@ -46,6 +47,8 @@ struct bead_stepper {
     size_t span;      /* `active` rounded up to whole vectors: the beads in between are at rest */
     size_t first;     /* beads before this one have been dropped; whole vectors */
     bool full;        /* no window */
+    size_t driven;    /* bead with a drive; SIZE_MAX: none */
+    double now;       /* s: time of the stage that is being evaluated, for drives */
     double t0, t1, h; /* s: times of start and end, and the length of the step: t1 - t0 except for the rounding of times */
     struct bead_state start, end;
     /* Accelerations just before the end of the step. If a damped contact closes or opens there, forces and accelerations jump, and
@@ -119,11 +122,13 @@ struct bead_part {
 };
 void bead_stepper_evaluate_part(const struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a,
                                 struct bead_part part);
-/* Adds the accelerations by what holds beads from..to - 1 at their places. */
+/* Adds the accelerations by what holds beads from..to - 1 at their places, and by the drive at the time `now`. */
 static inline void bead_stepper_pull(const struct bead_stepper *stepper, const double *u, double *a, struct bead_part part)
 {
     for (size_t j = part.from; stepper->pull && j < part.to; j++)
         a[j] -= stepper->pull[j] * u[j];
+    if (stepper->driven >= part.from && stepper->driven < part.to)
+        bead_drive_apply(stepper->chain, stepper->now, 0, a);
 }
 /* Energy relative to the static state, J, and momentum, kg m/s. */
 double bead_stepper_energy(const struct bead_stepper *stepper, const struct bead_state *state);

@@ -2,8 +2,9 @@
 /* Tables of the energy budget: the energy in each form at each time, and the energy dissipated. */
 #include "sim/output/table.h"
 
-enum { PARTS = 7 };
-static const char *const names[PARTS] = {"kinetic_J", "contacts_J", "wall_J", "gravity_J", "springs_J", "dissipated_J", "total_J"};
+enum { PARTS = 8 };
+static const char *const names[PARTS] = {"kinetic_J", "contacts_J",   "wall_J", "gravity_J",
+                                         "springs_J", "dissipated_J", "work_J", "total_J"};
 
 static enum bead_error energy_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
@@ -22,8 +23,8 @@ static void energy_needs(const struct bead_sink *, struct bead_needs *needs)
 static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *)
 {
     const struct bead_budget *b = sample->budget;
-    const double total = b->kinetic + b->contacts + b->wall + b->gravity + b->springs + b->dissipated,
-                 part[PARTS] = {b->kinetic, b->contacts, b->wall, b->gravity, b->springs, b->dissipated, total};
+    const double total = b->kinetic + b->contacts + b->wall + b->gravity + b->springs + b->dissipated - b->work,
+                 part[PARTS] = {b->kinetic, b->contacts, b->wall, b->gravity, b->springs, b->dissipated, b->work, total};
     for (size_t i = 0; i < PARTS; i++)
         sink->columns[sample->chain * PARTS + i].value = part[i];
     bead_table_end_sample(sink, sample);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "sim/chain/contact_walk.h"
+#include "sim/chain/drive.h"
 
 /* Steps between cuts; beads dropped at once at least; beads kept besides, and at least. */
 enum { EVERY = 8, FEWEST = 8, SPARE = 20, LEAST = 24 };
@@ -23,6 +24,8 @@ const char *bead_behind_refusal(const struct bead_chain *chain)
         return "gravity acts on all beads";
     if (chain->spring_rate > 0)
         return "springs pull beads back to their places";
+    if (bead_is_driven(chain->spec))
+        return "a drive goes on and on";
     if (chain->spec->start_count > 0)
         return "not only the striker moves at first";
     struct bead_contact_walk w; /* chains of a plan have no arrays */

@@ -9,6 +9,7 @@
 
 #include <math.h>
 
+#include "sim/chain/drive.h"
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/dense.h"
 
@@ -47,6 +48,74 @@ double bead_dissipation(const struct bead_stepper *s)
     return sum * s->h;
 }
 
+/* The work against a contact of a bead whose displacement is given, in steps from..to. Its force is not smooth at both ends, where
+ * the contact opens or closes: x runs as 3 y^2 - 2 y^3, so that a force d^(3/2) is smooth in y. */
+static double work_between(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double from, double to)
+{
+    enum { PANELS = 2 };
+    const struct bead_chain *c = s->chain;
+    const struct bead_polynomial compression = bead_dense_compression(s, k);
+    double sum = 0;
+    for (int i = 0; i < PANELS * NODES; i++) {
+        const double y = (i / NODES + node[i % NODES]) / PANELS, x = from + (to - from) * (y * y * (3 - 2 * y));
+        double d[2] = {bead_polynomial_value(&compression, x), bead_polynomial_slope(&compression, x)};
+        bead_between_correct_compression(dense->between, s, k, x, d);
+        const double force = bead_stepper_damped(s) ? bead_damped_contacts_within(s, k, d[0], d[1] / s->h)
+                                                    : c->law->force(s->table.stiffness[k], s->table.law, d[0]);
+        const struct bead_wave_at wave = bead_drive_at(c, s->t0 + x * s->h);
+        sum += weight[i % NODES] / PANELS * (to - from) * (6 * y * (1 - y)) * (force - c->static_force[k]) * wave.x[1];
+    }
+    return s->h * sum;
+}
+
+static double work_on_contact(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double until)
+{
+    size_t count;
+    const struct bead_between_point *point = bead_between_points(dense->between, &count);
+    double sum = 0, from = 0;
+    while (from < until) {
+        double to = until;
+        for (size_t i = 0; i < count; i++)
+            to = point[i].contact == k && point[i].at > from && point[i].at < to ? point[i].at : to;
+        sum += work_between(s, dense, k, from, to);
+        from = to;
+    }
+    return sum;
+}
+
+/* A bead whose displacement is given: what its own energy changes by, and what it does to its contacts. */
+static double work_of_displacement(const struct bead_stepper *s, struct bead_dense *dense, double until)
+{
+    const struct bead_chain *c = s->chain;
+    const size_t j = s->driven;
+    const struct bead_wave_at at0 = bead_drive_at(c, s->t0), at1 = bead_drive_at(c, s->t0 + until * s->h);
+    double work = 0.5 * c->mass[j] * (at1.x[1] * at1.x[1] - at0.x[1] * at0.x[1]);
+    work += bead_chain_spring_energy(c, j, at1.x[0]) - bead_chain_spring_energy(c, j, at0.x[0]);
+    work -= j == 0 ? c->striker_force * (at1.x[0] - at0.x[0]) : 0;
+    bead_dense_find_events(dense, s);
+    for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++)
+        work += (k == j ? 1 : -1) * work_on_contact(s, dense, k, until);
+    return work;
+}
+
+double bead_drive_work(const struct bead_stepper *s, struct bead_dense *dense, double until)
+{
+    const size_t j = s->driven;
+    if (j == SIZE_MAX || until <= 0)
+        return 0;
+    if (s->chain->spec->drive.displacement)
+        return work_of_displacement(s, dense, until);
+    const double at0[4] = {s->start.u[j], s->h * s->start.v[j], s->h * s->h * s->start.a[j]};
+    const double at1[4] = {s->end.u[j], s->h * s->end.v[j], s->h * s->h * s->last_a[j]};
+    const struct bead_polynomial u = bead_polynomial_quintic(at0, at1);
+    double sum = 0;
+    for (int i = 0; i < NODES; i++) {
+        const double x = until * node[i];
+        sum += weight[i] * bead_drive_at(s->chain, s->t0 + x * s->h).x[0] * bead_polynomial_slope(&u, x);
+    }
+    return sum * until;
+}
+
 /* Energy of a contact relative to its static state, including the work of the force that holds the precompression. Gravity is the
  * potential energy of the beads on their slope: contact k carries the weight of those above it, except that of the striker, which
  * the static state leaves out. */
@@ -68,9 +137,9 @@ static void add_spring(const struct bead_chain *c, size_t bead, double u, struct
     budget->springs += bead_chain_spring_energy(c, bead, u) - gravity;
 }
 
-static struct bead_budget add_up(const struct bead_stepper *s, const struct bead_state *state, double dissipated)
+static struct bead_budget add_up(const struct bead_stepper *s, const struct bead_state *state, double dissipated, double work)
 {
-    struct bead_budget budget = {.gravity = 0 - s->chain->striker_force * state->u[0], .dissipated = dissipated};
+    struct bead_budget budget = {.gravity = 0 - s->chain->striker_force * state->u[0], .dissipated = dissipated, .work = work};
     for (size_t j = 0; j < s->active; j++) {
         budget.kinetic += 0.5 * s->chain->mass[j] * (state->v[j] * state->v[j]);
         if (s->chain->spring)
@@ -81,16 +150,16 @@ static struct bead_budget add_up(const struct bead_stepper *s, const struct bead
     return budget;
 }
 
-enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double dissipated, struct bead_budget *budget,
+enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double dissipated, double work, struct bead_budget *budget,
                                  struct bead_message *msg)
 {
     struct bead_stepper *part;
     if (s->steps == 0 || t <= s->t0) {
-        *budget = add_up(s, s->steps == 0 ? &s->end : &s->start, dissipated);
+        *budget = add_up(s, s->steps == 0 ? &s->end : &s->start, dissipated, work);
         return BEAD_OK;
     }
     if (t >= s->t1) {
-        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s));
+        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s), work);
         return BEAD_OK;
     }
     enum bead_error err = bead_stepper_branch(s, &part, msg);
@@ -99,7 +168,7 @@ enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double 
         dissipated += bead_dissipation(part);
     }
     if (!err)
-        *budget = add_up(part, &part->end, dissipated);
+        *budget = add_up(part, &part->end, dissipated, work);
     bead_stepper_destroy(err ? NULL : part);
     return err;
 }

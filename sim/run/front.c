@@ -139,7 +139,7 @@ bool bead_front_is_lost(const struct bead_front *front, const struct bead_steppe
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)
 {
     const size_t last = s->chain->contacts - 1;
-    if (!isnan(front->arrival) || s->chain->spec->start_count > 0) /* several waves have no front */
+    if (!isnan(front->arrival) || s->chain->spec->start_count > 0 || s->driven != SIZE_MAX) /* several waves have no front */
         return BEAD_OK;
     update_record(front, s, bead_stepper_contacts(s));
     const double level = part * front->largest_force;

@@ -7,6 +7,7 @@
 
 #include "sim/base/wide.h"
 #include "sim/chain/contact_walk.h"
+#include "sim/chain/drive.h"
 #include "sim/chain/law_beginning.h"
 #include "sim/integrate/stepper.h"
 
@@ -43,7 +44,7 @@ static double opening_energy(const struct bead_contact_walk *w)
 static bool never_opens(const struct bead_chain *chain)
 {
     const double v = chain->spec->striker_velocity, energy = 0.5 * chain->striker_mass * v * v + chain->started;
-    bool never = chain->law->one_sided;
+    bool never = chain->law->one_sided && !bead_is_driven(chain->spec);
     struct bead_contact_walk w;
     for (bead_contact_walk_start(&w, chain, true); never && bead_contact_walk_next(&w);)
         never = energy < far_from_opening * opening_energy(&w);
@@ -83,6 +84,9 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
     if (chain->spec->damping_coefficient > 0 && !method->info.damping)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
+                         name);
+    if (bead_is_driven(chain->spec) && method->composition)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` does not know drives; use rk4, rkn8 or auto", file,
                          name);
     if (method->events && chain->law->one_sided && isnan(bead_chain_exponent(chain)))
         return bead_fail(msg, BEAD_ERROR_SCENE,

@@ -8,6 +8,7 @@
 
 #include "sim/adjoint/record.h"
 #include "sim/base/memory.h"
+#include "sim/chain/drive.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/stepper.h"
@@ -50,6 +51,7 @@ struct bead_run {
     double *state_memory, *u, *v, *f; /* samples: state between steps */
     double *field[BEAD_FIELD_COUNT];
     double *arrived, *final;   /* [2][beads] u, v when the front arrives and at the end; NULL: not requested */
+    double work[2];            /* J, of the drive until the start and the end of the step */
     double lost[2];            /* J, to damping until the start and the end of the step */
     struct bead_budget budget; /* of the last sample */
     double drift_bound;        /* of the energy error: beyond it steps become shorter */
@@ -205,7 +207,7 @@ static void hash_state(struct bead_run *run)
 static double energy_off(const struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
-    double change = bead_stepper_energy(s, &s->end) - run->energy_start;
+    double change = bead_stepper_energy(s, &s->end) - run->energy_start - run->work[1];
     if (s->chain->spec->damping_coefficient > 0 && change < 0)
         return 0;
     return run->input > 0 ? fabs(change) / run->input : fabs(change);
@@ -297,6 +299,11 @@ static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
                          "chain%s%s: at %.6g s velocities decay so fast that steps of %.2g s would be needed: the damping is too "
                          "strong for these masses; give a smaller chain.damping.coefficient",
                          *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, h);
+    if (s->driven != SIZE_MAX) { /* steps end where the drive is not smooth */
+        const double stop = fmin(bead_drive_break(s->chain, s->t1), run->settings.end > s->t1 ? run->settings.end : INFINITY);
+        bead_stepper_advance(s, s->t1 + h > stop - last_sliver * h ? stop : s->t1 + h);
+        return BEAD_OK;
+    }
     double t = (double)(s->steps + 1) * h;
     if (run->stepping.variable || bead_stepper_damped(s)) /* with damping, steps end where contacts close */
         t = s->t1 + h;
@@ -375,6 +382,9 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     }
     if (err)
         return err;
+    run->work[0] = run->work[1];
+    run->work[1] += bead_drive_work(s, &run->dense, 1);
+    run->input = fmax(run->input, fabs(run->work[1]));
     run->lost[0] = run->lost[1];
     if (run->settings.budget)
         run->lost[1] += bead_dissipation(s);
@@ -430,7 +440,8 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     sample->time = t;
     if (run->settings.budget) {
         sample->budget = &run->budget;
-        BEAD_TRY(bead_budget_find(s, t, run->lost[0], &run->budget, msg));
+        const double x = s->h > 0 ? fmin((t - s->t0) / s->h, 1) : 0, work = run->work[0] + bead_drive_work(s, &run->dense, x);
+        BEAD_TRY(bead_budget_find(s, t, run->lost[0], s->steps > 0 ? work : 0, &run->budget, msg));
     }
     /* Beads under static compression carry a force even at rest, so all are active. */
     sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;

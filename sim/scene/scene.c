@@ -104,6 +104,8 @@ static BEAD_OPTION_READER(read_simulate)
         if (scene->chains[i].start_count > 0)
             return BEAD_WRONG_KEY(reader, at, "until",
                                   "is missing: where `start` says what moves, no front says when the run is over");
+        if (scene->chains[i].drive.amplitude > 0)
+            return BEAD_WRONG_KEY(reader, at, "until", "is missing: a driven chain moves for ever");
         if (bead_scene_has_springs(scene, &scene->chains[i]))
             return BEAD_WRONG_KEY(reader, at, "until", "is missing: a chain held by springs, or a cradle, swings for ever");
     }

@@ -262,6 +262,11 @@ static const struct bead_option chain_rows[] = {
      .help = "beads that do not start at rest, so that there are several strikers, or strikes from both sides; needs "
              "simulate.until: see chain.starts",
      .example = "[{bead: 0, velocity: 1 m/s}, {bead: last, velocity: -1 m/s}]"},
+    {"drive", BEAD_OPTION_CUSTOM, .shape = "a map such as {force: sine, amplitude: 1 N, frequency: 5 kHz}", .like = "chain.drive",
+     .read = bead_scene_read_drive,
+     .help = "a bead that is driven; where the striker has no velocity of its own, nothing else moves at first; needs "
+             "simulate.until: see chain.drive",
+     .example = "{bead: 0, displacement: sine, amplitude: 0.1 um, frequency: 5 kHz, ramp: 1 ms}"},
     {"wall", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none, rigid or a material", .like = "text", .read = read_wall,
      .help = "the wall behind the last bead", .example = "brass"},
     {"law", BEAD_OPTION_CUSTOM, .initial = "hertz",

@@ -10,8 +10,8 @@
 #include "sim/base/suggest.h"
 
 /* Keys of a chain that are taken from the sweep, or else from `chain`. */
-static const char *const shared[] = {"striker", "start", "wall",   "law",     "precompression",
-                                     "gap",     "tilt",  "cradle", "damping", "label"};
+static const char *const shared[] = {"striker", "start",  "wall",  "law",     "precompression", "gap",
+                                     "tilt",    "cradle", "drive", "damping", "label"};
 
 /* A tree being made. The first failure is kept, and nothing happens after it. */
 struct maker {

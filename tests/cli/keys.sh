@@ -50,6 +50,7 @@ base() {
     chain.starts) prefix=chain.start.0. before=('chain.start=[{bead: 1, velocity: 1 m/s}]' simulate.until=1ms) ;;
     chain.beads) prefix=chain.beads.0. ;;
     chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
+    chain.drive) prefix=chain.drive. before=('chain.drive={force: sine, amplitude: 1 N, frequency: 1 kHz}' simulate.until=1ms) ;;
     chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
     'chain.law ('*')') prefix=chain.law. before=("chain.law={$(all_of "$1")}") ;;
     materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
@@ -88,8 +89,11 @@ needs() { # SECTION KEY
     'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against') scene=over ;;
     'sweep: over' | 'sweep: combine') scene=over ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
-    'chain: start' | 'chain: cradle' | chain.cradle:* | 'chain.beads: spring' | 'chain.beads.disorder: spring' | 'chain.striker: spring')
+    'chain: start' | 'chain: drive' | 'chain: cradle' | chain.cradle:* | 'chain.beads: spring' | 'chain.beads.disorder: spring' | 'chain.striker: spring')
         before=(simulate.until=1ms) ;;
+    'chain.drive: displacement') before=('chain.drive={amplitude: 1 um, frequency: 1 kHz}' simulate.until=1ms) ;;
+    'chain.drive: amplitude') before=('chain.drive={displacement: sine, frequency: 1 kHz}' simulate.until=1ms) ;;
+    'chain.drive: to') before=('chain.drive={force: chirp, amplitude: 1 N, frequency: 1 kHz}' simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
     'outputs (movie): background') before=('outputs=[{movie: m.webm}]') ;;

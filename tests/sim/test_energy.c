@@ -2,7 +2,7 @@
 /* The energy budget: it closes, and each part is what it says; and so do the energies of the beads. */
 #include "measures.h"
 
-enum { KINETIC, CONTACTS, WALL, GRAVITY, SPRINGS, DISSIPATED, TOTAL, PARTS };
+enum { KINETIC, CONTACTS, WALL, GRAVITY, SPRINGS, DISSIPATED, WORK, TOTAL, PARTS };
 
 struct budget {
     size_t rows;
@@ -21,7 +21,7 @@ static struct budget read_budget(const char *scene, const char *more)
     FILE *file = fopen(path, "r");
     assert_non_null(file);
     assert_non_null(fgets(line, sizeof line, file));
-    assert_string_equal(line, "time_s,kinetic_J,contacts_J,wall_J,gravity_J,springs_J,dissipated_J,total_J\n");
+    assert_string_equal(line, "time_s,kinetic_J,contacts_J,wall_J,gravity_J,springs_J,dissipated_J,work_J,total_J\n");
     struct budget b = {0};
     while (fgets(line, sizeof line, file)) {
         char *at = strchr(line, ',');

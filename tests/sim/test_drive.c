@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Driven beads: a force, or a displacement, as a function of time. */
+#include "sim/chain/drive.h"
+#include "support.h"
+
+#define MATERIAL "materials: {unit: {mass: 1 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}}\n"
+#define UNIT     "law: {power: 1.5, coefficient: 1e9}, "
+static const double mass = 1e-3, pi = 3.14159265358979323846;
+
+/* Each derivative is that of the one before, by a difference of fourth order: for all waves, in the ramp and behind it. */
+static void derivatives_belong_to_the_wave(void **state)
+{
+    (void)state;
+    static const char *const waves[] = {"force: sine, frequency: 5 kHz", "displacement: chirp, frequency: 2 kHz, to: 9 kHz",
+                                        "force: noise, frequency: 4 kHz, seed: 3"};
+    for (size_t i = 0; i < 3; i++) {
+        char text[300];
+        snprintf(text, sizeof text, MATERIAL "chain: {" UNIT "beads: [{bead: unit}], drive: {%s, amplitude: 2, ramp: 1 ms}}\n",
+                 waves[i]);
+        struct built b = build(text, "until: 4 ms");
+        for (double t = 0.11e-3; t < 2e-3; t += 0.31e-3) {
+            const double h = 1e-7;
+            struct bead_wave_at at[5], middle = bead_drive_at(b.chain, t);
+            for (int k = 0; k < 5; k++)
+                at[k] = bead_drive_at(b.chain, t + (k - 2) * h);
+            for (int d = 0; d < 3; d++) {
+                const double slope = (8 * (at[3].x[d] - at[1].x[d]) - (at[4].x[d] - at[0].x[d])) / (12 * h);
+                assert_near(slope, middle.x[d + 1], 1e-6 * 2 * pow(2 * pi * 9e3, d + 1));
+            }
+        }
+        release(&b);
+    }
+}
+
+/* Noise has the standard deviation asked for, and no mean. */
+static void noise_has_its_amplitude(void **state)
+{
+    (void)state;
+    struct built b =
+        build(MATERIAL "chain: {" UNIT "beads: [{bead: unit}], drive: {force: noise, amplitude: 3 N, frequency: 1 kHz, seed: 5}}\n",
+              "until: 1 s");
+    double sum = 0, squares = 0;
+    const int count = 40000;
+    for (int i = 0; i < count; i++) {
+        const double f = bead_drive_at(b.chain, i * 1e-4 + 1e-5).x[0];
+        sum += f;
+        squares += f * f;
+    }
+    /* 8000 independent coefficients */
+    assert_near(sum / count, 0, 4 * 3 / sqrt(8000));
+    assert_near(sqrt(squares / count), 3, 4 * 3 / sqrt(8000));
+    release(&b);
+}
+
+/* A force on a free bead, and on one that a spring holds: F/(m w^2) (wt - sin wt), and F/m (sin wt - w/w0 sin w0 t)/(w0^2 - w^2).
+ */
+static void lone_beads_follow_a_force(void **state)
+{
+    (void)state;
+    const double f = 1e-3, w = 2 * pi * 100, end = 0.0137, stiffness = 1000, w0 = sqrt(stiffness / mass);
+    for (int held = 0; held < 2; held++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 MATERIAL "chain: {" UNIT
+                          "gap: 1 m, beads: [{bead: unit}, {bead: unit, spring: %d N/m}], drive: {bead: 2, force: sine, "
+                          "amplitude: 1 mN, frequency: 100 Hz}}\n",
+                 held ? 1000 : 0);
+        struct built b = build(text, "until: 0.1 s, accuracy: 1e-8");
+        struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = end});
+        run_until(run, end);
+        const double wanted = held ? f / mass * (sin(w * end) - w / w0 * sin(w0 * end)) / (w0 * w0 - w * w)
+                                   : f / (mass * w * w) * (w * end - sin(w * end));
+        assert_near(sample_at(run, end).field[BEAD_FIELD_DISPLACEMENT][2] / wanted, 1, 1e-8);
+        assert_true(sample_at(run, end).field[BEAD_FIELD_VELOCITY][1] == 0);
+        bead_run_destroy(run);
+        release(&b);
+    }
+}
+
+/* A string of springs k between masses m, of which the first moves as a sin wt: below the band's edge 2 sqrt(k/m) the front follows
+ * at the group velocity; above it the steady state decays by the same factor from bead to bead and changes sign, exactly
+ * (w/w_edge)^2 = cosh^2(q/2). */
+static void beyond_the_band_waves_decay(void **state)
+{
+    (void)state;
+    struct built b =
+        build(MATERIAL "chain: {law: {fpu-alpha: 0, stiffness: 1e6 N/m}, beads: [{bead: unit, count: 20}], drive: {displacement: "
+                       "sine, amplitude: 1 um, frequency: 12 kHz, ramp: 20 ms}}\n",
+              "until: 30 ms, accuracy: 1e-8");
+    struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = 30e-3});
+    const double w = 2 * pi * 12e3, edge = 2 * sqrt(1e6 / mass), factor = exp(-2 * acosh(w / edge));
+    const double quarter = (floor(25e-3 * 12e3) + 0.25) / 12e3; /* the drive is at its largest */
+    run_until(run, quarter);
+    const double *u = sample_at(run, quarter).field[BEAD_FIELD_DISPLACEMENT];
+    assert_near(u[0], 1e-6, 1e-8 * 1e-6);
+    for (int j = 1; j < 5; j++)
+        assert_near(u[j] / u[j - 1], -factor, 1e-4 * factor);
+    bead_run_destroy(run);
+    release(&b);
+}
+
+/* Without precompression contacts open and close all the time; what the drive puts in is the energy of the chain, to 1e-9: for
+ * given displacements and forces, at free and fixed ends, at an end and within. With damping, to what its fixed order gives. */
+static void work_is_the_energy(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *drive, *more;
+        double bound;
+    } cases[] = {
+        {"displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
+        {"displacement: chirp, amplitude: 1 um, frequency: 1 kHz, to: 9 kHz", "wall: none", 1e-9},
+        {"bead: 12, displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms", "wall: none", 1e-9},
+        {"force: sine, amplitude: 20 N, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
+        {"bead: 3, force: noise, amplitude: 20 N, frequency: 3 kHz", "wall: rigid", 1e-9},
+        {"force: sine, amplitude: 20 N, frequency: 3 kHz", "wall: rigid, precompression: 30 N", 1e-9},
+        {"displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms",
+         "wall: rigid, damping: {coefficient: 5, exponent: 1}", 1e-7},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[500];
+        snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, count: 19}], drive: {%s}, %s}\n", cases[i].drive,
+                 cases[i].more);
+        struct built b = build(text, "until: 1.5 ms, accuracy: 1e-10");
+        struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = 1.5e-3, .budget = true});
+        run_until(run, 0);
+        double first = 0, most = 0, off = 0;
+        for (int n = 0; n <= 50; n++) {
+            const double t = 1.5e-3 * n / 50;
+            run_until(run, t);
+            const struct bead_budget *p = sample_at(run, t).budget;
+            const double total = p->kinetic + p->contacts + p->wall + p->gravity + p->springs + p->dissipated - p->work;
+            first = n == 0 ? total : first;
+            most = fmax(most, fabs(p->work));
+            off = fmax(off, fabs(total - first));
+        }
+        assert_true(most > 1e-7);
+        assert_below(off / most, cases[i].bound);
+        bead_run_destroy(run);
+        release(&b);
+    }
+}
+
+/* Beads that no wave has reached are skipped: the same bits as if they were not. */
+static void quiet_beads_change_nothing(void **state)
+{
+    (void)state;
+    uint64_t hash[2];
+    for (int full = 0; full < 2; full++) {
+        struct built b =
+            build("chain: {beads: [{bead: large-steel, count: 200}], drive: {bead: 3, displacement: sine, amplitude: 2 um, "
+                  "frequency: 3 kHz}}\n",
+                  "until: 1 ms");
+        struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = 1e-3, .hash = true, .full_window = full});
+        run_until(run, 1e-3);
+        hash[full] = bead_run_work(run).hash;
+        bead_run_destroy(run);
+        release(&b);
+    }
+    assert_true(hash[0] == hash[1]);
+}
+
+/* Compositions of drifts and kicks know no times within their steps. */
+static void compositions_are_refused(void **state)
+{
+    (void)state;
+    struct built b =
+        build("chain: {beads: [{bead: large-steel, count: 2}], drive: {force: sine, amplitude: 1 N, frequency: 1 kHz}}\n",
+              "until: 1 ms, method: verlet");
+    struct bead_stepping stepping;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_run_stepping(b.chain, &b.scene->simulate, 1, &stepping, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "does not know drives"));
+    release(&b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(derivatives_belong_to_the_wave),
+        cmocka_unit_test(noise_has_its_amplitude),
+        cmocka_unit_test(lone_beads_follow_a_force),
+        cmocka_unit_test(beyond_the_band_waves_decay),
+        cmocka_unit_test(work_is_the_energy),
+        cmocka_unit_test(quiet_beads_change_nothing),
+        cmocka_unit_test(compositions_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
