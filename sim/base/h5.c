@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 struct bead_h5_quiet bead_h5_quiet_begin(void)
@@ -48,7 +49,10 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    if (cause)
+    if (h5->check.damaged)
+        snprintf(text, sizeof text, "damaged: bytes %llu to %llu are not those that were written",
+                 (unsigned long long)h5->check.from, (unsigned long long)h5->check.to - 1);
+    else if (cause)
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_cause, reason);
     reason[strcspn(reason, "\n")] = '\0';
     h5->error = bead_fail(h5->msg, h5->code, "%s: %s%s%s%s", h5->path, text, *reason ? " (" : "", reason, *reason ? ")" : "");
@@ -76,7 +80,8 @@ static bool load(struct bead_h5 *h5)
 
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg)
 {
-    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg, .disk = {.file = -1}};
+    *h5 =
+        (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg, .disk = {.file = -1}, .check = {.file = -1}};
     if (!load(h5))
         return;
     BEAD_H5_QUIET;
@@ -95,8 +100,7 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
         bead_h5_disk_leave(&h5->disk);
 }
 
-/* Report a failed write, which the driver hides from HDF5. */
-static void check_disk(struct bead_h5 *h5)
+void bead_h5_check_disk(struct bead_h5 *h5)
 {
     if (h5->disk.error)
         bead_h5_fail(h5, false, "cannot be written: %s", strerror(h5->disk.error));
@@ -116,9 +120,50 @@ hid_t bead_h5_access(hid_t class)
     return access;
 }
 
+/* Files up to this size are looked through when they are opened; of larger ones, what is read is. */
+static const uint64_t checked_whole = 64 << 20;
+
+static enum bead_error find_seal(struct bead_h5 *h5)
+{
+    static const char *const said[] = {[BEAD_SEAL_DAMAGED] = "damaged: its digests are not those that were written",
+                                       [BEAD_SEAL_NO_MEMORY] = "no memory for its digests"};
+    struct stat found;
+    struct bead_h5_check *check = &h5->check;
+    check->file = bead_file_look(h5->path);
+    if (check->file < 0 || fstat(check->file, &found) != 0)
+        return bead_h5_fail(h5, false, "cannot be read: %s", strerror(errno));
+    h5->bytes = (uint64_t)found.st_size;
+    const enum bead_seal_state state = bead_seal_read(&check->seal, check->file);
+    const size_t length = strlen(h5->path), ending = strlen(".part");
+    /* A killed run may have begun its seal. */
+    if (state == BEAD_SEAL_DAMAGED && length > ending && strcmp(h5->path + length - ending, ".part") == 0)
+        return BEAD_OK;
+    return state == BEAD_SEAL_THERE || state == BEAD_SEAL_NONE ? BEAD_OK : bead_h5_fail(h5, false, "%s", said[state]);
+}
+
+static enum bead_error open_checked(struct bead_h5 *h5)
+{
+    BEAD_TRY(find_seal(h5));
+    uint64_t damaged = 0;
+    if (h5->check.seal.covered && h5->check.seal.covered <= checked_whole &&
+        bead_seal_look(&h5->check.seal, h5->check.file, &damaged, &h5->check.from, &h5->check.to) == 0 && damaged) {
+        h5->check.damaged = true;
+        return bead_h5_fail(h5, false, "damaged");
+    }
+    BEAD_H5_QUIET;
+    BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
+    /* Closing the file closes all objects in it. A run that is still writing holds a lock; data it has flushed may be read.
+     * No filter is needed, so none is looked for in other files. */
+    if (access_list < 0 || H5PLset_loading_state(0) < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0 ||
+        bead_h5_check_use(access_list, &h5->check) < 0)
+        return bead_h5_fail(h5, true, "cannot be opened");
+    h5->file = H5Fopen(h5->path, H5F_ACC_RDONLY, access_list);
+    return h5->file < 0 ? bead_h5_fail(h5, true, "damaged, or cut off") : BEAD_OK;
+}
+
 void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg)
 {
-    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg};
+    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
     if (access(path, R_OK) != 0) {
         h5->code = BEAD_ERROR_IO;
         bead_h5_fail(h5, false, "cannot be read: %s", strerror(errno));
@@ -129,21 +174,8 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg
         bead_h5_fail(h5, false, "not an HDF5 file");
         return;
     }
-    if (!load(h5))
-        return;
-    BEAD_H5_QUIET;
-    BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
-    /* Closing the file closes all objects in it. A run that is still writing holds a lock; data it has flushed may be read. */
-    if (access_list < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0) {
-        bead_h5_fail(h5, true, "cannot be opened");
-        return;
-    }
-#ifdef BEAD_H5_HAS_LOCKING
-    H5Pset_file_locking(access_list, 0, 1);
-#endif
-    h5->file = H5Fopen(path, H5F_ACC_RDONLY, access_list);
-    if (h5->file < 0)
-        bead_h5_fail(h5, true, "damaged, or cut off");
+    if (load(h5) && open_checked(h5))
+        bead_h5_check_leave(&h5->check);
 }
 
 /* Like H5Fis_hdf5, but without opening the library: the signature is at the beginning, or at 512 bytes times a power of two. */
@@ -173,17 +205,19 @@ void bead_h5_shut(struct bead_h5 *h5)
         bead_h5_fail(h5, true, "cannot be closed properly");
     h5->file = -1;
     bead_h5_disk_leave(&h5->disk);
-    check_disk(h5);
+    bead_h5_check_leave(&h5->check);
+    bead_h5_check_disk(h5);
 }
 
-void bead_h5_flush(struct bead_h5 *h5)
+void bead_h5_flush(struct bead_h5 *h5, bool write)
 {
     if (h5->error)
         return;
+    h5->disk.hold = !write;
     BEAD_H5_QUIET;
     if (H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
         bead_h5_fail(h5, true, "cannot be flushed");
-    check_disk(h5);
+    bead_h5_check_disk(h5);
 }
 
 void bead_h5_close(struct bead_h5 *h5, hid_t *object)

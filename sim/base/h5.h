@@ -12,17 +12,20 @@
 #include <stdint.h>
 
 #include "beadreel/error.h"
+#include "sim/base/h5_check.h"
 #include "sim/base/h5_disk.h"
 #include "sim/base/library.h"
 
 struct bead_h5 {
-    hid_t file;               /* -1: not open */
-    const char *path;         /* for messages; borrowed */
-    const char *kind;         /* "sweep"; NULL: trajectory */
-    enum bead_error code;     /* of failures: IO when writing, FORMAT when reading */
-    struct bead_h5_disk disk; /* of a file being written */
-    enum bead_error error;    /* the first failure */
-    struct bead_message *msg; /* for its text; may be NULL; set it whenever a part that keeps a bead_h5 is called */
+    hid_t file;                 /* -1: not open */
+    const char *path;           /* for messages; borrowed */
+    const char *kind;           /* "sweep"; NULL: trajectory */
+    enum bead_error code;       /* of failures: IO when writing, FORMAT when reading */
+    struct bead_h5_disk disk;   /* of a file being written */
+    struct bead_h5_check check; /* of one being read */
+    uint64_t bytes;             /* of that, when it was opened */
+    enum bead_error error;      /* the first failure */
+    struct bead_message *msg;   /* for its text; may be NULL; set it whenever a part that keeps a bead_h5 is called */
 };
 
 /* Keep the first failure and its message: "path: ...", with HDF5's reason if `cause`. Returns the error. */
@@ -41,8 +44,8 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
 void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg);
 /* Close the file, if open; a failure to write the rest is kept. */
 void bead_h5_shut(struct bead_h5 *h5);
-/* Hand what was written to the operating system. */
-void bead_h5_flush(struct bead_h5 *h5);
+/* Flush HDF5; with `write`, so that the file on the disk is that of now, which waits for the disk. */
+void bead_h5_flush(struct bead_h5 *h5, bool write);
 /* Close a group or dataset; -1 does nothing. Sets it to -1. */
 void bead_h5_close(struct bead_h5 *h5, hid_t *object);
 /* Has the file at `path` the signature of HDF5 files? */

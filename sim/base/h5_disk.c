@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "sim/base/h5_private.h"
+#include "sim/base/h5_seal.h"
 
 /* Bytes that are not in the file yet. */
 struct kept {
@@ -25,8 +26,10 @@ struct disk {
     int file;
     haddr_t allocated, end; /* end of what HDF5 uses, and of the file */
     haddr_t flushed;        /* end of the part that readers of the flushed file may read */
+    bool changed;           /* since the last flush */
     struct bead_h5_disk *caller;
     struct kept *kept, **last; /* in the order of writing */
+    struct bead_seal seal;
 };
 
 /* Carried by an access list. */
@@ -112,6 +115,20 @@ static herr_t keep(struct disk *disk, H5FD_mem_t type, haddr_t address, size_t s
     return 0;
 }
 
+static void failed(struct disk *disk, int error)
+{
+    if (!disk->caller->error)
+        disk->caller->error = error;
+}
+
+/* What was written reaches the disk before what comes, through the descriptor that wrote it, which hears of failures. Some file
+ * systems cannot. */
+static void synchronise(struct disk *disk)
+{
+    if (!disk->caller->error && fdatasync(disk->file) != 0 && errno != EINVAL && errno != EROFS)
+        failed(disk, errno);
+}
+
 /* Returns the number of bytes that could not be written. */
 static size_t put(struct disk *disk, haddr_t address, size_t size, const unsigned char *bytes)
 {
@@ -123,6 +140,8 @@ static size_t put(struct disk *disk, haddr_t address, size_t size, const unsigne
             disk->caller->error = done < 0 ? errno : ENOSPC;
             break;
         }
+        if (!bead_seal_note(&disk->seal, address, (size_t)done, bytes))
+            disk->caller->error = ENOMEM;
         bytes += done;
         address += (haddr_t)done;
         size -= (size_t)done;
@@ -135,6 +154,7 @@ static herr_t disk_write(H5FD_t *public, H5FD_mem_t type, hid_t, haddr_t address
     struct disk *disk = (struct disk *)public;
     if (address + size > disk->end)
         disk->end = address + size;
+    disk->changed = true;
     if (renew(disk, type, address, size, bytes))
         return 0;
     const bool held = type == H5FD_MEM_SUPER || (type != H5FD_MEM_DRAW && address < disk->flushed);
@@ -189,31 +209,66 @@ static void forget(struct disk *disk)
     disk->last = &disk->kept;
 }
 
-/* New blocks are in the file already, but nothing refers to them. After each of these steps the file can be read: the superblock
- * gets the new length, indices and groups refer to the new blocks, objects to the new indices and sizes. */
+/* In which step of a flush a kept piece is written. B-trees: roots first, so that a node split in two is never halved before its
+ * parent knows both; the level is in byte 5 of nodes. */
+static int step_of(const struct kept *kept)
+{
+    enum { SUPER, HEAP, ROOTS, LEAVES = ROOTS + 255, SYMBOLS, OBJECTS };
+    if (kept->type == H5FD_MEM_SUPER)
+        return SUPER;
+    if (kept->type == H5FD_MEM_LHEAP || kept->type == H5FD_MEM_GHEAP)
+        return HEAP;
+    if (kept->type != H5FD_MEM_BTREE)
+        return OBJECTS;
+    return kept->size > 5 && memcmp(kept->bytes, "TREE", 4) == 0 ? LEAVES - kept->bytes[5] : SYMBOLS;
+}
+
+/* The first step after `step` that has pieces; -1: none. */
+static int next_step(const struct disk *disk, int step)
+{
+    int next = -1;
+    for (const struct kept *kept = disk->kept; kept; kept = kept->next) {
+        const int own = step_of(kept);
+        if (own > step && (next < 0 || own < next))
+            next = own;
+    }
+    return next;
+}
+
+/* New blocks are in the file already, but nothing refers to them. After each of these steps, and in the midst of one, the file can
+ * be read: the superblock gets the new length, indices and groups refer to the new blocks, objects to the new indices and sizes.
+ * Each step is on the disk before the next begins, as a disk that loses its power may have written the last things first. */
 static herr_t disk_flush(H5FD_t *public, hid_t, hbool_t)
 {
     struct disk *disk = (struct disk *)public;
-    static const struct {
-        H5FD_mem_t first, second;
-    } steps[] = {{H5FD_MEM_SUPER, H5FD_MEM_SUPER}, {H5FD_MEM_BTREE, H5FD_MEM_LHEAP}, {H5FD_MEM_OHDR, H5FD_MEM_DEFAULT}};
-    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
+    if (!disk->changed || disk->caller->hold)
+        return 0;
+    for (int step = next_step(disk, -1); step >= 0; step = next_step(disk, step)) {
+        synchronise(disk);
         for (const struct kept *kept = disk->kept; kept; kept = kept->next)
-            if (kept->type == steps[i].first || kept->type == steps[i].second)
+            if (step_of(kept) == step)
                 put(disk, kept->address, kept->size, kept->bytes);
+    }
     if (disk->caller->error)
         return 0; /* all bytes stay in memory, for HDF5 to read */
     forget(disk);
     disk->flushed = disk->allocated;
+    disk->changed = false;
     return 0;
 }
 
 static herr_t disk_close(H5FD_t *public)
 {
     struct disk *disk = (struct disk *)public;
+    disk->caller->hold = false;
     disk_flush(public, H5P_DEFAULT, true);
-    if (close(disk->file) != 0 && !disk->caller->error)
-        disk->caller->error = errno;
+    synchronise(disk);
+    if (!disk->caller->error)
+        failed(disk, bead_seal_write(&disk->seal, disk->file, disk->allocated));
+    synchronise(disk);
+    if (close(disk->file) != 0)
+        failed(disk, errno);
+    bead_seal_free(&disk->seal);
     forget(disk);
     free(disk);
     return 0;

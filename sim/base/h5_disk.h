@@ -3,7 +3,8 @@
  *
  * HDF5 flushes its metadata by address: a run killed meanwhile leaves indices that point beyond the end in the superblock. So this
  * driver writes new blocks at once and holds changes of flushed blocks. A flush writes these in an order in which each step leaves
- * the state of this flush, or of the one before, readable.
+ * the state of this flush, or of the one before, readable, and each step reaches the disk before the next. A closed file gets the
+ * seal of h5_seal.h.
  *
  * When a write fails (on a full disk, say), HDF5 1.10 tries again while it closes its objects, fails again, and crashes at exit
  * over objects that are half closed. So this driver keeps the first error for its caller and the unwritten bytes in memory, and
@@ -11,11 +12,13 @@
 #pragma once
 
 #include <hdf5.h>
+#include <stdbool.h>
 
 /* Shared by the driver and its caller; must outlive the file. */
 struct bead_h5_disk {
     int file;  /* open for reading and writing; taken over, and set to -1, when HDF5 opens the file */
     int error; /* errno of the first failure, 0: none */
+    bool hold; /* what is flushed stays in memory until it is false: HDF5 lays files out by when it is asked to flush */
     hid_t driver;
 };
 

@@ -11,10 +11,6 @@
 
 #include "sim/base/h5.h"
 
-#if H5_VERSION_GE(1, 10, 7) && !(H5_VERS_MAJOR == 1 && H5_VERS_MINOR == 12 && H5_VERS_RELEASE == 0)
-#define BEAD_H5_HAS_LOCKING
-#endif
-
 /* Calls of HDF5 go through this table (late.awk). NULL until bead_h5_load has succeeded; opening and making a file call that first.
  */
 extern void *bead_hdf5;
@@ -32,6 +28,8 @@ void bead_h5_release(hid_t *id);
 /* An identifier of any kind, closed at the end of the block. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
 
+/* Report a failed write, which the driver hides from HDF5. */
+void bead_h5_check_disk(struct bead_h5 *h5);
 /* The type of numbers in memory. */
 hid_t bead_h5_memory_type(enum bead_h5_type type);
 /* The space in memory of `count` numbers that are `size` bytes apart; -1 on failure. */

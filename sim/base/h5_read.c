@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Bytes: a chunk of a trajectory has 8 MiB at most, or one row of a million columns. */
+static const uint64_t largest_chunk = 8 << 20;
+
 bool bead_h5_has(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
@@ -59,18 +62,54 @@ hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
     return open_object(h5, name, H5I_GROUP);
 }
 
-/* Read no data in external files: an untrusted file must not refer to others. */
+/* Little-endian numbers of 8 bytes, bytes, or texts of a fixed length: no other type is written, so none is converted. */
+static bool type_is_own(hid_t type)
+{
+    return type >= 0 && (H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_STD_I64LE) > 0 ||
+                         H5Tequal(type, H5T_STD_U8LE) > 0 || (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0));
+}
+
+/* Why data are not laid out as this program lays them out, within their file; NULL: they are. A file that is not trusted could
+ * refer to others, unpack to any size, or lead HDF5 astray. */
+static const char *strange(const struct bead_h5 *h5, hid_t dataset)
+{
+    BEAD_H5_AUTO list = H5Dget_create_plist(dataset);
+    BEAD_H5_AUTO type = H5Dget_type(dataset);
+    BEAD_H5_AUTO space = H5Dget_space(dataset);
+    const H5D_layout_t layout = list < 0 ? H5D_LAYOUT_ERROR : H5Pget_layout(list);
+    hsize_t side[H5S_MAX_RANK];
+    if (layout == H5D_VIRTUAL || (layout >= 0 && H5Pget_external_count(list) != 0))
+        return "is stored in another file";
+    if ((layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED) || H5Pget_nfilters(list) != 0)
+        return "is compressed, filtered or stored as this program stores nothing";
+    if (!type_is_own(type))
+        return "is of a type that this program does not write";
+    const hssize_t values = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);
+    const uint64_t size = H5Tget_size(type);
+    uint64_t bytes;
+    if (values < 0 || size == 0 || __builtin_mul_overflow((uint64_t)values, size, &bytes))
+        return "has no size";
+    if (layout == H5D_CONTIGUOUS) {
+        const haddr_t at = H5Dget_offset(dataset); /* undefined: never written, all 0 */
+        return bytes <= h5->bytes && (at == HADDR_UNDEF || at <= h5->bytes - bytes) ? NULL : "does not fit into the file";
+    }
+    const int rank = H5Pget_chunk(list, H5S_MAX_RANK, side);
+    bytes = size;
+    for (int i = 0; i < rank; i++)
+        if (__builtin_mul_overflow(bytes, side[i], &bytes))
+            return "has chunks without bounds";
+    return rank > 0 && bytes <= largest_chunk ? NULL : "has larger chunks than this program writes";
+}
+
 hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
         return -1;
     BEAD_H5_QUIET;
     hid_t dataset = open_object(h5, name, H5I_DATASET);
-    if (dataset < 0)
-        return -1;
-    BEAD_H5_AUTO layout = H5Dget_create_plist(dataset);
-    if (layout < 0 || H5Pget_layout(layout) == H5D_VIRTUAL || H5Pget_external_count(layout) != 0) {
-        bead_h5_fail(h5, false, "%s is stored in another file", name);
+    const char *wrong = dataset < 0 ? NULL : strange(h5, dataset);
+    if (wrong) {
+        bead_h5_fail(h5, false, "%s %s", name, wrong);
         bead_h5_release(&dataset);
     }
     return dataset;
@@ -103,7 +142,7 @@ static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t 
     BEAD_H5_AUTO attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
     BEAD_H5_AUTO type = attribute < 0 ? -1 : H5Aget_type(attribute);
     BEAD_H5_AUTO space = attribute < 0 ? -1 : H5Aget_space(attribute);
-    bool fits = type_is(type, class) && vector_length(space) == 1;
+    bool fits = type_is(type, class) && type_is_own(type) && H5Tget_size(type) <= 65536 && vector_length(space) == 1;
     BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
     if (!fits || H5Aread(attribute, memory < 0 ? text : memory, value) < 0)
         bead_h5_fail(h5, false, "the attribute %s is missing or of a wrong kind", name);

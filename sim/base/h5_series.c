@@ -74,6 +74,7 @@ void bead_h5_write_rows(struct bead_h5 *h5, hid_t series, enum bead_h5_type type
     if (file_space < 0 || memory_space < 0 || H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
         H5Dwrite(series, bead_h5_memory_type(type), memory_space, file_space, H5P_DEFAULT, values) < 0)
         bead_h5_fail(h5, true, "cannot write samples");
+    bead_h5_check_disk(h5);
 }
 
 void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *name)

@@ -35,6 +35,7 @@ struct bead_sink {
     size_t written;           /* of these, in the file */
     size_t next_chain;        /* chain of the next sample */
     double flushed;           /* s, clock: when */
+    double flush_after;       /* seconds from then to the next */
     struct bead_claim *claim; /* NULL if the caller has claimed the file */
     bool open, closed, finished;
 };

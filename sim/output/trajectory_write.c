@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink of `trajectory:` outputs: samples into growing datasets, whole chunks at a time, flushed often enough that a
- * killed run loses about a second. */
+ * killed run loses about a second. Where a flush comes leaves no trace in a finished file: HDF5 is flushed after each chunk, and
+ * its driver holds back what would have to wait for the disk. */
 #include "sim/output/trajectory_sink.h"
 
 #include <math.h>
@@ -16,7 +17,9 @@
 #include "sim/output/data_sinks.h"
 #include "sim/output/sink_grid.h"
 
+/* A flush waits for the disk: it comes every second, or less often where it would take more than a fiftieth of the time. */
 static const double flush_every = 1; /* s */
+static const double flush_part = 1. / 50;
 
 static void close_file(struct bead_sink *sink)
 {
@@ -140,6 +143,16 @@ static void place_rows(struct bead_sink *sink)
                 sink->shift[row * sink->beads + sink->rows[c].beads.row + i] = -4 * largest * (double)c;
 }
 
+static void flush(struct bead_sink *sink, bool due)
+{
+    const double began = bead_clock();
+    bead_h5_flush(&sink->h5, due);
+    if (!due)
+        return;
+    sink->flushed = bead_clock();
+    sink->flush_after = fmax(flush_every, (sink->flushed - began) / flush_part);
+}
+
 static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_range, struct bead_message *msg)
 {
     BEAD_TRY(reserve(sink, msg));
@@ -154,8 +167,7 @@ static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_rang
         return sink->h5.error;
     sink->open = true;
     bead_trajectory_lay_out(sink);
-    bead_h5_flush(&sink->h5);
-    sink->flushed = bead_clock();
+    flush(sink, true);
     sink->h5.msg = NULL;
     return sink->h5.error;
 }
@@ -222,8 +234,9 @@ static void check_finite(struct bead_sink *sink, enum bead_series_id id)
     }
 }
 
-/* Write the complete samples that are not in the file yet. Values first: a file cut off here has no time without values. */
-static void write_pending(struct bead_sink *sink)
+/* Write the complete samples that are not in the file yet; to the disk where that is due. Values first: a file cut off here has no
+ * time without values. */
+static void write_pending(struct bead_sink *sink, bool due)
 {
     struct bead_h5 *h5 = &sink->h5;
     size_t first = sink->chunk_first + sink->written, rows = sink->filled - sink->written;
@@ -241,18 +254,12 @@ static void write_pending(struct bead_sink *sink)
     }
     bead_h5_write_rows(h5, sink->step, BEAD_H5_INT, first, rows, 0, 0, sink->steps + sink->written);
     bead_h5_write_rows(h5, sink->time, BEAD_H5_DOUBLE, first, rows, 0, 0, sink->times + sink->written);
-    bead_h5_flush(h5);
+    flush(sink, due);
     sink->written = sink->filled;
     if (sink->filled == sink->chunk_rows) {
         sink->chunk_first += sink->chunk_rows;
         sink->filled = sink->written = 0;
     }
-    sink->flushed = bead_clock();
-}
-
-static bool flush_is_due(const struct bead_sink *sink)
-{
-    return sink->filled == sink->chunk_rows || bead_clock() - sink->flushed >= flush_every;
 }
 
 static enum bead_error trajectory_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -275,8 +282,9 @@ static enum bead_error trajectory_sample(struct bead_sink *sink, const struct be
     sink->steps[sink->filled] = (int64_t)number;
     sink->filled++;
     sink->h5.msg = msg;
-    if (flush_is_due(sink))
-        write_pending(sink);
+    const bool due = bead_clock() - sink->flushed >= sink->flush_after;
+    if (due || sink->filled == sink->chunk_rows)
+        write_pending(sink, due);
     sink->h5.msg = NULL;
     return sink->h5.error;
 }
@@ -285,7 +293,7 @@ static enum bead_error trajectory_sample(struct bead_sink *sink, const struct be
 static enum bead_error trajectory_stop(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
 {
     sink->h5.msg = msg;
-    write_pending(sink);
+    write_pending(sink, false);
     bool complete = sink->chunk_first + sink->filled == bead_grid_count(&sink->grid);
     bead_trajectory_write_outcome(sink, outcomes, complete);
     close_file(sink);
