@@ -155,8 +155,9 @@ struct bead_sweep_statistics {
     struct bead_threshold threshold;
     bool has_threshold;
 };
-/* Statistics of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. Errors: MEMORY; NUMBERS
- * where the clean chain is not known. */
+/* Statistics of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. `threshold`: how it is
+ * found, a name of --list thresholds; NULL: the first. Errors: MEMORY; USAGE (no such name); NUMBERS where the clean chain is not
+ * known. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place,
                                                           const char *threshold, struct bead_sweep_statistics *statistics,
                                                           struct bead_message *msg);

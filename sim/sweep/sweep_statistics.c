@@ -117,7 +117,7 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
     if (!err)
         err = fill_rows(s, entries, count, msg);
     if (!err)
-        err = find_threshold(s, threshold, sweep->panels[panel].shown.spec->seed, msg);
+        err = find_threshold(s, threshold ? threshold : bead_threshold_info(0)->name, sweep->panels[panel].shown.spec->seed, msg);
     free(entries);
     if (err)
         bead_sweep_statistics_free(s);

@@ -458,6 +458,10 @@ static void means_are_as_exact_as_they_need(void **state)
         assert_int_equal(bead_sweep_statistics(sweep[i], 0, 0, "law", &b, &msg), BEAD_OK);
         for (size_t r = 0; r < a.row_count; r++)
             assert_near(b.rows[r].summary.mean, a.rows[r].summary.mean, 0.01 * a.rows[r].summary.standard_error);
+        bead_sweep_statistics_free(&b);
+        assert_int_equal(bead_sweep_statistics(exact, 0, 0, NULL, &b, &msg), BEAD_OK); /* the usual threshold */
+        assert_int_equal(b.has_threshold, a.has_threshold);
+        assert_memory_equal(b.values, a.values, sizeof *a.values);
         bead_sweep_statistics_free(&a);
         bead_sweep_statistics_free(&b);
     }
