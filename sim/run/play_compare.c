@@ -13,6 +13,8 @@
 
 /* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks answer. */
 static const double coarser = 30;
+/* If a run knows its energy no better than the coarser one, errors are as large as the whole difference. */
+static const double least_factor = 2;
 static const double pi = 3.14159265358979;
 
 static bool compares_samples(const struct bead_play *p)
@@ -104,29 +106,53 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
     const struct bead_peak *peaks[2] = {found.contact_peaks, found.bead_peaks};
     for (size_t kind = 0; kind < 2; kind++)
         *(is_fine ? &compared->kinds[kind].fine : &compared->kinds[kind].coarse) = peaks[kind];
+    if (!is_fine && outcome->energy_error > 0)
+        compared->of.factor = fmax(fmin(compared->of.factor, found.energy_error / outcome->energy_error), least_factor);
     if (!isnan(over))
         compared->of.end = compared->of.end > 0 ? fmin(compared->of.end, over) : fmin(outcome->end, over);
 }
 
-/* Runs a chain with a tenth of its tolerance, as far as its run went. */
-static enum bead_error run_finer(const struct bead_play *p, const struct bead_runner *run, struct bead_runner *fine,
-                                 struct bead_message *msg)
+/* Runs a chain again, as far as its run went, and looks for peaks from a time on. */
+static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor, double from,
+                                 struct bead_runner *again, struct bead_message *msg)
 {
-    struct bead_run_settings settings = settings_of(p, BEAD_UNCERTAINTY_FINER * (p->refinement > 0 ? p->refinement : 1));
+    struct bead_run_settings settings = settings_of(p, tolerance_factor);
     const bool is_over = !isnan(run->kind->over(run->run));
     const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
     settings.chain = run->chain;
-    BEAD_TRY(bead_runner_create(&settings, fine, msg));
-    return bead_play_run(fine, &way, msg);
+    settings.peaks_from = from;
+    BEAD_TRY(bead_runner_create(&settings, again, msg));
+    BEAD_TRY(bead_play_run(again, &way, msg));
+    if (p->counts) {
+        const struct bead_run_work work = again->kind->work(again->run);
+        __atomic_fetch_add(&p->counts->comparison_steps, work.steps, __ATOMIC_RELAXED);
+        __atomic_fetch_add(&p->counts->comparison_evaluations, work.evaluations, __ATOMIC_RELAXED);
+    }
+    return BEAD_OK;
+}
+
+/* Two more runs for what comes after the horizon. */
+static enum bead_error run_late(const struct bead_play *p, const struct bead_runner *run, double factor, double from,
+                                struct bead_runner late[BEAD_UNCERTAINTY_LATE], struct compared *compared, struct bead_message *msg)
+{
+    for (size_t i = 0; i < BEAD_UNCERTAINTY_LATE; i++, factor /= 2) {
+        struct bead_outcome found;
+        BEAD_TRY(run_again(p, run, factor, from, &late[i], msg));
+        late[i].kind->finish(late[i].run, late[i].kind->time(late[i].run), &found);
+        compared->kinds[0].late[i] = found.contact_peaks;
+        compared->kinds[1].late[i] = found.bead_peaks;
+    }
+    return BEAD_OK;
 }
 
 /* Keeps what is found of the peaks: their uncertainties, and which of them are not predictable. */
-static enum bead_error keep(const struct compared *compared, struct bead_played *played, size_t chain, struct bead_message *msg)
+static enum bead_error keep(const struct compared *compared, double from, struct bead_played *played, size_t chain,
+                            struct bead_message *msg)
 {
     struct bead_outcome *outcome = &played->outcomes[chain];
     const struct bead_peak **const peaks[2] = {&outcome->contact_peaks, &outcome->bead_peaks};
     const double **const uncertainty[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty};
-    const double from = bead_uncertainty_find(&compared->of, compared->kinds);
+    const double reach = bead_uncertainty_reach(compared->kinds, from);
     outcome->predictable_until = from;
     note_worst(compared->kinds, outcome);
     for (size_t kind = 0; kind < 2; kind++) {
@@ -137,7 +163,7 @@ static enum bead_error keep(const struct compared *compared, struct bead_played 
         BEAD_TRY(bead_new(judged, k->count, msg, "the peaks of %zu beads", k->count));
         memcpy(*judged, k->peaks, k->count * sizeof **judged);
         for (size_t i = 0; i < k->count; i++)
-            (*judged)[i].unpredictable = bead_uncertainty_is_lost(&compared->of, &k->peaks[i], k->uncertainty[i], from);
+            (*judged)[i].unpredictable = bead_uncertainty_is_lost(&compared->of, k, i, from, reach);
         *peaks[kind] = *judged;
         *uncertainty[kind] = k->uncertainty;
     }
@@ -171,21 +197,24 @@ static enum bead_error compare_peaks(void *context, size_t chain, bool, struct b
     add_run(&c->played->comparison_runs[chain], is_fine, outcome, &compared);
     for (size_t kind = 0; kind < 2; kind++)
         compared.kinds[kind].count = (is_fine ? compared.kinds[kind].fine : compared.kinds[kind].coarse) ? count[kind] : 0;
-    struct bead_runner fine = {NULL, NULL, NULL};
+    struct bead_runner fine = {NULL, NULL, NULL}, late[BEAD_UNCERTAINTY_LATE] = {{NULL, NULL, NULL}};
+    const struct bead_runner *run = &c->played->runs[chain];
+    double from = INFINITY;
     enum bead_error err = BEAD_OK;
     if (!is_fine && bead_uncertainty_wants_fine(&compared.of, compared.kinds)) {
-        err = run_finer(p, &c->played->runs[chain], &fine, msg);
+        err = run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, 0, &fine, msg);
         if (!err)
             add_run(&fine, true, outcome, &compared);
     }
     if (!err)
-        err = keep(&compared, c->played, chain, msg);
-    if (fine.run && p->counts) {
-        const struct bead_run_work work = fine.kind->work(fine.run);
-        __atomic_fetch_add(&p->counts->comparison_steps, work.steps, __ATOMIC_RELAXED);
-        __atomic_fetch_add(&p->counts->comparison_evaluations, work.evaluations, __ATOMIC_RELAXED);
-    }
+        from = bead_uncertainty_find(&compared.of, compared.kinds);
+    if (!err && from < outcome->end)
+        err = run_late(p, run, c->factor, from, late, &compared, msg);
+    if (!err)
+        err = keep(&compared, from, c->played, chain, msg);
     bead_runner_destroy(&fine);
+    for (size_t i = 0; i < BEAD_UNCERTAINTY_LATE; i++)
+        bead_runner_destroy(&late[i]);
     return err;
 }
 

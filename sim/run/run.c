@@ -339,6 +339,8 @@ static void look_for_peaks(struct bead_run *run)
         limit = run->front.arrival;
         over = isnan(bead_run_over(run)) ? INFINITY : bead_run_over(run);
     }
+    if (s->t0 < run->settings.peaks_from)
+        return;
     if (run->contact_peaks)
         bead_peaks_step(run->contact_peaks, s, limit, over);
     if (run->bead_peaks)

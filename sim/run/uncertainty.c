@@ -7,10 +7,9 @@
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
 
-/* The safety factor. The error X of a run and that of a finer one, X_q, with a tenth of its tolerance, are scattered like normal
- * deviates of the ratio 10; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale 1/10, lies
- * between .8 and 1.2: with a probability of (atan 12 - atan 8) / pi = .013. Chosen among 2 to 10 with chains of stress_errors
- * (seeds 0 to 239). */
+/* The safety factor. The error X of a run and that of a finer one, X_q, with q of its tolerance, are scattered like normal deviates
+ * of the ratio 1/q; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale q, lies between .8 and
+ * 1.2: with a probability of (atan 1.2/q - atan .8/q) / pi, .0013 for q = .01 (and .013 for .1). */
 static const double safety = 5;
 /* A finer run is worth its cost if more than this part of the peaks answers strongly; else those are uncertain by their whole
  * difference to the coarser run, which is more than enough for most of them. Empirical: with .005 and .01, two chains of
@@ -21,6 +20,9 @@ static const double few = 0.003;
 enum { SHORT = 64 };
 /* Relative uncertainty of a peak that is not predictable: chosen, where .03 and .3 were tried as well. */
 static const double lost = 0.1;
+/* A later maximum overtakes with a probability of a thousandth if it has to be higher than expected by so many standard deviations
+ * of its logarithm. */
+static const double deviations = 3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
@@ -110,9 +112,59 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
     return from;
 }
 
-bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_peak *peak, double uncertainty, double from)
+/* Did the run find a maximum after the horizon? */
+static bool is_late(const struct bead_peak *peak, double from)
 {
-    return uncertainty > lost * peak->value || (peak->time >= from && uncertainty > of->accuracy * peak->value);
+    return peak->time >= from && peak->value > 0;
+}
+
+/* Logarithms of maxima after the horizon are scattered with the variance s^2, which their differences x between two runs tell: the
+ * mean of x^2 is 2 s^2. A third run differs from the mean of these two by 3/2 s^2. */
+double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t kind = 0; kind < 2; kind++) {
+        const struct bead_peak *const *late = kinds[kind].late;
+        for (size_t i = 0; late[0] && late[1] && i < kinds[kind].count; i++) {
+            if (!is_late(&late[0][i], from) || !is_late(&late[1][i], from))
+                continue;
+            const double x = bead_log(late[0][i].value / late[1][i].value);
+            sum += x * x;
+            count++;
+        }
+    }
+    return count > 0 ? bead_exp(deviations * sqrt(0.75 * sum / (double)count)) : 1;
+}
+
+/* May a maximum after the horizon be higher than peak i, which comes before? In other runs it is, or nearly. */
+static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
+                             double reach)
+{
+    const struct bead_peak *const others[] = {p->coarse, p->fine};
+    double sum = 0, count = 0;
+    for (size_t r = 0; r < sizeof others / sizeof *others; r++) {
+        const struct bead_peak *other = others[r] ? &others[r][i] : NULL;
+        if (other && is_late(other, from) && !is_same(of, &p->peaks[i], other) && !(of->end > 0 && other->time > of->end))
+            return true;
+    }
+    for (size_t r = 0; r < BEAD_UNCERTAINTY_LATE; r++) {
+        if (!p->late[r] || !is_late(&p->late[r][i], from))
+            continue;
+        sum += bead_log(p->late[r][i].value);
+        count++;
+    }
+    return count > 0 && reach * bead_exp(sum / count) > p->peaks[i].value;
+}
+
+bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
+                              double reach)
+{
+    const struct bead_peak *peak = &p->peaks[i];
+    const double uncertainty = p->uncertainty[i];
+    if (!(peak->time < from))
+        return uncertainty > of->accuracy * peak->value;
+    return uncertainty > lost * peak->value || (peak->value > 0 && may_be_overtaken(of, p, i, from, reach));
 }
 
 double bead_uncertainty_measured(double accuracy, double force, double finer)

@@ -3,7 +3,8 @@
  *
  * Steps are chosen so that errors are proportional to the tolerance. So a run P with the tolerance a, one with a coarser tolerance
  * r a, and one with a finer tolerance q a, give two estimates of the error of each peak: |P_r - P| / (r - 1) and |P - P_q| / (1 -
- * q).
+ * q). Where a chain does not keep to that (a steep law, steps that a drifting energy has shortened), its energy tells: r is then
+ * the ratio of the errors that both runs know of their energies, if that is smaller.
  *
  * The factor of proportionality is not the same in two runs, because contacts open and close elsewhere in their steps. A chain that
  * is not chaotic forgives that: its errors are far below what was asked, and the coarser run alone shows that. In a chaotic chain a
@@ -15,6 +16,10 @@
  * them only from steps repeated at half their length, which costs twice the run; and it ends where a chaotic motion is no longer
  * linear.)
  *
+ * From the first peak on that is lost in this way, the horizon, the motion of any run is one of many that are equally likely. A
+ * later maximum of the true motion may then overtake an earlier one that is known well. Two more coarse runs look for maxima after
+ * the horizon only: how high they are, and by how much two such motions differ.
+ *
  * A peak at which P - P_q happens to cross zero has an error nonetheless: at least its answer to the coarser run, times the usual
  * ratio of the measured errors to the answers in this chain. */
 #pragma once
@@ -25,12 +30,13 @@
 #include "beadreel/sink.h"
 
 /* Tolerance of the finer run in units of the run's: q. */
-#define BEAD_UNCERTAINTY_FINER 0.1
+#define BEAD_UNCERTAINTY_FINER 0.01
 
-/* The runs that are compared. */
+/* The runs that are compared, with two more after the horizon. */
+enum { BEAD_UNCERTAINTY_LATE = 2 };
 struct bead_uncertainty_of {
     double accuracy; /* a; 0: the step was given */
-    double factor;   /* r: the tolerance of the coarser run, or its step, in units of the run's */
+    double factor;   /* r: the errors of the coarser run, or its step, in units of the run's */
     double end;      /* s: of the run that ended first; later peaks are not compared. 0: all ended together */
     double apart;    /* s: half the shortest period of the chain; maxima further apart than that are different ones */
 };
@@ -38,9 +44,10 @@ struct bead_uncertainty_of {
 /* The peaks of contacts, or of beads, in order. */
 struct bead_uncertain_peaks {
     const struct bead_peak *peaks;
-    const struct bead_peak *coarse, *fine; /* of the other runs; NULL: none */
-    size_t count;                          /* 0: unknown */
-    double *uncertainty;                   /* N: out */
+    const struct bead_peak *coarse, *fine;               /* of the other runs; NULL: none */
+    const struct bead_peak *late[BEAD_UNCERTAINTY_LATE]; /* of other runs: the highest after the horizon; NULL: none */
+    size_t count;                                        /* 0: unknown */
+    double *uncertainty;                                 /* N: out */
 };
 
 /* True if more than a few peaks of a chain's contacts [0] and beads [1] answer to the coarser run so strongly that a finer one is
@@ -49,7 +56,11 @@ bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const str
 /* Sets the uncertainties, at least the accuracy asked for. Returns the time from which peaks are not predictable, s: that of the
  * first one that is not known to a tenth of itself; INFINITY: all are. */
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
-/* True if a peak of this uncertainty (N) is not predictable: it comes after this time, and not as accurately as asked. */
-bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_peak *peak, double uncertainty, double from);
-/* The uncertainty of a force by a run with a tenth of its tolerance alone, N: at least the accuracy asked for. */
+/* The factor by which a maximum after the horizon `from` may exceed what the late runs say of it: 1 or more. */
+double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from);
+/* True if peak i is not predictable: it comes after the horizon and is not known as accurately as asked, or it comes before, and
+ * one after it may be higher. */
+bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
+                              double reach);
+/* The uncertainty of a force by a finer run alone, N: at least the accuracy asked for. */
 double bead_uncertainty_measured(double accuracy, double force, double finer);

@@ -141,7 +141,7 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     return err;
 }
 
-/* Plays it once more, with a tenth of the tolerance, and finds how well its peaks are known. */
+/* Plays it once more, with a smaller tolerance, and finds how well its peaks are known. */
 static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t try, struct bead_message *msg)
 {
     struct bead_consumer consumer = {.needs = {.bead_peaks = true}};

@@ -120,7 +120,7 @@ static void beads_behind_the_front_are_dropped(void **state)
 
 /* A second run says how well peaks are known, and takes fewer steps than the first, even if a few peaks answer strongly, as at 1e-6
  * in the second chain. In the third one, where energy drifts, many do: a finer run measures them, and it alone costs more than the
- * run. */
+ * run; as its motion is lost before the end, two coarse ones look for what comes then. */
 static void comparison_runs_are_cheaper(void **state)
 {
     (void)state;
@@ -130,7 +130,7 @@ static void comparison_runs_are_cheaper(void **state)
     for (size_t j = 0; j < sizeof accuracies / sizeof *accuracies; j++) {
         const double plain = comparison_work(CHAIN, accuracies[j]), few = comparison_work(disordered, accuracies[j]),
                      many = comparison_work(DRIFTING, accuracies[j]);
-        if (!(plain < 0.8) || !(j != 1 || few < 0.6) || !(many > 1 && many < 2))
+        if (!(plain < 0.8) || !(j != 1 || few < 0.6) || !(many > 1 && many < 4))
             fail_msg("%.3g, %.3g, %.3g of the run: %s", plain, few, many, accuracies[j]);
     }
 }
