@@ -374,6 +374,15 @@ struct bead_caption {
     double pause;   /* s of the film for which the motion pauses when the caption appears */
     char *text;
 };
+/* A text that a movie ties to a thing on the stage. */
+enum bead_note_of { BEAD_NOTE_FRONT, BEAD_NOTE_WALL, BEAD_NOTE_BEAD, BEAD_NOTE_CONTACT };
+struct bead_note {
+    struct bead_caption said; /* no pause */
+    enum bead_note_of of;
+    size_t number; /* of the bead, or of the contact behind bead `number` */
+    size_t chain;  /* SIZE_MAX: all */
+    bool arrow;
+};
 /* A point of the curve of speed. */
 struct bead_speed {
     double at;     /* s of the motion */
@@ -401,6 +410,12 @@ struct bead_movie_asked {
     enum bead_type type;           /* size of letters */
     struct bead_caption *captions; /* by rising times */
     size_t caption_count;
+    struct bead_note *notes; /* as listed */
+    size_t note_count;
+    bool race;     /* of two chains: say at the front that leads by how much */
+    double *stops; /* s of the motion, rising: chapters, and where slides wait */
+    size_t stop_count;
+    char *slides;              /* an HTML file that plays the film from stop to stop, relative to the output directory; "": none */
     struct bead_speed *speeds; /* by rising times; NULL: as even as `duration` asks */
     size_t speed_count;
     struct bead_card card;

@@ -3,12 +3,14 @@
 #include "render/draw/markup.h"
 
 #include <glib.h>
+#include <pango/pango.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "render/draw/axis.h"
+#include "sim/base/memory.h"
 
 static const char italics[] = "<span face=\"STIX\"><i>", upright[] = "</i></span>";
 /* Pango's <sub> is too small to read in 8 pt. */
@@ -121,14 +123,137 @@ static const char *star(const char *text, const char *end)
     return NULL;
 }
 
+/* ---- a little TeX ---- */
+
+struct sign {
+    const char *name, *sign;
+};
+static const struct sign letters[] = {
+    {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"}, {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},
+    {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},    {"nu", "ν"},      {"xi", "ξ"},   {"pi", "π"},
+    {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},   {"chi", "χ"},     {"psi", "ψ"},  {"omega", "ω"},
+    {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Sigma", "Σ"},  {"Phi", "Φ"},   {"Psi", "Ψ"},     {"Omega", "Ω"}};
+static const struct sign signs[] = {{"cdot", "·"},   {"times", "×"},   {"pm", "±"},        {"approx", "≈"}, {"sim", "∼"},
+                                    {"propto", "∝"}, {"le", "≤"},      {"ge", "≥"},        {"ne", "≠"},     {"to", "→"},
+                                    {"infty", "∞"},  {"partial", "∂"}, {"sum", "∑"},       {"int", "∫"},    {"sqrt", "√"},
+                                    {"ll", "≪"},     {"gg", "≫"},      {"quad", "\u2003"}, {",", "\u2009"}};
+
+static const char *put_math(struct writer *w, const char *text, const char *end);
+
+/* The argument at `text`: what is in braces, a command, or one character. */
+static const char *put_argument(struct writer *w, const char *text, const char *end)
+{
+    const char *close = text < end && *text == '{' ? markup_closing(text + 1, end) : NULL, *to = close ? close : text;
+    if (!close && text < end) {
+        to = text + character(text);
+        while (*text == '\\' && to < end && g_ascii_isalpha(*to))
+            to++;
+    }
+    for (const char *at = close ? text + 1 : text; at < to;)
+        at = put_math(w, at, to);
+    return close ? close + 1 : to;
+}
+
+static const char *put_fraction(struct writer *w, const char *text, const char *end)
+{
+    markup_put(w, higher);
+    text = put_argument(w, text, end);
+    markup_put(w, "</span>\u2044");
+    markup_put(w, lower);
+    text = put_argument(w, text, end);
+    markup_put(w, "</span>");
+    return text;
+}
+
+static const char *find_sign(const struct sign *table, size_t count, const char *name, size_t length)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (strlen(table[i].name) == length && strncmp(table[i].name, name, length) == 0)
+            return table[i].sign;
+    }
+    return NULL;
+}
+
+/* A command such as \delta; unknown ones are written as they are, without the backslash. */
+static const char *put_command(struct writer *w, const char *text, const char *end)
+{
+    const char *to = text + 1;
+    while (to < end && g_ascii_isalpha(*to))
+        to++;
+    if (to == text + 1 && to < end)
+        to += character(to);
+    const size_t length = (size_t)(to - text - 1);
+    if (length == 4 && strncmp(text + 1, "frac", 4) == 0)
+        return put_fraction(w, to, end);
+    const char *sign = find_sign(letters, sizeof letters / sizeof *letters, text + 1, length);
+    if (sign) {
+        markup_put(w, "<i>");
+        markup_put(w, sign);
+        markup_put(w, "</i>");
+        return to < end && *to == ' ' ? to + 1 : to; /* it ends the name; around signs, it is seen */
+    }
+    sign = find_sign(signs, sizeof signs / sizeof *signs, text + 1, length);
+    if (sign) {
+        markup_put(w, sign);
+        return to;
+    }
+    put_bytes(w, text + 1, length);
+    return to;
+}
+
+/* Writes the next piece of what is between dollar signs and returns what follows. */
+static const char *put_math(struct writer *w, const char *text, const char *end)
+{
+    if (*text == '\\' && text + 1 < end)
+        return put_command(w, text, end);
+    if ((*text == '_' || *text == '^') && text + 1 < end) {
+        markup_put(w, *text == '_' ? lower : higher);
+        text = put_argument(w, text + 1, end);
+        markup_put(w, "</span>");
+        return text;
+    }
+    if (*text == '{' || *text == '}')
+        return text + 1;
+    if (!g_ascii_isalpha(*text))
+        return put_character(w, text);
+    markup_put(w, "<i>");
+    while (text < end && g_ascii_isalpha(*text))
+        put_bytes(w, text++, 1);
+    markup_put(w, "</i>");
+    return text;
+}
+
+/* The dollar sign that ends an equation, or NULL; as with stars, none begins or ends beside a space. */
+static const char *dollar(const char *text, const char *end)
+{
+    for (const char *c = text; c < end && *text != ' '; c++) {
+        if (*c == '\\' && c + 1 < end)
+            c++;
+        else if (*c == '$' && c > text && c[-1] != ' ')
+            return c;
+    }
+    return NULL;
+}
+
+static const char *put_equation(struct writer *w, const char *text, const char *end)
+{
+    markup_put(w, "<span face=\"STIX\">");
+    while (text < end)
+        text = put_math(w, text, end);
+    markup_put(w, "</span>");
+    return end + 1;
+}
+
 static const char *put_shifted(struct writer *w, const char *text, const char *end);
 
 static void put_range(struct writer *w, const char *text, const char *end)
 {
     while (text < end) {
-        const char *to = *text == '*' ? star(text + 1, end) : NULL;
+        const char *to = *text == '*' ? star(text + 1, end) : *text == '$' ? dollar(text + 1, end) : NULL;
         if (*text == '\\' && text + 1 < end) {
             text = put_character(w, text + 1);
+        } else if (to && *text == '$') {
+            text = put_equation(w, text + 1, to);
         } else if (to) {
             markup_put(w, italics);
             put_range(w, text + 1, to);
@@ -178,6 +303,27 @@ void bead_markup(const char *text, char *out, size_t size)
         bead_text_escape(text, out, size);
 }
 
+void bead_markup_plain(const char *text, char *out, size_t size)
+{
+    BEAD_FREED char *markup = bead_markup_new(text);
+    char *plain = NULL;
+    if (size == 0)
+        return;
+    if (!markup || !pango_parse_markup(markup, -1, 0, NULL, &plain, NULL, NULL))
+        plain = g_strdup(text);
+    size_t used = 0;
+    for (const char *at = plain, *next; *at; at = next) {
+        next = at + character(at);
+        const bool fixed = strncmp(at, "\u00a0", 2) == 0;
+        if (used + (size_t)(next - at) >= size)
+            break;
+        memcpy(out + used, fixed ? " " : at, fixed ? 1 : (size_t)(next - at));
+        used += fixed ? 1 : (size_t)(next - at);
+    }
+    out[used] = '\0';
+    g_free(plain);
+}
+
 char *bead_markup_new(const char *text)
 {
     size_t size = bead_markup_size(text);
@@ -191,7 +337,7 @@ void bead_markup_quote(const char *text, char *out, size_t size)
 {
     size_t used = 0;
     for (size_t length; *text && size > 0; text += length) {
-        bool special = strchr("_^*\\{}", *text) != NULL;
+        bool special = strchr("_^*\\{}$", *text) != NULL;
         length = character(text);
         if (used + length + special >= size)
             break;

@@ -63,14 +63,16 @@ static double captions_width_of(cairo_t *cr, const struct bead_text_style *style
 static size_t next_break(const char *text, size_t from)
 {
     int depth = 0;
-    bool italics = false;
+    bool italics = false, equation = false;
     size_t i = 0;
     for (; text[i]; i++) {
         if (text[i] == '\\' && text[i + 1])
             i++;
         else if (text[i] == '*')
             italics = !italics;
-        else if (text[i] == ' ' && depth == 0 && !italics && i > from)
+        else if (text[i] == '$')
+            equation = !equation && strchr(text + i + 1, '$');
+        else if (text[i] == ' ' && depth == 0 && !italics && !equation && i > from)
             break;
         else
             depth += (text[i] == '{') - (text[i] == '}' && depth > 0);
@@ -143,16 +145,4 @@ void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *te
     double step = line_height * style.size, y = rect.y + 0.5 * (rect.height - step * (double)(lines.count - 1));
     for (size_t i = 0; i < lines.count; i++)
         draw_line(cr, &style, lines.text[i], lines.length[i], rect.x + 0.5 * rect.width, y + step * (double)i, rect.width);
-}
-
-void bead_caption_plain(const char *text, char *out, size_t size)
-{
-    size_t used = 0;
-    for (; *text && used + 1 < size; text++) {
-        if (*text == '\\' && text[1])
-            out[used++] = *++text;
-        else if (!strchr("*_^{}", *text))
-            out[used++] = *text;
-    }
-    out[used] = '\0';
 }

@@ -362,6 +362,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
     if (err)
         return err;
     cairo_surface_mark_dirty(c->surface); /* the views wrote its pixels */
+    bead_overlay_notes(c, time, changes);
     bead_overlay_time(c, time, changes);
     bead_overlay_trust(c, time, changes);
     bead_overlay_caption(c, time, changes);

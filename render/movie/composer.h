@@ -40,6 +40,18 @@ unsigned bead_composer_comparison(const struct bead_output *output, const struct
 /* Does an output need more samples than frames, because a view averages over time? */
 bool bead_composer_averages(const struct bead_output *output);
 
+/* A note as drawn, px of the frame: its box, and where its tip is. */
+struct bead_note_box {
+    double x, y, width, height, tip_x, tip_y;
+};
+enum { BEAD_NOTES_SHOWN = 32 }; /* at a time */
+struct bead_note_boxes {
+    size_t count;
+    struct bead_note_box box[BEAD_NOTES_SHOWN];
+};
+/* Those of the frame drawn last. */
+const struct bead_note_boxes *bead_composer_notes(const struct bead_composer *composer);
+
 /* Errors: SCENE (size, colour map), MEMORY, IO. On failure *composer is NULL. */
 BEAD_CHECK enum bead_error bead_composer_create(const struct bead_composer_setup *setup, struct bead_composer **composer,
                                                 struct bead_message *msg);

@@ -32,6 +32,7 @@ struct bead_composer {
     int passed;                           /* px of the line of progress */
     bool carded, started;                 /* the card has been drawn; the static layer has been */
     bool trust_said;
+    struct bead_note_boxes notes;
     size_t caption; /* shown now; SIZE_MAX: none */
     double *fed;    /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
     size_t fed_room;
@@ -59,4 +60,6 @@ void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 void bead_overlay_time(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_trust(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_progress(struct bead_composer *composer, double time, struct bead_changes *changes);
+/* After the views. */
+void bead_overlay_notes(struct bead_composer *composer, double time, struct bead_changes *changes);
 void bead_overlay_caption(struct bead_composer *composer, double time, struct bead_changes *changes);

@@ -63,6 +63,8 @@ bool bead_film_looks_at_beads(const struct bead_output *output, const struct bea
 double bead_movie_time(const struct bead_movie_times *times, double index);
 /* s of the film, from its first frame on, when a time of the motion is first shown; `fps`: frames a second. */
 double bead_movie_film_time(const struct bead_movie_times *times, double motion, double fps);
+/* s of the film at which the frame begins that is the first to show a time of the motion. */
+double bead_movie_stop_time(const struct bead_movie_times *times, double motion, double fps);
 /* Whether the frame has a picture of its own: the card, the first frame of each group, and the last frame. */
 bool bead_movie_draws(const struct bead_movie_times *times, size_t index);
 /* The number of such frames. */
@@ -75,17 +77,24 @@ void bead_movie_count_words(const struct bead_film *film, char *text, size_t siz
 /* The words in a movie's file. */
 struct bead_movie_notes {
     char *comment;                       /* version and scene */
-    struct bead_movie_chapter *chapters; /* one for each caption, and one for what is before the first; NULL: no captions */
+    struct bead_movie_chapter *chapters; /* one for each caption and stop, and one for what is before the first; NULL: none */
     size_t chapter_count;
     struct bead_movie_subtitle *subtitles; /* one for each caption that is shown */
     size_t subtitle_count;
     char *text; /* of both */
+    char (*stop_names)[32];
 };
 
 /* To be freed even after an error. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes,
                                                  struct bead_message *msg);
 void bead_movie_notes_free(struct bead_movie_notes *notes);
+
+/* ---- slides: slides.c ---- */
+
+/* Writes a page with the finished film in it. Errors: IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_slides_write(const struct bead_film *film, const char *path, const char *movie, const char *tale,
+                                             uint64_t *bytes, struct bead_message *msg);
 
 /* ---- sound: film_sound.c ---- */
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/markup.h"
 #include "render/movie/movie_words.h"
 
 static char *make_comment(const struct bead_scene *scene)
@@ -28,7 +29,30 @@ static void find_span(const struct bead_film *film, size_t caption, double span[
     span[1] = until < times->time[1] ? bead_movie_film_time(times, until, movie->fps) : length;
 }
 
-/* Chapters begin with the captions. */
+/* Puts the stops among the chapters: after captions at the same time, which have the better name. */
+static void add_stops(const struct bead_film *film, struct bead_movie_notes *notes)
+{
+    const struct bead_movie_asked *movie = &film->output->movie;
+    const char *title = film->context.scene->title;
+    for (size_t i = 0; i < movie->stop_count; i++) {
+        const double start = bead_movie_stop_time(&film->times, movie->stops[i], movie->fps);
+        size_t at = notes->chapter_count;
+        if (at == 0 && start > 0) {
+            notes->chapters[at++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
+            notes->chapter_count = at;
+        }
+        while (at > 0 && notes->chapters[at - 1].start > start)
+            at--;
+        if (at > 0 && notes->chapters[at - 1].start == start)
+            continue;
+        memmove(&notes->chapters[at + 1], &notes->chapters[at], (notes->chapter_count - at) * sizeof *notes->chapters);
+        snprintf(notes->stop_names[i], sizeof notes->stop_names[i], "Stop %zu", i + 1);
+        notes->chapters[at] = (struct bead_movie_chapter){start, notes->stop_names[i]};
+        notes->chapter_count++;
+    }
+}
+
+/* Chapters begin with the captions and at the stops. */
 static void fill(const struct bead_film *film, struct bead_movie_notes *notes)
 {
     const struct bead_movie_asked *movie = &film->output->movie;
@@ -42,11 +66,12 @@ static void fill(const struct bead_film *film, struct bead_movie_notes *notes)
         if (notes->chapter_count == 0 && span[0] > 0)
             notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
         size_t size = strlen(movie->captions[i].text) + 1;
-        bead_caption_plain(movie->captions[i].text, text, size);
+        bead_markup_plain(movie->captions[i].text, text, size);
         notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){span[0], text};
         notes->subtitles[notes->subtitle_count++] = (struct bead_movie_subtitle){span[0], span[1], text};
         text += size;
     }
+    add_stops(film, notes);
 }
 
 static bool reserve(const struct bead_movie_asked *movie, struct bead_movie_notes *notes)
@@ -54,12 +79,13 @@ static bool reserve(const struct bead_movie_asked *movie, struct bead_movie_note
     size_t captions = movie->caption_count, bytes = 0;
     for (size_t i = 0; i < captions; i++)
         bytes += strlen(movie->captions[i].text) + 1;
-    if (captions == 0)
+    if (captions + movie->stop_count == 0)
         return true;
-    notes->chapters = calloc(captions + 1, sizeof *notes->chapters);
-    notes->subtitles = calloc(captions, sizeof *notes->subtitles);
-    notes->text = malloc(bytes);
-    return notes->chapters && notes->subtitles && notes->text;
+    notes->chapters = calloc(captions + movie->stop_count + 1, sizeof *notes->chapters);
+    notes->subtitles = calloc(captions + 1, sizeof *notes->subtitles);
+    notes->text = malloc(bytes + 1);
+    notes->stop_names = calloc(movie->stop_count + 1, sizeof *notes->stop_names);
+    return notes->chapters && notes->subtitles && notes->text && notes->stop_names;
 }
 
 enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes, struct bead_message *msg)
@@ -77,4 +103,5 @@ void bead_movie_notes_free(struct bead_movie_notes *notes)
     free(notes->chapters);
     free(notes->subtitles);
     free(notes->text);
+    free(notes->stop_names);
 }

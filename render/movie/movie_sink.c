@@ -37,11 +37,11 @@ struct parcel {
 
 struct bead_sink {
     struct bead_film film;
-    char *path, *poster_path; /* NULL: none */
+    char *path, *poster_path, *slides_path; /* NULL: none */
     struct bead_movie_notes notes;
     struct bead_film_sound *sound; /* NULL: none */
     struct bead_tale *tale;
-    uint64_t poster_bytes;
+    uint64_t poster_bytes, slides_bytes;
     char why[192], makers[160];
 
     struct bead_composer *composer;
@@ -103,6 +103,7 @@ static void movie_destroy(struct bead_sink *s)
     bead_film_sound_destroy(s->sound);
     bead_tale_destroy(s->tale);
     free(s->poster_path);
+    free(s->slides_path);
     free(s);
 }
 
@@ -112,6 +113,8 @@ static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_outp
     enum bead_error err = bead_film_prepare(output, context, &s->film, msg);
     if (!err && output->movie.poster && output->movie.poster[0])
         err = bead_file_join(context->directory, output->movie.poster, &s->poster_path, msg);
+    if (!err && output->movie.slides && output->movie.slides[0])
+        err = bead_file_join(context->directory, output->movie.slides, &s->slides_path, msg);
     if (!err)
         err = bead_file_join(context->directory, output->path, &s->path, msg);
     if (!err)
@@ -351,7 +354,9 @@ static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead
         return err;
     struct bead_movie *movie = s->movie;
     s->movie = NULL;
-    return (whole ? bead_movie_close : bead_movie_stop)(movie, &s->bytes, msg);
+    err = (whole ? bead_movie_close : bead_movie_stop)(movie, &s->bytes, msg);
+    return !err && whole && s->slides_path ? bead_slides_write(&s->film, s->slides_path, s->path, tale, &s->slides_bytes, msg)
+                                           : err;
 }
 
 static enum bead_error movie_end(struct bead_sink *s, const struct bead_outcome *, struct bead_message *msg)
@@ -387,8 +392,8 @@ static bool movie_looks_at_beads(const struct bead_output *output, const struct 
 
 static const char *movie_beside(const struct bead_sink *s, uint64_t *bytes)
 {
-    *bytes = s->poster_bytes;
-    return s->poster_path;
+    *bytes = s->slides_path ? s->slides_bytes : s->poster_bytes;
+    return s->slides_path ? s->slides_path : s->poster_path;
 }
 
 const struct bead_sink_type bead_movie_sink = {

@@ -150,3 +150,9 @@ void bead_movie_count_words(const struct bead_film *film, char *text, size_t siz
     else
         snprintf(text, size, "%zu frames", t->frames);
 }
+
+double bead_movie_stop_time(const struct bead_movie_times *t, double motion, double fps)
+{
+    double frame = ceil(fps * bead_movie_film_time(t, motion, fps) - 1e-6);
+    return fmin(frame, (double)(t->frames - 1)) / fps;
+}

@@ -41,6 +41,7 @@ double bead_step_camera_find(struct bead_step_camera *c, const double *load, siz
     for (size_t i = 0; i < count && most > least_load; i++)
         front = load[i] > part_of_wave * most ? i : front;
     size_t from, to;
+    c->front = c->arrived ? count : front > c->front ? front : c->front;
     if (!c->arrived) {
         c->arrived = front + 1 >= count;
         to = front + 1;

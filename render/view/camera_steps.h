@@ -22,6 +22,7 @@ struct bead_step_camera {
     } pans[BEAD_MOST_PANS];
     size_t pan_count;
     double head;        /* place of the wave, in contacts from the first */
+    size_t front;       /* the foremost contact that the wave has been at */
     double last, speed; /* of the place, a frame */
     bool begun, arrived;
 };

@@ -16,6 +16,13 @@ static double contact_load(const struct bead_view *v, double value)
     return v->full > 0 ? fmin(1, fabs(value) / v->full) : 0;
 }
 
+double bead_stage_between(const struct bead_view *v, double head)
+{
+    const double whole = floor(fmax(0, head));
+    const size_t i = (size_t)fmin(whole, (double)(v->count - 1)), next = i + 1 < v->count ? i + 1 : i;
+    return v->place[i] + (head - whole + 0.5) * (v->place[next] - v->place[i]);
+}
+
 void bead_stage_advance(struct bead_view *v, double time)
 {
     const struct bead_latest *l = &v->latest;
@@ -28,6 +35,7 @@ void bead_stage_advance(struct bead_view *v, double time)
         v->load[k] = contact_load(v, force);
         v->excess[k] = contact_load(v, force - (rest ? rest[k] : 0));
     }
+    const double head = v->has_contacts ? bead_step_camera_find(&v->camera, v->excess, v->contacts) : 0;
     if (v->setup.camera) {
         const double middle = bead_camera_left(v->setup.camera) + 0.5 * bead_camera_width(v->setup.camera);
         size_t i = 0;
@@ -37,9 +45,7 @@ void bead_stage_advance(struct bead_view *v, double time)
         const double there = v->place[i] + part * (v->count < 2 ? 0 : v->place[i + 1] - v->place[i]);
         v->camera.middle = there * v->scale;
     } else if (v->camera.width > 0) {
-        const double head = bead_step_camera_find(&v->camera, v->excess, v->contacts), whole = floor(head);
-        const size_t i = (size_t)fmin(whole, (double)(v->count - 1)), next = i + 1 < v->count ? i + 1 : i;
-        bead_step_camera_advance(&v->camera, v->scale * (v->place[i] + (head - whole + 0.5) * (v->place[next] - v->place[i])));
+        bead_step_camera_advance(&v->camera, v->scale * bead_stage_between(v, head));
     }
     if (v->camera.width > 0)
         v->left = round(v->camera.middle - 0.5 * v->strip.width);
@@ -181,7 +187,7 @@ static double position_of(const struct bead_view *v, double place)
     return v->position[i] + (place - v->place[i]) * (v->position[i + 1] - v->position[i]) / (v->place[i + 1] - v->place[i]);
 }
 
-static double row_x(const struct bead_view *v, double place)
+double bead_stage_row_x(const struct bead_view *v, double place)
 {
     return v->row_left + (position_of(v, place) - v->position[0]) * v->row_scale;
 }
@@ -189,8 +195,8 @@ static double row_x(const struct bead_view *v, double place)
 static void mark_window(struct bead_view *v)
 {
     const double line = round(fmax(1, v->look.line)), high = v->row.height;
-    const double from = round(fmax(0, row_x(v, v->left / v->scale)));
-    const double to = round(fmin(v->row.width, row_x(v, (v->left + v->strip.width) / v->scale)));
+    const double from = round(fmax(0, bead_stage_row_x(v, v->left / v->scale)));
+    const double to = round(fmin(v->row.width, bead_stage_row_x(v, (v->left + v->strip.width) / v->scale)));
     const double boxes[4][4] = {
         {from, 0, to, line}, {from, high - line, to, high}, {from, 0, from + line, high}, {to - line, 0, to, high}};
     const double rgb[3] = {v->look.accent.r, v->look.accent.g, v->look.accent.b};

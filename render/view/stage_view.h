@@ -63,5 +63,11 @@ void bead_stage_advance(struct bead_view *v, double time);
 void bead_stage_compose(struct bead_view *v);
 /* Balls of the row, and the mark around the window. */
 void bead_stage_compose_row(struct bead_view *v);
+/* m along the floor of a place among the contacts, at rest: 3.5 is between contacts 3 and 4. */
+double bead_stage_between(const struct bead_view *v, double head);
+/* px of a place on the floor, from the left edge of the row. */
+double bead_stage_row_x(const struct bead_view *v, double place);
+/* See bead_view_type. */
+bool bead_stage_find(struct bead_view *v, enum bead_note_of of, size_t number, struct bead_spot *spot);
 /* Height, px, of a stage of this width with the largest beads that it may have. */
 double bead_stage_height(double width);

@@ -232,6 +232,7 @@ const struct bead_view_type bead_view_stage_type = {
     .feed = stage_feed,
     .draw = stage_draw,
     .pass = stage_pass,
+    .find = bead_stage_find,
     .vector = stage_vector,
     .destroy = stage_destroy,
     .most_height = stage_most_height,

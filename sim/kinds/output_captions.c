@@ -30,11 +30,13 @@ static BEAD_OPTION_READER(read_factor)
 }
 
 #define CAPTION(member) offsetof(struct bead_caption, member)
-static const struct bead_option caption_rows[] = {
+const struct bead_option bead_caption_rows[5] = {
     {"at", BEAD_OPTION_NUMBER, CAPTION(at), BEAD_TIME_OF_MOTION, .required = true,
      .help = "time of the motion at which the caption appears", .example = "0.2 ms"},
     {"text", BEAD_OPTION_TEXT, CAPTION(text), .required = true,
-     .help = "the text; *x* is set in italics, _0 or _{max} as subscript, ^2 or ^{3/2} as superscript; a backslash takes the next "
+     .help = "the text; *x* is set in italics, _0 or _{max} as subscript, ^2 or ^{3/2} as superscript; between two dollar signs, a "
+             "little TeX: letters in italics, \\\\delta, \\\\frac{a}{b}, \\\\sqrt{x}, \\\\cdot and the like; a backslash takes the "
+             "next "
              "character as it is",
      .example = "The front leaves the striker"},
     {"until", BEAD_OPTION_NUMBER, CAPTION(until), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto", .word_value = NAN,
@@ -48,7 +50,7 @@ static const struct bead_option caption_rows[] = {
      .example = "2 s"},
 };
 const struct bead_options bead_caption_options = {"outputs.captions", "a list in order of time; a caption ends the previous one",
-                                                  BEAD_OPTIONS(caption_rows), NULL, NULL};
+                                                  BEAD_OPTIONS(bead_caption_rows), NULL, NULL};
 
 #define SPEED(member) offsetof(struct bead_speed, member)
 static const struct bead_option speed_rows[] = {
@@ -78,17 +80,16 @@ static const char *unit_of(const struct bead_reader *reader)
     return *bead_scene_system(reader->scene)->time_unit ? " s" : "";
 }
 
-static enum bead_error read_caption(struct bead_reader *reader, const struct bead_at *at, struct bead_caption *caption)
+enum bead_error bead_output_check_said(struct bead_reader *reader, const struct bead_at *at, const struct bead_caption *caption)
 {
-    enum bead_error err = bead_options_read(reader, at, &bead_caption_options, caption);
-    if (!err && !caption->text[0])
+    if (!caption->text[0])
         return BEAD_WRONG_KEY(reader, at, "text", "is empty; a caption needs a text");
-    if (!err && !isnan(caption->until) && !isnan(caption->lasting))
+    if (!isnan(caption->until) && !isnan(caption->lasting))
         return BEAD_WRONG_KEY(reader, at, "until", "is given beside `for`; give one of them");
-    if (!err && caption->until <= caption->at)
+    if (caption->until <= caption->at)
         return BEAD_WRONG_KEY(reader, at, "until", "is %g%s; must be later than `at`, %g%s", caption->until, unit_of(reader),
                               caption->at, unit_of(reader));
-    return err;
+    return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_output_read_captions)
@@ -104,7 +105,8 @@ BEAD_OPTION_READER(bead_output_read_captions)
         struct bead_at element = bead_at_item(at, i);
         if (element.node->kind != BEAD_NODE_MAP)
             return bead_must_be(reader, &element, "a map such as {at: 0.2 ms, text: The front has left the striker}");
-        BEAD_TRY(read_caption(reader, &element, &output->movie.captions[i]));
+        BEAD_TRY(bead_options_read(reader, &element, &bead_caption_options, &output->movie.captions[i]));
+        BEAD_TRY(bead_output_check_said(reader, &element, &output->movie.captions[i]));
         if (i > 0 && output->movie.captions[i].at <= output->movie.captions[i - 1].at)
             return BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be later than that of the previous caption, %g%s",
                                   output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
@@ -179,6 +181,11 @@ void bead_output_free_movie(struct bead_output *output)
     for (size_t i = 0; i < output->movie.caption_count; i++)
         free(output->movie.captions[i].text);
     free(output->movie.captions);
+    for (size_t i = 0; i < output->movie.note_count; i++)
+        free(output->movie.notes[i].said.text);
+    free(output->movie.notes);
+    free(output->movie.stops);
+    free(output->movie.slides);
     free(output->movie.speeds);
     free(output->movie.card.text);
     free(output->movie.sound.sensor);

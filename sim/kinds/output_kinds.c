@@ -68,8 +68,9 @@ enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kin
 
 const char *bead_output_second(const struct bead_output *output, const char **key)
 {
-    *key = output->trajectory.xdmf ? "xdmf" : "poster";
-    const char *file = output->trajectory.xdmf ? output->trajectory.xdmf : output->movie.poster;
+    const char *slides = output->movie.slides && output->movie.slides[0] ? output->movie.slides : NULL;
+    *key = output->trajectory.xdmf ? "xdmf" : slides ? "slides" : "poster";
+    const char *file = output->trajectory.xdmf ? output->trajectory.xdmf : slides ? slides : output->movie.poster;
     return file ? file : "";
 }
 

@@ -80,4 +80,4 @@ const struct bead_options *bead_output_options(size_t index);
 extern const struct bead_option_family bead_output_family;
 extern const struct bead_options bead_image_panel_options, bead_plot_panel_options, bead_panel_options;
 /* Maps within the keys of movies. */
-extern const struct bead_options bead_caption_options, bead_speed_options, bead_card_options;
+extern const struct bead_options bead_caption_options, bead_note_options, bead_speed_options, bead_card_options;

@@ -61,21 +61,30 @@ static BEAD_OPTION_READER(read_sound)
     return bead_must_be(reader, at, option->shape);
 }
 
-static BEAD_OPTION_READER(read_poster)
+/* The name of a file with this ending, or "" for none. */
+static enum bead_error read_beside(const struct bead_reader *reader, const struct bead_at *at, const char *ending, char **name)
 {
-    struct bead_output *output = settings;
     char shown[64];
-    BEAD_TRY(bead_read_text(reader, at, &output->movie.poster));
-    if (strcmp(output->movie.poster, "none") == 0) {
-        output->movie.poster[0] = '\0';
+    BEAD_TRY(bead_read_text(reader, at, name));
+    if (strcmp(*name, "none") == 0) {
+        (*name)[0] = '\0';
         return BEAD_OK;
     }
-    const char *slash = strrchr(output->movie.poster, '/'), *base = slash ? slash + 1 : output->movie.poster,
-               *dot = strrchr(base, '.');
-    if (!dot || dot == base || strcasecmp(dot, ".png") != 0)
-        return bead_wrong(reader, at, "is `%s`; must be none or the name of a .png file",
-                          bead_text_show(output->movie.poster, shown, sizeof shown));
+    const char *slash = strrchr(*name, '/'), *base = slash ? slash + 1 : *name, *dot = strrchr(base, '.');
+    if (!dot || dot == base || strcasecmp(dot, ending) != 0)
+        return bead_wrong(reader, at, "is `%s`; must be none or the name of a %s file", bead_text_show(*name, shown, sizeof shown),
+                          ending);
     return BEAD_OK;
+}
+
+static BEAD_OPTION_READER(read_poster)
+{
+    return read_beside(reader, at, ".png", &((struct bead_output *)settings)->movie.poster);
+}
+
+static BEAD_OPTION_READER(read_slides)
+{
+    return read_beside(reader, at, ".html", &((struct bead_output *)settings)->movie.slides);
 }
 
 static const struct bead_option movie_rows[] = {
@@ -126,6 +135,20 @@ static const struct bead_option movie_rows[] = {
      .like = "[outputs.captions]", .read = bead_output_read_captions,
      .help = "texts below the picture, in mp4, mov, mkv and webm also chapters and subtitles: see outputs.captions",
      .example = "[{at: 0.2 ms, text: The front has left the striker}]"},
+    {"notes", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0.4 ms, bead: front, text: The front}]", .like = "[outputs.notes]",
+     .read = bead_output_read_notes,
+     .help = "texts on the stage, each with a tip to a bead, a contact, the front or the wall, which it follows: see outputs.notes",
+     .example = "[{at: 0.4 ms, for: 2 s, bead: front, text: \"Five beads, $F \\\\sim \\\\delta^{3/2}$\"}]"},
+    {"race", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(movie.race), .initial = "false",
+     .help = "of two chains on a stage: say at the front that leads by how many beads, until it arrives"},
+    {"stops", BEAD_OPTION_CUSTOM, .shape = "a list of times such as [0.4 ms, 1.2 ms]", .like = "[number]",
+     .read = bead_output_read_stops,
+     .help = "times at which a talk halts: chapters of the file, beside those of captions, and where `slides` wait",
+     .example = "[0.4 ms, 1.2 ms]"},
+    {"slides", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none or FILE.html", .like = "text", .read = read_slides,
+     .help = "the film, mp4 or webm, in one page for a browser, which needs no network: it plays from stop to stop when a key is "
+             "pressed. Not beside `poster`",
+     .example = "talk.html"},
     {"card", BEAD_OPTION_CUSTOM, .initial = "false", .shape = "true, false, a time such as 3 s, or a map",
      .like = "flag|number|outputs.card", .read = bead_output_read_card,
      .help = "title card before the motion; true: for 3 s. See outputs.card", .example = "true"},
@@ -215,5 +238,5 @@ static BEAD_OUTPUT_CHECK(check_movie)
 const struct bead_output_type bead_movie_output = {.options = &movie_options,
                                                    .checks = {bead_output_check_field, bead_output_check_views,
                                                               bead_output_check_times, bead_output_check_trust, check_movie,
-                                                              check_layout, bead_output_check_captions},
+                                                              check_layout, bead_output_check_captions, bead_output_check_notes},
                                                    .draws = true};

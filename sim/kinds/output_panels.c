@@ -9,28 +9,32 @@
 
 enum { MOST_ROWS = 8, MOST_COLUMNS = 8 };
 
-static BEAD_OPTION_READER(read_chain)
+enum bead_error bead_output_find_chain(struct bead_reader *reader, const struct bead_at *at, const char *shape, size_t *chain)
 {
     const struct bead_scene *scene = reader->scene;
-    struct bead_output *output = settings;
     struct bead_suggest search;
     const char *name = NULL;
     char shown[64], near[96];
-    BEAD_TRY(bead_read_scalar(reader, at, option->shape, &name));
+    BEAD_TRY(bead_read_scalar(reader, at, shape, &name));
     if (reader->unsound)
         return BEAD_OK;
     bead_suggest_begin(&search, name);
     for (size_t c = 0; c < scene->chain_count; c++) {
-        output->panel.chain = c;
+        *chain = c;
         if (strcmp(scene->chains[c].name, name) == 0)
             return BEAD_OK;
         bead_suggest_try(&search, scene->chains[c].name);
     }
-    output->panel.chain = SIZE_MAX;
+    *chain = SIZE_MAX;
     if (strcmp(name, "all") == 0)
         return BEAD_OK;
     return bead_wrong(reader, at, "%s is not the name of a chain%s", bead_node_show(at->node, shown, sizeof shown),
                       bead_suggest_text(&search, near, sizeof near));
+}
+
+static BEAD_OPTION_READER(read_chain)
+{
+    return bead_output_find_chain(reader, at, option->shape, &((struct bead_output *)settings)->panel.chain);
 }
 
 static const struct bead_option panel_rows[] = {

@@ -45,9 +45,15 @@ BEAD_OPTION_READER(bead_output_read_plot_range);
 BEAD_OPTION_READER(bead_output_read_sweep_range);
 BEAD_OPTION_READER(bead_output_read_views);
 BEAD_OPTION_READER(bead_output_read_captions);
+BEAD_OPTION_READER(bead_output_read_notes);
+BEAD_OPTION_READER(bead_output_read_stops);
 BEAD_OPTION_READER(bead_output_read_speeds);
 BEAD_OPTION_READER(bead_output_read_card);
 BEAD_OPTION_READER(bead_output_read_profile_times);
+
+/* The chain of this name; SIZE_MAX: "all". Errors: SCENE. */
+BEAD_CHECK enum bead_error bead_output_find_chain(struct bead_reader *reader, const struct bead_at *at, const char *shape,
+                                                  size_t *chain);
 
 /* ---- checks, for the types of kinds ---- */
 
@@ -63,6 +69,12 @@ BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_plot_trust);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_panels);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_captions);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_notes);
+/* Is a caption, or a note, that was just read as it must be? */
+BEAD_CHECK enum bead_error bead_output_check_said(struct bead_reader *reader, const struct bead_at *at,
+                                                  const struct bead_caption *said);
+/* Notes have all but the last, `pause`. */
+extern const struct bead_option bead_caption_rows[5];
 /* The keys that go with what is shown, by the row `show` of the table that was read. */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_output *output, const struct bead_options *options);

@@ -194,7 +194,7 @@ void bead_session_close(struct bead_session *s)
             s->made[i].type->destroy(s->made[i].sink);
         free(s->made[i].path);
         free(s->made[i].part);
-        free(s->made[i].poster);
+        free(s->made[i].beside);
     }
     free(s->made);
     free(s->frame_path);

@@ -22,7 +22,7 @@ struct bead_made {
     bool ended;
     uint64_t bytes;                /* written, where the type has no `result` */
     char *path;                    /* where it goes */
-    char *poster;                  /* of `changed`, own */
+    char *beside;                  /* poster or slides of `changed`, own */
     struct bead_frame_asked frame; /* of `single`, with the job's frame */
     char *part;                    /* what a stopped run leaves of it; NULL: nothing */
     struct bead_claim *claims[2];  /* on `path` and on a second file; NULL: none */

@@ -145,7 +145,7 @@ static enum bead_error read_frame(const struct bead_session *s, struct bead_fram
                : BEAD_OK;
 }
 
-/* A poster goes beside the movie, wherever `-o FILE` puts that. */
+/* A poster, or slides, go beside the movie, wherever `-o FILE` puts that. */
 static enum bead_error place_single(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     if (!m->type)
@@ -154,23 +154,24 @@ static enum bead_error place_single(const struct bead_session *s, struct bead_ma
     m->changed = *m->output;
     m->changed.path = (char *)(uintptr_t)s->single; /* read only; borrowed from the job */
     m->output = &m->changed;
-    const char *path = m->changed.path, *poster = m->changed.movie.poster;
+    char **beside = m->changed.movie.slides && *m->changed.movie.slides ? &m->changed.movie.slides : &m->changed.movie.poster;
+    const char *path = m->changed.path;
     size_t length = (size_t)(bead_session_base_name(path) - path);
     if (s->job.frame) {
-        m->changed.movie.poster = NULL;
+        m->changed.movie.poster = m->changed.movie.slides = NULL;
         return read_frame(s, &m->frame, msg);
     }
     if (s->source->output_count != 1 && s->job.setting_count > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "-o names one file, but there are %zu outputs: give a directory",
                          s->source->output_count);
-    if (!poster || !*poster || length == 0)
+    if (!*beside || !**beside || length == 0)
         return BEAD_OK;
     char *directory = strndup(path, length);
     if (!directory)
         return bead_session_out_of_memory(msg);
-    enum bead_error err = bead_file_join(directory, poster, &m->poster, msg);
+    enum bead_error err = bead_file_join(directory, *beside, &m->beside, msg);
     free(directory);
-    m->changed.movie.poster = m->poster;
+    *beside = m->beside;
     return err;
 }
 
@@ -183,6 +184,8 @@ static enum bead_error place(const struct bead_session *s, struct bead_made *m, 
     enum bead_error err = single ? BEAD_OK : session_check_inside(s, m->output, m->output->path, msg);
     if (!err)
         err = session_check_inside(s, m->output, m->output->movie.poster, msg);
+    if (!err)
+        err = session_check_inside(s, m->output, m->output->movie.slides, msg);
     if (!err && single)
         err = place_single(s, m, msg);
     m->asked = s->single ? single : bead_session_is_asked(s, m->output);

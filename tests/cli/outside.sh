@@ -22,8 +22,11 @@ for path in ../evil.csv a/../../evil.csv "$T/evil.csv" a/.. ..; do
 done
 scene 'table: peaks.csv, show: peaks' "$film, poster: ../evil.png"
 ok "a poster outside is refused" refused ../evil.png
+scene 'table: peaks.csv, show: peaks' "$film, slides: ../evil.html"
+ok "slides outside are refused" refused ../evil.html
+scene 'table: peaks.csv, show: peaks' "$film, poster: ../evil.png"
 ok "... for beadsim, too" fails 2 "$beadsim" scene.yaml -o made
-ok "no file was made" test ! -e evil.csv -a ! -e evil.png
+ok "no file was made" test ! -e evil.csv -a ! -e evil.png -a ! -e evil.html
 
 allowed() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --allow-outside && [ -s evil.png ]; }
 ok "--allow-outside" allowed

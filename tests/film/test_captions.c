@@ -266,6 +266,41 @@ static void passed_captions_are_left_out(void **state)
     release_chain(&built);
 }
 
+/* At 20 frames a second, 1 ms takes 1 s. */
+static void stops_are_frames(void **state)
+{
+    (void)state;
+    char path[256];
+    struct decoded movie;
+    struct built built =
+        build_chain("movie: a.mp4, stops: [0.3 ms, 0.6 ms], slides: talk.html, captions: [{at: 0.1 ms, text: Go}], " SMALL);
+    draw_output(&built, pulse_down_the_chain);
+    in_directory("a.mp4", path, sizeof path);
+    decode(path, &movie);
+    remove(path);
+    assert_int_equal(movie.chapters, 4);
+    in_directory("talk.html", path, sizeof path);
+    size_t length;
+    char *page = read_all(path, &length);
+    remove(path);
+    const char *list = strstr(page, "const stops = [");
+    assert_non_null(list);
+    double stop[2];
+    assert_int_equal(sscanf(list, "const stops = [%lf, %lf]", &stop[0], &stop[1]), 2);
+    const double motion[2] = {0.3e-3, 0.6e-3}, step = 1e-3 / (double)(movie.count - 1);
+    for (int i = 0; i < 2; i++) {
+        const size_t frame = (size_t)(stop[i] * 20);
+        assert_true(fabs(stop[i] - ((double)frame + 0.5) / 20) < 1e-6); /* amid a frame */
+        assert_true((double)frame * step >= motion[i] - 1e-9 && ((double)frame - 1) * step < motion[i]);
+        assert_true(fabs(movie.time[frame] - (double)frame / 20) < 1e-3);
+    }
+    assert_non_null(strstr(page, "data:video/mp4;base64,AAAA")); /* the first box of an mp4 begins with its size */
+    assert_null(strstr(page, "http"));
+    free(page);
+    decoded_free(&movie);
+    release_chain(&built);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -278,6 +313,7 @@ int main(void)
         cmocka_unit_test(posters_are_frames),
         cmocka_unit_test(posters_are_covers),
         cmocka_unit_test(captions_are_chapters),
+        cmocka_unit_test(stops_are_frames),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

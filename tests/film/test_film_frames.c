@@ -302,11 +302,119 @@ static void test_headings_show_equations(void **state)
     close_stage(&s);
 }
 
+/* ---- notes ---- */
+
+/* px: left, right and top of what is red within rows from..to. */
+static void find_red(const struct bead_frame *frame, int from, int to, double red[3])
+{
+    red[0] = red[2] = INFINITY;
+    red[1] = -INFINITY;
+    for (int y = from; y < to; y++) {
+        for (int x = 0; x < frame->width; x++) {
+            const uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
+            if (p[2] < 60 || p[2] < 2 * p[1] || p[2] < 2 * p[0])
+                continue;
+            red[0] = fmin(red[0], x);
+            red[1] = fmax(red[1], x + 1);
+            red[2] = fmin(red[2], y);
+        }
+    }
+}
+
+static void feed_shift(struct stage *s, size_t bead, double shift, double time)
+{
+    static double values[200];
+    memset(values, 0, sizeof values);
+    values[bead] = shift;
+    static const double rest[200];
+    struct bead_sample sample = {.time = time, .active = 199};
+    for (int f = 0; f < BEAD_FIELD_COUNT; f++)
+        sample.field[f] = f == BEAD_FIELD_DISPLACEMENT ? values : rest;
+    assert_int_equal(bead_composer_feed(s->composer, &sample, NULL), BEAD_OK);
+}
+
+/* The red bead alone is red: the tip of its note lies within its radius in each frame, while it moves, and where only the row of
+ * all beads shows it. */
+static void test_tips_meet_their_beads(void **state)
+{
+    (void)state;
+    static struct stage s;
+    static const int size[2] = {1280, 720};
+    static const struct {
+        size_t before, after;
+    } chains[] = {{3, 4}, {50, 10}};
+    for (size_t k = 0; k < 2; k++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "materials: {red: {mass: 4 g, radius: 4.76 mm, modulus: 193 GPa, poisson: 0.3, colour: \"#ff0000\"}}\n"
+                 "chain: {beads: [{bead: large-steel, count: %zu}, {bead: red}, {bead: large-steel, count: %zu}]}\n"
+                 "simulate: {until: 1.2 ms}\n"
+                 "outputs: [{movie: m.mp4, light: none, magnify: 1, notes: [{at: 0, until: 1 ms, bead: %zu, text: here}]}]\n",
+                 chains[k].before, chains[k].after, chains[k].before + 1);
+        open_stage(&s, text, size);
+        const struct bead_movie_layout *layout = &s.composer->layout;
+        const struct bead_rect *plot = &layout->chains[0].plot[0];
+        for (int i = 0; i < 5; i++) {
+            struct bead_changes changes = {0};
+            const double time = 1e-4 * i;
+            feed_shift(&s, chains[k].before + 1, 1e-3 * i, time);
+            assert_int_equal(bead_composer_draw(s.composer, time, &changes, NULL), BEAD_OK);
+            const struct bead_note_boxes *notes = bead_composer_notes(s.composer);
+            assert_int_equal(notes->count, 1);
+            const struct bead_note_box *box = &notes->box[0];
+            double red[3];
+            const bool row = box->tip_y > box->y;
+            assert_true(row == (k == 1));
+            find_red(bead_composer_frame(s.composer), row ? (int)(box->y + box->height) + 1 : plot->y + layout->head,
+                     row ? plot->y + plot->height : (int)box->y, red);
+            const double r = 0.5 * (red[1] - red[0]), across = box->tip_x - 0.5 * (red[0] + red[1]), down = box->tip_y - red[2] - r;
+            if (!(across * across + down * down <= r * r))
+                fail_msg("frame %d: the tip is %.1f, %.1f px from a bead of %.1f px", i, across, down, r);
+        }
+        struct bead_changes changes = {0};
+        feed_shift(&s, 0, 0, 1.1e-3);
+        assert_int_equal(bead_composer_draw(s.composer, 1.1e-3, &changes, NULL), BEAD_OK);
+        assert_int_equal(bead_composer_notes(s.composer)->count, 0);
+        close_stage(&s);
+    }
+}
+
+/* More notes at one bead than there is room for: those that would leave the stage are not drawn, as nothing would erase them. */
+static void test_notes_stay_on_the_stage(void **state)
+{
+    (void)state;
+    static struct stage s;
+    static const int size[2] = {640, 360};
+    char text[2048] = "chain: {beads: [{bead: large-steel, count: 9}]}\nsimulate: {until: 1.2 ms}\n"
+                      "outputs: [{movie: m.mp4, light: none, notes: [";
+    for (int i = 0; i < 12; i++)
+        strcat(text, "{at: 0, bead: 5, text: a note that takes a third of the width or a little more}, ");
+    strcat(text, "{at: 0, bead: front, text: x}]}]\n");
+    open_stage(&s, text, size);
+    const struct bead_rect *plot = &s.composer->layout.chains[0].plot[0];
+    struct bead_changes changes = {0};
+    feed_shift(&s, 0, 0, 0);
+    assert_int_equal(bead_composer_draw(s.composer, 0, &changes, NULL), BEAD_OK);
+    const struct bead_note_boxes *notes = bead_composer_notes(s.composer);
+    assert_in_range(notes->count, 2, 11);
+    for (size_t i = 0; i < notes->count; i++) {
+        const struct bead_note_box *box = &notes->box[i];
+        assert_true(box->x >= plot->x - s.composer->layout.beyond[0] && box->y >= plot->y + s.composer->layout.head);
+        assert_true(box->y + box->height <= plot->y + plot->height);
+        for (size_t j = 0; j < i; j++)
+            assert_true(box->x >= notes->box[j].x + notes->box[j].width || notes->box[j].x >= box->x + box->width ||
+                        fabs(box->y - notes->box[j].y) >= box->height);
+    }
+    close_stage(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_frame),
         cmocka_unit_test(test_windows_that_move),
+        cmocka_unit_test(test_tips_meet_their_beads),
+        cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),

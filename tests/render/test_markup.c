@@ -25,15 +25,24 @@ static void test_markup(void **state)
                  {"*t* = 8.98", "\u00a0=\u00a08.98", " = "},
                  {"open {", "open {", NULL},
                  {"end_", "end_", NULL},
+                 {"$F \\propto \\delta^{3/2}$", "<i>F</i> ∝ <i>δ</i><", "$"},
+                 {"$\\frac{m}{2}v_0$", "\u2044", "frac"},
+                 {"costs $5 each", "$5 each", "<"},
+                 {"\\$5 or $6", "$5 or $6", "<"},
                  {"*F*_{max, *N*}", "<i>N</i>", "{"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        char out[512];
+        char out[1024];
         assert_true(bead_markup_size(cases[i].text) <= sizeof out);
         bead_markup(cases[i].text, out, bead_markup_size(cases[i].text));
         if (!strstr(out, cases[i].has) || (cases[i].lacks && strstr(out, cases[i].lacks)))
             fail_msg("'%s' becomes '%s'", cases[i].text, out);
     }
     char quoted[64], out[512], small[4];
+    static const char dense[] = "$a_b^c\\xi$";
+    bead_markup(dense, out, bead_markup_size(dense)); /* the promised room is enough */
+    assert_non_null(strstr(out, "<i>ξ</i>"));
+    bead_markup_plain("$F_0 \\sim \\delta$ & *x*^2 = 3", out, sizeof out);
+    assert_string_equal(out, "F0 ∼ δ & x2 = 3");
     bead_markup_quote("a_b^c*d*\\{e}", quoted, sizeof quoted);
     bead_markup(quoted, out, sizeof out);
     assert_string_equal(out, "a_b^c*d*\\{e}");
