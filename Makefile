@@ -23,6 +23,7 @@ FUZZ_SANITIZERS ?= address,undefined
 KILLS   ?= 60
 PAIRS   ?= 5
 ALLOCATIONS ?= 60
+CASES ?= 1000
 MUTANTS ?= 100
 SEED    ?= 1
 ROOMS   ?= sim render
@@ -37,7 +38,7 @@ endif
 # Debian packages (12 and 13): to build, to build and run the tests, and what .ci/run uses beyond those.
 BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev librandom123-dev libpng-dev \
              libegl-dev libavformat-dev libavcodec-dev libavutil-dev libcairo2-dev libpango1.0-dev libfontconfig-dev fonts-stix fonts-lato
-TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py man-db mandoc zsh fish
+TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py python3-hypothesis man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
 CI_DEPS    = ccache clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium
@@ -312,6 +313,9 @@ coverage: ## lines and branches of sim and render that the tests reach, by room 
 	@tests/coverage.sh $(BUILD)-coverage
 counted: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC)
 
+properties: all ## properties of every scene, CASES=1000 random scenes each (by hand; a quarter of an hour)
+	@/usr/bin/python3 tests/properties.py $(BUILD)/beadsim $(CASES)
+
 mutants: ## small faults in sim and render that no test notices: MUTANTS=100 SEED=1 ROOMS="sim render" (by hand; 5 s a fault, and 20 minutes first)
 	@tests/mutants.py --count $(MUTANTS) --seed $(SEED) --work $(BUILD)-mutants -- $(ROOMS)
 
@@ -443,7 +447,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: release-check deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: release-check deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 # Not of what `make deb` builds meanwhile.
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

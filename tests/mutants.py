@@ -21,7 +21,8 @@ import threading
 import time
 
 NO_TRUTH = ("bits", "test_golden")
-ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library")
+ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library",
+                 "test_truths")
 MOST_SECONDS = 60  # of tests for one fault
 
 SWAPS = [(r" < ", (" <= ", " >= ")), (r" > ", (" >= ", " <= ")), (r" <= ", (" < ",)), (r" >= ", (" > ",)), (r" == ", (" != ",)),
@@ -85,18 +86,21 @@ def tests_of(folder):
 
 
 def measure_map(work, names):
-    """{test: [seconds, {file: [lines that it runs]}]} of the tests `names`, or of all, with a build of --coverage."""
-    kept = f"{work}/map.json"
+    """{test: [seconds, {file: [lines that it runs]}]} of the tests `names`, or of all, with a build of --coverage; those of earlier
+    runs are kept."""
+    kept, reached = f"{work}/map.json", {}
     if os.path.exists(kept):
         with open(kept, encoding="utf-8") as file:
-            return json.load(file)
-    folder, reached = f"{work}/coverage", {}
+            reached = json.load(file)
+        if not names:
+            return reached
+    folder = f"{work}/coverage"
     copy_of_commit(folder)
     built = run(["make", "-s", "counted", "CFLAGS=-O0 -g --coverage -fprofile-update=atomic", "WERROR="], folder)
     if built.returncode:
         raise SystemExit(built.stdout[-2000:])
     run(["sh", "-c", "find build -name '*.gcda' -delete"], folder)
-    for test in names or tests_of(folder):
+    for test in [t for t in names or tests_of(folder) if t not in reached]:
         counts = os.path.abspath(f"{work}/counts")
         prefix = len(os.path.abspath(f"{folder}/build").strip("/").split("/"))
         subprocess.run(f"rm -rf '{counts}' && mkdir '{counts}' && cd '{folder}/build' && cp --parents $(find sim render -name '*.gcno') '{counts}'",
@@ -161,9 +165,22 @@ class Tree:
                 file.write(text)
             self.make(target)
 
+    def tests_that_run(self, fault, reached):
+        """Those that run the line, or where gcov knows none, as in tables and behind the first line of a statement, the next one
+        above within the statement; else all that run any of the file."""
+        with open(f"{self.folder}/{fault.file}", encoding="utf-8") as file:
+            lines = file.read().split("\n")
+        known = {number for _, files in reached.values() for number in files.get(fault.file, ())}
+        at = fault.number
+        while at not in known and at > 1 and lines[at - 2].startswith("  ") and not re.search(r"[;{}]\s*(/\*.*)?$", lines[at - 2]):
+            at -= 1
+        if at in known:
+            return [t for t in reached if at in reached[t][1].get(fault.file, ())]
+        return [t for t in reached if reached[t][1].get(fault.file)]
+
     def meet(self, fault, reached):
         spent = 0
-        names = [t for t in reached if fault.number in reached[t][1].get(fault.file, ())]
+        names = self.tests_that_run(fault, reached)
         for test in sorted(names, key=lambda t: reached[t][0]):
             if spent > MOST_SECONDS:
                 break

@@ -1,0 +1,20 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Properties that every scene has, on scenes drawn at random; thousands of them: make properties.
+source "$(dirname "$0")/../shell.bash"
+cd "$top" || exit 1
+python=/usr/bin/python3
+if ! "$python" -c 'import hypothesis' 2>/dev/null; then
+    skip "python3-hypothesis" "properties of random scenes"
+    finish
+fi
+run "$python" tests/properties.py "$beadsim" "${CASES:-20}"
+while read -r line; do
+    case $line in
+    "ok "*) ok "${line#ok * - }" true ;;
+    "not ok "*) ok "${line#not ok * - }" false ;;
+    "#"*) echo "$line" ;;
+    esac
+done <"$T/out"
+ok "the properties came to their end" grep -q '^1\.\.10$' "$T/out"
+finish
