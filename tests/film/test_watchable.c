@@ -19,18 +19,18 @@
 enum { FPS = 20, WIDTH = 640, HEIGHT = 360, TILES = 6, MOST_FRAMES = DECODED_MOST };
 
 /* The first output of a ready scene as a movie of another name and quality. */
-static void film(const char *scene, const char *name, const char *quality, const char *more, struct decoded *movie)
+static void film(const char *scene, const char *name, const char *quality, const char *const more[2], struct decoded *movie)
 {
     char path[64], size[64], fps[64], kind[64];
     snprintf(path, sizeof path, "outputs.0.movie=%s", name);
     snprintf(size, sizeof size, "outputs.0.size=[%d, %d]", WIDTH, HEIGHT);
     snprintf(fps, sizeof fps, "outputs.0.fps=%d", FPS);
     snprintf(kind, sizeof kind, "outputs.0.quality=%s", quality);
-    const char *settings[] = {path, size, fps, kind, more}, *only[] = {name};
+    const char *settings[] = {path, size, fps, kind, more[0], more[1]}, *only[] = {name};
     play_counts((struct bead_job){.input = scene,
                                   .output = directory,
                                   .settings = settings,
-                                  .setting_count = sizeof settings / sizeof *settings,
+                                  .setting_count = more[1] ? 6 : 5,
                                   .only = only,
                                   .only_count = 1});
     char file[400];
@@ -49,7 +49,7 @@ static void titles_stay_in_the_frame(void **state)
                 "  - {name: B, beads: [{bead: aluminium, count: 5}], wall: brass}\n"
                 "outputs: [{movie: low.mkv, follow: front, duration: 0.1 s}]\n",
                 scene);
-    film(scene, "low.mkv", "lossless", "outputs.0.size=[1280, 720]", &movie);
+    film(scene, "low.mkv", "lossless", (const char *const[2]){"outputs.0.size=[1280, 720]"}, &movie);
     assert_int_equal(movie.width, 1280);
     int corner[3], rgb[3];
     decoded_rgb(movie.frame[0], 0, 0, corner);
@@ -112,7 +112,7 @@ static size_t most_turns(const double *light, const double *time, size_t count, 
 
 /* A flash is a change by a tenth of the full range and back, of a thirty-sixth of the picture or more; three a second are allowed
  * by the guidelines for web content, and here there is none at all. Nor is there anything faint that goes to and fro. */
-static void check_flashes(const char *scene, const char *more)
+static void check_flashes(const char *scene, const char *const more[2])
 {
     struct decoded movie;
     double table[256], *light = calloc((TILES * TILES + 1) * MOST_FRAMES, sizeof *light);
@@ -162,8 +162,11 @@ static void turns_are_counted(void **state)
 static void nothing_flashes(void **state)
 {
     (void)state;
-    check_flashes("teaching", "outputs.0.duration=9 s");
-    check_flashes("clean-vs-delocalised", "outputs.0.duration=6 s");
+    check_flashes("teaching", (const char *const[2]){"outputs.0.duration=9 s"});
+    check_flashes("clean-vs-delocalised", (const char *const[2]){"outputs.0.duration=6 s"});
+    /* A half at the pace of the whole. */
+    check_flashes("fput", (const char *const[2]){"outputs.0.duration=12 s", "outputs.0.until=5000"});
+    check_flashes("shock", (const char *const[2]){"outputs.0.duration=6 s", "outputs.0.until=4"});
 }
 
 /* ---- text ---- */
@@ -213,10 +216,10 @@ static void text_is_sharp(void **state)
     } kinds[] = {
         {"draft.mp4", "draft", 33}, {"standard.mp4", "standard", 36}, {"high.mp4", "high", 40}, {"standard.webm", "standard", 36}};
     struct decoded exact;
-    film("teaching", "exact.mkv", "lossless", "outputs.0.duration=4 s", &exact);
+    film("teaching", "exact.mkv", "lossless", (const char *const[2]){"outputs.0.duration=4 s"}, &exact);
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         struct decoded coded;
-        film("teaching", kinds[k].name, kinds[k].quality, "outputs.0.duration=4 s", &coded);
+        film("teaching", kinds[k].name, kinds[k].quality, (const char *const[2]){"outputs.0.duration=4 s"}, &coded);
         assert_true(coded.count == exact.count || strcmp(kinds[k].quality, "draft") == 0);
         check_text(kinds[k].name, &coded, &exact, 5, 45, kinds[k].least);
         check_text(kinds[k].name, &coded, &exact, HEIGHT - 30, HEIGHT - 5, kinds[k].least);
@@ -230,7 +233,7 @@ static void the_bar_never_changes(void **state)
 {
     (void)state;
     struct decoded movie;
-    film("clean-vs-delocalised", "bar.mkv", "lossless", "outputs.0.duration=0.5 s", &movie);
+    film("clean-vs-delocalised", "bar.mkv", "lossless", (const char *const[2]){"outputs.0.duration=0.5 s"}, &movie);
     for (size_t i = 1; i < movie.count; i++) {
         for (int y = HEIGHT * 2 / 3; y < HEIGHT - 4; y++) { /* beside the images, above the line of progress */
             for (int x = WIDTH - 42; x < WIDTH; x++) {
