@@ -142,6 +142,7 @@ struct bead_chain_spec {
     double cradle;              /* m: length of the pendulums that the beads are; 0: they are none */
     double damping_coefficient; /* N (s/m)^exponent */
     double damping_exponent;
+    double damping_compression; /* exponent of the compression, in m, that multiplies the damping; 0: it does not depend on it */
     /* For the other systems: */
     struct bead_equation_spec equation;
     const struct bead_node *node; /* where the scene says it; NULL: made without a scene */

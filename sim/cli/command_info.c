@@ -39,7 +39,8 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
     if (spec->tilt > 0)
         fprintf(out, "  tilt %.4g deg\n", spec->tilt * 180 / 3.14159265358979323846);
     if (spec->damping_coefficient > 0)
-        fprintf(out, "  damping %.4g N (s/m)^%.3g\n", spec->damping_coefficient, spec->damping_exponent);
+        fprintf(out, spec->damping_compression > 0 ? "  damping %.4g N (s/m)^%.3g / m^%.3g\n" : "  damping %.4g N (s/m)^%.3g\n",
+                spec->damping_coefficient, spec->damping_exponent, spec->damping_compression);
 }
 
 /* What the energy of the striker allows. */

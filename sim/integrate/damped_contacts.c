@@ -24,7 +24,7 @@ static double rate(const struct bead_state *state, size_t k)
 static double closed_force(const struct bead_stepper *s, size_t k, double d, double change)
 {
     double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
-    return elastic + copysign(s->table.damping * pow(fabs(change), s->table.damping_exponent), change);
+    return elastic + bead_damping_force(&s->table, d, change);
 }
 
 double bead_damped_contacts_within(const struct bead_stepper *s, size_t k, double d, double change)

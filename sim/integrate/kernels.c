@@ -42,8 +42,8 @@ void bead_force_general(size_t n, const struct bead_contact_table *table, const 
     }
 }
 
-/* gamma sgn(D) |D|^a in a closed contact, with D the relative velocity: pairwise, so momentum is conserved. Beads do not stick: if
- * damping would pull, the contact has no force. */
+/* gamma sgn(D) |D|^a, times a power of the compression if asked for, in a closed contact, with D the relative velocity: pairwise,
+ * so momentum is conserved. Beads do not stick: if damping would pull, the contact has no force. */
 void bead_force_damped(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f)
 {
     const struct bead_law *law = table->law->row;
@@ -54,7 +54,7 @@ void bead_force_damped(size_t n, const struct bead_contact_table *table, const d
         if (!closed && law->one_sided)
             force = 0;
         if (closed && rate != 0)
-            force += copysign(table->damping * pow(fabs(rate), table->damping_exponent), rate);
+            force += bead_damping_force(table, d, rate);
         if (law->one_sided && force < 0)
             force = 0;
         f[k] = force - table->static_force[k];

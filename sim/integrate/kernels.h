@@ -5,6 +5,7 @@
  * n used (the wall's displacement, 0), and f has one before (the force on the striker). */
 #pragma once
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -26,12 +27,19 @@ struct bead_contact_table {
     const double *static_compression; /* d0_k */
     const double *static_force;       /* f0_k = A_k d0_k^p, subtracted */
     const struct bead_law_spec *law;
-    double damping, damping_exponent;
+    double damping, damping_exponent, damping_compression;
     const unsigned char *closed; /* with damping: contacts that are closed, whatever their compression */
 };
 
 /* f_k at displacements u (and velocities v with damping), without the static force. */
 typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *table, const double *u, const double *v, double *f);
+
+/* gamma sgn(D) |D|^a d^c, of a contact compressed by d at the rate D. */
+static inline double bead_damping_force(const struct bead_contact_table *table, double d, double rate)
+{
+    const double size = table->damping * pow(fabs(rate), table->damping_exponent), c = table->damping_compression;
+    return copysign(c > 0 ? size * (c == 0.5 ? sqrt(fmax(d, 0)) : pow(fmax(d, 0), c)) : size, rate);
+}
 
 struct bead_step_ends {
     const double *u0, *v0, *a0, *u1, *v1, *a1;

@@ -136,7 +136,8 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
                                            .static_force = chain->static_force,
                                            .law = &chain->spec->law,
                                            .damping = chain->spec->damping_coefficient,
-                                           .damping_exponent = chain->spec->damping_exponent};
+                                           .damping_exponent = chain->spec->damping_exponent,
+                                           .damping_compression = chain->spec->damping_compression};
     s->event_tolerance = ldexp(chain->speed, -43);
     enum bead_error err = allocate(s, msg);
     if (!err && chain->spec->damping_coefficient > 0 && chain->law->one_sided) {

@@ -132,7 +132,8 @@ bool bead_front_is_lost(const struct bead_front *front, const struct bead_steppe
     double force =
         c->law->force(c->stiffness[last], s->table.law, c->law->energy_compression(c->stiffness[last], s->table.law, energy));
     if (bead_stepper_damped(s)) /* two beads meet at this speed at most */
-        force += s->table.damping * bead_pow(sqrt(2 * energy * weight), s->table.damping_exponent);
+        force += s->table.damping * bead_pow(sqrt(2 * energy * weight), s->table.damping_exponent) *
+                 bead_pow(c->law->energy_compression(c->stiffness[last], s->table.law, energy), s->table.damping_compression);
     return !(force > part * front->largest_force);
 }
 

@@ -294,7 +294,9 @@ static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
     const double h = next_step(run);
-    if (bead_stepper_damped(s) && h < shortest * run->stepping.step)
+    /* The short steps after a contact has closed, or before it opens, are few. */
+    const double least = shortest * (s->table.damping_compression > 0 ? shortest : 1) * run->stepping.step;
+    if (bead_stepper_damped(s) && h < least)
         return bead_fail(msg, BEAD_ERROR_NUMBERS,
                          "chain%s%s: at %.6g s velocities decay so fast that steps of %.2g s would be needed: the damping is too "
                          "strong for these masses; give a smaller chain.damping.coefficient",

@@ -129,6 +129,8 @@ static double damping_rate(const struct bead_stepper *s)
         const double change = fabs(s->end.v[i] - s->end.v[i + 1]);
         const bool idle = change == 0 || (s->closed && !s->closed[i]);
         k[i] = idle ? 0 : s->table.damping * a * (a != 1 ? pow(change, a - 1) : 1);
+        if (s->table.damping_compression > 0) /* at a compression that the step may lead to */
+            k[i] *= pow(fmax(bead_stepper_compression(s, &s->end, i), 0) + change * s->h, s->table.damping_compression);
     }
     k[n] = 0;
     return circles_of(s, n, k);
@@ -154,8 +156,27 @@ static double steep(const struct bead_stepper *s, double tolerance, double h)
     return h;
 }
 
+/* A force gamma |D|^a d^c with c below 1 has an infinite slope where the contact closes or opens, d = 0. As above, each step takes
+ * a part of the time since or until then; the one that begins with it may change velocities by the tolerance. */
+static double grazing(const struct bead_stepper *s, double tolerance, double h)
+{
+    const size_t n = bead_stepper_contacts(s);
+    const double c = s->table.damping_compression, *w = s->chain->inverse_mass;
+    for (size_t k = 0; k < n; k++) {
+        const double change = fabs(s->end.v[k] - s->end.v[k + 1]), d = fmax(bead_stepper_compression(s, &s->end, k), 0);
+        if ((s->closed && !s->closed[k]) || PARTS * change * h <= d)
+            continue;
+        const double force = bead_damping_force(&s->table, change, change),
+                     weight = force * (w[k] + (k + 1 < s->beads ? w[k + 1] : 0));
+        h = fmin(h, fmax(d / (PARTS * change), pow(tolerance / weight, 1 / (1 + c))));
+    }
+    return h;
+}
+
 double bead_step_control_damped(const struct bead_stepper *s, double accuracy, double h)
 {
+    if (s->table.damping_compression > 0 && s->table.damping_compression < 1)
+        h = grazing(s, accuracy * bead_chain_speed(s->chain), h);
     if (s->table.damping_exponent < 1)
         return steep(s, accuracy * bead_chain_speed(s->chain), h);
     const double part = accuracy / damped_accuracy, power = part > 1 ? 0.25 : 0.4;

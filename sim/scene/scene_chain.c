@@ -202,11 +202,16 @@ static BEAD_OPTION_READER(read_starts)
 static const struct bead_option damping_rows[] = {
     {"coefficient", BEAD_OPTION_NUMBER, CHAIN(damping_coefficient), .initial = "0", .low = 0, .high = 1e12,
      .help =
-         "gamma in the force gamma |D|^exponent of each closed contact, where D is the speed of compression; in N (s/m)^exponent",
+         "gamma in the force gamma |D|^exponent of each closed contact, where D is the speed of compression; in N (s/m)^exponent, "
+         "over m^compression",
      .example = "10"},
     {"exponent", BEAD_OPTION_NUMBER, CHAIN(damping_exponent), .initial = "1.8", .low = 0, .high = 10,
      .open = BEAD_OPEN_LOW | BEAD_OPEN_HIGH,
      .help = "exponent of the speed of compression; below 1 steps are shorter wherever a contact turns", .example = "1"},
+    {"compression", BEAD_OPTION_NUMBER, CHAIN(damping_compression), .initial = "0", .low = 0, .high = 10,
+     .help = "exponent c of the compression d by which the force is multiplied: gamma d^c |D|^exponent. 0.5 with exponent 1 is the "
+             "viscoelastic contact of Kuwabara and Kono (1987)",
+     .example = "0.5"},
 };
 const struct bead_options bead_damping_options = {"chain.damping", "forces against the relative motion of touching beads",
                                                   BEAD_OPTIONS(damping_rows), NULL, NULL};
