@@ -65,6 +65,7 @@ base() {
     chain.start.solitons) scene=kdv prefix=chain.start.solitons.0. ;;
     outputs.speed) prefix=outputs.0.speed.0. before=('outputs=[{movie: m.mp4, speed: [{at: 0, factor: 1/5000}]}]') ;;
     outputs.captions) prefix=outputs.0.captions.0. before=('outputs=[{movie: m.mp4, captions: [{at: 0, text: x}]}]') ;;
+    outputs.notes) prefix=outputs.0.notes.0. before=('outputs=[{movie: m.mp4, notes: [{at: 0, text: x}]}]') ;;
     outputs.card) prefix=outputs.0.card. before=('outputs=[{movie: m.mp4, card: {text: x}}]') ;;
     sweep) scene=sweep prefix=sweep. ;;
     sweep.measure) scene=sweep prefix=sweep.measure. before=('sweep.measure={peak: force}') ;;
@@ -96,6 +97,8 @@ needs() { # SECTION KEY
     'chain.drive: to') before=('chain.drive={force: chirp, amplitude: 1 N, frequency: 1 kHz}' simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;
     'chain.beads: bead' | 'chain.beads: sensor') before=('chain.beads=[{bead: brass}]') ;;
+    'outputs (movie): race') scene=pair ;;
+    'outputs.notes: chain') scene=pair before+=(chains.0.name=Clean) ;;
     'outputs (movie): background') before=('outputs=[{movie: m.webm}]') ;;
     'chain.beads: decorate') before=('chain.beads=[{bead: brass, count: 4}]') ;;
     'chain.beads: repeat') before=('chain.beads=[{of: [{bead: brass}]}]') ;;
