@@ -45,6 +45,7 @@ struct bead_material {
     double gap;    /* m: free space to the left of a bead of it, where it is not the first */
     double spring; /* N/m: of a spring that holds each bead of it at its place */
     size_t of;     /* the material that it is with other values, or itself */
+    bool own;      /* the scene's or the user's own, of the name of a ready one */
 };
 
 enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };

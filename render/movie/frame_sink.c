@@ -9,6 +9,7 @@
 #include "render/paint/canvas.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
+#include "sim/output/sink_grid.h"
 
 struct bead_sink {
     struct bead_film film;
@@ -46,9 +47,12 @@ static size_t drawn_for(const struct bead_sink *s, size_t index)
 static enum bead_error outside(const struct bead_sink *s, struct bead_message *msg)
 {
     const struct bead_run_context *context = &s->film.context;
-    const char *unit = bead_chain_time_unit(context->chains[0]), *space = *unit ? " " : "";
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--frame %s: is not in the film, which shows %g%s%s to %g%s%s, 0%% to 100%%",
-                     context->frame->text, s->film.times.time[0], space, unit, s->film.times.time[1], space, unit);
+    const char *unit = bead_chain_time_unit(context->chains[0]);
+    char begins[32], ends[32];
+    bead_time_text(s->film.times.time[0], unit, begins, sizeof begins);
+    bead_time_text(s->film.times.time[1], unit, ends, sizeof ends);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--frame %s: is not in the film, which shows %s to %s, 0%% to 100%%",
+                     context->frame->text, begins, ends);
 }
 
 /* The frame of a poster at this time of the motion. */

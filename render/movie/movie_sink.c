@@ -126,10 +126,15 @@ static enum bead_error movie_prepare(struct bead_sink *s, const struct bead_outp
     if (err)
         return err;
     const struct bead_movie_settings settings = movie_settings_of(s);
-    err = bead_movie_check(output->path, &settings, msg);
-    if (!err)
-        movie_describe(s);
-    return err;
+    struct bead_message why = {""};
+    err = bead_movie_check(output->path, &settings, &why);
+    const size_t named = strlen(output->path) + strlen(": size"); /* "a.mp4: size 641 x 361 is odd" */
+    if (err == BEAD_ERROR_SCENE && strlen(why.text) > named && strncmp(why.text + named - 4, "size", 4) == 0)
+        return bead_output_wrong(output, msg, "size:%s", why.text + named);
+    if (err)
+        return bead_fail(msg, err, "%s", why.text);
+    movie_describe(s);
+    return BEAD_OK;
 }
 
 static enum bead_error movie_create(const struct bead_output *output, const struct bead_run_context *context,

@@ -43,6 +43,7 @@ static void write_chain(struct json *json, const struct bead_chain *chain)
         json_number(json, "contacts", (double)bead_chain_contacts(chain));
         json_text(json, "striker", materials[spec->striker_material].name);
         json_number(json, "velocity_m_s", spec->striker_velocity);
+        command_write_beads(json, chain);
         const struct bead_validity most = bead_validity_bound(chain);
         json_number(json, "energy_J", bead_chain_energy(chain));
         json_number(json, "strike_bar_speed", most.strike > 0 ? most.strike : NAN);

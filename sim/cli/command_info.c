@@ -20,6 +20,7 @@
 #include "sim/output/measure.h"
 #include "sim/sweep/sweep_internal.h"
 
+enum { MOST_STARTS = 8 };
 #define SHOWN 72 /* longer spin strings are cut */
 
 static void print_wall(FILE *out, const struct bead_chain *chain)
@@ -29,6 +30,18 @@ static void print_wall(FILE *out, const struct bead_chain *chain)
         fprintf(out, ", wall %s", bead_chain_scene(chain)->materials[spec->wall_material].name);
     else
         fprintf(out, ", %s", spec->wall == BEAD_WALL_RIGID ? "rigid wall" : "free end");
+}
+
+/* Beads that are not at rest at first. */
+static void print_starts(FILE *out, const struct bead_chain_spec *spec)
+{
+    char speed[32], place[32];
+    for (size_t i = 0; i < spec->start_count && i < MOST_STARTS; i++)
+        fprintf(out, "  bead %zu starts at %s, displaced by %s\n", spec->starts[i].bead,
+                command_quantity(spec->starts[i].velocity, "m/s", speed, sizeof speed),
+                command_quantity(spec->starts[i].displacement, "m", place, sizeof place));
+    if (spec->start_count > MOST_STARTS)
+        fprintf(out, "  ... and %zu beads more\n", spec->start_count - MOST_STARTS);
 }
 
 static void print_options(FILE *out, const struct bead_chain_spec *spec)
@@ -84,6 +97,8 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
     fprintf(out, "\n  striker %s at %s, energy %s\n", bead_chain_scene(chain)->materials[spec->striker_material].name,
             command_quantity(spec->striker_velocity, "m/s", velocity, sizeof velocity),
             command_quantity(bead_chain_energy(chain), "J", text, sizeof text));
+    print_starts(out, spec);
+    command_print_beads(out, chain);
     print_options(out, spec);
     print_validity(out, chain);
     if (*spins)

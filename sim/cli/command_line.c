@@ -124,7 +124,7 @@ static const struct command_option rows[] = {
     {"only", 0, "NAME", "make only this output, named by its file (repeatable)", .apply = set_only},
     {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", .separators = ""},
     {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps, or a text file of them", .separators = ""},
-    {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", .separators = ":,"},
+    {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", .separators = ":,-"},
     {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", .separators = ":,"},
     {"beads", 0, "FIRST:LAST", "of the file -o: which beads", .separators = ":,-"},
     {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", .separators = "x,"},
@@ -235,14 +235,17 @@ static char *as_list(const char *value, const char *separators)
     const bool words = *separators && !separators[1];
     char *text = NULL;
     size_t size = 0;
-    if (!*separators || *value == '[' || (!words && !value[strcspn(value, separators)]))
+    /* A minus that begins a number, or its exponent, parts nothing: `-5:5`, `1e-3`. */
+    const bool minus = strchr(value, ':') || strchr(value, ',') || *value == '-' || strstr(value, "e-") || strstr(value, "E-");
+    const char *parts = minus && strchr(separators, '-') ? ":," : separators;
+    if (!*parts || *value == '[' || (!words && !value[strcspn(value, parts)]))
         return strdup(value);
     FILE *out = open_memstream(&text, &size);
     if (!out)
         return NULL;
     fputc('[', out);
     for (const char *at = value;; at++) {
-        const size_t length = strcspn(at, separators);
+        const size_t length = strcspn(at, parts);
         fprintf(out, "%.*s", length ? (int)length : 4, length ? at : "auto");
         at += length;
         if (!*at)

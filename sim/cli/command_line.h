@@ -170,4 +170,7 @@ void command_meter_tell(void *context, const struct bead_progress *progress);
 void command_meter_clear(struct command_meter *meter);
 
 /* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
+/* The beads of a chain by materials, and the stiffness of its contacts: how the scene was understood. */
+void command_print_beads(FILE *out, const struct bead_chain *chain);
+void command_write_beads(struct json *json, const struct bead_chain *chain);
 const char *command_quantity(double value, const char *unit, char *text, size_t size);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --watch: the scene again each time it is saved; --new: a scene to start from. */
 #include <errno.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -101,13 +102,18 @@ enum bead_error command_new(const struct command *command, struct bead_message *
     snprintf(own, sizeof own, "%s.yaml", command->kind);
     const char *path = command->job.output ? command->job.output : own;
     enum bead_error err = bead_asset_read(asset, &text, &length, msg);
+    char found[PATH_MAX], schema[PATH_MAX];
+    if (!err)
+        err = bead_asset_path("scene.schema.json", found, sizeof found, msg);
     FILE *file = err ? NULL : fopen(path, "wx");
     if (!err && !file)
         err = bead_fail(msg, errno == EEXIST ? BEAD_ERROR_USAGE : BEAD_ERROR_IO,
                         errno == EEXIST ? "--new: %s is there already; give another name with -o FILE.yaml"
                                         : "--new: %s: cannot be made: %s",
                         path, strerror(errno));
-    bool written = file && fwrite(text, 1, length, file) == length;
+    /* Editors that know the line complete and check the keys. */
+    bool written = file && fprintf(file, "# yaml-language-server: $schema=%s\n", realpath(found, schema) ? schema : found) > 0;
+    written = written && fwrite(text, 1, length, file) == length;
     written = file && fclose(file) == 0 && written;
     if (file && !written)
         err = bead_fail(msg, BEAD_ERROR_IO, "--new: %s: cannot be written: %s", path, strerror(errno));

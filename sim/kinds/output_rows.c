@@ -31,7 +31,7 @@ const struct bead_option bead_time_row[1] = {
      .word_value = NAN, .help = "the span of time; auto: the whole run", .example = "[0.5 ms, auto]"},
 };
 const struct bead_option bead_beads_row[1] = {
-    {"beads", BEAD_OPTION_CUSTOM, .initial = "all", .shape = "all, one number, or [first, last]; 0 is the striker",
+    {"beads", BEAD_OPTION_CUSTOM, .initial = "all", .shape = "all, one number, or [first, last]; 0 is the striker, auto the end",
      .like = "all|number|[2 number]", .read = bead_output_read_beads, .help = "which beads", .example = "[0, 40]"},
 };
 const struct bead_option bead_every_row[1] = {

@@ -18,6 +18,21 @@ bool bead_output_ends_like(const char *endings, const char *path)
     return false;
 }
 
+/* "; did you mean `movie: a.mp4`?": the first kind of output whose files end like this; "": none. */
+static const char *suggest_kind(const struct bead_reader *reader, const char *path, char *text, size_t size)
+{
+    const struct bead_options *table;
+    *text = '\0';
+    for (size_t i = 0; reader->tables && (table = reader->tables->table(i)); i++) {
+        const bool kind = table->family && strcmp(table->family->section, "outputs") == 0 && table->rows[0].shape;
+        if (kind && bead_output_ends_like(strchr(table->rows[0].shape, '.'), path)) {
+            snprintf(text, size, "; did you mean `%s: %s`?", table->rows[0].key, path);
+            break;
+        }
+    }
+    return text;
+}
+
 BEAD_OPTION_READER(bead_output_read_path)
 {
     struct bead_output *output = settings;
@@ -28,11 +43,12 @@ BEAD_OPTION_READER(bead_output_read_path)
     if (output->path[length - 1] == '/')
         return bead_wrong(reader, at, "ends in `/`; must be the name of a file, not of a directory");
     const char *endings = strchr(option->shape, '.');
-    char shown[64];
-    return bead_output_ends_like(endings, output->path)
-               ? BEAD_OK
-               : bead_wrong(reader, at, "`%s` lacks the extension of files of this kind; must be a name with %s",
-                            bead_text_show(output->path, shown, sizeof shown), endings);
+    char shown[64], near[128];
+    if (bead_output_ends_like(endings, output->path))
+        return BEAD_OK;
+    bead_text_show(output->path, shown, sizeof shown);
+    return bead_wrong(reader, at, "`%s` lacks the extension of files of this kind; must be a name with %s%s", shown, endings,
+                      suggest_kind(reader, shown, near, sizeof near));
 }
 
 /* Index of the element's name among `names`, at most once in a list: bits of those before are in *seen. */
@@ -138,6 +154,11 @@ BEAD_OPTION_READER(bead_output_read_listed)
     return BEAD_OK;
 }
 
+static bool is_auto(const struct bead_at *at)
+{
+    return at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "auto") == 0;
+}
+
 BEAD_OPTION_READER(bead_output_read_beads)
 {
     struct bead_output *output = settings;
@@ -154,8 +175,9 @@ BEAD_OPTION_READER(bead_output_read_beads)
         return err;
     }
     struct bead_at first = bead_at_item(at, 0), last = bead_at_item(at, 1);
-    BEAD_TRY(read_bead(reader, &first, &output->shown.beads.first));
-    BEAD_TRY(read_bead(reader, &last, &output->shown.beads.last));
+    output->shown.beads = (struct bead_span){0, SIZE_MAX};
+    BEAD_TRY(is_auto(&first) ? BEAD_OK : read_bead(reader, &first, &output->shown.beads.first));
+    BEAD_TRY(is_auto(&last) ? BEAD_OK : read_bead(reader, &last, &output->shown.beads.last));
     if (output->shown.beads.first > output->shown.beads.last)
         return bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", output->shown.beads.first,
                           output->shown.beads.last);

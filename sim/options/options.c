@@ -372,6 +372,29 @@ static enum bead_error read_initial(struct bead_reader *reader, const struct bea
     return read_value(reader, &at, option, settings);
 }
 
+/* What a key is called by others, where the table has it under our name. */
+static const char *called_here(const char *key, const struct bead_options *options)
+{
+    static const char *const names[][2] = {{"diameter", "radius`, half of it: `radius"},
+                                           {"young", "modulus"},
+                                           {"youngs_modulus", "modulus"},
+                                           {"E", "modulus"},
+                                           {"nu", "poisson"},
+                                           {"rho", "density"},
+                                           {"speed", "velocity"},
+                                           {"v0", "velocity"},
+                                           {"material", "bead"},
+                                           {"n", "count"},
+                                           {"number", "count"},
+                                           {"cmap", "colormap"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const char *last = strrchr(names[i][1], '`');
+        if (strcmp(key, names[i][0]) == 0 && bead_options_find(options, last ? last + 1 : names[i][1]))
+            return names[i][1];
+    }
+    return NULL;
+}
+
 static enum bead_error unknown_key(const struct bead_reader *reader, const struct bead_at *at, const struct bead_options *options)
 {
     const struct bead_option *row;
@@ -391,6 +414,9 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
         return bead_wrong(reader, at, "unknown key; is the colon missing behind `%s`?", word);
     if (!at->up->up && reader->tables && reader->tables->home(at->key, near, sizeof near))
         return bead_wrong(reader, at, "unknown key; did you mean `%s`?", near);
+    const char *here = called_here(at->key, options);
+    if (here)
+        return bead_wrong(reader, at, "unknown key; did you mean `%s`?", here);
     if (search.best)
         return bead_wrong(reader, at, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
     return bead_wrong(reader, at, "unknown key; known are %s", all);

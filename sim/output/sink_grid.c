@@ -64,7 +64,7 @@ void bead_time_text(double time, const char *unit, char *text, size_t size)
         snprintf(text, size, "%.4g", time);
         return;
     }
-    while (i < 3 && time < 0.9999999 * units[i].size)
+    while (i < 3 && time > 0 && time < 0.9999999 * units[i].size)
         i++;
     snprintf(text, size, "%.4g %s", time / units[i].size, units[i].unit);
 }

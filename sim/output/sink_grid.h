@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "beadreel/sink.h"
+#include "sim/base/internal.h"
 
 /* The largest of 1, 2, 5 x 10^n that is <= x, for x > 0. */
 double bead_round_down(double x);
@@ -19,4 +20,4 @@ BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, cons
 size_t bead_span_rows(const struct bead_span *span, size_t count);
 
 /* A time in a readable unit: "1.5 ms"; with `unit` "" just the number: "1500". */
-void bead_time_text(double time, const char *unit, char *text, size_t size);
+BEAD_INTERNAL void bead_time_text(double time, const char *unit, char *text, size_t size);

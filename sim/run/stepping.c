@@ -63,7 +63,11 @@ enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct b
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
                          step, method->name, method->theta_max / omega);
     if (!(stepping->step > 0) || !isfinite(stepping->step))
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: no step can be chosen (nothing moves?): give one", file);
+        return bead_fail(
+            msg, BEAD_ERROR_SCENE,
+            "%s: simulate.step: nothing moves at first, so no step follows from the motion: give `chain.striker.velocity` or "
+            "a `start`, or a step",
+            file);
     return BEAD_OK;
 }
 

@@ -104,8 +104,10 @@ static enum bead_error check_mass(const struct bead_reader *reader, const struct
 static struct bead_material *place_material(struct bead_scene *scene, const char *name)
 {
     for (size_t i = 0; i < scene->material_count; i++) {
-        if (strcmp(scene->materials[i].name, name) == 0)
+        if (strcmp(scene->materials[i].name, name) == 0) {
+            scene->materials[i].own = true;
             return &scene->materials[i];
+        }
     }
     struct bead_material *grown = realloc(scene->materials, (scene->material_count + 1) * sizeof *grown);
     if (!grown)

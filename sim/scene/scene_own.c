@@ -35,14 +35,6 @@ static bool names(const struct bead_node *node, const char *name)
     return any;
 }
 
-static bool is_ready(const struct bead_scene *scene, const char *name)
-{
-    bool ready = false;
-    for (size_t i = 0; i < scene->material_count; i++)
-        ready = ready || strcmp(scene->materials[i].name, name) == 0;
-    return ready;
-}
-
 /* The map under `materials`, made where the scene has none; NULL: no memory. */
 static struct bead_node *own_materials(struct bead_yaml *yaml)
 {
@@ -53,16 +45,12 @@ static struct bead_node *own_materials(struct bead_yaml *yaml)
     return bead_yaml_put(yaml, root, "materials", strlen("materials"), map) ? map : NULL;
 }
 
-/* A pair of the library, where the scene names it and has none of its own. */
+/* A pair of the library, where the scene names it and has none of its own; it precedes a ready material of that name. */
 static enum bead_error take_material(struct own *own, const struct bead_yaml *library, const struct bead_node *key,
                                      const struct bead_node *value)
 {
     struct bead_reader *reader = own->reader;
     const char *file = bead_yaml_name(library, NULL);
-    if (is_ready(reader->scene, key->text))
-        return bead_fail(reader->msg, BEAD_ERROR_SCENE,
-                         "%s:%zu:%zu: %s: is a ready material; a library of your own must only add names", file, key->place.line,
-                         key->place.column, key->text);
     if (!names(bead_yaml_root(reader->yaml), key->text))
         return BEAD_OK;
     struct bead_node *map = own_materials(reader->yaml);

@@ -28,6 +28,15 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
+/* Does the name end like pictures, films or tables of other programs? It hardly names a directory. */
+static bool ends_like_others(const char *path)
+{
+    return bead_output_ends_like(
+        ".jpg, .jpeg, .tif, .tiff, .eps, .ps, .bmp, .webp, .avif, .heic, .svgz, .avi, .mpg, .mpeg, .wmv, .ogv, "
+        ".tsv, .txt, .xlsx, .ods, .json, .nc, .hdf5, .mat, .npy, .npz, .vtk, .vtu, .wav, .mp3",
+        path);
+}
+
 bool bead_session_names_file(const char *output, const struct bead_own *own)
 {
     struct stat found;
@@ -37,7 +46,7 @@ bool bead_session_names_file(const char *output, const struct bead_own *own)
         if (bead_output_ends_like(bead_output_endings(kind), output))
             return true;
     }
-    return bead_output_own_of(own, output) != NULL;
+    return bead_output_own_of(own, output) != NULL || ends_like_others(output);
 }
 
 /* ---- which it is ---- */
@@ -90,7 +99,9 @@ static enum bead_error no_kind(const char *file, enum bead_source_kind source, s
         if (bead_output_made_of(kind, source) && !strstr(names, endings))
             bead_list_add(names, sizeof names, ", ", endings);
     }
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s", file, names);
+    const bool of_one = source == BEAD_OF_SWEEP && bead_output_kind_of(file, BEAD_OF_CONFIGURATION) != BEAD_OUTPUT_KINDS;
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s%s", file, names,
+                     of_one ? "; --configuration N makes it of chain N of the sweep" : "");
 }
 
 static void add(struct changes *changes, struct bead_override change)
@@ -221,14 +232,24 @@ static enum bead_error find_frame_path(struct bead_session *s, const struct bead
     return err;
 }
 
-/* Outputs are numbered as in the scene. */
-static enum bead_error check_setting(const char *setting, size_t entry, struct bead_message *msg)
+/* Does the setting begin with "outputs.NAME."? */
+static bool sets(const char *setting, const char *name)
 {
-    char own[40];
-    const int length = snprintf(own, sizeof own, "outputs.%zu.", entry);
-    if (strncmp(setting, "outputs", 7) != 0 || strncmp(setting, own, (size_t)length) == 0)
+    static const char all[] = "outputs.";
+    const size_t before = sizeof all - 1, length = strlen(name);
+    return strncmp(setting, all, before) == 0 && strncmp(setting + before, name, length) == 0 && setting[before + length] == '.';
+}
+
+/* Outputs are numbered as in the scene, or named by their files. */
+static enum bead_error check_setting(const char *setting, const struct bead_output *movie, struct bead_message *msg)
+{
+    char number[24];
+    snprintf(number, sizeof number, "%zu", movie->entry);
+    if (strncmp(setting, "outputs", 7) != 0 || sets(setting, number) || sets(setting, movie->path) ||
+        sets(setting, bead_session_base_name(movie->path)))
         return BEAD_OK;
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--set %s: has no effect: the frame is one of outputs.%zu", setting, entry);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--set %s: has no effect: the frame is one of outputs.%s, %s", setting, number,
+                     movie->path);
 }
 
 /* Finds which movie of the scene the frame belongs to, and the frame's file. The other outputs stay: a frame keeps the sample times
@@ -241,7 +262,7 @@ static enum bead_error choose_frame(struct bead_session *s, const struct bead_sc
     *entry = movie->entry;
     BEAD_TRY(find_frame_path(s, movie, msg));
     for (size_t i = 0; i < s->job.setting_count; i++)
-        BEAD_TRY(check_setting(s->job.settings[i], movie->entry, msg));
+        BEAD_TRY(check_setting(s->job.settings[i], movie, msg));
     return BEAD_OK;
 }
 

@@ -51,7 +51,13 @@ ok "a style that is none" wrong "$file:2:8: outputs.0.style: is \`nice\`; must b
 ok "a canvas that is none" wrong "$file:1:9: canvas: is \`gl\`; must be one of osmesa, egl, plain" "canvas: gl"
 ok "a library that is not there" wrong "$file:1:12: materials: $own/no.yaml: cannot be read" "materials: no.yaml"
 printf 'brass: %s\n' "$material" >"$own/brass.yaml"
-ok "ready materials stay as they are" wrong "$own/brass.yaml:1:1: brass: is a ready material" "materials: brass.yaml"
+own_brass() { # as heavy as written, in place of the ready one
+    printf 'materials: brass.yaml\n' >"$own/config.yaml"
+    printf 'chain: {beads: [{bead: brass, count: 9}]}\noutputs: [{table: t.csv}]\n' >brass.yaml
+    exits 0 "$beadreel" --info brass.yaml && prints '9 beads of brass (your own)' && prints 'your settings:' &&
+        exits 0 "$beadreel" --info brass.yaml --no-config && prints '9 beads of brass: radius'
+}
+ok "an own material goes before a ready one of its name" own_brass
 printf 'carbide:\n  density: 3\n  modulus: heavy\n' >"$own/wrong.yaml"
 ok "a wrong material" wrong "$own/wrong.yaml:3:12: materials.carbide.modulus" "materials: wrong.yaml" "colormaps: {mine: maps/mine.txt}"
 printf '0 0 0\n1 2\n' >"$own/maps/short.txt"

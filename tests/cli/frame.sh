@@ -104,7 +104,7 @@ wrong() {
     shift
     fails 2 "$beadreel" "$@" -o no/no.png && says "$message" && [ ! -e no ]
 }
-ok "beyond the film" wrong "--frame 7ms: is not in the film, which shows 0 s to 0.0006 s, 0% to 100%" given.yaml --frame 7ms
+ok "beyond the film" wrong "--frame 7ms: is not in the film, which shows 0 s to 600 us, 0% to 100%" given.yaml --frame 7ms
 ok "before it" wrong "--frame -1ms: is not in the film" given.yaml --frame=-1ms
 ok "more than all of it" wrong "--frame 101%: is not in the film" given.yaml --frame 101%
 ok "no moment" wrong "--frame: \`soon\` " given.yaml --frame soon

@@ -76,6 +76,7 @@ ok "... as well" is 'j["chains"] == [] and ("sweep.h5", "sweep") in [(o["name"],
 ok "--info --json of a scene" exits 0 "$beadreel" --info scene.yaml --json
 ok "... describes it" is 'j["kind"] == "scene" and j["until_s"] is None and j["accuracy"] == 1e-6 and j["chains"][0]["striker"] == "large-steel" and j["chains"][0]["velocity_m_s"] == 0.443'
 ok "--info --json of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised --json
+ok "... with beads and contacts" is '[(k["material"], k["beads"], k["own"]) for k in j["chains"][0]["kinds"]] == [("large-steel", 64, False), ("aluminium", 64, False)] and j["chains"][0]["coefficient_power"] == 1.5 and 2e9 < j["chains"][0]["coefficient"][0] < j["chains"][0]["coefficient"][1] < 1e10'
 ok "... with spins" is 'j["chains"][1]["magnetism"] == 0 and len(j["chains"][1]["spins"]) == 64'
 ok "--info --json of an equation" exits 0 "$beadreel" --info kdv --json
 ok "... has points" is 'j["chains"][0]["equation"] == "kdv" and j["chains"][0]["points"] > 0'

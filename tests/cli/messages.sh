@@ -29,6 +29,16 @@ ok "... as well" says '--set:1:1: colormap: unknown key; did you mean `outputs.N
 ok "... of the run" fails 2 "$beadreel" clean-vs-delocalised --set until=1ms
 ok "... too" says 'did you mean `simulate.until`?'
 
+# The kind of output that makes such files; what keys are called here; what moves nothing; sizes that a codec cannot have.
+ok "a film as an image" told 'scene.yaml:2:19: outputs.0.image: `a.mp4` lacks the extension of files of this kind; must be a name with .png, .pdf or .svg; did you mean `movie: a.mp4`?' \
+    "chain: {beads: [{bead: brass}]}\noutputs: [{image: a.mp4}]"
+ok "a page as a table" told 'did you mean `report: a.html`?' "chain: {beads: [{bead: brass}]}\noutputs: [{table: a.html}]"
+ok "a key under another name" told 'scene.yaml:1:31: chain.beads.0.diameter: unknown key; did you mean `radius`, half of it: `radius`?' "chain: {beads: [{bead: brass, diameter: 9 mm}]}$end"
+ok "... of a material" told 'materials.x.young: unknown key; did you mean `modulus`?' "materials: {x: {young: 1 GPa, poisson: .3, radius: 1 mm, mass: 1 g}}\nchain: {beads: [{bead: x}]}$end"
+ok "a strike without speed" told 'scene.yaml: simulate.step: nothing moves at first, so no step follows from the motion: give `chain.striker.velocity` or a `start`, or a step' \
+    "chain: {beads: [{bead: brass}], striker: {velocity: 0}}$end"
+ok "an odd size of a film" told 'scene.yaml:2:32: size: 641 x 361 is odd, and this codec needs even sizes; the nearest is 642 x 362' "chain: {beads: [{bead: brass}]}\noutputs: [{movie: a.mp4, size: [641, 361]}]"
+
 ok "several mistakes" told 'scene.yaml:5:26: outputs.0.colour: unknown key' "title: x\nchain:\n  walll: brass\n  beads: [{bead: brss, count: 0}]\noutputs: [{image: a.png, colour: grey}, {movie: b.doc}]"
 ok "... are told at once" test "$(wc -l <err)" -eq 5
 ok "... each with its place" test "$(grep -cE '^beadreel: scene.yaml:[345]:[0-9]+: ' err)" -eq 5
@@ -43,6 +53,24 @@ cat >good.yaml <<'YAML'
 chain: {beads: [{bead: brass, count: 5}]}
 outputs: [{table: peaks.csv}]
 YAML
+for name in a.jpg b.tiff c.EPS d.avi; do
+    ok "-o $name" fails 2 "$beadreel" good.yaml -o $name
+    ok "... says what there is" says "--output: \`$name\` ends like none of .h5, .png, .pdf or .svg, .mp4"
+    ok "... and makes no directory" test ! -e $name
+done
+# What the options for -o mean, written in several ways.
+drawn() { # NAME OPTION VALUE : its pixels, as NAME.raw
+    "$beadreel" good.yaml -q -o "$1.png" "--$2=$3" >/dev/null && ffmpeg -v error -y -i "$1.png" -f rawvideo "$1.raw"
+}
+same() { # VALUE OPTION OTHER...
+    local given=$1 option=$2 other
+    drawn one "$option" "$given" || return 1
+    for other in "${@:3}"; do drawn two "$option" "$other" && cmp one.raw two.raw || return 1; done
+}
+ok "beads from one on" same '[2, 5]' beads 2: 2:5 2-5 '[2, auto]'
+ok "... up to one" same '[0, 3]' beads :3 0-3
+ok "a range" same '[0, 30]' range 0:30 0-30 0,30
+ok "... with exponents and signs" same '[-5, 30]' range -5:30 -5e0:3e1
 ok "--quiet" exits 0 "$beadreel" good.yaml -o quiet --quiet
 ok "... says nothing of progress" test ! -s err
 ok "-q" exits 0 "$beadreel" good.yaml -o quiet -q

@@ -90,6 +90,11 @@ ok "a ready scene nearly named" fails 2 "$beadreel" clean-vs-delocalized
 ok "... suggests" says clean-vs-delocalised
 ok "--info of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised
 ok "--info says M" prints "M = "
+ok "--info says what beads there are" prints "64 beads of aluminium: radius 4.76 mm, mass 1.26 g, modulus 72.4 GPa, Poisson 0.33"
+printf 'chain: {beads: [{bead: brass, radius: 2 mm, count: 9}], start: [{bead: 7, velocity: -1 m/s}]}\nsimulate: {until: 1 ms}\noutputs: [{table: t.csv}]\n' >"$T/tiny.yaml"
+ok "--info of a chain with other radii" exits 0 "$beadreel" --info "$T/tiny.yaml"
+ok "... says so" prints "9 beads of brass: radius 2 mm, mass"
+ok "... and what moves" prints "bead 7 starts at -1 m/s"
 ok "--plan of a ready scene" exits 0 "$beadreel" --plan clean-vs-delocalised
 ok "--plan prints lines" test -s "$T/out"
 ok "--plan of an equation has times without unit" bash -c "'$beadreel' --plan fput | grep -q 'pixels, every [0-9.]*$'"

@@ -14,6 +14,7 @@ for kind in paper lecture sweep compare; do
     ok "... and is not overwritten" fails 2 "$beadreel" --new $kind
     ok "... but kept" cmp $kind.yaml before
 done
+ok "editors find the schema by the first line" test -f "$(sed -n '1s/^# yaml-language-server: $schema=//p' paper.yaml)"
 ok "--new elsewhere" exits 0 "$beadsim" --new sweep -o other.yaml
 ok "... is the same" cmp sweep.yaml other.yaml
 ok "--new nowhere" fails 1 "$beadreel" --new sweep -o none/other.yaml

@@ -38,7 +38,7 @@ ok "... is shorter" awk -v end="$end" 'BEGIN { exit !(end < 1e-3) }'
 ok "... as planned" bash -c "'$beadreel' scene.yaml --plan | grep -q 'time: until the first pulse has passed the end'"
 ok "a file's times" exits 0 "$beadreel" own/run.h5 -o own/again.png --set 'outputs.0.time=[0.1 ms, 0.3 ms]'
 ok "later times than a file has" fails 2 "$beadreel" own/run.h5 -o own/more.png --set 'outputs.0.time=[0.1 ms, 3 ms]'
-ok "... are an error that says what it has" says "--set:1:16: time: is from 100 us to 3 ms, but own/run.h5 goes from 0 ns to"
+ok "... are an error that says what it has" says "--set:1:16: time: is from 100 us to 3 ms, but own/run.h5 goes from 0 s to"
 ok "... and nothing is made" [ ! -e own/more.png ]
 ok "the early part that is stored" exits 0 "$beadreel" scene.yaml -o part --set 'outputs.3.time=[0.2 ms, 0.4 ms]' --only run.h5
 ok "... has no earlier one" fails 2 "$beadreel" part/run.h5 -o part/more.png --set 'outputs.0.time=[0.1 ms, 0.3 ms]'

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The beads of a chain by materials, and its contacts, as --info shows them: how the scene was understood. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/law.h"
+#include "beadreel/scene.h"
+#include "sim/base/memory.h"
+#include "sim/cli/command_line.h"
+#include "sim/cli/json.h"
+
+/* Least and most; begins as zeros. */
+struct span {
+    double low, high;
+};
+
+/* What the beads of one material have. */
+struct kind {
+    size_t count;
+    struct span radius, mass, modulus;
+};
+
+static void widen(struct span *span, double value, bool first)
+{
+    span->low = first ? value : fmin(span->low, value);
+    span->high = first ? value : fmax(span->high, value);
+}
+
+/* By material, as the scene numbers them, the striker left out; NULL: no memory. To be freed. */
+static struct kind *kinds_of(const struct bead_chain *chain)
+{
+    const struct bead_scene *scene = bead_chain_scene(chain);
+    const size_t *material = bead_chain_material(chain);
+    struct kind *kinds = calloc(scene->material_count + 1, sizeof *kinds);
+    for (size_t i = 1; kinds && i < bead_chain_beads(chain); i++) {
+        struct kind *kind = &kinds[scene->materials[material[i]].of];
+        const bool first = kind->count++ == 0;
+        widen(&kind->radius, bead_chain_radius(chain)[i], first);
+        widen(&kind->mass, bead_chain_mass(chain)[i], first);
+        widen(&kind->modulus, scene->materials[material[i]].modulus, first);
+    }
+    return kinds;
+}
+
+static struct span stiffness_of(const struct bead_chain *chain)
+{
+    struct span all = {0};
+    for (size_t i = 0; i < bead_chain_contacts(chain); i++)
+        widen(&all, bead_chain_stiffness(chain)[i], i == 0);
+    return all;
+}
+
+/* "4.76 mm", "1.8 mm to 4.76 mm" */
+static void print_span(FILE *out, const char *name, struct span span, double factor, const char *unit)
+{
+    char low[32], high[32];
+    fprintf(out, "%s %s", name, command_quantity(factor * span.low, unit, low, sizeof low));
+    if (strcmp(low, command_quantity(factor * span.high, unit, high, sizeof high)) != 0)
+        fprintf(out, " to %s", high);
+}
+
+void command_print_beads(FILE *out, const struct bead_chain *chain)
+{
+    const struct bead_scene *scene = bead_chain_scene(chain);
+    BEAD_FREED struct kind *kinds = kinds_of(chain);
+    for (size_t i = 0; kinds && i < scene->material_count; i++) {
+        const struct kind *kind = &kinds[i];
+        if (kind->count == 0)
+            continue;
+        fprintf(out, "  %zu bead%s of %s%s: ", kind->count, kind->count == 1 ? "" : "s", scene->materials[i].name,
+                scene->materials[i].own ? " (your own)" : "");
+        print_span(out, "radius", kind->radius, 1, "m");
+        print_span(out, ", mass", kind->mass, 1e3, "g");
+        print_span(out, ", modulus", kind->modulus, 1, "Pa");
+        fprintf(out, ", Poisson %.3g\n", scene->materials[i].poisson);
+    }
+    const struct span stiffness = stiffness_of(chain);
+    const struct bead_law_spec *law = &bead_chain_spec(chain)->law;
+    fprintf(out, "  contacts: law %s, coefficient %.4g", law->row->name, stiffness.low);
+    if (stiffness.high > stiffness.low)
+        fprintf(out, " to %.4g", stiffness.high);
+    fprintf(out, " N/m^%.4g\n", law->row->coefficient_power(law));
+}
+
+static void write_span(struct json *json, const char *name, struct span span)
+{
+    json_open(json, name, '[');
+    json_number(json, NULL, span.low);
+    json_number(json, NULL, span.high);
+    json_close(json, "]");
+}
+
+void command_write_beads(struct json *json, const struct bead_chain *chain)
+{
+    if (!bead_chain_material(chain)) /* that of a plan, which lays no beads */
+        return;
+    const struct bead_scene *scene = bead_chain_scene(chain);
+    BEAD_FREED struct kind *kinds = kinds_of(chain);
+    json_open(json, "kinds", '[');
+    for (size_t i = 0; kinds && i < scene->material_count; i++) {
+        if (kinds[i].count == 0)
+            continue;
+        json_open(json, NULL, '{');
+        json_text(json, "material", scene->materials[i].name);
+        json_flag(json, "own", scene->materials[i].own);
+        json_number(json, "beads", (double)kinds[i].count);
+        write_span(json, "radius_m", kinds[i].radius);
+        write_span(json, "mass_kg", kinds[i].mass);
+        write_span(json, "modulus_Pa", kinds[i].modulus);
+        json_number(json, "poisson", scene->materials[i].poisson);
+        json_close(json, "}");
+    }
+    json_close(json, "]");
+    const struct bead_law_spec *law = &bead_chain_spec(chain)->law;
+    json_text(json, "law", law->row->name);
+    write_span(json, "coefficient", stiffness_of(chain)); /* N/m^power */
+    json_number(json, "coefficient_power", law->row->coefficient_power(law));
+}
