@@ -1,0 +1,54 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Does a plot say what the table says? tests/curves.py PLOT.svg TABLE.csv XFACTOR YFACTOR: reads the ticks, their labels and the one
+curve back, and compares each of its points with the table, whose first two columns are divided by the factors."""
+import bisect
+import re
+import sys
+
+svg = open(sys.argv[1], encoding="utf-8").read()
+with open(sys.argv[2], encoding="utf-8") as table:
+    points = [tuple(float(x) / float(by) for x, by in zip(line.split(",")[:2], sys.argv[3:5])) for line in list(table)[1:]]
+
+
+def path(text):
+    return [tuple(map(float, pair)) for pair in re.findall(r"[ML] ([-\d.]+) ([-\d.]+)", text)]
+
+
+def long_strokes(axis):
+    """Of the path of ticks that keep this coordinate: where those with labels, the longest, begin."""
+    for d in re.findall(r'<path style="fill:none;[^"]*" d="([^"]+)"', svg):
+        points_of = path(d)
+        strokes = list(zip(points_of[::2], points_of[1::2]))
+        if len(strokes) > 1 and all(abs(a[axis] - b[axis]) < 1e-9 for a, b in strokes):
+            size = max(abs(a[1 - axis] - b[1 - axis]) for a, b in strokes)
+            return [a[axis] for a, b in strokes if abs(a[1 - axis] - b[1 - axis]) > 0.9 * size]
+    raise SystemExit("no ticks")
+
+
+down, left = long_strokes(0), long_strokes(1)
+labels = [float(x.replace("\u2212", "-")) for x in re.findall(r">([\u2212\d.]+)</tspan>", svg)]
+assert len(labels) == len(down) + len(left), (labels, down, left)
+
+
+def scale(places, values):
+    """The line through the first and the last tick; those in between lie on it, up to a unit of the device."""
+    by = (values[-1] - values[0]) / (places[-1] - places[0])
+    for place, value in zip(places, values):
+        assert abs(values[0] + by * (place - places[0]) - value) <= 1.5 * abs(by), (place, value)
+    return lambda at: values[0] + by * (at - places[0]), 2 * abs(by)
+
+
+to_x, unit_x = scale(down, labels[:len(down)])
+to_y, unit_y = scale(left, labels[len(down):])
+clipped = re.search(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg).group(1)
+curve = [(to_x(x), to_y(y)) for x, y in path(clipped)]
+assert len(curve) > 50
+xs = [p[0] for p in points]
+for x, y in curve:
+    near = points[max(0, bisect.bisect_left(xs, x - 2 * unit_x) - 1):bisect.bisect_right(xs, x + 2 * unit_x) + 1]
+    low, high = min(p[1] for p in near), max(p[1] for p in near)
+    assert low - unit_y <= y <= high + unit_y, ((x, y), low, high)
+largest = max(p[1] for p in points)
+assert abs(max(y for _, y in curve) - largest) <= unit_y, (max(y for _, y in curve), largest)
+print(f"{len(curve)} points, largest {largest:.6g}")
