@@ -30,7 +30,9 @@ static const struct bead_option table_rows[] = {
      .help =
          "tables of peaks: a column that says how well each is known, from a second, coarser run, and where many peaks answer "
          "strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, and so "
-         "do those that come later and are not known as well as asked; false: no such runs"},
+         "do those that come later and are not known as well as asked, and earlier ones that a later maximum may overtake; false: "
+         "no "
+         "such runs"},
 };
 static const struct bead_option_rows table_shared[] = {
     {BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(bead_time_row)}, {BEAD_OPTIONS(bead_every_row)}, {NULL, 0}};
