@@ -15,11 +15,12 @@ outputs:
   - {table: far.csv, show: sensors, contacts: 7, every: 4 us}
 YAML
 curve() { python3 "$top/tests/curves.py" "$@"; }
+differ() { curve "$@"; [ $? -eq 3 ]; }
 ok "plots and their tables" exits 0 "$beadreel" s.yaml -o .
 peak=$(tail -n +2 near.csv | cut -d, -f2 | sort -g | tail -n 1)
 ok "the curve of a contact is the table's" curve plain.svg near.csv 1e-3 1e-3
 ok "... normalised, of less than 1 N" curve part.svg near.csv 1e-3 "$peak"
 ok "... of another, from some time on" curve far.svg far.csv 1e-3 1e-3
-ok "a table that is larger is noticed" eval '! curve plain.svg near.csv 1e-3 1.01e-3'
-ok "... or later" eval '! curve plain.svg near.csv 1.01e-3 1e-3'
+ok "a table that is larger is noticed" differ plain.svg near.csv 1e-3 1.01e-3
+ok "... or later" differ plain.svg near.csv 1.01e-3 1e-3
 finish
