@@ -141,6 +141,35 @@ static enum bead_error find_seal(struct bead_h5 *h5)
     return state == BEAD_SEAL_THERE || state == BEAD_SEAL_NONE ? BEAD_OK : bead_h5_fail(h5, false, "%s", said[state]);
 }
 
+static enum bead_error look_through(struct bead_h5 *h5)
+{
+    uint64_t damaged = 0, from = 0, to = 0;
+    BEAD_TRY(find_seal(h5));
+    const struct bead_seal *seal = &h5->check.seal;
+    if (!seal->covered)
+        return bead_h5_fail(h5, false, "has no digests: it is unfinished, of an older version, or another program has changed it");
+    const int error = bead_seal_look(seal, h5->check.file, &damaged, &from, &to);
+    if (error)
+        return bead_h5_fail(h5, false, "cannot be read: %s", strerror(error));
+    if (damaged)
+        return bead_h5_fail(h5, false,
+                            "damaged: %llu of %llu blocks are not those that were written, the first in bytes %llu to %llu",
+                            (unsigned long long)damaged, (unsigned long long)((seal->covered - 1) / BEAD_SEAL_BLOCK + 1),
+                            (unsigned long long)from, (unsigned long long)to - 1);
+    return BEAD_OK;
+}
+
+enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_h5 h5 = {.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1}};
+    const enum bead_error err = look_through(&h5);
+    *bytes = h5.bytes;
+    if (h5.check.file >= 0)
+        close(h5.check.file);
+    bead_seal_free(&h5.check.seal);
+    return err;
+}
+
 static enum bead_error open_checked(struct bead_h5 *h5)
 {
     BEAD_TRY(find_seal(h5));

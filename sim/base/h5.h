@@ -42,6 +42,9 @@ void bead_h5_no_exit_handler(void);
 /* Make a new file, or open one for reading. `path` must outlive the bead_h5, which must not move while the file is open. */
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg);
 void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg);
+/* Is the finished file at `path` what was written, to the bit? *bytes gets its length. Errors: IO, MEMORY, FORMAT (it is not, or
+ * has no digests). */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_message *msg);
 /* Close the file, if open; a failure to write the rest is kept. */
 void bead_h5_shut(struct bead_h5 *h5);
 /* Flush HDF5; with `write`, so that the file on the disk is that of now, which waits for the disk. */

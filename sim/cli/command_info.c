@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --info: describes a scene, a trajectory or a sweep's file. */
+/* --info: describes a scene, a trajectory or a sweep's file. --verify: is such a file whole? */
 #include "sim/cli/command_line.h"
 
 #include <limits.h>
@@ -13,6 +13,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
+#include "sim/base/h5.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
@@ -397,4 +398,12 @@ enum bead_error command_info(const struct command *command, FILE *out, struct be
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
     free(text);
     return err;
+}
+
+enum bead_error command_verify(const struct command *command, struct bead_message *msg)
+{
+    uint64_t bytes;
+    BEAD_TRY(bead_h5_verify(command->job.input, &bytes, msg));
+    printf("%s: whole: %llu bytes as they were written\n", command->job.input, (unsigned long long)bytes);
+    return BEAD_OK;
 }

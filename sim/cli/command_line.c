@@ -139,6 +139,8 @@ static const struct command_option rows[] = {
     {"list", 0, "WHAT", "list %s", .apply = set_list},
     {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", .text = COMMAND(job.input),
      .action = COMMAND_INFO},
+    {"verify", 0, "FILE", "say whether a finished trajectory, or a sweep's file, is to the bit what was written",
+     .text = COMMAND(job.input), .action = COMMAND_VERIFY},
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
      .text = COMMAND(job.configuration)},
     {"diff", 0, NULL, "of two trajectories: show the second less the first, into the file -o", .flag = COMMAND(job.difference)},

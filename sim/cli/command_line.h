@@ -38,6 +38,7 @@ enum command_action {
     COMMAND_PLAN,
     COMMAND_LIST,
     COMMAND_INFO,
+    COMMAND_VERIFY,
     COMMAND_MERGE,
     COMMAND_NEW,
     COMMAND_HELP,
@@ -105,6 +106,7 @@ int command_status(enum bead_error err, int signal);
 /* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+enum bead_error command_verify(const struct command *command, struct bead_message *msg);
 enum bead_error command_merge(const struct command *command, struct bead_message *msg);
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
 

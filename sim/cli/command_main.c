@@ -182,6 +182,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         return command->list->print(stdout, msg);
     case COMMAND_INFO:
         return command_info(command, stdout, msg);
+    case COMMAND_VERIFY:
+        return command_verify(command, msg);
     case COMMAND_MERGE:
         return command_merge(command, msg);
     case COMMAND_NEW:

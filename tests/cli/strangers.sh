@@ -94,6 +94,25 @@ scene '{trajectory: run.h5, every: 5 us}' >run.yaml
 ok "a frame of no film" fails 2 "$beadreel" run.h5 --frame 50%
 ok "..." says "--frame: run.h5 has no movie"
 
+# ---- damage ----
+printf 'sweep: {cells: 4, configurations: 2}\noutputs: [{sweep: sweep.h5}]\n' >sweep.yaml && "$beadsim" sweep.yaml -o . >/dev/null
+for file in run sweep; do
+    ok "$file.h5 is whole" exits 0 "$beadsim" --verify $file.h5
+    ok "... and says so" prints "$file.h5: whole: $(stat -c %s $file.h5) bytes as they were written"
+    for at in 9 $(($(stat -c %s $file.h5) / 2)) $(($(stat -c %s $file.h5) - 20)); do
+        cp $file.h5 flipped.h5
+        byte=$(od -An -tu1 -j "$at" -N 1 flipped.h5)
+        printf '%b' "\\x$(printf %x $((byte ^ 16)))" | dd of=flipped.h5 bs=1 seek="$at" conv=notrunc status=none
+        ok "a bit of $file.h5 flipped at $at" fails 1 "$beadsim" --verify flipped.h5
+        ok "... is told" says "flipped.h5: damaged: "
+        ok "... by --info, too" fails 1 "$beadsim" --info flipped.h5
+    done
+done
+truncate -s -1000 run.h5
+ok "a file cut off" fails 1 "$beadsim" --verify run.h5
+ok "..." says "run.h5: has no digests: it is unfinished"
+ok "a scene is not verified" fails 1 "$beadsim" --verify run.yaml
+
 # ---- no threads, no time ----
 if [ "${sanitized:-}" ] || ! refuse pthread_create 11 11 libglib; then
     skip "a compiler, and a build without sanitizers" "GLib without threads"
