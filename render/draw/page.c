@@ -84,10 +84,11 @@ void bead_page_look(const struct bead_page *page, const struct bead_paper *asked
 static const char *subject_of(const struct bead_output *output, const struct bead_scene *scene)
 {
     static const char *const plots[BEAD_SHOW_COUNT] = {
-        [BEAD_SHOW_SENSORS] = "force of sensors",          [BEAD_SHOW_PEAKS] = "peak force of contacts",
-        [BEAD_SHOW_SETUP] = "drawing of the experiment",   [BEAD_SHOW_CONTACT] = "drawing of a contact",
-        [BEAD_SHOW_CELL] = "drawing of the cells",         [BEAD_SHOW_MODES] = "energies of modes",
-        [BEAD_SHOW_PROFILES] = "profiles at several times"};
+        [BEAD_SHOW_SENSORS] = "force of sensors",           [BEAD_SHOW_PEAKS] = "peak force of contacts",
+        [BEAD_SHOW_SETUP] = "drawing of the experiment",    [BEAD_SHOW_CONTACT] = "drawing of a contact",
+        [BEAD_SHOW_CELL] = "drawing of the cells",          [BEAD_SHOW_MODES] = "energies of modes",
+        [BEAD_SHOW_PROFILES] = "profiles at several times", [BEAD_SHOW_BANDS] = "frequency against wave number",
+        [BEAD_SHOW_EIGENMODES] = "participation in modes"};
     if (scene->sweep_count > 0)
         return "results of a sweep";
     if (output->views.count == 0 && output->curves.show < BEAD_SHOW_COUNT && plots[output->curves.show])

@@ -10,7 +10,8 @@
 #include "sim/output/profile_times.h"
 
 /* The first is the default. */
-static const struct plot_kind *const kinds[] = {&bead_plot_sensors, &bead_plot_peaks, &bead_plot_modes, &bead_plot_profiles};
+static const struct plot_kind *const kinds[] = {&bead_plot_sensors,  &bead_plot_peaks, &bead_plot_modes,
+                                                &bead_plot_profiles, &bead_plot_bands, &bead_plot_eigenmodes};
 
 static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 {
@@ -47,6 +48,7 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
         free(data->parts[p].series);
         free(data->parts[p].values);
         free(data->parts[p].labels);
+        free(data->parts[p].rulers);
     }
     free(data->overlaid);
     free(data->overlaid_labels);

@@ -12,8 +12,8 @@ struct plot_panel {
     struct bead_series *series;
     double *values;
     char (*labels)[256];
-    size_t taken; /* samples, of modes */
-    struct bead_ruler ruler;
+    size_t taken;                     /* samples, of modes */
+    struct bead_ruler ruler, *rulers; /* one, or as many as there are */
     char title[768];
 };
 
@@ -41,7 +41,8 @@ struct plot_kind {
     enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg); /* or NULL */
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
-extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles;
+extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles, bead_plot_bands,
+    bead_plot_eigenmodes;
 
 /* Allocates panels, with their titles. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);

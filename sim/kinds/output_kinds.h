@@ -67,6 +67,7 @@ struct bead_show_type {
     bool drawing;                 /* of the scene, with keys of its own; nothing is computed */
     bool modes;                   /* energies of modes */
     bool of_field;                /* the output's `field` */
+    bool vibrations;              /* of the chain at rest, whose contacts must be closed; nothing is run */
     bool own_times;               /* no samples but its own are close enough */
 };
 const struct bead_show_type *bead_show_type(enum bead_show show);

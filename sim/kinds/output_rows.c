@@ -4,9 +4,10 @@
 
 #include "sim/kinds/outputs.h"
 
-static const char *const plot_shows[] = {"sensors", "peaks", "setup", "contact", "cell", "modes", "profiles", NULL};
-static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,   BEAD_SHOW_CONTACT,
-                                       BEAD_SHOW_CELL,    BEAD_SHOW_MODES, BEAD_SHOW_PROFILES};
+static const char *const plot_shows[] = {"sensors", "peaks",    "setup", "contact",    "cell",
+                                         "modes",   "profiles", "bands", "eigenmodes", NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS,    BEAD_SHOW_SETUP, BEAD_SHOW_CONTACT,   BEAD_SHOW_CELL,
+                                       BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_BANDS, BEAD_SHOW_EIGENMODES};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
@@ -159,10 +160,13 @@ const struct bead_option bead_curves_rows[5] = {
 /* Keys of plots and of panels that are plots. */
 const struct bead_option bead_plot_rows[5] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "sensors", .choices = plot_shows, .values = plot_values,
-     .help = "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
-             "where it was rising at the end, or was larger later); the "
-             "energies of modes against time; profiles, a field along the chain at several times; or a schematic drawing of the "
-             "experiment, of a contact or of the cells"},
+     .help =
+         "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
+         "where it was rising at the end, or was larger later); the "
+         "energies of modes against time; profiles, a field along the chain at several times; bands, frequency against wave number "
+         "of each repeated cell under its precompression; eigenmodes, participation against frequency of the small vibrations of "
+         "each chain; or a schematic drawing of the "
+         "experiment, of a contact or of the cells"},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = scales,
      .help = "scale of the axis of peaks"},
     {"overlay", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.overlay), .initial = "false",

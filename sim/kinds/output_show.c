@@ -2,6 +2,7 @@
 /* `show`: what plots and tables can show, and which keys go with what. */
 #include <string.h>
 
+#include "beadreel/law.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
 
@@ -51,6 +52,14 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                              .why_not = "spreading is that of the energies of all beads over time",
                              .without_contacts = "is one of the energies of beads, which equations do not have",
                              .ends = TABLE},
+    [BEAD_SHOW_BANDS] = {.keys = KEYS(NULL),
+                         .why_not = "bands are those of a chain at rest",
+                         .without_contacts = "has the bands of cells of beads, which equations do not have",
+                         .vibrations = true},
+    [BEAD_SHOW_EIGENMODES] = {.keys = KEYS("scale"),
+                              .why_not = "eigenmodes are those of a chain at rest",
+                              .without_contacts = "has the modes of beads; an equation has `show: modes`",
+                              .vibrations = true},
     [BEAD_SHOW_SETUP] = {.drawing = true},
     [BEAD_SHOW_CONTACT] = {.drawing = true},
     [BEAD_SHOW_CELL] = {.drawing = true},
@@ -130,6 +139,27 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
+/* Small vibrations need springs, and bands a cell that is repeated. */
+static enum bead_error check_vibrations(const struct bead_reader *reader, const struct bead_at *at, enum bead_show show)
+{
+    const struct bead_scene *scene = reader->scene;
+    for (size_t c = 0; c < scene->chain_count; c++) {
+        const struct bead_chain_spec *chain = &scene->chains[c];
+        const bool pressed = chain->precompression > 0 || (show == BEAD_SHOW_EIGENMODES && chain->tilt > 0);
+        bool repeats = show == BEAD_SHOW_EIGENMODES;
+        for (size_t s = 0; s < chain->segment_count; s++)
+            repeats = repeats || (chain->segments[s].count > 1 && !chain->segments[s].each);
+        if (chain->law.row->one_sided && !pressed)
+            return BEAD_WRONG_KEY(reader, at, "show",
+                                  "has small vibrations, of contacts that stay closed: the chain needs a `precompression`");
+        if (!repeats)
+            return BEAD_WRONG_KEY(reader, at, "show",
+                                  "has the bands of cells that a chain repeats, but no two cells follow each "
+                                  "other alike; modes of any chain are `show: eigenmodes`");
+    }
+    return BEAD_OK;
+}
+
 enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                        const struct bead_options *options)
 {
@@ -143,6 +173,8 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
         !bead_scene_has_sensors(reader->scene, SIZE_MAX))
         return BEAD_WRONG_KEY(reader, at, "show",
                               "shows sensors, but no bead of the chain has a `sensor`; give one, or say which `beads`");
+    if (!err && show->vibrations)
+        err = check_vibrations(reader, at, output->curves.show);
     if (!err)
         err = check_listed(reader, at, output);
     if (!err)

@@ -22,6 +22,8 @@ static const struct table *const tables[] = {
     [BEAD_SHOW_SENSITIVITIES] = &bead_table_sensitivities,
     [BEAD_SHOW_EXTREMES] = &bead_table_extremes,
     [BEAD_SHOW_SPREADING] = &bead_table_spreading,
+    [BEAD_SHOW_BANDS] = &bead_table_bands,
+    [BEAD_SHOW_EIGENMODES] = &bead_table_eigenmodes,
 };
 
 static void table_destroy(struct bead_sink *sink)
@@ -109,10 +111,13 @@ static enum bead_error table_end(struct bead_sink *sink, const struct bead_outco
     locale_t before = uselocale(sink->locale);
     if (sink->table->end)
         sink->table->end(sink, outcomes);
+    enum bead_error error = sink->table->finish ? sink->table->finish(sink, msg) : BEAD_OK;
     uselocale(before);
+    if (error)
+        return error;
     FILE *file = sink->file;
     sink->file = NULL;
-    enum bead_error error = bead_file_close(file, sink->part, msg);
+    error = bead_file_close(file, sink->part, msg);
     if (error)
         return error;
     sink->finished = true; /* a failing commit removes the part itself */

@@ -44,8 +44,9 @@ struct table {
     void (*header)(struct bead_sink *sink);
     enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg); /* may be NULL */
     void (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes);                                      /* may be NULL */
-    enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg); /* when the run begins; may be NULL */
-    double accuracy;                                                            /* see bead_sink_type; 0: any will do */
+    enum bead_error (*finish)(struct bead_sink *sink, struct bead_message *msg); /* instead of `end`, where it can fail */
+    enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
+    double accuracy;                                                             /* see bead_sink_type; 0: any will do */
 };
 
 /* A text, in quotes if it contains a comma, a quote or a line break. */
@@ -71,5 +72,5 @@ void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sam
 /* One for each word of `show`. */
 extern const struct table bead_table_sensors, bead_table_contact_peaks, bead_table_bead_peaks, bead_table_measures,
     bead_table_energy, bead_table_modes, bead_table_profiles, bead_table_chain, bead_table_sensitivities, bead_table_extremes,
-    bead_table_spreading;
+    bead_table_spreading, bead_table_bands, bead_table_eigenmodes;
 void bead_table_spreading_free(struct bead_sink *sink);

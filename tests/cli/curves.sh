@@ -23,4 +23,16 @@ ok "... normalised, of less than 1 N" curve part.svg near.csv 1e-3 "$peak"
 ok "... of another, from some time on" curve far.svg far.csv 1e-3 1e-3
 ok "a table that is larger is noticed" differ plain.svg near.csv 1e-3 1.01e-3
 ok "... or later" differ plain.svg near.csv 1.01e-3 1e-3
+
+# Equal beads under 1 N: 2 sqrt(K / m) sin(q / 2) / (2 pi), with K = 3/2 A^(2/3) and A = 4/3 E* sqrt(R*) = 1/3 GPa m^(1/2).
+cat >bands.yaml <<'YAML'
+materials: {unit: {mass: 1 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}}
+chain: {precompression: 1 N, striker: {bead: unit, velocity: 1 mm/s}, beads: [{bead: unit, count: 12}]}
+outputs: [{plot: bands.svg, show: bands}, {table: bands.csv, show: bands}]
+YAML
+ok "plot and table of bands" exits 0 "$beadreel" bands.yaml -o .
+awk 'BEGIN { pi = atan2(0, -1); k = 1.5 * (1e9 / 3) ^ (2 / 3); print "part,Hz"
+             for (i = 0; i <= 1000; i++) printf "%.9g,%.9g\n", i / 1000, sqrt(k) / pi * sin(pi * i / 2000) }' >closed.csv
+ok "the table has the band of equal beads" eval 'awk -F, "NR == FNR { last = \$2; next } FNR == 2 { exit !(\$3 == \"band\" && \$5 == 0 && (\$6 / last - 1) ^ 2 < 1e-16) }" closed.csv bands.csv'
+ok "the plot has its curve" curve bands.svg closed.csv 1 1
 finish

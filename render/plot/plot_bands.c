@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Small vibrations, a panel for each chain: frequency against wave number of the cells that it repeats, with the gaps shaded; or
+ * how many beads take part in each of its modes, against their frequencies. They need no run. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "render/plot/plot_private.h"
+#include "sim/base/memory.h"
+#include "sim/base/wide.h"
+#include "sim/frequency/bands.h"
+
+/* Points of each band; the last is a break. */
+enum { POINTS = 202 };
+
+static void no_samples(const struct bead_plot_data *data, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.why = data->why};
+}
+
+static void set_axes(struct bead_plot_data *data, struct bead_graph_axis x, struct bead_graph_axis y)
+{
+    for (size_t p = 0; p < data->count; p++) {
+        data->panels[p].x = x;
+        data->panels[p].y = y;
+    }
+}
+
+/* ---- bands ---- */
+
+static enum bead_error plot_bands_create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    BEAD_TRY(plot_reserve_chains(data, 0, 0, msg));
+    set_axes(data, (struct bead_graph_axis){"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, true},
+             (struct bead_graph_axis){"frequency", "Hz", data->output->plot.range[0], data->output->plot.range[1],
+                                      BEAD_SCALE_LINEAR, true});
+    snprintf(data->why, sizeof data->why, "bands of each cell");
+    return BEAD_OK;
+}
+
+static void fill_medium(const struct bead_medium *medium, size_t number, double *at, char label[256], struct bead_series *series)
+{
+    const size_t count = POINTS * medium->cell.count;
+    for (size_t i = 0; i < count; i++) {
+        const double part = (double)(i % POINTS) / (POINTS - 2);
+        at[i] = fmin(part, 1);
+        at[count + i] =
+            part > 1 ? NAN : bead_jacobi_frequency(&medium->cell, i / POINTS, bead_sin((0.5 - part) * 3.14159265358979323846));
+    }
+    snprintf(label, 256, "beads %zu to %zu", medium->first, medium->last);
+    *series = (struct bead_series){.x = at, .y = at + count, .count = count, .mark = BEAD_MARK_LINE, .label = label};
+    plot_tell_apart(series, number);
+}
+
+/* The gaps of a chain with one kind of cell. */
+static enum bead_error shade_gaps(struct plot_panel *part, struct bead_panel *panel, const struct bead_medium *medium,
+                                  struct bead_message *msg)
+{
+    BEAD_TRY(bead_new(&part->rulers, medium->cell.count, msg, "a plot"));
+    for (size_t i = 0; i < medium->cell.count; i++) {
+        double ends[2];
+        if (bead_gap(medium, i, ends))
+            part->rulers[panel->ruler_count++] = (struct bead_ruler){.value = NAN, .low = ends[0], .high = ends[1]};
+    }
+    panel->rulers = part->rulers;
+    return BEAD_OK;
+}
+
+static enum bead_error fill_bands(struct bead_plot_data *data, size_t p, const struct bead_medium *media, size_t count,
+                                  struct bead_message *msg)
+{
+    size_t values = 0;
+    for (size_t i = 0; i < count; i++)
+        values += 2 * POINTS * media[i].cell.count;
+    struct plot_panel *part = &data->parts[p];
+    free(part->series); /* reserved for none */
+    free(part->labels);
+    free(part->values);
+    BEAD_TRY(plot_reserve_series(data, p, count, values, msg));
+    double *at = part->values;
+    for (size_t i = 0; i < count; i++) {
+        fill_medium(&media[i], i, at, part->labels[i], &part->series[i]);
+        part->series[i].label = count > 1 ? part->labels[i] : NULL;
+        at += 2 * POINTS * media[i].cell.count;
+    }
+    return count == 1 ? shade_gaps(part, &data->panels[p], &media[0], msg) : BEAD_OK;
+}
+
+static enum bead_error plot_bands_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    for (size_t p = 0; p < data->count && !err; p++) {
+        struct bead_medium *media = NULL;
+        size_t count = 0;
+        err = bead_media_find(data->context.chains[data->parts[p].chain], &media, &count, msg);
+        if (!err)
+            err = fill_bands(data, p, media, count, msg);
+        bead_media_free(media, count);
+    }
+    return err;
+}
+
+const struct plot_kind bead_plot_bands = {BEAD_SHOW_BANDS, true, plot_bands_create, no_samples, NULL, plot_bands_finish};
+
+/* ---- modes ---- */
+
+static enum bead_error plot_eigenmodes_create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    size_t most = 0;
+    for (size_t c = 0; c < data->context.chain_count; c++) {
+        const size_t beads = bead_chain_beads(data->context.chains[c]);
+        most = beads > most ? beads : most;
+    }
+    BEAD_TRY(plot_reserve_chains(data, 1, 2 * most, msg));
+    set_axes(data, (struct bead_graph_axis){"frequency", "Hz", NAN, NAN, BEAD_SCALE_LINEAR, true},
+             (struct bead_graph_axis){"participation in beads", "", data->output->plot.range[0], data->output->plot.range[1],
+                                      data->output->plot.scale, true});
+    snprintf(data->why, sizeof data->why, "modes of each chain");
+    return BEAD_OK;
+}
+
+static enum bead_error plot_eigenmodes_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
+{
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        const size_t count = bead_chain_beads(data->context.chains[part->chain]);
+        BEAD_FREED struct bead_mode *modes = NULL;
+        BEAD_TRY(bead_modes_find(data->context.chains[part->chain], &modes, msg));
+        for (size_t i = 0; i < count; i++) {
+            part->values[i] = modes[i].frequency;
+            part->values[count + i] = modes[i].participation;
+        }
+        part->series[0] =
+            (struct bead_series){.x = part->values, .y = part->values + count, .count = count, .mark = BEAD_MARK_POINTS};
+    }
+    return BEAD_OK;
+}
+
+const struct plot_kind bead_plot_eigenmodes = {BEAD_SHOW_EIGENMODES, true, plot_eigenmodes_create,
+                                               no_samples,           NULL, plot_eigenmodes_finish};
