@@ -168,6 +168,9 @@ extra_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512dq -mavx512vl -mprefe
 # Loops over all samples and pixels.
 extra_trajectory_read = -O3
 extra_fourier = -O3
+extra_etd = -O3
+extra_kdv_solver = -O3
+extra_fput_string = -O3
 extra_shock_law = -O3
 extra_area_kernels = -O3
 extra_area_colours = -O3

@@ -5,16 +5,25 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "sim/base/instruction_set.h"
 #include "sim/base/wide.h"
 
-enum { FACTORS_MAX = 64 };
+enum { FACTORS_MAX = 64, WIDE = 4 };
+
+/* Complex numbers: their real and their imaginary parts. */
+struct split {
+    double *re, *im;
+};
 
 struct bead_fourier {
-    size_t points, length;            /* real numbers; complex ones transformed */
-    size_t factor[FACTORS_MAX];       /* of `length`; 0 after the last */
-    struct bead_complex *turn;        /* [points] exp(-2 pi i k / points) */
-    struct bead_complex *one, *other; /* [length] */
+    size_t points, length;      /* real numbers; complex ones transformed */
+    size_t factor[FACTORS_MAX]; /* of `length`; 0 after the last */
+    struct bead_complex *turn;  /* [points] exp(-2 pi i k / points) */
+    struct split one, other;    /* [length] */
+    double *first;              /* [6][length / 4] turns of the first stage, if it is by four: parts re and im of k, 2 k and 3 k */
+    bool avx2;
 };
 
 static void find_factors(size_t rest, size_t *factor)
@@ -29,23 +38,41 @@ static void find_factors(size_t rest, size_t *factor)
     *factor = 0;
 }
 
-enum bead_error bead_fourier_create(size_t points, struct bead_fourier **fourier, struct bead_message *msg)
+static void fill_turns(struct bead_fourier *f)
+{
+    const struct bead_turn step = bead_turn_by(-2 * bead_wide_pi / f->points);
+    const size_t quarter = f->length / 4, unit = f->points / f->length;
+    struct bead_turn at = {1, 0};
+    for (size_t k = 0; k < f->points; k++, at = bead_turn_on(at, step))
+        f->turn[k] = (struct bead_complex){(double)at.re, (double)at.im};
+    for (size_t r = 0; r < 3; r++) {
+        for (size_t k = 0; k < quarter; k++) {
+            f->first[2 * r * quarter + k] = f->turn[(r + 1) * k * unit].re;
+            f->first[(2 * r + 1) * quarter + k] = f->turn[(r + 1) * k * unit].im;
+        }
+    }
+}
+
+enum bead_error bead_fourier_create(size_t points, const char *set, struct bead_fourier **fourier, struct bead_message *msg)
 {
     struct bead_fourier *f = *fourier = calloc(1, sizeof *f);
     const size_t length = points % 2 ? points : points / 2;
-    struct bead_complex *memory =
-        f && points < SIZE_MAX / 4 / sizeof *memory ? malloc((points + 2 * length) * sizeof *memory) : NULL;
+    double *memory = f && points < SIZE_MAX / 128 ? malloc((2 * points + 4 * length + length / 4 * 6) * sizeof *memory) : NULL;
     if (!memory) {
         free(f);
         *fourier = NULL;
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for Fourier transforms of %zu points", points);
     }
-    *f = (struct bead_fourier){points, length, {0}, memory, memory + points, memory + points + length};
+    double *parts = memory + 2 * points;
+    *f = (struct bead_fourier){.points = points,
+                               .length = length,
+                               .turn = (struct bead_complex *)(void *)memory,
+                               .one = {parts, parts + length},
+                               .other = {parts + 2 * length, parts + 3 * length},
+                               .first = parts + 4 * length,
+                               .avx2 = bead_instruction_set_here("avx2") && (!set || strcmp(set, "portable") != 0)};
     find_factors(length, f->factor);
-    const struct bead_turn step = bead_turn_by(-2 * bead_wide_pi / points);
-    struct bead_turn at = {1, 0};
-    for (size_t k = 0; k < points; k++, at = bead_turn_on(at, step))
-        f->turn[k] = (struct bead_complex){(double)at.re, (double)at.im};
+    fill_turns(f);
     return BEAD_OK;
 }
 
@@ -56,21 +83,6 @@ void bead_fourier_destroy(struct bead_fourier *f)
     free(f);
 }
 
-static inline struct bead_complex plus(struct bead_complex a, struct bead_complex b)
-{
-    return (struct bead_complex){a.re + b.re, a.im + b.im};
-}
-
-static inline struct bead_complex minus(struct bead_complex a, struct bead_complex b)
-{
-    return (struct bead_complex){a.re - b.re, a.im - b.im};
-}
-
-static inline struct bead_complex conjugate(struct bead_complex a)
-{
-    return (struct bead_complex){a.re, -a.im};
-}
-
 /* One stage: transforms the numbers x[q + stride (k + m r)], r < p, over r, and stores the results, turned by k r of p m, as
  * y[q + stride (p k + r)]. */
 struct stage {
@@ -79,94 +91,73 @@ struct stage {
     size_t unit;                     /* stride in `turn` between those of p m */
 };
 
-static void by_two(const struct stage *s, const struct bead_complex *restrict x, struct bead_complex *restrict y)
+/* Inlined, so that one text is compiled with and without AVX2. */
+#define INLINED static inline __attribute__((always_inline))
+
+#define PACK    double
+#define LOOSE   double
+#define WIDTH   1
+#define ZERO    0.0
+#define NAME(x) single_##x
+#include "sim/equation/fourier_stages.h"
+
+typedef double wide __attribute__((vector_size(WIDE * sizeof(double))));
+typedef double wide_loose __attribute__((vector_size(WIDE * sizeof(double)), aligned(sizeof(double)), may_alias));
+#define PACK    wide
+#define LOOSE   wide_loose
+#define WIDTH   WIDE
+#define ZERO    ((wide){})
+#define NAME(x) wide_##x
+#include "sim/equation/fourier_stages.h"
+
+/* The results of four k, those of each k next to each other. */
+INLINED void store_columns(const wide *out, double *to)
 {
-    for (size_t k = 0; k < s->m; k++) {
-        const struct bead_complex w = s->turn[k * s->unit], *a = x + s->stride * k, *b = a + s->stride * s->m;
-        struct bead_complex *to = y + s->stride * 2 * k, *next = to + s->stride;
-        for (size_t q = 0; q < s->stride; q++) {
-            to[q] = plus(a[q], b[q]);
-            next[q] = bead_complex_times(minus(a[q], b[q]), w);
+    const wide a = __builtin_shufflevector(out[0], out[2], 0, 4, 2, 6), b = __builtin_shufflevector(out[0], out[2], 1, 5, 3, 7);
+    const wide c = __builtin_shufflevector(out[4], out[6], 0, 4, 2, 6), d = __builtin_shufflevector(out[4], out[6], 1, 5, 3, 7);
+    *(wide_loose *)to = __builtin_shufflevector(a, c, 0, 1, 4, 5);
+    *(wide_loose *)(to + WIDE) = __builtin_shufflevector(b, d, 0, 1, 4, 5);
+    *(wide_loose *)(to + 2 * WIDE) = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    *(wide_loose *)(to + 3 * WIDE) = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+
+/* The first stage by four has stride 1: four k at a time. */
+INLINED void first_by_four(const double *first, size_t m, struct split x, struct split y)
+{
+    for (size_t k = 0; k < m; k += WIDE) {
+        wide in[8], v[8], out[8];
+        for (size_t r = 0; r < 4; r++) {
+            in[2 * r] = *(const wide_loose *)(x.re + k + r * m);
+            in[2 * r + 1] = *(const wide_loose *)(x.im + k + r * m);
         }
+        wide_four(in, v);
+        out[0] = v[0];
+        out[1] = v[1];
+        for (size_t r = 2; r < 8; r += 2) {
+            const wide re = *(const wide_loose *)(first + (r - 2) * m + k), im = *(const wide_loose *)(first + (r - 1) * m + k);
+            out[r] = v[r] * re - v[r + 1] * im;
+            out[r + 1] = v[r] * im + v[r + 1] * re;
+        }
+        store_columns(out, y.re + 4 * k);
+        store_columns(out + 1, y.im + 4 * k);
     }
 }
-
-static void by_four(const struct stage *s, const struct bead_complex *restrict x, struct bead_complex *restrict y)
-{
-    const size_t n = s->stride, far = n * s->m;
-    for (size_t k = 0; k < s->m; k++) {
-        const struct bead_complex w = s->turn[k * s->unit], w2 = s->turn[2 * k * s->unit], w3 = s->turn[3 * k * s->unit];
-        const struct bead_complex *a = x + n * k;
-        struct bead_complex *to = y + n * 4 * k;
-        for (size_t q = 0; q < n; q++) {
-            const struct bead_complex sum = plus(a[q], a[q + 2 * far]), gap = minus(a[q], a[q + 2 * far]);
-            const struct bead_complex odd = plus(a[q + far], a[q + 3 * far]), rest = minus(a[q + far], a[q + 3 * far]);
-            to[q] = plus(sum, odd);
-            to[q + n] = bead_complex_times((struct bead_complex){gap.re + rest.im, gap.im - rest.re}, w);
-            to[q + 2 * n] = bead_complex_times(minus(sum, odd), w2);
-            to[q + 3 * n] = bead_complex_times((struct bead_complex){gap.re - rest.im, gap.im + rest.re}, w3);
-        }
-    }
-}
-
-/* Odd p, inlined with its value if small. The roots of unity for r and p - r are conjugates. */
-static inline __attribute__((always_inline)) void by_odd(const struct stage *s, size_t p, const struct bead_complex *restrict x,
-                                                         struct bead_complex *restrict y)
-{
-    const size_t n = s->stride, far = n * s->m, root = s->unit * s->m;
-    for (size_t k = 0; k < s->m; k++) {
-        const struct bead_complex *a = x + n * k;
-        struct bead_complex *to = y + n * p * k;
-        for (size_t q = 0; q < n; q++) {
-            struct bead_complex sum = a[q];
-            for (size_t t = 1; t < p; t++)
-                sum = plus(sum, a[q + t * far]);
-            to[q] = sum;
-        }
-        for (size_t r = 1; 2 * r < p; r++) {
-            const struct bead_complex w = s->turn[k * r * s->unit], back = s->turn[k * (p - r) * s->unit];
-            for (size_t q = 0; q < n; q++) {
-                struct bead_complex even = a[q], odd = {0, 0};
-                for (size_t t = 1; 2 * t < p; t++) {
-                    const struct bead_complex u = s->turn[t * r % p * root], b = a[q + t * far], c = a[q + (p - t) * far];
-                    even = plus(even, (struct bead_complex){u.re * (b.re + c.re), u.re * (b.im + c.im)});
-                    odd = plus(odd, (struct bead_complex){u.im * (b.im - c.im), u.im * (b.re - c.re)});
-                }
-                to[q + r * n] = bead_complex_times((struct bead_complex){even.re - odd.re, even.im + odd.im}, w);
-                to[q + (p - r) * n] = bead_complex_times((struct bead_complex){even.re + odd.re, even.im - odd.im}, back);
-            }
-        }
-    }
-}
-
-static void by_three(const struct stage *s, const struct bead_complex *x, struct bead_complex *y)
-{
-    by_odd(s, 3, x, y);
-}
-
-static void by_five(const struct stage *s, const struct bead_complex *x, struct bead_complex *y)
-{
-    by_odd(s, 5, x, y);
-}
-
-static void by_any(const struct stage *s, const struct bead_complex *x, struct bead_complex *y)
-{
-    by_odd(s, s->p, x, y);
-}
-
-typedef void (*stage_function)(const struct stage *s, const struct bead_complex *x, struct bead_complex *y);
-static const stage_function of_factor[] = {[2] = by_two, [3] = by_three, [4] = by_four, [5] = by_five};
 
 /* Transforms f->one; returns the result, in f->one or f->other. */
-static struct bead_complex *transform(struct bead_fourier *f)
+INLINED struct split transform(const struct bead_fourier *f)
 {
-    struct bead_complex *x = f->one, *y = f->other;
+    struct split x = f->one, y = f->other;
     struct stage stage = {.m = f->length, .stride = 1, .turn = f->turn, .unit = f->points / f->length};
     for (const size_t *p = f->factor; *p; p++) {
         stage.p = *p;
         stage.m /= *p;
-        (*p < sizeof of_factor / sizeof *of_factor ? of_factor[*p] : by_any)(&stage, x, y);
-        struct bead_complex *const done = y;
+        if (stage.stride % WIDE == 0)
+            wide_stage(&stage, x, y);
+        else if (stage.stride == 1 && *p == 4 && stage.m % WIDE == 0)
+            first_by_four(f->first, stage.m, x, y);
+        else
+            single_stage(&stage, x, y);
+        const struct split done = y;
         y = x;
         x = done;
         stage.stride *= *p;
@@ -175,34 +166,87 @@ static struct bead_complex *transform(struct bead_fourier *f)
     return x;
 }
 
-void bead_fourier_forward(struct bead_fourier *f, const double *grid, struct bead_complex *bins)
+/* Bin k of pairs of real numbers, from the transform of the pairs at k and at -k. */
+INLINED struct bead_complex of_pairs(struct split z, size_t k, size_t back, struct bead_complex turn)
+{
+    const double even_re = z.re[k] + z.re[back], even_im = z.im[k] - z.im[back];
+    const double odd_re = z.re[k] - z.re[back], odd_im = z.im[k] + z.im[back];
+    const struct bead_complex turned = bead_complex_times((struct bead_complex){odd_im, -odd_re}, turn);
+    return (struct bead_complex){0.5 * (even_re + turned.re), 0.5 * (even_im + turned.im)};
+}
+
+INLINED void forward(const struct bead_fourier *f, const double *grid, struct bead_complex *bins)
 {
     const size_t n = f->length;
     const bool paired = n < f->points;
-    for (size_t j = 0; j < n; j++)
-        f->one[j] = paired ? (struct bead_complex){grid[2 * j], grid[2 * j + 1]} : (struct bead_complex){grid[j], 0};
-    const struct bead_complex *z = transform(f);
-    for (size_t k = 0; k <= f->points / 2; k++) {
-        const struct bead_complex a = z[k % n], b = conjugate(z[(n - k) % n]), even = plus(a, b), odd = minus(a, b);
-        const struct bead_complex turned = bead_complex_times((struct bead_complex){odd.im, -odd.re}, f->turn[k]);
-        bins[k] = paired ? (struct bead_complex){0.5 * (even.re + turned.re), 0.5 * (even.im + turned.im)} : a;
+    for (size_t j = 0; j < n; j++) {
+        f->one.re[j] = paired ? grid[2 * j] : grid[j];
+        f->one.im[j] = paired ? grid[2 * j + 1] : 0;
     }
+    const struct split z = transform(f);
+    if (!paired) {
+        for (size_t k = 0; k <= f->points / 2; k++)
+            bins[k] = (struct bead_complex){z.re[k], z.im[k]};
+        return;
+    }
+    bins[0] = of_pairs(z, 0, 0, f->turn[0]);
+    for (size_t k = 1; k < n; k++)
+        bins[k] = of_pairs(z, k, n - k, f->turn[k]);
+    bins[n] = of_pairs(z, 0, 0, f->turn[n]);
 }
 
 /* The conjugate of the forward transform of the conjugates. */
-void bead_fourier_backward(struct bead_fourier *f, const struct bead_complex *bins, double *grid)
+INLINED void backward(const struct bead_fourier *f, const struct bead_complex *bins, double *grid)
 {
     const size_t n = f->length, half = f->points / 2;
     const bool paired = n < f->points;
-    for (size_t k = 0; k < n; k++) {
-        const struct bead_complex a = k <= half ? bins[k] : conjugate(bins[n - k]), b = conjugate(bins[paired ? half - k : 0]);
-        const struct bead_complex turned = bead_complex_times(minus(a, b), conjugate(f->turn[k]));
-        f->one[k] = conjugate(paired ? plus(plus(a, b), (struct bead_complex){-turned.im, turned.re}) : a);
+    for (size_t k = 0; k < n && !paired; k++) {
+        f->one.re[k] = bins[k <= half ? k : n - k].re;
+        f->one.im[k] = k <= half ? -bins[k].im : bins[n - k].im;
     }
-    const struct bead_complex *z = transform(f);
+    for (size_t k = 0; k < n && paired; k++) {
+        const struct bead_complex a = bins[k], b = bins[half - k], turn = {f->turn[k].re, -f->turn[k].im};
+        const struct bead_complex turned = bead_complex_times((struct bead_complex){a.re - b.re, a.im + b.im}, turn);
+        f->one.re[k] = a.re + b.re - turned.im;
+        f->one.im[k] = -(a.im - b.im + turned.re);
+    }
+    const struct split z = transform(f);
     for (size_t j = 0; j < n; j++) {
-        grid[paired ? 2 * j : j] = z[j].re;
+        grid[paired ? 2 * j : j] = z.re[j];
         if (paired)
-            grid[2 * j + 1] = -z[j].im;
+            grid[2 * j + 1] = -z.im[j];
     }
+}
+
+/* AVX2 without fused multiply-adds: the same bits. */
+#ifdef __x86_64__
+#define WITH_AVX2 __attribute__((target("avx2")))
+#else
+#define WITH_AVX2
+#endif
+
+WITH_AVX2 static void forward_avx2(const struct bead_fourier *f, const double *grid, struct bead_complex *bins)
+{
+    forward(f, grid, bins);
+}
+
+WITH_AVX2 static void backward_avx2(const struct bead_fourier *f, const struct bead_complex *bins, double *grid)
+{
+    backward(f, bins, grid);
+}
+
+void bead_fourier_forward(struct bead_fourier *f, const double *grid, struct bead_complex *bins)
+{
+    if (f->avx2)
+        forward_avx2(f, grid, bins);
+    else
+        forward(f, grid, bins);
+}
+
+void bead_fourier_backward(struct bead_fourier *f, const struct bead_complex *bins, double *grid)
+{
+    if (f->avx2)
+        backward_avx2(f, bins, grid);
+    else
+        backward(f, bins, grid);
 }

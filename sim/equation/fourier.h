@@ -21,8 +21,10 @@ static inline struct bead_complex bead_complex_times(struct bead_complex a, stru
 
 struct bead_fourier;
 
-/* For `points` >= 2 real numbers. On failure *fourier is NULL. Errors: MEMORY. */
-BEAD_CHECK enum bead_error bead_fourier_create(size_t points, struct bead_fourier **fourier, struct bead_message *msg);
+/* For `points` >= 2 real numbers. `set`: NULL, or "portable" for a computation without AVX2, to the same bits. On failure *fourier
+ * is NULL. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_fourier_create(size_t points, const char *set, struct bead_fourier **fourier,
+                                               struct bead_message *msg);
 void bead_fourier_destroy(struct bead_fourier *fourier); /* NULL is allowed */
 /* bins[k] = sum over j of grid[j] exp(-2 pi i j k / points), k = 0 .. points / 2. */
 void bead_fourier_forward(struct bead_fourier *fourier, const double *grid, struct bead_complex *bins);

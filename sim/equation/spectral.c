@@ -11,7 +11,7 @@
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)
 {
     *s = (struct bead_spectral){.points = points, .modes = (points - 1) / 3};
-    BEAD_TRY(bead_fourier_create(points, &s->fourier, msg));
+    BEAD_TRY(bead_fourier_create(points, NULL, &s->fourier, msg));
     BEAD_TRY(bead_new(&s->grid, points, msg, "a grid of %zu points", points));
     return bead_new(&s->bins, points / 2 + 1, msg, "a grid of %zu points", points);
 }
