@@ -49,13 +49,27 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
     va_start(values, format);
     vsnprintf(text, sizeof text, format, values);
     va_end(values);
-    if (h5->check.damaged)
+    const bool no_memory = h5->check.error == ENOMEM;
+    if (no_memory)
+        snprintf(text, sizeof text, "no memory to read it");
+    else if (h5->check.damaged)
         snprintf(text, sizeof text, "damaged: bytes %llu to %llu are not those that were written",
                  (unsigned long long)h5->check.from, (unsigned long long)h5->check.to - 1);
     else if (cause)
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, first_cause, reason);
     reason[strcspn(reason, "\n")] = '\0';
-    h5->error = bead_fail(h5->msg, h5->code, "%s: %s%s%s%s", h5->path, text, *reason ? " (" : "", reason, *reason ? ")" : "");
+    h5->error = bead_fail(h5->msg, no_memory ? BEAD_ERROR_MEMORY : h5->code, "%s: %s%s%s%s", h5->path, text, *reason ? " (" : "",
+                          reason, *reason ? ")" : "");
+    return h5->error;
+}
+
+/* By a call of the system, which left `error` in errno. `done`: "read" or "written". */
+static enum bead_error fail_by(struct bead_h5 *h5, const char *done, int error)
+{
+    const enum bead_error code = h5->code;
+    h5->code = error == ENOMEM ? BEAD_ERROR_MEMORY : code;
+    bead_h5_fail(h5, false, "cannot be %s: %s", done, strerror(error));
+    h5->code = code;
     return h5->error;
 }
 
@@ -64,7 +78,7 @@ static bool take_file(struct bead_h5 *h5)
 {
     h5->error = bead_file_open(h5->path, &h5->disk.file, NULL, h5->msg);
     if (!h5->error && ftruncate(h5->disk.file, 0) != 0)
-        bead_h5_fail(h5, false, "cannot be written: %s", strerror(errno));
+        fail_by(h5, "written", errno);
     return !h5->error;
 }
 
@@ -103,7 +117,7 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
 void bead_h5_check_disk(struct bead_h5 *h5)
 {
     if (h5->disk.error)
-        bead_h5_fail(h5, false, "cannot be written: %s", strerror(h5->disk.error));
+        fail_by(h5, "written", h5->disk.error);
 }
 
 /* Follow no links out of the file: an untrusted file must not refer to others. */
@@ -125,20 +139,20 @@ static const uint64_t checked_whole = 64 << 20;
 
 static enum bead_error find_seal(struct bead_h5 *h5)
 {
-    static const char *const said[] = {[BEAD_SEAL_DAMAGED] = "damaged: its digests are not those that were written",
-                                       [BEAD_SEAL_NO_MEMORY] = "no memory for its digests"};
     struct stat found;
     struct bead_h5_check *check = &h5->check;
     check->file = bead_file_look(h5->path);
     if (check->file < 0 || fstat(check->file, &found) != 0)
-        return bead_h5_fail(h5, false, "cannot be read: %s", strerror(errno));
+        return fail_by(h5, "read", errno);
     h5->bytes = (uint64_t)found.st_size;
     const enum bead_seal_state state = bead_seal_read(&check->seal, check->file);
     const size_t length = strlen(h5->path), ending = strlen(".part");
     /* A killed run may have begun its seal. */
     if (state == BEAD_SEAL_DAMAGED && length > ending && strcmp(h5->path + length - ending, ".part") == 0)
         return BEAD_OK;
-    return state == BEAD_SEAL_THERE || state == BEAD_SEAL_NONE ? BEAD_OK : bead_h5_fail(h5, false, "%s", said[state]);
+    if (state == BEAD_SEAL_NO_MEMORY)
+        return fail_by(h5, "read", ENOMEM);
+    return state == BEAD_SEAL_DAMAGED ? bead_h5_fail(h5, false, "damaged: its digests are not those that were written") : BEAD_OK;
 }
 
 static enum bead_error look_through(struct bead_h5 *h5)
@@ -150,7 +164,7 @@ static enum bead_error look_through(struct bead_h5 *h5)
         return bead_h5_fail(h5, false, "has no digests: it is unfinished, of an older version, or another program has changed it");
     const int error = bead_seal_look(seal, h5->check.file, &damaged, &from, &to);
     if (error)
-        return bead_h5_fail(h5, false, "cannot be read: %s", strerror(error));
+        return fail_by(h5, "read", error);
     if (damaged)
         return bead_h5_fail(h5, false,
                             "damaged: %llu of %llu blocks are not those that were written, the first in bytes %llu to %llu",
@@ -195,7 +209,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg
     *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
     if (access(path, R_OK) != 0) {
         h5->code = BEAD_ERROR_IO;
-        bead_h5_fail(h5, false, "cannot be read: %s", strerror(errno));
+        fail_by(h5, "read", errno);
         h5->code = BEAD_ERROR_FORMAT;
         return;
     }

@@ -2,6 +2,7 @@
 /* The HDF5 driver of h5_check.h. */
 #include "sim/base/h5_check.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -31,9 +32,13 @@ struct info {
 static H5FD_t *check_open(const char *, unsigned, hid_t access, haddr_t)
 {
     const struct info *info = H5Pget_driver_info(access);
-    struct reader *reader = info && info->caller->file >= 0 ? calloc(1, sizeof *reader) : NULL;
-    if (!reader)
+    if (!info || info->caller->file < 0)
         return NULL;
+    struct reader *reader = calloc(1, sizeof *reader);
+    if (!reader) {
+        info->caller->error = ENOMEM;
+        return NULL;
+    }
     for (size_t i = 0; i < SLOTS; i++)
         reader->slots[i].index = SIZE_MAX;
     reader->file = info->caller->file;
@@ -97,8 +102,10 @@ static const unsigned char *block(struct reader *reader, size_t index)
     struct slot *slot = &reader->slots[reader->next++ % SLOTS];
     const uint64_t from = (uint64_t)index * BEAD_SEAL_BLOCK;
     slot->index = SIZE_MAX;
-    if (!slot->bytes && !(slot->bytes = malloc(BEAD_SEAL_BLOCK)))
+    if (!slot->bytes && !(slot->bytes = malloc(BEAD_SEAL_BLOCK))) {
+        reader->caller->error = ENOMEM;
         return NULL;
+    }
     if (!read_exactly(reader, slot->bytes, (size_t)(bead_seal_end(&reader->caller->seal, index) - from), from) ||
         !fits(reader, index, slot->bytes))
         return NULL;

@@ -12,6 +12,7 @@
 struct bead_h5_check {
     int file; /* open for reading; taken over, and set to -1, when HDF5 opens the file */
     struct bead_seal seal;
+    int error; /* errno of what the driver itself could not do */
     bool damaged;
     uint64_t from, to; /* the first block that is */
     hid_t driver;

@@ -365,7 +365,9 @@ static void print_journal(FILE *out, const char *path, const struct bead_sweep_p
 
 static enum bead_error file_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
-    if (bead_sweep_is(command->job.input))
+    bool of_sweep;
+    BEAD_TRY(bead_sweep_is(command->job.input, &of_sweep, msg));
+    if (of_sweep)
         return sweep_info(command, out, msg);
     return bead_trajectory_is(command->job.input) ? trajectory_info(command, out, msg) : scene_info(command, out, msg);
 }

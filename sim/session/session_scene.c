@@ -6,7 +6,6 @@
 
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
-#include "sim/base/h5.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_internal.h"
@@ -119,10 +118,10 @@ static enum bead_error load_sweep(const struct bead_session *s, struct bead_scen
 static enum bead_error open_configurations(const struct bead_session *s, struct bead_scene **scene, struct bead_sweep **sweep,
                                            struct bead_message *msg)
 {
-    if (bead_sweep_is(s->job.input))
+    bool of_sweep;
+    BEAD_TRY(bead_sweep_is(s->job.input, &of_sweep, msg));
+    if (of_sweep)
         return bead_sweep_open(s->job.input, &(struct bead_overrides){.own = s->job.own}, sweep, msg);
-    if (bead_trajectory_is(s->job.input) && bead_h5_load(msg))
-        return BEAD_ERROR_UNSUPPORTED;
     if (bead_trajectory_is(s->job.input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is the trajectory of a single run", s->job.input);
     BEAD_TRY(load_sweep(s, scene, msg));

@@ -44,8 +44,8 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_swee
                                                           struct bead_message *msg);
 /* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name, struct bead_message *msg);
-/* True where the file says that it is one of a sweep. */
-bool bead_sweep_is(const char *path);
+/* Does the file say that it is one of a sweep? Errors, of HDF5 files: MEMORY, IO, FORMAT, UNSUPPORTED. */
+BEAD_CHECK enum bead_error bead_sweep_is(const char *path, bool *is, struct bead_message *msg);
 /* The part that a file holds; 1 of 1 where all. */
 void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts);
 /* Version of the program that the results are of. */

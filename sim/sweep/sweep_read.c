@@ -14,18 +14,19 @@
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 
-bool bead_sweep_is(const char *path)
+enum bead_error bead_sweep_is(const char *path, bool *is, struct bead_message *msg)
 {
-    struct bead_h5 h5 = {.file = -1};
+    struct bead_h5 h5;
     char kind[32] = "";
+    *is = false;
     if (!bead_h5_is(path))
-        return false;
-    bead_h5_open(&h5, path, NULL);
-    if (!h5.error)
+        return BEAD_OK;
+    bead_h5_open(&h5, path, msg);
+    if (!h5.error && bead_h5_has_attribute(&h5, "format"))
         bead_h5_get_text(&h5, h5.file, "format", kind, sizeof kind);
-    bool is = !h5.error && strcmp(kind, BEAD_SWEEP_KIND) == 0;
     bead_h5_shut(&h5);
-    return is;
+    *is = strcmp(kind, BEAD_SWEEP_KIND) == 0;
+    return h5.error;
 }
 
 /* Reads a panel: the `count` configurations of the file's part. */

@@ -108,6 +108,8 @@ for file in run sweep; do
         ok "... by --info, too" fails 1 "$beadsim" --info flipped.h5
     done
 done
+ok "a damaged sweep is not taken for a run" fails "1 4" "$beadsim" flipped.h5 --configuration 0 -o none
+ok "..." says "flipped.h5: damaged: "
 truncate -s -1000 run.h5
 ok "a file cut off" fails 1 "$beadsim" --verify run.h5
 ok "..." says "run.h5: has no digests: it is unfinished"
