@@ -45,7 +45,7 @@ static bool find_thing(const struct bead_view *v, enum bead_note_of of, size_t n
 
 bool bead_stage_find(struct bead_view *v, enum bead_note_of of, size_t number, struct bead_spot *spot)
 {
-    struct thing thing;
+    struct thing thing = {0};
     if (v->latest.fed == 0 || !find_thing(v, of, number, &thing))
         return false;
     const double x = v->scale * (thing.place + thing.shift) - v->left, r = v->scale * thing.radius;

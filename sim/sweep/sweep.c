@@ -229,6 +229,9 @@ static double magnetism_of(const struct bead_chain_spec *pattern, const char *di
 bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_configuration *found)
 {
     const struct sweep_panel *p = &sweep->panels[panel];
+    *found = (struct bead_sweep_configuration){.magnetism = NAN};
+    if (index != BEAD_SWEEP_CLEAN && index >= p->shown.configurations)
+        return false;
     size_t row = index + 1; /* 0: the clean chain */
     bool known = sweep->known[p->first_job + row];
     *found = (struct bead_sweep_configuration){.spins = p->spins + row * p->shown.spec->cells};
