@@ -103,17 +103,23 @@ BEAD_OPTION_READER(bead_output_read_stops)
     return BEAD_OK;
 }
 
-/* Beads, contacts and walls that there are. */
+/* Beads, contacts and walls that there are; in one of the chains, if the note is for all. */
 static enum bead_error check_thing(const struct bead_reader *reader, const struct bead_at *at, const struct bead_note *note)
 {
     const struct bead_scene *scene = reader->scene;
+    const bool of_contact = note->of == BEAD_NOTE_CONTACT;
+    size_t most = 0;
     for (size_t c = 0; c < scene->chain_count && !reader->unsound; c++) {
         const struct bead_chain_spec *chain = &scene->chains[c];
         if (note->chain != SIZE_MAX && note->chain != c)
             continue;
         if (note->of == BEAD_NOTE_WALL && chain->wall == BEAD_WALL_NONE)
             return BEAD_WRONG_KEY(reader, at, "bead", "is wall, but `%s` has none", chain->name);
+        const size_t last = bead_scene_last_bead(scene, c) - (of_contact && chain->wall == BEAD_WALL_NONE);
+        most = last > most ? last : most;
     }
+    if (!reader->unsound && (of_contact || note->of == BEAD_NOTE_BEAD) && note->number > most)
+        return BEAD_WRONG_KEY(reader, at, of_contact ? "contact" : "bead", "is %zu, but the last is %zu", note->number, most);
     return BEAD_OK;
 }
 
