@@ -49,7 +49,7 @@ struct table {
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
 };
 
-/* A text, in quotes if it contains a comma, a quote or a line break. */
+/* A text, in quotes if it contains a comma, a quote or a line break, and behind a ' if a spreadsheet would compute it. */
 void bead_table_text(FILE *file, const char *text);
 /* ",a,b" for the numbers a and b, with the fewest digits that read back as the same double. */
 void bead_table_numbers(FILE *file, size_t count, const double *numbers);

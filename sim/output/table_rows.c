@@ -9,13 +9,23 @@
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
 
+/* Would a spreadsheet compute a cell that begins so? A number with a sign and a unit stays what it is. */
+static bool is_formula(const char *text)
+{
+    if (*text != '+' && *text != '-')
+        return *text && strchr("=@\t\r", *text);
+    const char *rest = text + 1 + strspn(text + 1, ".0123456789");
+    return rest == text + 1 || rest[strcspn(rest, "+-*/^&|=<>!(")];
+}
+
 void bead_table_text(FILE *file, const char *text)
 {
+    const char *const mark = is_formula(text) ? "'" : "";
     if (!text[strcspn(text, ",\"\r\n")]) {
-        fputs(text, file);
+        fprintf(file, "%s%s", mark, text);
         return;
     }
-    fputc('"', file);
+    fprintf(file, "\"%s", mark);
     for (; *text; text++) {
         if (*text == '"')
             fputc('"', file);

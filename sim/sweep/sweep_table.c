@@ -168,8 +168,10 @@ static enum bead_error write_every_point(const struct out *o, struct bead_messag
     const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, 0);
     const struct bead_over *over = &panel->spec->over;
     fprintf(o->file, "%sconfiguration", o->places ? "place," : "");
-    for (size_t k = 0; k < over->key_count; k++)
-        fprintf(o->file, ",%s", over->keys[k].path);
+    for (size_t k = 0; k < over->key_count; k++) {
+        fputc(',', o->file);
+        bead_table_text(o->file, over->keys[k].path);
+    }
     fputs(",peak_force_N,time_s,bead,state\n", o->file);
     for (size_t i = 0; i < panel->configurations; i++) {
         struct bead_sweep_configuration c;

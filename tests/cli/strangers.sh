@@ -94,6 +94,27 @@ scene '{trajectory: run.h5, every: 5 us}' >run.yaml
 ok "a frame of no film" fails 2 "$beadreel" run.h5 --frame 50%
 ok "..." says "--frame: run.h5 has no movie"
 
+# ---- spreadsheets ----
+cat >cells.yaml <<'YAML'
+chains:
+  - {name: "=HYPERLINK(1)", beads: [{bead: large-steel, count: 3}, {bead: brass, sensor: "@x, y"}]}
+  - {name: "-5+cmd|x!A0", beads: [{bead: large-steel, count: 3}, {bead: brass, sensor: "-5 N"}]}
+outputs: [{table: t.csv, show: peaks}, {table: s.csv, show: sensors, every: 50 us}, {table: c.csv, show: chain}]
+YAML
+ok "names that are formulas" exits 0 "$beadsim" cells.yaml -o .
+formulas() { # cells that a spreadsheet computes
+    python3 -c 'import csv, sys
+for name in sys.argv[1:]:
+    for row in csv.reader(open(name)):
+        for cell in row:
+            if cell[:1] in "=@+" and cell or cell[:1] == "-" and not cell[1:2].isdigit(): sys.exit(cell)' "$@"
+}
+ok "... are none in tables" formulas t.csv s.csv c.csv
+ok "... and names still" grep -q "^'=HYPERLINK(1),0," t.csv
+ok "... in every column" grep -q '"'"'"'@x, y"' c.csv
+ok "a number with a sign stays one" grep -q ',-5 N,' c.csv
+ok "... and one that computes does not" grep -q "^'-5+cmd|x!A0," t.csv
+
 # ---- damage ----
 printf 'sweep: {cells: 4, configurations: 2}\noutputs: [{sweep: sweep.h5}]\n' >sweep.yaml && "$beadsim" sweep.yaml -o . >/dev/null
 for file in run sweep; do
