@@ -6,11 +6,13 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <limits.h>
+#include <linux/openat2.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "sim/base/fingerprint.h"
@@ -51,6 +53,36 @@ bool bead_file_is_inside(const char *path)
     return true;
 }
 
+/* Does a symbolic link in `path` lead out of `base`? Old kernels, and some containers, have no openat2: there any link at the end
+ * of `path` is taken to do so. */
+static bool leads_out(int base, const char *path)
+{
+    const struct open_how how = {.flags = O_PATH | O_DIRECTORY | O_CLOEXEC, .resolve = RESOLVE_BENEATH};
+    struct stat found;
+    const int descriptor = (int)syscall(SYS_openat2, base, path, &how, sizeof how);
+    if (descriptor >= 0) {
+        close(descriptor);
+        return false;
+    }
+    if (errno == ENOENT || errno == ENOTDIR)
+        return false;
+    return errno == EXDEV || errno == ELOOP || (fstatat(base, path, &found, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(found.st_mode));
+}
+
+bool bead_file_stays_beneath(const char *directory, const char *path)
+{
+    char part[PATH_MAX];
+    const int base = open(directory, O_PATH | O_DIRECTORY | O_CLOEXEC);
+    bool stays = true;
+    for (const char *slash = strchr(path, '/'); base >= 0 && stays && slash; slash = strchr(slash + 1, '/')) {
+        const int length = snprintf(part, sizeof part, "%.*s", (int)(slash - path), path);
+        stays = length < (int)sizeof part && (length == 0 || !leads_out(base, part));
+    }
+    if (base >= 0)
+        close(base);
+    return stays;
+}
+
 /* Length of the beginning of `name` that has at most `most` bytes and only whole characters of UTF-8. */
 static size_t whole_characters(const char *name, size_t most)
 {
@@ -75,9 +107,10 @@ enum bead_error bead_file_part_name(const char *path, char **part, struct bead_m
 static enum bead_error cannot_write(const char *part, int error, struct bead_message *msg)
 {
     return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be written: %s", part,
-                     error == ELOOP   ? "it is a symbolic link"
-                     : error == ENXIO ? "it is not a regular file"
-                                      : strerror(error));
+                     error == ELOOP    ? "it is a symbolic link"
+                     : error == ENXIO  ? "it is not a regular file"
+                     : error == EMLINK ? "it is a file of other names, too (hard links)"
+                                       : strerror(error));
 }
 
 enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg)
@@ -95,11 +128,12 @@ enum bead_error bead_file_open(const char *part, int *descriptor, bool *created,
         return cannot_write(part, errno, msg);
     if (created)
         *created = made;
-    if (fstat(*descriptor, &found) == 0 && S_ISREG(found.st_mode))
+    const bool regular = fstat(*descriptor, &found) == 0 && S_ISREG(found.st_mode);
+    if (regular && found.st_nlink <= 1)
         return BEAD_OK;
     close(*descriptor);
     *descriptor = -1;
-    return cannot_write(part, ENXIO, msg);
+    return cannot_write(part, regular ? EMLINK : ENXIO, msg);
 }
 
 enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg)

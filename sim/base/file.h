@@ -21,12 +21,14 @@
 
 /* Does `path` stay in the directory that it is seen from: is it relative, without `..`? */
 BEAD_INTERNAL bool bead_file_is_inside(const char *path);
+/* Does `path`, which is inside, stay below `directory` where its directories are symbolic links? What is not there yet does. */
+BEAD_INTERNAL bool bead_file_stays_beneath(const char *directory, const char *path);
 /* Name of the unfinished file: `path` and ".part"; of names that the file system would find too long then, the beginning, a
  * fingerprint of the name, and ".part". *part belongs to the caller (free). Errors: MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
 /* Open `part` for reading and writing as it is, or new: a descriptor that the caller closes; -1 on failure. Never through a
- * symbolic link, never anything but a regular file, so that nothing else is overwritten and a FIFO does not block. `created` (may
- * be NULL): it was not there. Errors: IO. */
+ * symbolic link, never anything but a regular file of this one name, so that nothing else is overwritten and a FIFO does not block.
+ * `created` (may be NULL): it was not there. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg);
 /* Open `part` for writing, emptied; opened as above. On failure *file is NULL and no new file is left. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);

@@ -34,10 +34,14 @@ static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
 static enum bead_error session_check_inside(const struct bead_session *s, const struct bead_output *output, const char *path,
                                             struct bead_message *msg)
 {
-    if (s->job.allow_outside || !path || bead_file_is_inside(path))
+    if (s->job.allow_outside || !path)
         return BEAD_OK;
-    return bead_output_wrong(output, msg, "outputs: `%s` leaves the output directory; a scene may do so only with --allow-outside",
-                             path);
+    const bool inside = bead_file_is_inside(path);
+    if (inside && bead_file_stays_beneath(s->job.output ? s->job.output : ".", path))
+        return BEAD_OK;
+    return bead_output_wrong(output, msg,
+                             "outputs: `%s` leaves the output directory%s; a scene may do so only with --allow-outside", path,
+                             inside ? " by a symbolic link" : "");
 }
 
 enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *msg)

@@ -42,4 +42,18 @@ scene 'table: sub/deep/peaks.csv, show: peaks' 'table: ..x/..csv, show: bead-pea
 inside() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made && [ -s made/sub/deep/peaks.csv ] && [ -s made/..x/..csv ] && [ -s made/a/b/c.png ]; }
 ok "directories inside are made" inside
 ok "a trajectory is drawn wherever -o says" exits 0 bash -c "'$beadsim' scene.yaml --set 'outputs=[{trajectory: run.h5}]' -o made && cd in && '$beadreel' ../made/run.h5 -o ../other/new.png"
+
+# Links of an archive that a stranger has packed.
+scene 'table: figures/peaks.csv, show: peaks'
+mkdir -p home archive/inside && echo precious >home/peaks.csv && ln -s ../home archive/figures && ln -s "$PWD/home" archive/absolute && ln -s inside archive/within
+ok "a directory that is a link out of -o is refused" fails 2 "$beadsim" scene.yaml -o archive
+ok "... in words" says "figures/peaks.csv\` leaves the output directory by a symbolic link"
+ok "... an absolute one, too" fails 2 "$beadsim" scene.yaml -o archive --set outputs.0.table=absolute/peaks.csv
+ok "... and one on the way" fails 2 "$beadsim" scene.yaml -o archive --set outputs.0.table=figures/new/peaks.csv
+ok "nothing was overwritten" grep -q precious home/peaks.csv
+ok "... but one that stays inside is followed" exits 0 "$beadsim" scene.yaml -o archive --set outputs.0.table=within/peaks.csv
+ok "... and any with --allow-outside" exits 0 "$beadsim" scene.yaml -o archive --allow-outside
+echo precious >home/hard && ln home/hard archive/h.csv.part
+ok "an unfinished file with other names is refused" fails 1 "$beadsim" scene.yaml -o archive --set outputs.0.table=h.csv
+ok "... and kept" grep -q precious home/hard
 finish
