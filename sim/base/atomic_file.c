@@ -7,11 +7,13 @@
 #include <inttypes.h>
 #include <limits.h>
 #include <linux/openat2.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -280,6 +282,20 @@ uint64_t bead_file_bytes(const char *path)
 {
     struct stat status;
     return path && stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
+}
+
+double bead_file_room(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    BEAD_FREED char *directory = slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
+    struct statvfs found;
+    while (directory && statvfs(directory, &found) != 0) { /* of what is there yet */
+        char *parent = strrchr(directory, '/');
+        if (errno != ENOENT || !parent)
+            return statvfs(".", &found) == 0 ? (double)found.f_bavail * (double)found.f_frsize : INFINITY;
+        parent[parent == directory] = '\0';
+    }
+    return directory ? (double)found.f_bavail * (double)found.f_frsize : INFINITY;
 }
 
 enum bead_error bead_file_write(const char *path, bead_file_fill fill, void *context, uint64_t *bytes, struct bead_message *msg)

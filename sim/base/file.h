@@ -63,6 +63,8 @@ BEAD_INTERNAL void bead_file_discard(const char *part);
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
 /* The directory of the file `path`, with those on the way. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
+/* Bytes that are free for a file of this name; infinite where nobody knows. */
+BEAD_INTERNAL double bead_file_room(const char *path);
 /* Bytes in the file, 0 where there is none. */
 BEAD_INTERNAL uint64_t bead_file_bytes(const char *path);
 

@@ -22,7 +22,7 @@ struct bead_sink {
     char *path, *part;
     char *xdmf; /* name of the XDMF file; NULL: none */
     uint64_t xdmf_bytes;
-    char why[128];
+    char why[256];
     struct bead_h5 h5;
     hid_t time, step, bead_scale, contact_scale, spatial_scale;
     struct bead_series series[BEAD_SERIES_COUNT];

@@ -20,6 +20,8 @@
 /* A flush waits for the disk: it comes every second, or less often where it would take more than a fiftieth of the time. */
 static const double flush_every = 1; /* s */
 static const double flush_part = 1. / 50;
+/* Plans say how large a trajectory becomes from this size on. */
+static const double planned_bytes = 1e9;
 
 static void close_file(struct bead_sink *sink)
 {
@@ -57,6 +59,17 @@ static enum bead_error no_rows(const struct bead_sink *sink, const char *what, s
     return bead_output_wrong(sink->output, msg, "beads: no %s from %zu on", what, sink->output->shown.beads.first);
 }
 
+/* Bytes of all samples. */
+static double sample_bytes(const struct bead_sink *sink)
+{
+    double columns = 0;
+    for (enum bead_series_id id = 0; id < BEAD_SERIES_COUNT; id++) {
+        if (bead_trajectory_wants(sink, id))
+            columns += (double)(bead_series[id].components * (bead_series[id].of_contacts ? sink->contacts : sink->beads));
+    }
+    return sizeof(double) * columns * (double)bead_grid_count(&sink->grid);
+}
+
 /* Find the lengths of the axes, the samples in a chunk, and the line for the plan. */
 static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_message *msg)
 {
@@ -70,8 +83,14 @@ static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_me
     char every[32];
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
     int fields = __builtin_popcount(sink->fields);
-    snprintf(sink->why, sizeof sink->why, "%zu samples of %d field%s, %zu beads, every %s", bead_grid_count(&sink->grid), fields,
-             fields == 1 ? "" : "s", sink->beads, every);
+    const double bytes = sample_bytes(sink), room = bead_file_room(sink->path);
+    const int length = snprintf(sink->why, sizeof sink->why, "%zu samples of %d field%s, %zu beads, every %s",
+                                bead_grid_count(&sink->grid), fields, fields == 1 ? "" : "s", sink->beads, every);
+    if (bytes >= planned_bytes)
+        snprintf(sink->why + length, sizeof sink->why - (size_t)length, ", %.3g GB", 1e-9 * bytes);
+    if (bytes > room)
+        snprintf(sink->why + strlen(sink->why), sizeof sink->why - strlen(sink->why),
+                 "; only %.3g GB are free: a run would be refused", 1e-9 * room);
     return BEAD_OK;
 }
 
@@ -162,6 +181,10 @@ static enum bead_error trajectory_begin(struct bead_sink *sink, struct bead_rang
         err = bead_file_claim(sink->path, &sink->claim, msg);
     if (err)
         return err;
+    const double bytes = sample_bytes(sink), room = bead_file_room(sink->path);
+    if (bytes > room)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: needs %.3g GB for its samples; %.3g GB are free", sink->path, 1e-9 * bytes,
+                         1e-9 * room);
     bead_h5_create(&sink->h5, sink->part, msg);
     if (sink->h5.error)
         return sink->h5.error;

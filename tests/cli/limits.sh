@@ -37,6 +37,17 @@ else
         ok "1e8 beads in every kind of output are planned in 200 MB" cheap
     fi
 fi
+# ---- room on the disk ----
+scene 'bead: large-steel, count: 100000' ', {trajectory: run.h5, every: 1 ps}' >"$T/disk.yaml"
+ok "a trajectory of 8.8 PB is planned" exits 0 "$beadsim" --plan "$T/disk.yaml" -o "$T"
+ok "... with its size and what is free" grep -qE ', 8.8e\+06 GB; only [0-9.e+]+ GB are free: a run would be refused$' "$T/out"
+ok "... and refused before it begins" fails 1 "$beadsim" "$T/disk.yaml" -o "$T/room"
+ok "... in words" says "run.h5: needs 8.8e+06 GB for its samples; "
+ok "... nothing is left" empty "$T/room"
+# 10001 samples of 100 beads in 11 columns; the rest of the file, and its last chunk, are a few per cent of that.
+scene 'bead: large-steel, count: 99' ', {trajectory: run.h5, every: 100 ns}' >"$T/size.yaml"
+as_large() { "$beadsim" "$T/size.yaml" -o "$T" && awk -v is="$(stat -c %s "$T/run.h5")" 'BEGIN { exit !(is >= 8 * 11 * 100 * 10001 && is < 1.04 * 8 * 11 * 100 * 10001) }'; }
+ok "samples are as large as that says" as_large
 # Of many equal cells a plan looks at some only: it says of them what it says of cells whose spins are given one by one.
 cells() { # SPINS
     echo "chain: {precompression: 2 N, beads: [{bead: brass, count: 3}, {cell: [large-steel, aluminium, ptfe], count: 24, spins: $1}, {bead: brass}]}
