@@ -55,6 +55,20 @@ fails() {
 # says TEXT : stderr of the last run has it.
 says() { grep -qF -- "$1" "$T/err" || { echo "'$1' is not in:"; cat "$T/err"; return 1; }; }
 prints() { grep -qF -- "$1" "$T/out" || { echo "'$1' is not in:"; cat "$T/out"; return 1; }; }
+# relay [PREFIX] : the checks (TAP) that the last run printed become checks of this test.
+relay() {
+    local line missing="a part of it"
+    while read -r line; do
+        case $line in
+        "# missing: "*) missing=${line#* missing: } ;;
+        "ok "*" # SKIP") line=${line% # SKIP} && skip "$missing" "${1:-}${line#ok * - }" ;;
+        "ok "*) ok "${1:-}${line#ok * - }" true ;;
+        "not ok "*) ok "${1:-}${line#not ok * - }" false ;;
+        "#"*) echo "$line" ;;
+        esac
+    done <"$T/out"
+    ok "${1:-}the checks came to their end" eval 'grep -q "^1\.\." "$T/out" || { cat "$T/err"; false; }'
+}
 # await COMMAND... : until the command succeeds, at most a minute.
 await() {
     local until=$((SECONDS + 60))

@@ -9,12 +9,5 @@ if ! "$python" -c 'import hypothesis' 2>/dev/null; then
     finish
 fi
 run "$python" tests/properties.py "$beadsim" "${CASES:-20}"
-while read -r line; do
-    case $line in
-    "ok "*) ok "${line#ok * - }" true ;;
-    "not ok "*) ok "${line#not ok * - }" false ;;
-    "#"*) echo "$line" ;;
-    esac
-done <"$T/out"
-ok "the properties came to their end" grep -q '^1\.\.10$' "$T/out"
+relay
 finish

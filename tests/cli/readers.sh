@@ -28,18 +28,6 @@ simulate: {until: 0.4 ms}
 outputs:
   - {trajectory: utf8.h5, every: 1 us, fields: [velocity, contact-force]}
 YAML
-# tell [PREFIX] : what a program said in TAP, as tests of this script.
-tell() {
-    while read -r line; do
-        case $line in
-        "# missing: "*) missing=${line#* missing: } ;;
-        "ok "*" # SKIP") line=${line% # SKIP} && skip "$missing" "$1${line#ok * - }" ;;
-        "ok "*) ok "$1${line#ok * - }" true ;;
-        "not ok "*) ok "$1${line#not ok * - }" false ;;
-        esac
-    done <"$T/out"
-    ok "$1the checks came to their end" grep -q "^1\.\." "$T/out"
-}
 export NODE_PATH=$top/build/npm/node_modules
 demo() { exits 0 "$beadsim" clean-vs-delocalised --only run.h5 --set outputs.run.h5.xdmf=true -o "$T"; }
 for scene in one two utf8 run; do
@@ -50,7 +38,7 @@ for scene in one two utf8 run; do
     few=()
     case $scene in one | utf8) few=(python) ;; esac
     run "$python" -W ignore "$top/tests/readers.py" "$T/$scene.h5" "${few[@]}"
-    tell "$scene: "
+    relay "$scene: "
 done
 
 named() { exits 0 "$beadsim" "$T/two.yaml" -o "$T" --json && prints '"name": "two.xdmf"' && prints '"kind": "xdmf"'; }
@@ -69,7 +57,7 @@ elif ! timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom ab
 else
     ok "H5Web is bundled" "$NODE_PATH/.bin/esbuild" "$top/tests/h5web.jsx" --bundle --format=esm --jsx=automatic --outfile="$T/main.js"
     PYTHONDONTWRITEBYTECODE=1 run timeout 240 "$python" "$top/tests/h5web.py" "$browser" "$T" one.h5 run.h5
-    tell ""
+    relay ""
 fi
 
 # While a run writes, h5py reads what was flushed; HDF5's locks, which the writer does not need, are left out.

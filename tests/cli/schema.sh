@@ -14,12 +14,5 @@ if ! "$python" -c 'import jsonschema, yaml' 2>/dev/null; then
     finish
 fi
 run "$python" tests/schema.py assets/scene.schema.json
-while read -r line; do
-    case $line in
-    "ok "*) ok "${line#ok * - }" true ;;
-    "not ok "*) ok "${line#not ok * - }" false ;;
-    "#"*) echo "$line" ;;
-    esac
-done <"$T/out"
-ok "the checks came to their end" grep -q '^1\.\.' "$T/out"
+relay
 finish
