@@ -3,6 +3,7 @@
 #include "beadreel/sample.h"
 
 #include <math.h>
+#include <stdint.h>
 
 static const struct bead_field_info fields[BEAD_FIELD_COUNT] = {
 #define PLACE_BEAD                                   0
@@ -25,7 +26,8 @@ size_t bead_grid_count(const struct bead_grid *grid)
 {
     if (!(grid->every > 0) || !(grid->end >= grid->start))
         return 0;
-    return (size_t)floor((grid->end - grid->start) / grid->every + slack) + 1;
+    const double last = floor((grid->end - grid->start) / grid->every + slack);
+    return last < 0x1p63 ? (size_t)last + 1 : SIZE_MAX;
 }
 
 double bead_grid_time(const struct bead_grid *grid, size_t index)

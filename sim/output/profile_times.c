@@ -3,6 +3,7 @@
 #include "sim/output/profile_times.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/output/sink_grid.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -97,9 +98,12 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
     }
     for (size_t i = 1; i < last; i++)
         gap = fmin(gap, output->curves.profile_times[i + 1] - output->curves.profile_times[i]);
-    for (int parts = 1; parts <= MOST_PARTS && gap / parts > 0; parts++) {
-        if (hits(output, from, gap / parts))
-            return (struct bead_grid){from, gap / parts, to};
+    for (int parts = 1; parts <= MOST_PARTS; parts++) {
+        const struct bead_grid grid = {from, gap / parts, to};
+        if (bead_grid_is_too_fine(&grid))
+            break;
+        if (hits(output, from, grid.every))
+            return grid;
     }
     double every = context->resolution / 8;
     return (struct bead_grid){from, every, fmin(context->end, from + ceil((to - from) / every) * every)};

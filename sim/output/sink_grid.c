@@ -17,6 +17,11 @@ double bead_round_down(double x)
 /* More samples than this are a mistake on any disk. */
 static const double most_samples = 1e10;
 
+bool bead_grid_is_too_fine(const struct bead_grid *grid)
+{
+    return !((grid->end - grid->start) / grid->every < most_samples);
+}
+
 /* Move a grid onto the times of `native`. */
 static void snap(const struct bead_grid *native, double every, struct bead_grid *grid)
 {
@@ -38,7 +43,7 @@ enum bead_error bead_sink_grid(const struct bead_output *output, const struct be
         return bead_output_wrong(output, msg, "time: starts at %g, but the run ends at %g", grid->start, grid->end);
     if (context->native.every > 0)
         snap(&context->native, output->shown.every, grid);
-    if (!((grid->end - grid->start) / grid->every < most_samples))
+    if (bead_grid_is_too_fine(grid))
         return bead_output_wrong(output, msg, "every: %g gives %.3g samples; at most %g are allowed", grid->every,
                                  (grid->end - grid->start) / grid->every, most_samples);
     if (bead_grid_count(grid) == 0)

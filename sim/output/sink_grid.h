@@ -2,6 +2,7 @@
 /* Sample times, spans and texts shared by all sinks. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/sink.h"
@@ -9,6 +10,9 @@
 
 /* The largest of 1, 2, 5 x 10^n that is <= x, for x > 0. */
 double bead_round_down(double x);
+
+/* More samples than any output may have? */
+bool bead_grid_is_too_fine(const struct bead_grid *grid);
 
 /* The times that `output` asks for: from output->shown.time[0] or 0 to output->shown.time[1] or the end of the run, whichever is
  * earlier; every output->shown.every, or a round time within the run context's resolution. If samples exist only at given times

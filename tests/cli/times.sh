@@ -66,4 +66,7 @@ for beads in '[{cell: [large-steel, aluminium], count: 30, spins: random, magnet
         ok "... no force was still rising" closed "many$n/peaks.csv"
     done
 done
+# Times that no grid has are reached between samples.
+ok "a moment next to another" exits 0 "$beadsim" shock --plan --set 'outputs=[{table: t.csv, show: profiles, at: [0, 1e-300, 3.86]}]'
+ok "... takes no samples without number" bash -c "sed -n 's/.*, \([0-9]*\) times every.*/\1/p' '$T/out' | awk '{ exit !(\$1 > 0 && \$1 < 1e5) }'"
 finish
