@@ -18,7 +18,7 @@ def path(text):
 
 def long_strokes(axis):
     """Of the path of ticks that keep this coordinate: where those with labels, the longest, begin."""
-    for d in re.findall(r'<path style="fill:none;[^"]*" d="([^"]+)"', svg):
+    for d in re.findall(r'<path [^>]*fill(?:="none"|:none;)[^>]* d="([^"]+)"', svg):
         points_of = [] if "Z" in d else path(d)  # no frame
         strokes = list(zip(points_of[::2], points_of[1::2]))
         if len(strokes) > 1 and all(abs(a[axis] - b[axis]) < 1e-9 for a, b in strokes):
