@@ -24,9 +24,9 @@ enum { NOISE_DRAWS = 2000 };
 
 static double coefficient(const struct bead_drive *drive, int64_t i)
 {
-    static const double scale = 1.4443396906, root_three = 1.7320508075688772; /* sqrt(315/151) */
+    static const double root_three = 1.7320508075688772;
     const double uniform = ((double)(bead_draw(drive->seed, NOISE_DRAWS, (uint64_t)i) >> 11) + 0.5) * 0x1p-53;
-    return scale * root_three * (2 * uniform - 1);
+    return sqrt(315. / 151) * root_three * (2 * uniform - 1);
 }
 
 static struct bead_wave_at noise(const struct bead_drive *drive, double t)
