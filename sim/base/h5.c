@@ -66,11 +66,9 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
 /* By a call of the system, which left `error` in errno. `done`: "read" or "written". */
 static enum bead_error fail_by(struct bead_h5 *h5, const char *done, int error)
 {
-    const enum bead_error code = h5->code;
-    h5->code = error == ENOMEM ? BEAD_ERROR_MEMORY : code;
-    bead_h5_fail(h5, false, "cannot be %s: %s", done, strerror(error));
-    h5->code = code;
-    return h5->error;
+    if (error == ENOMEM)
+        h5->code = BEAD_ERROR_MEMORY; /* the first error stays */
+    return bead_h5_fail(h5, false, "cannot be %s: %s", done, strerror(error));
 }
 
 /* Open the new file and empty it; false on failure. */

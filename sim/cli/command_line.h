@@ -171,8 +171,9 @@ void command_meter_tell(void *context, const struct bead_progress *progress);
 /* Clear the terminal's line, so that other text can be written. */
 void command_meter_clear(struct command_meter *meter);
 
-/* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
 /* The beads of a chain by materials, and the stiffness of its contacts: how the scene was understood. */
 void command_print_beads(FILE *out, const struct bead_chain *chain);
 void command_write_beads(struct json *json, const struct bead_chain *chain);
+
+/* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
 const char *command_quantity(double value, const char *unit, char *text, size_t size);

@@ -234,8 +234,9 @@ bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size
         return false;
     size_t row = index + 1; /* 0: the clean chain */
     bool known = sweep->known[p->first_job + row];
-    *found = (struct bead_sweep_configuration){.spins = p->spins + row * p->shown.spec->cells};
-    found->magnetism = bead_sweep_is_over(p) ? NAN : magnetism_of(pattern_of(sweep, p), found->spins);
+    found->spins = p->spins + row * p->shown.spec->cells;
+    if (!bead_sweep_is_over(p))
+        found->magnetism = magnetism_of(pattern_of(sweep, p), found->spins);
     if (!known)
         return false;
     found->peaks = p->shown.places ? p->peaks + row * p->shown.places : NULL;
