@@ -167,6 +167,13 @@ enum bead_error bead_file_close(FILE *file, const char *part, struct bead_messag
     return BEAD_OK;
 }
 
+/* "a/b" of "a/b/c", "/" of "/c", "." of "c"; to be freed, NULL: no memory. */
+static char *directory_of(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
+}
+
 /* Returns 0 or an errno. EINVAL is not a failure: the file system cannot sync such an object. */
 static int sync_path(const char *path, int flags)
 {
@@ -181,15 +188,9 @@ static int sync_path(const char *path, int flags)
 /* The rename must reach the disk, too. A directory without read permission cannot be synced, which is not a failure. */
 static void sync_directory(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    if (!slash) {
-        sync_path(".", O_RDONLY | O_DIRECTORY);
-        return;
-    }
-    char *directory = strndup(path, slash == path ? 1 : (size_t)(slash - path));
+    BEAD_FREED char *directory = directory_of(path);
     if (directory)
         sync_path(directory, O_RDONLY | O_DIRECTORY);
-    free(directory);
 }
 
 enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg)
@@ -286,14 +287,14 @@ uint64_t bead_file_bytes(const char *path)
 
 double bead_file_room(const char *path)
 {
-    const char *slash = strrchr(path, '/');
-    BEAD_FREED char *directory = slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
     struct statvfs found;
-    while (directory && statvfs(directory, &found) != 0) { /* of what is there yet */
-        char *parent = strrchr(directory, '/');
-        if (errno != ENOENT || !parent)
-            return statvfs(".", &found) == 0 ? (double)found.f_bavail * (double)found.f_frsize : INFINITY;
-        parent[parent == directory] = '\0';
+    BEAD_FREED char *directory = directory_of(path);
+    while (directory && statvfs(directory, &found) != 0) {
+        if (errno != ENOENT || strcmp(directory, ".") == 0 || strcmp(directory, "/") == 0)
+            return INFINITY;
+        char *parent = directory_of(directory); /* of one that is not there yet */
+        free(directory);
+        directory = parent;
     }
     return directory ? (double)found.f_bavail * (double)found.f_frsize : INFINITY;
 }
