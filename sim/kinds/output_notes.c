@@ -8,15 +8,13 @@
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
 
-enum { MOST_NOTES = 100, MOST_STOPS = 200, MOST_BEADS = 200000000 };
+enum { MOST_NOTES = 100, MOST_STOPS = 200 };
 
-static enum bead_error read_index(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
-                                  size_t *index)
+static enum bead_error read_index(const struct bead_reader *reader, const struct bead_at *at, size_t *index)
 {
-    double number;
-    BEAD_TRY(bead_read_number(reader, at, option, &number));
-    if (number != floor(number))
-        return bead_must_be(reader, at, "a whole number");
+    static const struct bead_option row = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
+    double number = 0;
+    BEAD_TRY(bead_read_number(reader, at, &row, &number));
     *index = (size_t)number;
     return BEAD_OK;
 }
@@ -31,7 +29,7 @@ static BEAD_OPTION_READER(read_bead)
         return BEAD_OK;
     }
     note->of = BEAD_NOTE_BEAD;
-    return read_index(reader, at, option, &note->number);
+    return read_index(reader, at, &note->number);
 }
 
 static BEAD_OPTION_READER(read_contact)
@@ -39,7 +37,7 @@ static BEAD_OPTION_READER(read_contact)
     struct bead_note *note = settings;
     BEAD_TRY(bead_not_beside(reader, at, "bead"));
     note->of = BEAD_NOTE_CONTACT;
-    return read_index(reader, at, option, &note->number);
+    return read_index(reader, at, &note->number);
 }
 
 static BEAD_OPTION_READER(read_chain)
@@ -49,11 +47,11 @@ static BEAD_OPTION_READER(read_chain)
 
 static const struct bead_option note_rows[] = {
     {"bead", BEAD_OPTION_CUSTOM, .initial = "front", .shape = "front, wall or the number of a bead", .like = "front|wall|number",
-     .high = MOST_BEADS, .read = read_bead,
+     .read = read_bead,
      .help = "what the note points at: a bead, the wave's front, also on its way back, or the wall. What is not on the stage is "
              "pointed at in the row of all beads below it",
      .example = "40"},
-    {"contact", BEAD_OPTION_CUSTOM, .shape = "the number of a contact", .like = "number", .high = MOST_BEADS, .read = read_contact,
+    {"contact", BEAD_OPTION_CUSTOM, .shape = "the number of a contact", .like = "number", .read = read_contact,
      .help = "instead of `bead`: a contact; 0 is that of the striker", .example = "12"},
     {"chain", BEAD_OPTION_CUSTOM, .shape = "all, or the name of a chain", .like = "text", .read = read_chain,
      .help = "in which chain; default: the first", .example = "Clean"},
