@@ -372,25 +372,27 @@ static enum bead_error read_initial(struct bead_reader *reader, const struct bea
     return read_value(reader, &at, option, settings);
 }
 
-/* What a key is called by others, where the table has it under our name. */
-static const char *called_here(const char *key, const struct bead_options *options)
+/* What others call a key that the table has under our name. */
+static const struct called {
+    const char *theirs, *ours, *but;
+} called[] = {{"diameter", "radius", ", half of it"},
+              {"young", "modulus", ""},
+              {"youngs_modulus", "modulus", ""},
+              {"E", "modulus", ""},
+              {"nu", "poisson", ""},
+              {"rho", "density", ""},
+              {"speed", "velocity", ""},
+              {"v0", "velocity", ""},
+              {"material", "bead", ""},
+              {"n", "count", ""},
+              {"number", "count", ""},
+              {"cmap", "colormap", ""}};
+
+static const struct called *called_here(const char *key, const struct bead_options *options)
 {
-    static const char *const names[][2] = {{"diameter", "radius`, half of it: `radius"},
-                                           {"young", "modulus"},
-                                           {"youngs_modulus", "modulus"},
-                                           {"E", "modulus"},
-                                           {"nu", "poisson"},
-                                           {"rho", "density"},
-                                           {"speed", "velocity"},
-                                           {"v0", "velocity"},
-                                           {"material", "bead"},
-                                           {"n", "count"},
-                                           {"number", "count"},
-                                           {"cmap", "colormap"}};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        const char *last = strrchr(names[i][1], '`');
-        if (strcmp(key, names[i][0]) == 0 && bead_options_find(options, last ? last + 1 : names[i][1]))
-            return names[i][1];
+    for (size_t i = 0; i < sizeof called / sizeof *called; i++) {
+        if (strcmp(key, called[i].theirs) == 0 && bead_options_find(options, called[i].ours))
+            return &called[i];
     }
     return NULL;
 }
@@ -414,9 +416,9 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
         return bead_wrong(reader, at, "unknown key; is the colon missing behind `%s`?", word);
     if (!at->up->up && reader->tables && reader->tables->home(at->key, near, sizeof near))
         return bead_wrong(reader, at, "unknown key; did you mean `%s`?", near);
-    const char *here = called_here(at->key, options);
+    const struct called *here = called_here(at->key, options);
     if (here)
-        return bead_wrong(reader, at, "unknown key; did you mean `%s`?", here);
+        return bead_wrong(reader, at, "unknown key; did you mean `%s`%s?", here->ours, here->but);
     if (search.best)
         return bead_wrong(reader, at, "unknown key%s", bead_suggest_text(&search, near, sizeof near));
     return bead_wrong(reader, at, "unknown key; known are %s", all);

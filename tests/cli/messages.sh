@@ -33,7 +33,7 @@ ok "... too" says 'did you mean `simulate.until`?'
 ok "a film as an image" told 'scene.yaml:2:19: outputs.0.image: `a.mp4` lacks the extension of files of this kind; must be a name with .png, .pdf or .svg; did you mean `movie: a.mp4`?' \
     "chain: {beads: [{bead: brass}]}\noutputs: [{image: a.mp4}]"
 ok "a page as a table" told 'did you mean `report: a.html`?' "chain: {beads: [{bead: brass}]}\noutputs: [{table: a.html}]"
-ok "a key under another name" told 'scene.yaml:1:31: chain.beads.0.diameter: unknown key; did you mean `radius`, half of it: `radius`?' "chain: {beads: [{bead: brass, diameter: 9 mm}]}$end"
+ok "a key under another name" told 'scene.yaml:1:31: chain.beads.0.diameter: unknown key; did you mean `radius`, half of it?' "chain: {beads: [{bead: brass, diameter: 9 mm}]}$end"
 ok "... of a material" told 'materials.x.young: unknown key; did you mean `modulus`?' "materials: {x: {young: 1 GPa, poisson: .3, radius: 1 mm, mass: 1 g}}\nchain: {beads: [{bead: x}]}$end"
 ok "a strike without speed" told 'scene.yaml: simulate.step: nothing moves at first, so no step follows from the motion: give `chain.striker.velocity` or a `start`, or a step' \
     "chain: {beads: [{bead: brass}], striker: {velocity: 0}}$end"
