@@ -21,7 +21,8 @@ enum { SHORT = 64 };
 /* Relative uncertainty of a peak that is not predictable: chosen, where .03 and .3 were tried as well. */
 static const double lost = 0.1;
 /* A later maximum overtakes with a probability of a thousandth if it has to be higher than expected by so many standard deviations
- * of its logarithm, were logarithms normal deviates. That is supposed, not measured: a longer tail would be overtaken more often. */
+ * of its logarithm, were logarithms normal deviates. That is supposed, not measured: a longer tail would be overtaken more often.
+ */
 static const double deviations = 3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
