@@ -251,6 +251,8 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
 # Tests whose allocations fail have an allocator of their own.
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
+# Its locks fail where it says so.
+with_test_files = -Wl,--wrap=flock
 # It looks at the layouts of all figures.
 with_test_ready_figures = -Wl,--wrap=graph_layout_make
 # By room: make would look a name up where an old build knew it. Compiled by itself, for ccache.

@@ -8,6 +8,7 @@
 #include <limits.h>
 #include <linux/openat2.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,6 +86,10 @@ bool bead_file_stays_beneath(const char *directory, const char *path)
     return stays;
 }
 
+/* Of the file that claims an unfinished one where there are no locks, and of the one that keeps others from taking over the claim
+ * of a run that was killed. */
+static const char claim_ending[] = ".lock", taking_ending[] = ".take";
+
 /* Length of the beginning of `name` that has at most `most` bytes and only whole characters of UTF-8. */
 static size_t whole_characters(const char *name, size_t most)
 {
@@ -98,7 +103,7 @@ enum bead_error bead_file_part_name(const char *path, char **part, struct bead_m
     static const char ending[] = ".part";
     char mark[32]; /* "~0123456789abcdef" */
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    const size_t length = strlen(name), room = NAME_MAX - (sizeof ending - 1);
+    const size_t length = strlen(name), room = NAME_MAX - (sizeof ending - 1) - (sizeof claim_ending - 1);
     if (length <= room || length > NAME_MAX)
         return concatenate(path, strlen(path), "", ending, part, msg);
     const int marked = snprintf(mark, sizeof mark, "~%016" PRIx64, bead_fingerprint(BEAD_FINGERPRINT_START, name, length));
@@ -207,8 +212,7 @@ enum bead_error bead_file_commit(const char *part, const char *path, struct bead
 }
 
 struct bead_claim {
-    int descriptor;
-    bool created;
+    struct bead_file_lock lock;
     char *part;
 };
 
@@ -220,22 +224,125 @@ static bool still_names(const char *part, int descriptor)
            open_file.st_ino == named.st_ino;
 }
 
-enum bead_error bead_file_lock(const char *part, const char *path, int *descriptor, bool *created, struct bead_message *msg)
+/* Claims beside a file say whose they are: "PID HOST BOOT NAMESPACE", where process numbers hold for one boot and one namespace. */
+struct owner {
+    int pid;
+    char host[80], boot[64], space[64];
+};
+
+static struct owner this_process(void)
 {
+    struct owner own = {.pid = (int)getpid(), .host = "?", .boot = "?", .space = "?"};
+    FILE *boot = fopen("/proc/sys/kernel/random/boot_id", "re");
+    if (gethostname(own.host, sizeof own.host - 1) != 0 || !*own.host)
+        strcpy(own.host, "?");
+    if (boot && fscanf(boot, "%63s", own.boot) != 1)
+        strcpy(own.boot, "?");
+    if (boot)
+        fclose(boot);
+    const ssize_t length = readlink("/proc/self/ns/pid", own.space, sizeof own.space - 1);
+    if (length > 0)
+        own.space[length] = '\0';
+    return own;
+}
+
+/* Whose claim it is; false: it does not say so, perhaps not yet. */
+static bool read_owner(const char *beside, struct owner *owner)
+{
+    const int descriptor = open(beside, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "r");
+    *owner = (struct owner){.host = "?"};
+    const bool read = file && fscanf(file, "%d %79s %63s %63s", &owner->pid, owner->host, owner->boot, owner->space) == 4;
+    if (file)
+        fclose(file);
+    else if (descriptor >= 0)
+        close(descriptor);
+    return read;
+}
+
+/* Was it a process of this machine that is there no more? */
+static bool is_gone(const struct owner *owner, const struct owner *own)
+{
+    return strcmp(own->boot, "?") != 0 && strcmp(own->space, "?") != 0 && strcmp(owner->boot, own->boot) == 0 &&
+           strcmp(owner->space, own->space) == 0 && owner->pid > 0 && kill(owner->pid, 0) != 0 && errno == ESRCH;
+}
+
+/* Returns 0 or an errno; EEXIST: it is there. */
+static int make_claim(const char *name, const struct owner *own)
+{
+    const int descriptor = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+        return errno;
+    const bool said = dprintf(descriptor, "%d %s %s %s\n", own->pid, own->host, own->boot, own->space) > 0;
+    const int error = said ? 0 : errno;
+    if (close(descriptor) == 0 && said)
+        return 0;
+    unlink(name);
+    return error ? error : EIO;
+}
+
+/* Of two runs that find the claim of a killed one, one takes it over: who first makes the file `taking`. */
+static void take_over(const char *beside, const char *taking, const struct owner *own)
+{
+    struct owner owner;
+    if (make_claim(taking, own) != 0)
+        return;
+    if (read_owner(beside, &owner) && is_gone(&owner, own))
+        unlink(beside);
+    unlink(taking);
+}
+
+/* On file systems without locks: a file that only one run can make. */
+static enum bead_error claim_beside(const char *part, const char *path, struct bead_file_lock *lock, struct bead_message *msg)
+{
+    BEAD_FREED char *taking = NULL;
+    const struct owner own = this_process();
+    struct owner owner;
+    BEAD_TRY(concatenate(part, strlen(part), taking_ending, "", &taking, msg));
+    BEAD_TRY(concatenate(part, strlen(part), claim_ending, "", &lock->beside, msg));
+    int error = make_claim(lock->beside, &own);
+    if (error == EEXIST && read_owner(lock->beside, &owner) && is_gone(&owner, &own)) {
+        take_over(lock->beside, taking, &own);
+        error = make_claim(lock->beside, &own);
+    }
+    if (!error)
+        return BEAD_OK;
+    BEAD_FREED char *name = lock->beside;
+    lock->beside = NULL;
+    if (error != EEXIST)
+        return cannot_write(name, error, msg);
+    read_owner(name, &owner);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run is writing it, process %d on %s; if that is gone, remove %s", path,
+                     owner.pid, owner.host, name);
+}
+
+enum bead_error bead_file_lock(const char *part, const char *path, struct bead_file_lock *lock, struct bead_message *msg)
+{
+    *lock = (struct bead_file_lock){.descriptor = -1};
     for (;;) { /* again if another run finished and renamed the file in between */
-        enum bead_error err = bead_file_open(part, descriptor, created, msg);
-        if (err)
-            return err;
-        bool locked = flock(*descriptor, LOCK_EX | LOCK_NB) == 0;
+        BEAD_TRY(bead_file_open(part, &lock->descriptor, &lock->created, msg));
+        enum bead_error err = BEAD_OK;
+        const bool locked = flock(lock->descriptor, LOCK_EX | LOCK_NB) == 0;
         if (!locked && errno == EWOULDBLOCK)
             err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run is writing it", path);
-        else if (still_names(part, *descriptor)) /* on file systems without locks, unlocked */
+        else if (!locked)
+            err = claim_beside(part, path, lock, msg);
+        if (!err && still_names(part, lock->descriptor))
             return BEAD_OK;
-        close(*descriptor);
-        *descriptor = -1;
+        bead_file_unlock(lock);
         if (err)
             return err;
     }
+}
+
+void bead_file_unlock(struct bead_file_lock *lock)
+{
+    if (lock->beside)
+        unlink(lock->beside);
+    if (lock->descriptor >= 0)
+        close(lock->descriptor);
+    free(lock->beside);
+    *lock = (struct bead_file_lock){.descriptor = -1};
 }
 
 enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, struct bead_message *msg)
@@ -246,7 +353,7 @@ enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, str
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a file name");
     enum bead_error err = bead_file_part_name(path, &made->part, msg);
     if (!err)
-        err = bead_file_lock(made->part, path, &made->descriptor, &made->created, msg);
+        err = bead_file_lock(made->part, path, &made->lock, msg);
     if (!err) {
         *claim = made;
         return BEAD_OK;
@@ -256,10 +363,24 @@ enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, str
     return err;
 }
 
+const char *bead_file_claimed_by(const struct bead_claim *claim)
+{
+    return claim ? claim->lock.beside : NULL;
+}
+
+static void remove_part(const struct bead_claim *claim)
+{
+    if (claim->lock.created && still_names(claim->part, claim->lock.descriptor))
+        unlink(claim->part);
+}
+
 void bead_file_abandon(const struct bead_claim *claim)
 {
-    if (claim && claim->created && still_names(claim->part, claim->descriptor))
-        unlink(claim->part);
+    if (!claim)
+        return;
+    remove_part(claim);
+    if (claim->lock.beside)
+        unlink(claim->lock.beside);
 }
 
 void bead_file_release(struct bead_claim *claim, bool keep)
@@ -267,8 +388,8 @@ void bead_file_release(struct bead_claim *claim, bool keep)
     if (!claim)
         return;
     if (!keep)
-        bead_file_abandon(claim);
-    close(claim->descriptor);
+        remove_part(claim);
+    bead_file_unlock(&claim->lock);
     free(claim->part);
     free(claim);
 }

@@ -37,12 +37,22 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char 
 /* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO.
  */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
-/* Open `part` as bead_file_open does, and lock it (flock) until the descriptor is closed, as the unfinished file of `path`. Errors:
- * USAGE (another run is writing it), IO. */
-BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_lock(const char *part, const char *path, int *descriptor, bool *created,
-                                                        struct bead_message *msg);
+/* A lock on an unfinished file, which is open: flock, or, on file systems that have none, a file beside it that only one run can
+ * make. */
+struct bead_file_lock {
+    int descriptor; /* of the unfinished file, for reading and writing; -1: none */
+    bool created;   /* it was not there */
+    char *beside;   /* name of the file beside it; NULL: none is needed */
+};
 
-/* A claim on a file that a run is going to write: its unfinished file is locked (flock) until the claim is released, so that of two
+/* Open `part` as bead_file_open does, and lock it as the unfinished file of `path`. The claim of a run that was killed on this
+ * machine is taken over. On failure nothing is held. Errors: USAGE (another run is writing it), IO, MEMORY. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_lock(const char *part, const char *path, struct bead_file_lock *lock,
+                                                        struct bead_message *msg);
+/* Close the unfinished file and give up the lock. */
+BEAD_INTERNAL void bead_file_unlock(struct bead_file_lock *lock);
+
+/* A claim on a file that a run is going to write: its unfinished file is locked until the claim is released, so that of two
  * runs with the same output the second is refused before it has touched anything.
  *
  *   bead_file_claim(path, &claim, msg);    ... write and commit `path` as above ...    bead_file_release(claim, false); */
@@ -54,7 +64,10 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_claim(const char *path, struc
  * happens.
  */
 BEAD_INTERNAL void bead_file_release(struct bead_claim *claim, bool keep);
-/* Remove the unfinished file, as bead_file_release does; may be called in handlers of signals. NULL: nothing happens. */
+/* The file that stands for the claim where there are no locks; NULL: there are, or claim is NULL. */
+BEAD_INTERNAL const char *bead_file_claimed_by(const struct bead_claim *claim);
+/* Remove the unfinished file and what stands for the claim, as bead_file_release does; may be called in handlers of signals. NULL:
+ * nothing happens. */
 BEAD_INTERNAL void bead_file_abandon(const struct bead_claim *claim);
 
 /* Remove `part` (NULL, or not there: nothing happens). */

@@ -30,9 +30,9 @@ struct bead_made {
     struct bead_range range; /* found by scouting */
 };
 
-/* Warnings, in this order: numbers that can hardly be meant; a step that is too long; a model that does not hold; chains without
- * an end; peaks that could not be verified. */
-enum { SESSION_DOUBTS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_LOST, SESSION_UNVERIFIED, SESSION_WARNINGS };
+/* Warnings, in this order: numbers that can hardly be meant; a file system without locks; a step that is too long; a model that
+ * does not hold; chains without an end; peaks that could not be verified. */
+enum { SESSION_DOUBTS, SESSION_NO_LOCKS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_LOST, SESSION_UNVERIFIED, SESSION_WARNINGS };
 
 struct bead_sensitivities; /* session_sensitivity.c */
 struct bead_joined;        /* session_join.c */

@@ -15,7 +15,7 @@
 
 /* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
 
-static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
+static enum bead_error claim(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     /* The unfinished file of a sweep's results is a journal, which locks itself. */
     if (bead_session_holds_sweep(m) || !bead_session_makes(m))
@@ -26,6 +26,10 @@ static enum bead_error claim(struct bead_made *m, struct bead_message *msg)
     for (int i = 0; i < 2 && files[i]; i++) {
         BEAD_TRY(bead_file_make_parents(files[i], msg));
         BEAD_TRY(bead_file_claim(files[i], &m->claims[i], msg));
+        const char *claimed_by = bead_file_claimed_by(m->claims[i]);
+        if (claimed_by && !*s->warning[SESSION_NO_LOCKS])
+            snprintf(s->warning[SESSION_NO_LOCKS], sizeof s->warning[SESSION_NO_LOCKS],
+                     "no locks on this file system: until the end, %.400s and its like keep other runs away", claimed_by);
     }
     return BEAD_OK;
 }
@@ -48,7 +52,7 @@ enum bead_error bead_session_claim(struct bead_session *s, struct bead_message *
 {
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < s->made_count && !err; i++)
-        err = claim(&s->made[i], msg);
+        err = claim(s, &s->made[i], msg);
     if (err)
         bead_session_release(s);
     return err;

@@ -24,7 +24,8 @@ struct head {
 };
 
 struct bead_sweep_journal {
-    int file;
+    struct bead_file_lock lock;
+    int file; /* that of the lock */
     char *path;
     uint64_t *record; /* label, results, checksum */
     double synced;    /* s, clock */
@@ -174,7 +175,8 @@ static enum bead_error journal_begin(struct bead_sweep_journal *j, struct bead_s
     bool fresh = false;
     struct head head = head_of(sweep);
     off_t end = (off_t)sizeof head;
-    BEAD_TRY(bead_file_lock(j->path, j->path, &j->file, NULL, msg));
+    BEAD_TRY(bead_file_lock(j->path, j->path, &j->lock, msg));
+    j->file = j->lock.descriptor;
     enum bead_error err = check_head(j, sweep, &fresh, msg);
     j->empty = !err && fresh;
     if (!err && fresh &&
@@ -255,8 +257,7 @@ void bead_sweep_journal_close(struct bead_sweep_journal *j)
         return;
     if (j->empty)
         bead_file_discard(j->path); /* before the lock is released */
-    if (j->file >= 0)
-        close(j->file); /* all is written; releases the lock */
+    bead_file_unlock(&j->lock);     /* all is written */
     free(j->path);
     free(j->record);
     free(j);

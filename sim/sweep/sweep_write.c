@@ -234,17 +234,17 @@ static enum bead_error name_of_new(const char *path, char **name, struct bead_me
 enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg)
 {
     BEAD_FREED char *name = NULL;
-    int lock = -1;
+    struct bead_file_lock lock;
     enum bead_error err = name_of_new(path, &name, msg);
     if (!err)
-        err = bead_file_lock(name, path, &lock, NULL, msg);
+        err = bead_file_lock(name, path, &lock, msg);
     if (!err) {
         err = write_file(sweep, name, msg);
         if (err)
             bead_file_discard(name);
         else
             err = bead_file_commit(name, path, msg);
-        close(lock);
+        bead_file_unlock(&lock);
     }
     return err;
 }

@@ -154,4 +154,21 @@ limited() {
     [ $status -eq 152 ] && says "stopped by signal 24" && "$beadsim" --info limited/run.h5.part >/dev/null
 }
 ok "a limit of CPU time stops a run in good order" limited
+
+# ---- no locks ----
+if [ "${sanitized:-}" ] || ! refuse flock -1 37; then # ENOLCK
+    skip "a compiler, and a build without sanitizers" "file systems without locks"
+else
+    lockless() { LD_PRELOAD=$T/flock.so "$@"; }
+    LD_PRELOAD=$T/flock.so "$beadsim" long.yaml -o shared --progress none >first 2>&1 &
+    first=$!
+    for _ in $(seq 100); do [ ! -e shared/run.h5.part.lock ] || break; sleep .1; done
+    ok "without locks, the second of two runs is refused" fails 2 lockless "$beadsim" long.yaml -o shared
+    ok "... and told of the first" says "another run is writing it, process $first on $(uname -n); if that is gone, remove shared/run.h5.part.lock"
+    kill -KILL $first
+    wait $first 2>/dev/null
+    ok "the claim of a killed run is taken over" exits 0 lockless "$beadsim" run.yaml -o shared
+    ok "... with a word" says "warning: no locks on this file system: until the end, shared/run.h5.part.lock and its like"
+    ok "... and nothing stays" test "$(ls shared)" = run.h5
+fi
 finish

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "sim/base/file.h"
@@ -128,6 +129,119 @@ static void what_a_killed_run_left_stays_until_it_is_written_over(void **state)
     assert_true(holds(part, "left"));
 }
 
+/* ---- file systems without locks ---- */
+
+static int lock_error; /* 0: flock works */
+int __real_flock(int, int);
+int __wrap_flock(int, int);
+int __wrap_flock(int descriptor, int operation)
+{
+    if (!lock_error)
+        return __real_flock(descriptor, operation);
+    errno = lock_error;
+    return -1;
+}
+
+static void without_locks(int error, const char *name, char path[PATH_MAX], char beside[PATH_MAX])
+{
+    char claimed[64];
+    lock_error = error;
+    snprintf(claimed, sizeof claimed, "%s.part.lock", name);
+    in_directory(name, path);
+    in_directory(claimed, beside);
+}
+
+static void claims_hold_without_locks(void **state)
+{
+    (void)state;
+    static const int errors[] = {ENOLCK, ENOTSUP, ENOSYS};
+    char path[PATH_MAX], beside[PATH_MAX];
+    for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
+        struct bead_message msg = {.text = ""};
+        struct bead_claim *first, *second;
+        without_locks(errors[i], "unlocked.csv", path, beside);
+        assert_int_equal(bead_file_claim(path, &first, &msg), BEAD_OK);
+        assert_string_equal(bead_file_claimed_by(first), beside);
+        assert_int_equal(bead_file_claim(path, &second, &msg), BEAD_ERROR_USAGE);
+        assert_non_null(strstr(msg.text, "another run"));
+        assert_non_null(strstr(msg.text, beside));
+        bead_file_release(first, false);
+        assert_int_not_equal(access(beside, F_OK), 0);
+        assert_int_equal(bead_file_claim(path, &first, &msg), BEAD_OK);
+        bead_file_abandon(first); /* as a fault does */
+        assert_int_not_equal(access(beside, F_OK), 0);
+        bead_file_release(first, false);
+    }
+    lock_error = 0;
+}
+
+/* In a process that ends without giving up its claim, as one that is killed. */
+static void claim_and_end(const char *path)
+{
+    struct bead_claim *claim;
+    const pid_t child = fork();
+    if (child == 0)
+        _exit(bead_file_claim(path, &claim, NULL) == BEAD_OK ? 0 : 1);
+    int status = -1;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(status, 0);
+}
+
+static void the_claim_of_a_killed_run_is_taken_over_by_one(void **state)
+{
+    (void)state;
+    enum { RUNS = 8 };
+    char path[PATH_MAX], beside[PATH_MAX];
+    int begin[2];
+    pid_t runs[RUNS];
+    without_locks(ENOLCK, "killed.csv", path, beside);
+    claim_and_end(path);
+    assert_int_equal(access(beside, F_OK), 0);
+    assert_int_equal(pipe(begin), 0);
+    for (int i = 0; i < RUNS; i++) {
+        runs[i] = fork();
+        if (runs[i] == 0) {
+            char byte;
+            struct bead_claim *claim;
+            close(begin[1]);
+            (void)!read(begin[0], &byte, 1); /* until all are there */
+            const bool mine = bead_file_claim(path, &claim, NULL) == BEAD_OK;
+            usleep(300000); /* the others find a living process */
+            if (mine)
+                bead_file_release(claim, false);
+            _exit(mine ? 1 : 0);
+        }
+    }
+    close(begin[0]);
+    close(begin[1]);
+    int winners = 0, status = 0;
+    for (int i = 0; i < RUNS; i++) {
+        assert_int_equal(waitpid(runs[i], &status, 0), runs[i]);
+        winners += WEXITSTATUS(status);
+    }
+    assert_int_equal(winners, 1);
+    assert_int_not_equal(access(beside, F_OK), 0);
+    lock_error = 0;
+}
+
+static void a_claim_of_another_machine_is_left_alone(void **state)
+{
+    (void)state;
+    static char *const foreign[] = {"1 elsewhere 00000000-0000-0000-0000-000000000000 pid:[1]\n", "999999 elsewhere", ""};
+    char path[PATH_MAX], beside[PATH_MAX];
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
+        struct bead_message msg = {.text = ""};
+        struct bead_claim *claim;
+        without_locks(ENOLCK, "foreign.csv", path, beside);
+        assert_int_equal(bead_file_write(beside, fill, foreign[i], NULL, NULL), BEAD_OK);
+        assert_int_equal(bead_file_claim(path, &claim, &msg), BEAD_ERROR_USAGE);
+        assert_non_null(strstr(msg.text, beside));
+        assert_true(holds(beside, foreign[i]));
+        assert_int_equal(unlink(beside), 0);
+    }
+    lock_error = 0;
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -136,6 +250,9 @@ int main(void)
         cmocka_unit_test(names_of_any_length_can_be_written),
         cmocka_unit_test(a_second_claim_is_refused_and_removes_nothing),
         cmocka_unit_test(what_a_killed_run_left_stays_until_it_is_written_over),
+        cmocka_unit_test(claims_hold_without_locks),
+        cmocka_unit_test(the_claim_of_a_killed_run_is_taken_over_by_one),
+        cmocka_unit_test(a_claim_of_another_machine_is_left_alone),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
