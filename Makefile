@@ -41,7 +41,8 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py python3-hypothesis man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = ccache clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium
+CI_DEPS    = ccache clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium \
+             patchelf python3-pip python3-venv
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
               python3-jsonschema python3-yaml \
@@ -98,6 +99,9 @@ FUZZERS      = $(patsubst tests/fuzz/%.c,$(BUILD)/fuzz/%,$(wildcard tests/fuzz/f
 FUZZ_SUPPORT = $(filter-out tests/fuzz/fuzz_%.c,$(wildcard tests/fuzz/*.c))
 STATIC       = $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
 FORMATTED    = $(wildcard include/beadreel/*.h sim/*/*.[ch] render/*.[ch] render/*/*.[ch] tests/*.[ch] tests/*/*.[ch])
+
+# Debian's Python has Debian's packages.
+python = $(firstword $(wildcard /usr/bin/python3) python3)
 
 # `make V=1` shows the commands.
 say = @$(if $(V),,printf '  %-5s %s\n' $(1) $(2);)
@@ -300,6 +304,9 @@ asked_suite = $(if $(findstring command line,$(origin SUITE)),$(SUITE))
 deb-test: $(if $(asked_suite),,deb) ## these packages pass lintian, install on a bare Debian and work there; SUITE=trixie (root, debootstrap; minutes)
 	@mkdir -p $(BUILD)/deb && tests/packages.sh $(BUILD)/deb $(asked_suite)
 
+wheel: all ## the programs and the Python module for pip, into build/wheel (python3-pip, patchelf)
+	@rm -rf $(BUILD)/wheel && BUILD=$(BUILD) $(python) -m pip wheel -q --no-index --no-deps --wheel-dir $(BUILD)/wheel . && ls $(BUILD)/wheel/*.whl
+
 arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, debootstrap; make deps-arm64; 8 minutes of CPU)
 	@tests/arm64.sh $(filter-out gcc pkg-config,$(BUILD_DEPS))
 
@@ -319,7 +326,7 @@ coverage: ## lines and branches of sim and render that the tests reach, by room 
 counted: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC)
 
 properties: all ## properties of every scene, CASES=1000 random scenes each (by hand; a quarter of an hour)
-	@/usr/bin/python3 tests/properties.py $(BUILD)/beadsim $(CASES)
+	@$(python) tests/properties.py $(BUILD)/beadsim $(CASES)
 
 mutants: ## small faults in sim and render that no test notices: MUTANTS=100 SEED=1 ROOMS="sim render" (by hand; 5 s a fault, and 20 minutes first)
 	@tests/mutants.py --count $(MUTANTS) --seed $(SEED) --work $(BUILD)-mutants -- $(ROOMS)
@@ -365,9 +372,8 @@ bench: all $(BENCHES) ## measure: every program and script of tests/bench
 	$(call run_each,bench,$(BENCHES))
 stress: all $(STRESSES) ## extreme chains: every program and script of tests/stress
 	$(call run_each,stress,$(STRESSES))
-# Debian's Python has Debian's packages.
 peers: $(BUILD)/beadsim ## beside exact results, SciPy and LAMMPS, where they are installed: tests/peers/RESULTS.md (a minute)
-	@$(firstword $(wildcard /usr/bin/python3) python3) tests/peers/peers.py $<
+	@$(python) tests/peers/peers.py $<
 
 lint: ## formatting, static analysis
 	@echo "clang-format" && clang-format --dry-run -Werror $(FORMATTED)
@@ -384,7 +390,7 @@ doc: $(BUILD)/beadreel ## the manual and the man pages as HTML, into build/doc (
 	@rm -rf $(BUILD)/doc && assets/manual/make.py html $(BUILD) $(BUILD)/doc
 	@ls $(BUILD)/doc/*.html
 
-ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' ! -path './python/*' ! -path './manual/*' | sed 's,^\./,,')
+ASSETS = $(shell cd assets && find . -type f ! -name '*.png' ! -path './man/*' ! -path './completions/*' ! -path './gallery/*' ! -path './findings/*' ! -path './python/*' ! -path './manual/*' ! -path './package/*' | sed 's,^\./,,')
 SHARE  = $(DESTDIR)$(PREFIX)/share
 
 # Everything at its place below DESTDIR, an empty directory.
@@ -452,7 +458,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: release-check deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 # Not of what `make deb` builds meanwhile.
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

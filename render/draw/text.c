@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
-#include <fcntl.h>
-#include <fontconfig/fontconfig.h>
 #include <hb.h>
 #include <limits.h>
 #include <math.h>
@@ -9,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "render/draw/axis.h"
+#include "render/draw/fonts.h"
 #include "render/draw/looks.h"
 #include "render/draw/svg.h"
 
@@ -74,6 +72,7 @@ static void set_contents(PangoLayout *layout, const char *family, const char *ma
 
 static PangoLayout *make_layout(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup)
 {
+    bead_fonts_use_own();
     PangoContext *context = pango_cairo_create_context(cr);
     cairo_font_options_t *options = cairo_font_options_create();
     cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
@@ -290,34 +289,6 @@ void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, doub
     show(cr, &text);
     cairo_restore(cr);
     lay_away(&text);
-}
-
-/* Whether fonts and their configuration can be opened: fontconfig silently leaves out files that cannot. */
-static bool descriptors_are_left(void)
-{
-    enum { NEEDED = 8 };
-    int opened[NEEDED], count = 0;
-    while (count < NEEDED && (opened[count] = open("/dev/null", O_RDONLY | O_CLOEXEC)) >= 0)
-        count++;
-    for (int i = 0; i < count; i++)
-        close(opened[i]);
-    return count == NEEDED;
-}
-
-enum bead_error bead_text_check(struct bead_message *msg)
-{
-    const char *missing = NULL;
-    if (!descriptors_are_left())
-        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "too few file descriptors are left for fonts (see ulimit -n)");
-    FcStrList *files = FcInit() ? FcConfigGetConfigFiles(NULL) : NULL;
-    FcFontSet *fonts = files ? FcConfigGetFonts(NULL, FcSetSystem) : NULL;
-    if (!files || !FcStrListNext(files))
-        missing = "fontconfig cannot read its configuration";
-    else if (!fonts || fonts->nfont == 0)
-        missing = "fontconfig finds no font; install some (on Debian, fonts-stix and fonts-lato)";
-    if (files)
-        FcStrListDone(files);
-    return missing ? bead_fail(msg, BEAD_ERROR_GRAPHICS, "text cannot be drawn: %s", missing) : BEAD_OK;
 }
 
 /* A context for measuring only: the layout does not depend on it. */
