@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does a plot say what the table says? tests/curves.py PLOT.svg TABLE.csv XFACTOR YFACTOR: reads the ticks, their labels and the one
-curve back, and compares each of its points with the table, whose first two columns are divided by the factors.
+"""Does a plot say what the table says? tests/curves.py PLOT.svg TABLE.csv XFACTOR YFACTOR [NUMBER]: reads the ticks, their labels and
+one curve back (the first; bands count, too), and compares each of its points with the table, whose first two columns are divided by the factors.
 Ends with status 3 where they differ, with 1 where the plot cannot be read."""
 import bisect
 import re
@@ -42,7 +42,8 @@ def scale(places, values):
 
 to_x, unit_x = scale(down, labels[:len(down)])
 to_y, unit_y = scale(left, labels[len(down):])
-clipped = re.search(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg).group(1)
+number = int(sys.argv[5]) if len(sys.argv) > 5 else 0
+clipped = re.findall(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg)[number]
 curve = [(to_x(x), to_y(y)) for x, y in path(clipped)]
 assert len(curve) > 50
 xs = [p[0] for p in points]

@@ -61,6 +61,9 @@ struct bead_budget {
     double springs;        /* that hold beads at their places */
     double dissipated;     /* lost to damping */
     double work;           /* of the drive, which is in the sum of the others */
+    /* Of every bead, J, its share of contacts and of gravity included (their sum is that of the parts but the lost one); of every
+     * contact, N, less the static force; of every bead, m/s. Borrowed. */
+    const double *energy, *force, *velocity;
 };
 
 /* One chain at one time. Arrays are borrowed until the call returns. They have one value for every

@@ -242,6 +242,7 @@ enum bead_sweep_show {
     BEAD_SWEEP_CONFIGURATIONS,
     BEAD_SWEEP_DEVIATION /* of images */
 };
+enum bead_parts { BEAD_PARTS_BY_FORM, BEAD_PARTS_BY_PLACE };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
 enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
@@ -349,6 +350,7 @@ struct bead_curves_asked {
     struct bead_listed contacts; /* the same; `show: sensitivities`: none: those of the beads with sensors, or the last that has a
                                     maximum */
     bool overlay;                /* the curves of all chains have one panel */
+    enum bead_parts parts;       /* of the energy */
 };
 
 /* Contents of plots and tables of sweeps. */

@@ -10,8 +10,8 @@
 #include "sim/output/profile_times.h"
 
 /* The first is the default. */
-static const struct plot_kind *const kinds[] = {&bead_plot_sensors,  &bead_plot_peaks, &bead_plot_modes,
-                                                &bead_plot_profiles, &bead_plot_bands, &bead_plot_eigenmodes};
+static const struct plot_kind *const kinds[] = {&bead_plot_sensors, &bead_plot_peaks,      &bead_plot_modes, &bead_plot_profiles,
+                                                &bead_plot_bands,   &bead_plot_eigenmodes, &bead_plot_energy};
 
 static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 {
@@ -55,6 +55,7 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
     free(data->parts);
     free(data->panels);
     free(data->sample);
+    free(data->fronts);
     bead_profile_times_destroy(data->moments);
     free(data);
 }

@@ -7,24 +7,6 @@
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
 
-/* Times of a curve unless the scene gives an interval; more would not be visible. */
-static const double most_times = 4000;
-
-/* The requested interval, or as many times as are visible; replayed samples keep their times. */
-static struct bead_grid plot_modes_choose_grid(const struct bead_output *output, const struct bead_run_context *context)
-{
-    const struct bead_grid *native = &context->native;
-    double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
-    double to = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
-    if (native->every > 0) {
-        double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
-        double stride = output->shown.every > 0 ? fmax(1, round(output->shown.every / native->every)) : 1;
-        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end)};
-    }
-    double every = output->shown.every > 0 ? output->shown.every : fmax(context->resolution, (to - from) / most_times);
-    return (struct bead_grid){from, every, to};
-}
-
 static void plot_modes_make_axes(struct bead_plot_data *data, double low)
 {
     const struct bead_output *output = data->output;
@@ -37,21 +19,14 @@ static void plot_modes_make_axes(struct bead_plot_data *data, double low)
     }
 }
 
-/* Stores times in data->sample and a chain's energies in its part's values, [modes][times]. */
 static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
-    data->grid = plot_modes_choose_grid(output, &data->context);
-    size_t times = bead_grid_count(&data->grid);
-    if (times < 2 || times > (size_t)1 << 22)
-        return bead_output_wrong(output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every, times);
-    BEAD_TRY(plot_reserve_chains(data, output->curves.modes, times * output->curves.modes, msg));
-    data->sample = calloc(times, sizeof *data->sample);
+    BEAD_TRY(plot_times_create(data, output->curves.modes, "energies of modes", msg));
     for (size_t k = 0; k < output->curves.modes; k++)
         snprintf(data->parts[0].labels[k], sizeof *data->parts[0].labels, "mode %zu", k + 1);
     plot_modes_make_axes(data, output->plot.range[0]);
-    snprintf(data->why, sizeof data->why, "energies of %zu modes at %zu times", output->curves.modes, times);
-    return data->sample ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for %zu times of modes", times);
+    return BEAD_OK;
 }
 
 static void plot_modes_needs(const struct bead_plot_data *data, struct bead_needs *needs)
@@ -61,22 +36,13 @@ static void plot_modes_needs(const struct bead_plot_data *data, struct bead_need
         needs->fields |= bead_chain_mode_fields(data->context.chains[data->parts[p].chain]);
 }
 
-/* Samples may come more often than requested, for other panels of the figure. */
 static enum bead_error plot_modes_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *)
 {
     double energy[BEAD_MODES];
-    const size_t modes = data->output->curves.modes, times = bead_grid_count(&data->grid);
-    const double slack = 1e-6 * data->grid.every;
-    for (size_t p = 0; p < data->count; p++) {
-        struct plot_panel *part = &data->parts[p];
-        if (part->chain != sample->chain || sample->time < data->grid.start + (double)part->taken * data->grid.every - slack)
-            continue;
-        if (part->taken >= times)
-            return BEAD_OK;
-        bead_chain_mode_energies(data->context.chains[part->chain], sample->field, modes, energy);
-        for (size_t k = 0; k < modes; k++)
-            part->values[k * times + part->taken] = energy[k];
-        data->sample[part->taken++] = sample->time;
+    struct plot_panel *part = plot_times_take(data, sample);
+    if (part) {
+        bead_chain_mode_energies(data->context.chains[part->chain], sample->field, data->output->curves.modes, energy);
+        plot_times_add(data, part, energy);
     }
     return BEAD_OK;
 }

@@ -12,7 +12,7 @@ struct plot_panel {
     struct bead_series *series;
     double *values;
     char (*labels)[256];
-    size_t taken;                     /* samples, of modes */
+    size_t taken;                     /* samples, of numbers against time */
     struct bead_ruler ruler, *rulers; /* one, or as many as there are */
     char title[768];
 };
@@ -23,7 +23,9 @@ struct bead_plot_data {
     size_t chain; /* SIZE_MAX: all */
     double time[2];
     struct bead_grid grid;
-    double *sample;                     /* of one time, [sensors]; of modes: their times */
+    double *sample;                     /* of one time, [sensors]; of numbers against time: the times */
+    size_t numbers;                     /* of each of these times */
+    struct bead_energy_front *fronts;   /* [chains], of energies */
     struct bead_profile_times *moments; /* of profiles */
     struct plot_panel *parts;
     struct bead_panel *panels;
@@ -42,7 +44,7 @@ struct plot_kind {
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
 extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles, bead_plot_bands,
-    bead_plot_eigenmodes;
+    bead_plot_eigenmodes, bead_plot_energy;
 
 /* Allocates panels, with their titles. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);
@@ -51,6 +53,14 @@ BEAD_CHECK enum bead_error plot_reserve_series(struct bead_plot_data *data, size
                                                struct bead_message *msg);
 /* Allocates a panel, titled with the chain's name, for each chain shown. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg);
+/* Numbers against time. Chooses the times, and reserves room for so many numbers and a zero at each, for twice as many series, and
+ * two values more for each. Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what,
+                                             struct bead_message *msg);
+/* The panel that wants this sample; NULL: none. Samples may come more often than asked for, for other panels of a figure. */
+struct plot_panel *plot_times_take(struct bead_plot_data *data, const struct bead_sample *sample);
+/* Adds the numbers of that sample. */
+void plot_times_add(const struct bead_plot_data *data, struct plot_panel *part, const double *numbers);
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
 /* Name and magnetism of chain `number`, in the markup of graphs. */
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);

@@ -4,10 +4,12 @@
 
 #include "sim/kinds/outputs.h"
 
-static const char *const plot_shows[] = {"sensors", "peaks",    "setup", "contact",    "cell",
-                                         "modes",   "profiles", "bands", "eigenmodes", NULL};
-static const unsigned plot_values[] = {BEAD_SHOW_SENSORS, BEAD_SHOW_PEAKS,    BEAD_SHOW_SETUP, BEAD_SHOW_CONTACT,   BEAD_SHOW_CELL,
-                                       BEAD_SHOW_MODES,   BEAD_SHOW_PROFILES, BEAD_SHOW_BANDS, BEAD_SHOW_EIGENMODES};
+static const char *const plot_shows[] = {"sensors",  "peaks", "setup",      "contact", "cell", "modes",
+                                         "profiles", "bands", "eigenmodes", "energy",  NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS,    BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,    BEAD_SHOW_CONTACT,
+                                       BEAD_SHOW_CELL,       BEAD_SHOW_MODES, BEAD_SHOW_PROFILES, BEAD_SHOW_BANDS,
+                                       BEAD_SHOW_EIGENMODES, BEAD_SHOW_ENERGY};
+static const char *const energy_parts[] = {"form", "place", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
 static const char *const samplings[] = {"area", "max", NULL};
@@ -133,7 +135,7 @@ const struct bead_option bead_image_rows[3] = {
 /* ---- plots and tables ---- */
 
 /* Keys of curves and of tables of their numbers. */
-const struct bead_option bead_curves_rows[5] = {
+const struct bead_option bead_curves_rows[6] = {
     {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(curves.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
      .help = "how many modes `show: modes` shows", .example = "4"},
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
@@ -141,7 +143,7 @@ const struct bead_option bead_curves_rows[5] = {
     {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads), .shape = "a number or a list of numbers; 0 is the striker",
      .like = "number|[number]", .read = bead_output_read_listed,
      .help = "with `show: sensors`, the beads whose `field` is shown over time, instead of those with a sensor; with `show: "
-             "bead-peaks`, only these",
+             "bead-peaks`, only these; with `show: energy`, beads past which the energy is shown, too",
      .example = "[20, 40]"},
     {"contacts", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.contacts),
      .shape = "a number or a list of numbers; contact j is between beads j and j + 1, and bead 0 is the striker",
@@ -156,6 +158,11 @@ const struct bead_option bead_curves_rows[5] = {
     {"at", BEAD_OPTION_CUSTOM, BEAD_TIME_OF_MOTION, .shape = "a list of times", .like = "number|[number]",
      .read = bead_output_read_profile_times,
      .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12", .example = "[0.2 ms, 0.4 ms]"},
+    {"parts", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.parts), .initial = "form", .choices = energy_parts,
+     .help =
+         "the parts of `show: energy`. form: kinetic, of contacts, of the wall, of gravity, of springs, dissipated; place: of the "
+         "front, that is of the first pulse up to where the force of contacts falls to a tenth; of what is behind it; reflected, "
+         "that of beads which pass energy back; dissipated"},
 };
 /* Keys of plots and of panels that are plots. */
 const struct bead_option bead_plot_rows[5] = {
@@ -163,7 +170,8 @@ const struct bead_option bead_plot_rows[5] = {
      .help =
          "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
          "where it was rising at the end, or was larger later); the "
-         "energies of modes against time; profiles, a field along the chain at several times; bands, frequency against wave number "
+         "energies of modes against time; the energy against time, its parts stacked; profiles, a field along the chain at several "
+         "times; bands, frequency against wave number "
          "of each repeated cell under its precompression; eigenmodes, participation against frequency of the small vibrations of "
          "each chain; or a schematic drawing of the "
          "experiment, of a contact or of the cells"},

@@ -37,10 +37,10 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
     [BEAD_SHOW_CHAIN] = {.keys = KEYS(NULL),
                          .why_not = "a chain at rest has no times",
                          .without_contacts = "lists beads and contacts, which equations do not have"},
-    [BEAD_SHOW_ENERGY] = {.keys = KEYS("every", "time"),
+    [BEAD_SHOW_ENERGY] = {.keys = KEYS("every", "time", "parts", "beads"),
                           .why_not = "the energy budget is one of the whole chain over time",
                           .without_contacts = "is the budget of beads and contacts, which equations do not have",
-                          .ends = TABLE},
+                          .ends = PLOT | TABLE},
     [BEAD_SHOW_SENSITIVITIES] = {.keys = KEYS("contacts"),
                                  .why_not = "sensitivities are those of peaks",
                                  .without_contacts = "has the derivatives of peaks of contacts, which equations do not have"},
@@ -74,8 +74,8 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
-    static const char *const keys[] = {"every", "time",      "modes",    "field", "at",
-                                       "scale", "normalise", "contacts", "beads", "overlay"};
+    static const char *const keys[] = {"every",     "time",     "modes", "field",   "at",   "scale",
+                                       "normalise", "contacts", "beads", "overlay", "parts"};
     const struct bead_show_type *show = &shows[output->curves.show];
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         char homes[120] = "";
@@ -199,7 +199,7 @@ static bool has_cells(const struct bead_scene *scene)
 BEAD_OUTPUT_CHECK(bead_output_check_drawing)
 {
     static const char *const of_runs[] = {"every", "time", "scale", "trust",    "normalise", "range", "modes",
-                                          "field", "at",   "beads", "contacts", "overlay",   NULL},
+                                          "field", "at",   "beads", "contacts", "overlay",   "parts", NULL},
                              *const of_contacts[] = {"contact", "compression", NULL};
     const struct bead_scene *scene = reader->scene;
     const bool drawing = shows[output->curves.show].drawing;

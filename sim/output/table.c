@@ -44,6 +44,7 @@ static void table_destroy(struct bead_sink *sink)
     free(sink->measures);
     free(sink->columns);
     free(sink->largest);
+    free(sink->fronts);
     bead_table_spreading_free(sink);
     free(sink->path);
     free(sink->part);

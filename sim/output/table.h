@@ -30,6 +30,7 @@ struct bead_sink {
     struct bead_measures **measures;    /* [chains]; NULL for a chain without measures */
     struct bead_profile_times *moments; /* of profiles */
     struct bead_spreading *spreading;   /* [chains], of spreading */
+    struct bead_energy_front *fronts;   /* [chains], of energies */
     double *largest;                    /* [chains], of extremes: of the first run, so far */
     uint64_t rows;
     bool open, finished;

@@ -1,17 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of the energy budget: the energy in each form at each time, and the energy dissipated. */
-#include "sim/output/table.h"
+/* Tables of the energy budget: the energy in each form, or at each place, at each time, and the energy dissipated. */
+#include <stdlib.h>
 
-enum { PARTS = 8 };
-static const char *const names[PARTS] = {"kinetic_J", "contacts_J",   "wall_J", "gravity_J",
-                                         "springs_J", "dissipated_J", "work_J", "total_J"};
+#include "sim/base/memory.h"
+#include "sim/output/energy_parts.h"
+#include "sim/output/table.h"
 
 static enum bead_error energy_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
-    enum bead_error error = BEAD_OK;
-    for (size_t i = 0; i < sink->context.chain_count * PARTS && !error; i++)
-        error = bead_table_add_column(sink, i / PARTS, 0, names[i % PARTS], msg);
-    return error ? error : bead_table_choose_times(sink, "the energy budget", msg);
+    const size_t parts = bead_energy_parts_count(sink->output);
+    char name[48];
+    BEAD_TRY(bead_new(&sink->fronts, sink->context.chain_count, msg, "a table"));
+    for (size_t i = 0; i < sink->context.chain_count * parts; i++) {
+        bead_energy_part_name(sink->output, i % parts, name);
+        for (char *c = name; *c; c++)
+            *c = *c == ' ' ? '_' : *c;
+        strcat(name, "_J");
+        BEAD_TRY(bead_table_add_column(sink, i / parts, 0, name, msg));
+    }
+    return bead_table_choose_times(sink, "the energy budget", msg);
 }
 
 static void energy_needs(const struct bead_sink *, struct bead_needs *needs)
@@ -20,13 +27,14 @@ static void energy_needs(const struct bead_sink *, struct bead_needs *needs)
     needs->budget = true;
 }
 
-static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *)
+static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const struct bead_budget *b = sample->budget;
-    const double total = b->kinetic + b->contacts + b->wall + b->gravity + b->springs + b->dissipated - b->work,
-                 part[PARTS] = {b->kinetic, b->contacts, b->wall, b->gravity, b->springs, b->dissipated, b->work, total};
-    for (size_t i = 0; i < PARTS; i++)
-        sink->columns[sample->chain * PARTS + i].value = part[i];
+    const size_t parts = bead_energy_parts_count(sink->output);
+    BEAD_FREED double *part = NULL;
+    BEAD_TRY(bead_new(&part, parts, msg, "a table"));
+    bead_energy_parts_find(sink->output, sink->context.chains[sample->chain], sample, &sink->fronts[sample->chain], part);
+    for (size_t i = 0; i < parts; i++)
+        sink->columns[sample->chain * parts + i].value = part[i];
     bead_table_end_sample(sink, sample);
     return BEAD_OK;
 }

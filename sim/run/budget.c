@@ -8,6 +8,7 @@
 #include "sim/run/budget.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "sim/chain/drive.h"
 #include "sim/integrate/damped_contacts.h"
@@ -119,47 +120,67 @@ double bead_drive_work(const struct bead_stepper *s, struct bead_dense *dense, d
 /* Energy of a contact relative to its static state, including the work of the force that holds the precompression. Gravity is the
  * potential energy of the beads on their slope: contact k carries the weight of those above it, except that of the striker, which
  * the static state leaves out. */
-static void add_contact(const struct bead_stepper *s, const struct bead_state *state, size_t k, struct bead_budget *budget)
+static void add_contact(const struct bead_stepper *s, const struct bead_state *state, size_t k, double *energy,
+                        struct bead_budget *budget)
 {
     const struct bead_chain *c = s->chain;
     const double d0 = c->static_compression[k], change = state->u[k] - state->u[k + 1], a = c->stiffness[k];
     const double held = c->spec->tilt != 0 ? fmin(c->spec->precompression, c->static_force[k]) : c->static_force[k];
-    *(k + 1 < c->beads ? &budget->contacts : &budget->wall) +=
-        c->law->energy(a, &c->spec->law, d0 + change) - c->law->energy(a, &c->spec->law, d0) - held * change;
-    budget->gravity -= (c->static_force[k] - held) * change;
+    const double elastic = c->law->energy(a, &c->spec->law, d0 + change) - c->law->energy(a, &c->spec->law, d0) - held * change,
+                 gravity = -(c->static_force[k] - held) * change;
+    *(k + 1 < c->beads ? &budget->contacts : &budget->wall) += elastic;
+    budget->gravity += gravity;
+    for (size_t j = k; j <= k + 1 && j < c->beads; j++)
+        energy[j] += bead_chain_share(c, k) * (elastic + gravity);
 }
 
 /* A pendulum's is potential energy of gravity. */
-static void add_spring(const struct bead_chain *c, size_t bead, double u, struct bead_budget *budget)
+static void add_spring(const struct bead_chain *c, size_t bead, double u, double *energy, struct bead_budget *budget)
 {
     const double gravity = 0.5 * bead_chain_pendulum_of(c, c->material[bead]) * (u * u);
     budget->gravity += gravity;
     budget->springs += bead_chain_spring_energy(c, bead, u) - gravity;
+    energy[bead] += bead_chain_spring_energy(c, bead, u);
 }
 
-static struct bead_budget add_up(const struct bead_stepper *s, const struct bead_state *state, double dissipated, double work)
+static struct bead_budget add_up(const struct bead_stepper *s, const struct bead_state *state, double dissipated, double work,
+                                 double *beads)
 {
-    struct bead_budget budget = {.gravity = 0 - s->chain->striker_force * state->u[0], .dissipated = dissipated, .work = work};
-    for (size_t j = 0; j < s->active; j++) {
-        budget.kinetic += 0.5 * s->chain->mass[j] * (state->v[j] * state->v[j]);
+    const size_t n = s->active;
+    double *energy = beads, *force = energy + s->beads + 1, *velocity = force + s->beads + 1;
+    struct bead_budget budget = {.gravity = 0 - s->chain->striker_force * state->u[0],
+                                 .dissipated = dissipated,
+                                 .work = work,
+                                 .energy = energy,
+                                 .force = force,
+                                 .velocity = velocity};
+    memset(energy, 0, s->beads * sizeof *energy);
+    energy[0] = budget.gravity;
+    for (size_t j = 0; j < n; j++) {
+        const double kinetic = 0.5 * s->chain->mass[j] * (state->v[j] * state->v[j]);
+        budget.kinetic += kinetic;
+        energy[j] += kinetic;
+        velocity[j] = state->v[j];
         if (s->chain->spring)
-            add_spring(s->chain, j, state->u[j], &budget);
-        if (j < s->chain->contacts)
-            add_contact(s, state, j, &budget);
+            add_spring(s->chain, j, state->u[j], energy, &budget);
+        if (j >= s->chain->contacts)
+            continue;
+        add_contact(s, state, j, energy, &budget);
+        force[j] = state->f[j];
     }
     return budget;
 }
 
-enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double dissipated, double work, struct bead_budget *budget,
-                                 struct bead_message *msg)
+enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double dissipated, double work, double *beads,
+                                 struct bead_budget *budget, struct bead_message *msg)
 {
     struct bead_stepper *part;
     if (s->steps == 0 || t <= s->t0) {
-        *budget = add_up(s, s->steps == 0 ? &s->end : &s->start, dissipated, work);
+        *budget = add_up(s, s->steps == 0 ? &s->end : &s->start, dissipated, work, beads);
         return BEAD_OK;
     }
     if (t >= s->t1) {
-        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s), work);
+        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s), work, beads);
         return BEAD_OK;
     }
     enum bead_error err = bead_stepper_branch(s, &part, msg);
@@ -168,7 +189,7 @@ enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double 
         dissipated += bead_dissipation(part);
     }
     if (!err)
-        *budget = add_up(part, &part->end, dissipated, work);
+        *budget = add_up(part, &part->end, dissipated, work, beads);
     bead_stepper_destroy(err ? NULL : part);
     return err;
 }

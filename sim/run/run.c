@@ -54,6 +54,7 @@ struct bead_run {
     double work[2];            /* J, of the drive until the start and the end of the step */
     double lost[2];            /* J, to damping until the start and the end of the step */
     struct bead_budget budget; /* of the last sample */
+    double *budget_beads;      /* what it points to; NULL: not requested */
     double drift_bound;        /* of the energy error: beyond it steps become shorter */
     uint64_t checked;          /* step of the last energy check */
     uint64_t hash;
@@ -71,6 +72,8 @@ static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
         *array[i] = at;
     for (size_t i = 0; i < BEAD_FIELD_COUNT; i++, at += stride)
         run->field[i] = at;
+    if (run->settings.budget)
+        BEAD_TRY(bead_new(&run->budget_beads, 3 * (beads + 1), msg, "the energies of %zu beads", beads));
     if (!run->settings.states)
         return BEAD_OK;
     BEAD_TRY(bead_new(&run->arrived, 4 * beads, msg, "two states of %zu beads", beads));
@@ -131,6 +134,7 @@ void bead_run_destroy(struct bead_run *run)
     bead_dense_destroy(&run->dense);
     bead_stepper_destroy(run->stepper);
     free(run->state_memory);
+    free(run->budget_beads);
     free(run->arrived); /* and run->final */
     free(run);
 }
@@ -445,7 +449,7 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     if (run->settings.budget) {
         sample->budget = &run->budget;
         const double x = s->h > 0 ? fmin((t - s->t0) / s->h, 1) : 0, work = run->work[0] + bead_drive_work(s, &run->dense, x);
-        BEAD_TRY(bead_budget_find(s, t, run->lost[0], s->steps > 0 ? work : 0, &run->budget, msg));
+        BEAD_TRY(bead_budget_find(s, t, run->lost[0], s->steps > 0 ? work : 0, run->budget_beads, &run->budget, msg));
     }
     /* Beads under static compression carry a force even at rest, so all are active. */
     sample->active = c->static_force[0] > 0 || c->static_force[c->contacts - 1] > 0 ? c->beads : s->active;

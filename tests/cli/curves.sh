@@ -35,4 +35,16 @@ awk 'BEGIN { pi = atan2(0, -1); k = 1.5 * (1e9 / 3) ^ (2 / 3); print "part,Hz"
              for (i = 0; i <= 1000; i++) printf "%.9g,%.9g\n", i / 1000, sqrt(k) / pi * sin(pi * i / 2000) }' >closed.csv
 ok "the table has the band of equal beads" eval 'awk -F, "NR == FNR { last = \$2; next } FNR == 2 { exit !(\$3 == \"band\" && \$5 == 0 && (\$6 / last - 1) ^ 2 < 1e-16) }" closed.csv bands.csv'
 ok "the plot has its curve" curve bands.svg closed.csv 1 1
+
+# Two bands have two edges each; the energy past a bead is the last curve. The first pulse has .99366 of the striker's 2 J.
+cat >energy.yaml <<'YAML'
+materials: {unit: {mass: 1 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}}
+chain: {striker: {bead: unit, velocity: 2 m/s}, beads: [{bead: unit, count: 12}]}
+simulate: {until: 4 ms}
+outputs: [{plot: energy.svg, show: energy, beads: 5}, {table: energy.csv, show: energy, beads: 5, every: 2 us}]
+YAML
+ok "plot and table of energies" exits 0 "$beadreel" energy.yaml -o .
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c = $i == "past_bead_5_J" ? i : c } { print $1 "," $c }' energy.csv >past.csv
+ok "the plot has the energy past a bead" curve energy.svg past.csv 1e-3 1 4
+ok "... most of what was put in" awk -F, '{ last = $2 } END { exit !((last / 2 - 0.99366) ^ 2 < 1e-8) }' past.csv
 finish

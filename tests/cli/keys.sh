@@ -116,6 +116,7 @@ needs() { # SECTION KEY
     'outputs.panels: '*) scene=pair before=('outputs=[{image: i.png, panels: [[{show: peaks}]]}]') ;;
     'outputs (image): at' | 'outputs (image): magnify') before+=('outputs.0.views=[beads]') ;;
     'outputs (plot): scale') before+=(outputs.0.show=peaks) ;;
+    'outputs ('*'): parts') before+=(outputs.0.show=energy) ;;
     'outputs (plot): contact' | 'outputs (plot): compression') before+=(outputs.0.show=contact) ;;
     'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: i.${extension[$kind]}, show: modes}]") ;;
     'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;

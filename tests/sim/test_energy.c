@@ -13,7 +13,10 @@ static struct budget read_budget(const char *scene, const char *more)
 {
     struct bead_message msg = {""};
     char text[1024], path[512], line[512];
-    snprintf(text, sizeof text, "%s%soutputs: [{table: e.csv, show: energy, every: 1.3 us}]\n", scene, more);
+    snprintf(text, sizeof text,
+             "%s%soutputs: [{table: e.csv, show: energy, every: 1.3 us}, {table: p.csv, show: energy, parts: place, beads: [3, 8], "
+             "every: 1.3 us}]\n",
+             scene, more);
     write_scene(text, path);
     if (!play(path, directory, &msg))
         fail_msg("%s", msg.text);
@@ -36,6 +39,29 @@ static struct budget read_budget(const char *scene, const char *more)
     }
     fclose(file);
     return b;
+}
+
+enum { FRONT, BEHIND, REFLECTED, PLACES_LOST, PLACES_WORK, PLACES_TOTAL, PAST, PAST_NEXT, PLACES };
+
+/* Row `number` of the parts by place. */
+static bool read_places(size_t number, double places[PLACES])
+{
+    char path[512], line[512] = "";
+    snprintf(path, sizeof path, "%s/p.csv", directory);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    bool there = true;
+    for (size_t i = 0; i <= number + 1 && there; i++) {
+        there = fgets(line, sizeof line, file);
+        assert_true(i > 0 ||
+                    strcmp(line, "time_s,front_J,behind_J,reflected_J,dissipated_J,work_J,total_J,past_bead_3_J,past_bead_8_J\n") ==
+                        0);
+    }
+    fclose(file);
+    char *at = strchr(line, ',');
+    for (int i = 0; i < PLACES && there; i++)
+        places[i] = strtod(at + 1, &at);
+    return there;
 }
 
 #define BEADS "beads: [{cell: [large-steel, aluminium], count: 6, spins: \"110101\"}]"
@@ -66,7 +92,37 @@ static void budgets_close(void **state)
         assert_true(cases[i].wall ? b.most[WALL] > 0.1 * b.start : b.most[WALL] == 0);
         assert_true(cases[i].gravity ? b.most[GRAVITY] > 1e-4 * b.start : b.most[GRAVITY] == 0);
         assert_true(cases[i].damping ? b.last[DISSIPATED] > 0.3 * b.start : b.most[DISSIPATED] == 0);
+        double places[PLACES];
+        for (size_t row = 0; row < b.rows; row += 7) {
+            assert_true(read_places(row, places));
+            assert_below(fabs(places[PLACES_TOTAL] - b.start), 1e-10 * b.start);
+            assert_near(places[FRONT] + places[BEHIND] + places[REFLECTED] + places[PLACES_LOST], places[PLACES_TOTAL],
+                        1e-14 * b.start);
+            assert_true(places[PAST_NEXT] <= places[PAST] || cases[i].gravity);
+        }
+        assert_false(read_places(b.rows, places));
+        /* The wall, or the end of the first pulse's way, has sent most of it back. */
+        assert_true(places[FRONT] < 1e-3 * b.start || !cases[i].wall);
     }
+}
+
+/* An equal striker's pulse carries .99366 of the energy (an independent program); striker and beads behind it move back, and after
+ * the rigid wall, all do. */
+static void a_clean_pulse_is_the_front(void **state)
+{
+    (void)state;
+    double before[PLACES], after[PLACES];
+    struct budget b =
+        read_budget("materials: {unit: {mass: 3.63 g, radius: 4.76 mm, modulus: 193 GPa, poisson: 0.3}}\n"
+                    "chain: {striker: {bead: unit, velocity: 0.443 m/s}, beads: [{bead: unit, count: 40}], wall: rigid}\n",
+                    "simulate: {until: 1.1 ms}\n");
+    assert_true(read_places(400, before) && read_places(b.rows - 1, after)); /* at .52 ms, and 1.1 ms */
+    assert_near(before[FRONT] / b.start, 0.99366, 6e-6);
+    assert_near(before[PAST] / b.start, 0.99366, 1e-4); /* and a little of what is behind */
+    assert_near(before[REFLECTED] / b.start, 1 - 0.99366, 6e-6);
+    assert_near(before[BEHIND], 0, 6e-6 * b.start);
+    assert_true(after[FRONT] == 0);
+    assert_near(after[REFLECTED] / b.start, 1, 6e-6);
 }
 
 /* An accuracy that is given is kept: the budget closes as well as the run does. */
@@ -100,7 +156,7 @@ static void energies_of_beads_add_up(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(budgets_close), cmocka_unit_test(accuracy_given_is_kept),
-                                       cmocka_unit_test(energies_of_beads_add_up)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(budgets_close), cmocka_unit_test(a_clean_pulse_is_the_front),
+                                       cmocka_unit_test(accuracy_given_is_kept), cmocka_unit_test(energies_of_beads_add_up)};
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

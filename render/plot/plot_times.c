@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Numbers of a chain against time, a panel for each chain: what plots of modes, energies and spreading share. Times are in
+ * data->sample, numbers in the parts' values, [numbers][times]. */
+#include <math.h>
+#include <stdio.h>
+
+#include "render/plot/plot_private.h"
+#include "sim/base/memory.h"
+
+/* Times of a curve unless the scene gives an interval; more would not be visible. */
+static const double most_times = 4000;
+
+/* The requested interval, or as many times as are visible; replayed samples keep their times. */
+static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
+{
+    const struct bead_grid *native = &context->native;
+    double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
+    double to = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
+    if (native->every > 0) {
+        double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
+        double stride = output->shown.every > 0 ? fmax(1, round(output->shown.every / native->every)) : 1;
+        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end)};
+    }
+    double every = output->shown.every > 0 ? output->shown.every : fmax(context->resolution, (to - from) / most_times);
+    return (struct bead_grid){from, every, to};
+}
+
+enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what, struct bead_message *msg)
+{
+    data->grid = choose_grid(data->output, &data->context);
+    const size_t times = bead_grid_count(&data->grid);
+    if (times < 2 || times > (size_t)1 << 22)
+        return bead_output_wrong(data->output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every,
+                                 times);
+    data->numbers = numbers;
+    BEAD_TRY(plot_reserve_chains(data, 2 * numbers, (times + 2) * (numbers + 1), msg));
+    for (size_t p = 0; p < data->count; p++)
+        data->panels[p].series_count = numbers;
+    snprintf(data->why, sizeof data->why, "%s at %zu times", what, times);
+    return bead_new(&data->sample, times, msg, "%zu times", times);
+}
+
+struct plot_panel *plot_times_take(struct bead_plot_data *data, const struct bead_sample *sample)
+{
+    const double slack = 1e-6 * data->grid.every;
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        if (part->chain != sample->chain || sample->time < data->grid.start + (double)part->taken * data->grid.every - slack)
+            continue;
+        if (part->taken >= bead_grid_count(&data->grid))
+            return NULL;
+        data->sample[part->taken] = sample->time;
+        return part;
+    }
+    return NULL;
+}
+
+void plot_times_add(const struct bead_plot_data *data, struct plot_panel *part, const double *numbers)
+{
+    for (size_t k = 0; k < data->numbers; k++)
+        part->values[k * bead_grid_count(&data->grid) + part->taken] = numbers[k];
+    part->taken++;
+}
