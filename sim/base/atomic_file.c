@@ -158,11 +158,19 @@ enum bead_error bead_file_create(const char *part, FILE **file, struct bead_mess
     return cannot_write(part, error, msg);
 }
 
+/* Returns 0 or an errno. EINVAL is not a failure: the file system cannot sync such an object. */
+static int sync_open(int descriptor)
+{
+    return fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
+}
+
 enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg)
 {
     errno = 0;
     int failed = fflush(file) != 0 || ferror(file);
     int error = errno;
+    if (!failed && (error = sync_open(fileno(file))))
+        failed = 1; /* this descriptor hears of all failures since it wrote; commit opens another */
     if (fclose(file) != 0 && !failed) {
         failed = 1;
         error = errno;
@@ -179,13 +187,12 @@ static char *directory_of(const char *path)
     return slash ? strndup(path, slash == path ? 1 : (size_t)(slash - path)) : strdup(".");
 }
 
-/* Returns 0 or an errno. EINVAL is not a failure: the file system cannot sync such an object. */
 static int sync_path(const char *path, int flags)
 {
     int fd = open(path, flags | O_CLOEXEC);
     if (fd < 0)
         return errno;
-    int error = fsync(fd) != 0 && errno != EINVAL && errno != EROFS ? errno : 0;
+    int error = sync_open(fd);
     close(fd);
     return error;
 }

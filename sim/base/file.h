@@ -32,7 +32,8 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_part_name(const char *path, c
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg);
 /* Open `part` for writing, emptied; opened as above. On failure *file is NULL and no new file is left. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);
-/* Flush and close `file`, reporting any write error since it was opened (a full disk, say). Closes it in any case. Errors: IO. */
+/* Bring `file` to the disk and close it, reporting any write error since it was opened (a full disk, say). Closes it in any case.
+ * Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg);
 /* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO.
  */

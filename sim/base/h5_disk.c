@@ -18,6 +18,7 @@ struct kept {
     H5FD_mem_t type;
     haddr_t address;
     size_t size;
+    bool head_first; /* set in a flush */
     unsigned char bytes[];
 };
 
@@ -235,6 +236,53 @@ static int next_step(const struct disk *disk, int step)
     return next;
 }
 
+/* Bytes that a disk writes whole or not at all. */
+enum { PAGE = 4096 };
+
+static size_t head_of(const struct kept *kept)
+{
+    const size_t head = PAGE - (size_t)(kept->address % PAGE);
+    return head < kept->size ? head : kept->size;
+}
+
+/* The entries of a node in bytes 6 and 7 of it; 0: it is none. */
+static unsigned entries(const unsigned char node[8])
+{
+    return memcmp(node, "TREE", 4) == 0 ? node[6] + 256u * node[7] : 0;
+}
+
+/* Has it fewer entries than on the disk? It has been split in two. */
+static bool shrinks(const struct disk *disk, const struct kept *kept)
+{
+    unsigned char before[8];
+    return kept->size > sizeof before && entries(kept->bytes) > 0 &&
+           pread(disk->file, before, sizeof before, (off_t)kept->address) == sizeof before &&
+           entries(before) > entries(kept->bytes);
+}
+
+/* Of the pieces of one step, what comes `first`, or the rest. Returns whether there was any. A piece that lies in two pages could
+ * be halved. Its end, which may point to new blocks, comes before its head, which says how much of it is in use; where less of it
+ * is, the other way round. */
+static bool put_half(struct disk *disk, int step, bool first)
+{
+    bool any = false;
+    for (struct kept *kept = disk->kept; kept; kept = kept->next) {
+        const size_t head = head_of(kept);
+        if (step_of(kept) != step)
+            continue;
+        if (first)
+            kept->head_first = head == kept->size || shrinks(disk, kept);
+        if (first == kept->head_first) {
+            put(disk, kept->address, head, kept->bytes);
+            any = true;
+        } else if (head < kept->size) {
+            put(disk, kept->address + head, kept->size - head, kept->bytes + head);
+            any = true;
+        }
+    }
+    return any;
+}
+
 /* New blocks are in the file already, but nothing refers to them. After each of these steps, and in the midst of one, the file can
  * be read: the superblock gets the new length, indices and groups refer to the new blocks, objects to the new indices and sizes.
  * Each step is on the disk before the next begins, as a disk that loses its power may have written the last things first. */
@@ -245,9 +293,9 @@ static herr_t disk_flush(H5FD_t *public, hid_t, hbool_t)
         return 0;
     for (int step = next_step(disk, -1); step >= 0; step = next_step(disk, step)) {
         synchronise(disk);
-        for (const struct kept *kept = disk->kept; kept; kept = kept->next)
-            if (step_of(kept) == step)
-                put(disk, kept->address, kept->size, kept->bytes);
+        if (put_half(disk, step, true))
+            synchronise(disk);
+        put_half(disk, step, false);
     }
     if (disk->caller->error)
         return 0; /* all bytes stay in memory, for HDF5 to read */

@@ -3,8 +3,9 @@
  *
  * HDF5 flushes its metadata by address: a run killed meanwhile leaves indices that point beyond the end in the superblock. So this
  * driver writes new blocks at once and holds changes of flushed blocks. A flush writes these in an order in which each step leaves
- * the state of this flush, or of the one before, readable, and each step reaches the disk before the next. A closed file gets the
- * seal of h5_seal.h.
+ * the state of this flush, or of the one before, readable, and each step reaches the disk before the next, also where a disk keeps
+ * only some pages of a step. Left is a root of an index whose first hundred bytes lie in two pages, while it is split. A closed
+ * file gets the seal of h5_seal.h.
  *
  * When a write fails (on a full disk, say), HDF5 1.10 tries again while it closes its objects, fails again, and crashes at exit
  * over objects that are half closed. So this driver keeps the first error for its caller and the unwritten bytes in memory, and

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A trajectory whose run is killed can be read, whenever that happens: after each of its writes. */
+/* A trajectory whose run is killed can be read, whenever that happens: after each of its writes. So can one whose disk lost the
+ * power, whatever it had kept of what was written since it was last waited for. */
 #include "trajectory_support.h"
 
 #include <fcntl.h>
@@ -8,11 +9,12 @@
 
 #include "sim/output/trajectory_sink.h"
 
-/* What the program did to its file: bytes written at an offset, or (with no bytes) its new length. */
+/* What the program did to its file: bytes written at an offset, or (with no bytes) its new length; or it waited for the disk. */
 struct change {
     off_t offset;
     size_t size;
     unsigned char *bytes;
+    bool waited;
 };
 static struct change *changes;
 static size_t change_count;
@@ -26,7 +28,7 @@ static void record(off_t offset, const void *bytes, size_t size)
     assert_non_null(grown);
     changes = grown;
     struct change *change = &changes[change_count++];
-    *change = (struct change){offset, size, malloc(size + 1)};
+    *change = (struct change){offset, size, malloc(size + 1), false};
     assert_non_null(change->bytes);
     if (size)
         memcpy(change->bytes, bytes, size);
@@ -44,11 +46,20 @@ int ftruncate(int file, off_t length)
     return (int)syscall(SYS_ftruncate, file, length);
 }
 
+int fdatasync(int file)
+{
+    record(0, NULL, 0);
+    if (!recording)
+        return (int)syscall(SYS_fdatasync, file);
+    changes[change_count - 1].waited = true;
+    return 0;
+}
+
 static void repeat(int file, const struct change *change)
 {
     if (change->size)
         assert_int_equal(pwrite(file, change->bytes, change->size, change->offset), change->size);
-    else
+    else if (!change->waited)
         assert_int_equal(ftruncate(file, change->offset), 0);
 }
 
@@ -77,30 +88,45 @@ static size_t check_file(const char *path, size_t change)
     return samples;
 }
 
+/* A run of 300 odd samples, recorded; returns how many. */
+static size_t record_run(struct stand *s)
+{
+    struct bead_message msg = {""};
+    if (try_set_up(s, TWO_CHAINS, "trajectory: run.h5, every: 1 us, fields: [displacement, velocity, contact-force]", 0.6e-3, &msg))
+        fail_msg("%s", msg.text);
+    s->sink->chunk_rows = 4; /* so that the indices of chunks grow, and split */
+    recording = true;
+    begin(s);
+    for (int i = 0; i < 150; i++) {
+        deliver(s, 2);
+        if (i % 40 == 0) { /* half a chunk is flushed, too */
+            s->sink->flushed -= 10;
+            deliver(s, 1);
+            s->sink->flushed -= 10;
+            deliver(s, 1);
+        }
+    }
+    const size_t delivered = s->next;
+    finish(s);
+    recording = false;
+    return delivered;
+}
+
+static void forget_run(struct stand *s)
+{
+    for (size_t i = 0; i < change_count; i++)
+        free(changes[i].bytes);
+    free(changes);
+    changes = NULL;
+    change_count = 0;
+    tear_down(s, 2);
+}
+
 static void every_write_leaves_a_readable_file(void **state)
 {
     (void)state;
     struct stand s;
-    struct bead_message msg = {""};
-    if (try_set_up(&s, TWO_CHAINS, "trajectory: run.h5, every: 1 us, fields: [displacement, velocity, contact-force]", 0.6e-3,
-                   &msg))
-        fail_msg("%s", msg.text);
-    s.sink->chunk_rows = 4; /* so that the indices of chunks grow, and split */
-    recording = true;
-    begin(&s);
-    for (int i = 0; i < 150; i++) {
-        deliver(&s, 2);
-        if (i % 40 == 0) { /* half a chunk is flushed, too */
-            s.sink->flushed -= 10;
-            deliver(&s, 1);
-            s.sink->flushed -= 10;
-            deliver(&s, 1);
-        }
-    }
-    const size_t delivered = s.next;
-    finish(&s);
-    recording = false;
-
+    const size_t delivered = record_run(&s);
     char path[160];
     snprintf(path, sizeof path, "%s/copy.h5", s.directory);
     int file = open(path, O_RDWR | O_CREAT, 0600);
@@ -119,14 +145,71 @@ static void every_write_leaves_a_readable_file(void **state)
     }
     assert_int_equal(least, delivered);
     close(file);
-    for (size_t i = 0; i < change_count; i++)
-        free(changes[i].bytes);
-    free(changes);
-    tear_down(&s, 2);
+    forget_run(&s);
+}
+
+/* Of a change, the pages that a disk keeps which keeps one with the probability `kept`. */
+static void keep_some(int file, const struct change *change, double kept)
+{
+    enum { PAGE = 4096 };
+    if (change->size == 0 && drand48() < kept)
+        repeat(file, change);
+    for (size_t from = 0; from < change->size;) {
+        const size_t left = change->size - from, page = PAGE - (size_t)(change->offset + (off_t)from) % PAGE;
+        struct change part = {change->offset + (off_t)from, page < left ? page : left, change->bytes + from, false};
+        if (drand48() < kept)
+            repeat(file, &part);
+        from += part.size;
+    }
+}
+
+/* The power fails after each change, in several ways: what came before the last wait is on the disk, of what came after it any page
+ * may be. All samples are there that were when the disk was last waited for. */
+static void a_disk_without_power_keeps_a_readable_file(void **state)
+{
+    (void)state;
+    struct stand s;
+    char path[160], lost[160];
+    size_t cases = 0;
+    record_run(&s);
+    srand48(1);
+    snprintf(path, sizeof path, "%s/copy.h5", s.directory);
+    snprintf(lost, sizeof lost, "%s/lost.h5", s.directory);
+    const int file = open(path, O_RDWR | O_CREAT, 0600);
+    assert_true(file >= 0);
+    size_t waited = 0, samples = 0;
+    for (size_t i = 0; i < change_count; i++) {
+        if (changes[i].waited) {
+            for (; waited < i; waited++)
+                repeat(file, &changes[waited]);
+            samples = bead_trajectory_is(path) ? check_file(path, i) : 0;
+            continue;
+        }
+        for (int way = 0; samples && way < 2; way++, cases++) {
+            unsigned char block[65536];
+            const int disk = open(lost, O_RDWR | O_CREAT | O_TRUNC, 0600);
+            ssize_t got;
+            for (off_t at = 0; (got = pread(file, block, sizeof block, at)) > 0; at += got)
+                assert_int_equal(write(disk, block, (size_t)got), got);
+            const double kept = drand48();
+            for (size_t c = waited; c <= i; c++)
+                keep_some(disk, &changes[c], kept);
+            close(disk);
+            const size_t left = check_file(lost, i);
+            if (left < samples)
+                fail_msg("power lost after change %zu of %zu: %zu of %zu samples are left", i, change_count, left, samples);
+        }
+    }
+    assert_true(cases > 1000);
+    print_message("power lost in %zu ways\n", cases);
+    close(file);
+    unlink(lost);
+    forget_run(&s);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_write_leaves_a_readable_file)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_write_leaves_a_readable_file),
+                                       cmocka_unit_test(a_disk_without_power_keeps_a_readable_file)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
