@@ -71,8 +71,8 @@ int main(int argc, char **argv)
                  "  beadreel [OPTION]... SCENE.yaml          make all outputs of a scene, or of a ready one by its name\n"
                  "  beadreel [OPTION]... FILE.h5 -o out.png  draw a trajectory, several, or the results of a sweep (png, pdf, mp4, "
                  "...)\n",
-        .examples = "Examples:\n"
-                    "  beadreel clean-vs-delocalised -o demo --only waves.mp4 --set outputs.0.size='[640, 360]'\n",
+        .examples = "Example:"
+                    " beadreel clean-vs-delocalised -o demo --only waves.mp4 --set outputs.0.size='[640, 360]'\n",
         .lists = lists,
         .sinks = sinks,
         .canvases = canvases,

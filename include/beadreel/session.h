@@ -59,7 +59,8 @@ struct bead_job {
     const struct bead_own *own; /* what the program adds to scenes (scene.h); NULL: nothing. As long as the session */
     const char *const *others;  /* more trajectories, whose chains are shown beside those of `input` */
     size_t other_count;
-    bool difference; /* of two trajectories: the second less the first */
+    bool difference;   /* of two trajectories: the second less the first */
+    const char *still; /* "poster": of the frame asked for, or else of "peak", the beads alone and large; NULL: no */
 };
 
 struct bead_session;

@@ -17,6 +17,7 @@
 #include "render/view/camera.h"
 #include "render/view/magnify.h"
 #include "sim/base/memory.h"
+#include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"
 
 /* Views are numbered chain by chain. */
@@ -320,7 +321,17 @@ enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes 
 {
     if (c->carded)
         return BEAD_OK;
-    bead_card_draw(c->cr, &c->look, &c->facts, c->setup.title, c->setup.output->movie.card.text, c->frame.width, c->frame.height);
+    const struct bead_output *output = c->setup.output;
+    const bool beads = bead_chain_spec(c->setup.chains[0])->system->has_masses;
+    const struct bead_view_setup stage = {.field = output->shown.field,
+                                          .beads = bead_composer_beads(c, 0),
+                                          .colours = c->colours,
+                                          .look = &c->look,
+                                          .fill = true,
+                                          .magnify = c->magnify,
+                                          .light = output->views.light};
+    BEAD_TRY(bead_card_draw(c->cr, &c->facts, beads ? &stage : NULL, &c->look, c->setup.title, output->movie.card.text,
+                            (const int[]){c->frame.width, c->frame.height}, msg));
     cairo_surface_flush(c->surface);
     bead_changes_add(changes, (struct bead_rect){0, 0, c->frame.width, c->frame.height});
     c->carded = true;

@@ -105,6 +105,8 @@ static enum bead_error frame_create(const struct bead_output *output, const stru
 static void frame_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     bead_film_needs(&s->film, s->why, needs);
+    if (s->search)
+        needs->fields |= BEAD_FIELD_BIT(s->film.output->shown.field); /* a stage alone shows other fields */
     if (!s->found || (bead_film_scouts(&s->film) && !s->begun))
         return;
     const double count = ceil((bead_movie_time(&s->film.times, (double)s->frame) - needs->grid.start) / needs->grid.every - 1e-6);

@@ -148,6 +148,8 @@ static enum bead_error movie_create(const struct bead_output *output, const stru
 static void movie_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     bead_film_needs(&s->film, s->why, needs);
+    if (s->poster_path)
+        needs->fields |= BEAD_FIELD_BIT(s->film.output->shown.field); /* a stage alone shows other fields */
     bead_film_sound_needs(s->sound, needs);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words of movies: clock, headings, facts, and the title card. The composer puts them on the frame. */
+/* The words of movies: clock, headings, facts. The composer puts them on the frame. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,8 +88,7 @@ static bool heading_shows_formula(const struct bead_chain *chain)
     return formula[0] && bead_chain_title(chain)[0] && !(label && label[0]);
 }
 
-/* Facts common to all chains: "large-steel:aluminium, striker 0.443 m/s"; "" if none. Text for bead_markup. */
-static void facts_chain(const struct bead_facts *facts, char *out, size_t size)
+void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 {
     char name[160], other[160], speed[40];
     bool same_beads = true, same_speed = true;
@@ -126,8 +125,7 @@ static void facts_chain(const struct bead_facts *facts, char *out, size_t size)
 
 enum { MOST_FACTS = 3, MOST_FACT = 256 };
 
-/* "1 s of film = 0.28 ms", in the unit of the clock; equations have times without a unit. */
-static void say_speed(const struct bead_facts *facts, double factor, char *out, size_t size)
+void bead_facts_speed(const struct bead_facts *facts, double factor, char *out, size_t size)
 {
     char number[40];
     bead_round_number(factor / facts->clock.unit, number, sizeof number);
@@ -144,7 +142,7 @@ static void say_pace(const struct bead_facts *facts, double factor, char *out, s
     else if (facts->clock.sign[0])
         snprintf(out, size, "%s\u00a0%s\u00a0times", slow ? "slowed" : "speeded up", number);
     else
-        say_speed(facts, factor, out, size);
+        bead_facts_speed(facts, factor, out, size);
 }
 
 void bead_badge_text(const struct bead_facts *facts, double time, char *out, size_t size)
@@ -197,7 +195,7 @@ static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS]
         bead_round_number(facts->magnify, number, sizeof number);
         snprintf(text[count++], MOST_FACT, "displacements \u00d7\u00a0%s", number);
     }
-    facts_chain(facts, plain, sizeof plain);
+    bead_facts_chain(facts, plain, sizeof plain);
     if (plain[0])
         snprintf(text[count++], MOST_FACT, "%s", plain);
     return count;
@@ -342,133 +340,4 @@ void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct b
     label_markup(chain, markup, sizeof markup);
     if (markup[0])
         draw_label(cr, look, markup, part * look->label, x, y + under, rect.x + rect.width - x);
-}
-
-/* ---- the title card ---- */
-
-/* Its lines, from the top; px. */
-struct card {
-    cairo_t *cr;
-    const struct bead_look *look;
-    double left, width, y;
-};
-
-static void card_line(struct card *c, const char *markup, double size, bool bold, struct bead_rgb colour)
-{
-    struct bead_text_style style = bead_words_style(c->look, size, colour, BEAD_ALIGN_MIDDLE);
-    struct bead_rect box = {(int)c->left, (int)c->y, (int)c->width, (int)(2 * size)};
-    style.bold = bold;
-    style.size *= fmax(0.5, fmin(1, c->width / fmax(1, bead_words_width(c->cr, &style, markup))));
-    bead_words_draw_within(c->cr, &style, box, c->left, c->y + 0.8 * size, markup);
-    c->y += 1.6 * size;
-}
-
-/* `text` is for bead_markup. */
-static void card_marked(struct card *c, const char *text, double size)
-{
-    char markup[HEADING_MARKUP];
-    bead_markup(text, markup, sizeof markup);
-    card_line(c, markup, size, false, c->look->faint);
-}
-
-static void card_plain(struct card *c, const char *plain, double size, bool bold, struct bead_rgb colour)
-{
-    char markup[5 * 1024 + 1];
-    bead_text_escape(plain, markup, sizeof markup);
-    card_line(c, markup, size, bold, colour);
-}
-
-/* "1 s of film = 0.28 ms, 3 600 times slower", or "1 s of film = 0.25 to 2 ms" */
-static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
-{
-    char least[160], most[40], factor[64];
-    double factors[2];
-    bead_film_factors(facts->film, factors);
-    bool slower = factors[0] <= 1, even = factors[1] <= 1.001 * factors[0];
-    say_speed(facts, factors[0], least, sizeof least);
-    bead_round_number(slower ? 1 / factors[0] : factors[0], factor, sizeof factor);
-    bead_round_number(factors[0] / facts->clock.unit, most, sizeof most);
-    if (!even) {
-        char other[40];
-        bead_round_number(factors[1] / facts->clock.unit, other, sizeof other);
-        snprintf(out, size, "1\u00a0s of film = %s to %s\u00a0%s", most, other,
-                 facts->clock.sign[0] ? facts->clock.sign : "time units");
-    } else if (facts->clock.sign[0])
-        snprintf(out, size, "%s, %s times %s", least, factor, slower ? "slower" : "faster");
-    else
-        snprintf(out, size, "%s", least);
-}
-
-static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][MOST_FACT])
-{
-    char number[64];
-    size_t count = 0;
-    facts_chain(facts, words[0], sizeof words[0]);
-    count += words[0][0] != '\0';
-    say_slowness(facts, words[count++], sizeof words[0]);
-    if (facts->magnify > 0 && facts->magnify != 1) {
-        bead_round_number(facts->magnify, number, sizeof number);
-        snprintf(words[count++], sizeof words[0], "Displacements drawn %s times larger", number);
-    }
-    return count;
-}
-
-/* Headings of chains that have one, as many as fit. */
-static void card_chains(struct card *c, const struct bead_facts *facts, double room)
-{
-    const struct bead_look *look = c->look;
-    double step = 1.9 * look->title, bottom = c->y + room;
-    size_t named = 0, shown = 0;
-    for (size_t i = 0; i < facts->chain_count; i++)
-        named += bead_heading_has(facts->chains[i]);
-    for (size_t i = 0; i < facts->chain_count; i++) {
-        double left = named - shown > 1 ? 2 * step : step; /* keeps room for a last line that counts the others */
-        if (!bead_heading_has(facts->chains[i]))
-            continue;
-        if (c->y + left > bottom + 0.5) {
-            char more[64];
-            snprintf(more, sizeof more, "and %zu more chains", named - shown);
-            if (c->y + step <= bottom + 0.5)
-                card_plain(c, more, look->label, false, look->faint);
-            return;
-        }
-        struct bead_rect rect = {(int)c->left, (int)c->y, (int)c->width, (int)step};
-        struct bead_heading heading = {facts->chains[i], look->ink, false};
-        bead_heading_draw(c->cr, look, &heading, rect);
-        c->y += step;
-        shown++;
-    }
-}
-
-void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, const char *title, const char *text,
-                    int width, int height)
-{
-    char words[MOST_FACTS][MOST_FACT];
-    size_t count = card_words(facts, words), chains = 0;
-    bool has_title = title && title[0], has_text = text && text[0];
-    double large = 2.1 * look->title, small = 1.15 * look->label, line = fmax(2, 2 * look->line);
-    struct card card = {.cr = cr, .look = look, .left = round(0.12 * width), .width = round(0.76 * width)};
-    for (size_t i = 0; i < facts->chain_count; i++)
-        chains += bead_heading_has(facts->chains[i]);
-    double fixed =
-        (has_title ? 1.6 * large : 0) + (has_text ? 1.76 * look->title : 0) + 3 * look->title + 1.6 * small * (double)count;
-    double wanted = 1.9 * look->title * (double)chains, room = fmax(0, fmin(wanted, 0.9 * height - fixed));
-    cairo_save(cr);
-    bead_look_paint(look, cr);
-    card.y = round(fmax(0, 0.46 * (height - fixed - room)));
-    if (has_title)
-        card_plain(&card, title, large, true, look->ink);
-    if (has_text)
-        card_marked(&card, text, 1.1 * look->title);
-    card.y += look->title;
-    cairo_set_source_rgb(cr, look->accent.r, look->accent.g, look->accent.b);
-    cairo_rectangle(cr, card.left, round(card.y), 3 * large, line);
-    cairo_fill(cr);
-    card.y += look->title;
-    double below = card.y + room + look->title;
-    card_chains(&card, facts, room);
-    card.y = below;
-    for (size_t i = 0; i < count; i++)
-        card_marked(&card, words[i], small);
-    cairo_restore(cr);
 }

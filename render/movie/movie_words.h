@@ -33,6 +33,10 @@ struct bead_facts {
     const struct bead_chain *const *chains;
     size_t chain_count;
 };
+/* Facts common to all chains, text for bead_markup: "large-steel:aluminium, striker 0.443 m/s"; "" if none. */
+void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size);
+/* "1 s of film = 0.28 ms", in the unit of the clock; equations have times without a unit. */
+void bead_facts_speed(const struct bead_facts *facts, double factor, char *out, size_t size);
 /* Lines that all facts need in `room` px. */
 size_t bead_facts_lines(const struct bead_look *look, const struct bead_facts *facts, double room);
 /* In as many lines as they need, from the left or ending at the right. */
@@ -75,8 +79,11 @@ void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *te
 /* The end of a note, s of the motion: notes.c. */
 double bead_note_end(const struct bead_note *note, const struct bead_film_clock *clock);
 
-/* ---- the title card ---- */
+/* ---- the title card: movie_card.c ---- */
 
-/* Over the whole of a frame of width x height px. `text`: a line below the title; NULL or "": none. */
-void bead_card_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, const char *title, const char *text,
-                    int width, int height);
+/* Over the whole of a frame of width x height px: title, headings with the beads of their chains, facts. `text`: a line below the
+ * title; NULL or "": none. `stage`: how the view stage draws a chain of this film; NULL: chains have no beads. Errors: MEMORY,
+ * GRAPHICS. */
+BEAD_CHECK enum bead_error bead_card_draw(cairo_t *cr, const struct bead_facts *facts, const struct bead_view_setup *stage,
+                                          const struct bead_look *look, const char *title, const char *text, const int size[2],
+                                          struct bead_message *msg);

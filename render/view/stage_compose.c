@@ -154,6 +154,64 @@ void bead_stage_compose(struct bead_view *v)
     }
 }
 
+/* ---- without a background ---- */
+
+/* Of black and grey floors the same light is sent, and the same part of what is behind is seen: the picture on black is the colour,
+ * and what the grey floor adds says how much is seen through. Linear light of the grey floor; radii above the lower edge in which
+ * the picture fades. */
+static const float grey = 0.5f, fade = 0.6f;
+
+static void make_floors(struct bead_view *v)
+{
+    for (int k = 0; k < 2; k++) {
+        v->floors[k] = *v->stage.theme;
+        for (int c = 0; c < 3; c++)
+            v->floors[k].floor[c] = v->floors[k].back[c] = k ? grey : 0;
+    }
+}
+
+/* `part`: so much of it is kept. */
+static void set_alpha(uint8_t *pixel, const uint8_t *on_grey, int whole, float part)
+{
+    int through = 0, most = 0;
+    for (int c = 0; c < 3; c++) {
+        through += on_grey[c] - pixel[c];
+        most = pixel[c] > most ? pixel[c] : most;
+    }
+    const int all = 3 * whole, alpha = through + 3 >= all ? 0 : through <= 3 ? 255 : 255 - (255 * through + all / 2) / all;
+    for (int c = 0; alpha == 0 && most <= 1 && c < 3; c++) /* dither on nothing */
+        pixel[c] = 0;
+    pixel[3] = (uint8_t)(most <= 1 || alpha > most ? alpha : most);
+    for (int c = 0; part < 1 && c < 4; c++)
+        pixel[c] = (uint8_t)(part * (float)pixel[c]);
+}
+
+enum bead_error bead_stage_paint(struct bead_view *v, struct bead_canvas *canvas, struct bead_rect place, struct bead_frame *frame,
+                                 struct bead_message *msg)
+{
+    const struct bead_stage_theme *own = v->stage.theme;
+    const struct bead_rect all = {0, 0, place.width, place.height};
+    if (!v->look.clear)
+        return bead_paint_stage(canvas, &v->stage, place, v->head, frame, msg);
+    make_floors(v);
+    enum bead_error err = v->on_grey.pixels ? BEAD_OK : bead_frame_create(all.width, all.height, &v->on_grey, msg);
+    v->stage.theme = &v->floors[0];
+    if (!err)
+        err = bead_paint_stage(canvas, &v->stage, place, v->head, frame, msg);
+    v->stage.theme = &v->floors[1];
+    if (!err)
+        err = bead_paint_stage(canvas, &v->stage, all, v->head, &v->on_grey, msg);
+    v->stage.theme = own;
+    for (int y = v->head; !err && y < place.height; y++) {
+        const float part = (float)(place.height - y) / (fade * v->stage.unit); /* light on the floor ends without an edge */
+        uint8_t *pixel = frame->pixels + (size_t)(place.y + y) * frame->stride + 4 * (size_t)place.x;
+        for (int x = 0; x < place.width; x++)
+            set_alpha(pixel + 4 * (size_t)x, v->on_grey.pixels + (size_t)y * v->on_grey.stride + 4 * (size_t)x,
+                      (int)(255 * bead_stage_shown(grey)), part);
+    }
+    return err;
+}
+
 /* ---- the row of all beads ---- */
 
 static uint8_t level(double x)

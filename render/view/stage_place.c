@@ -11,6 +11,8 @@
 static const double light_above = 1.28, least_above = 1.15, least_below = 1.75, roomy_below = 2.2;
 /* Beads side by side: more are in view where the stage is low, less only where there are no more. */
 static const double least_across = 14.5, best_across = 16;
+/* In bare pictures, where nothing but the stage tells what happens: a pulse of five and two on both sides. */
+static const double bare_across = 9;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
 /* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. */
@@ -47,7 +49,8 @@ static double choose_radius(const struct bead_view *v, double width, double heig
 {
     if (v->setup.camera) /* other views show its window too */
         return v->largest * v->plot.width / bead_camera_width(v->setup.camera);
-    const double r = fmin(largest_radius(height), all ? width * v->largest / length : width / (2 * least_across));
+    const double r = fmin(largest_radius(height),
+                          all ? width * v->largest / length : width / (2 * (v->setup.axes ? least_across : bare_across)));
     return fmax(1, floor(2 * r) / 2);
 }
 
@@ -83,11 +86,12 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
     const bool film = v->setup.fill, tall = v->plot.height > 9 * em;
     const double head = film ? v->setup.head : v->setup.axes && tall ? headroom(v) : 0;
     const double numbers = v->setup.axes && v->setup.bead_labels && (film || tall) ? ceil(BEAD_STAGE_NUMBERS * em) : 0;
-    const double row = ceil(fmax(6, 0.8 * em));
+    const double row = v->setup.axes ? ceil(fmax(6, 0.8 * em)) : 0;
     const bool all = shows_all(v, width, v->plot.height - head - numbers, length);
     double below = numbers + (all ? 0 : row);
     const double r = choose_radius(v, width, v->plot.height - head - below, length, all);
-    const bool rowless = all || (v->plot.height - below < 2.6 * r && numbers == 0); /* the large beads come first */
+    const bool rowless =
+        all || !v->setup.axes || (v->plot.height - below < 2.6 * r && numbers == 0); /* the large beads come first */
     below = numbers + (rowless ? 0 : row);
     v->strip = (struct bead_rect){v->plot.x - beyond[0], v->plot.y, (int)width, (int)(v->plot.height - below)};
     v->scale = r / v->largest;
@@ -128,7 +132,8 @@ static void draw_backdrop(const struct bead_view *v, cairo_t *cr)
 
 enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *)
 {
-    draw_backdrop(v, cr);
+    if (!v->look.clear)
+        draw_backdrop(v, cr);
     bead_stage_draw_names(v, cr);
     if (v->setup.axes && v->head >= headroom(v))
         bead_stage_draw_key(v, cr);

@@ -44,6 +44,10 @@ struct bead_view {
     struct bead_canvas *canvas; /* borrowed */
     struct bead_backdrop *backdrop;
     bool drawn;
+
+    /* Of looks without a background: themes with a black and a grey floor, and the picture on the grey one. */
+    struct bead_stage_theme floors[2];
+    struct bead_frame on_grey;
 };
 
 /* Divides the plot. Errors: MEMORY. */
@@ -61,6 +65,10 @@ double bead_stage_full(const struct bead_view_setup *setup);
 void bead_stage_advance(struct bead_view *v, double time);
 /* Puts the beads in view on the stage. */
 void bead_stage_compose(struct bead_view *v);
+/* Paints the composed stage into this place of the frame: opaque, or where the look has no background with alpha, premultiplied, so
+ * that light is added to whatever is behind and shadows darken it. Errors: MEMORY, GRAPHICS. */
+BEAD_CHECK enum bead_error bead_stage_paint(struct bead_view *v, struct bead_canvas *canvas, struct bead_rect place,
+                                            struct bead_frame *frame, struct bead_message *msg);
 /* Balls of the row, and the mark around the window. */
 void bead_stage_compose_row(struct bead_view *v);
 /* m along the floor of a place among the contacts, at rest: 3.5 is between contacts 3 and 4. */

@@ -27,6 +27,7 @@ static void stage_destroy(struct bead_view *v)
         return;
     bead_stage_close(&v->stage);
     bead_backdrop_destroy(v->canvas, v->backdrop);
+    bead_frame_free(&v->on_grey);
     free(v->numbers);
     free(v->balls);
     free(v);
@@ -147,7 +148,7 @@ static enum bead_error stage_draw(struct bead_view *v, double time, struct bead_
         return BEAD_OK;
     enum bead_error err = prepare(v, time, msg);
     if (!err)
-        err = bead_paint_stage(v->canvas, &v->stage, v->strip, v->head, frame, msg);
+        err = bead_stage_paint(v, v->canvas, v->strip, frame, msg);
     if (!err && changes)
         bead_changes_add(changes, (struct bead_rect){v->strip.x, v->strip.y + v->head, v->strip.width, v->strip.height - v->head});
     if (!err && v->row.height > 0)
@@ -184,14 +185,15 @@ static void draw_row(struct bead_view *v, cairo_t *cr)
 static enum bead_error draw_stage(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_rect all = {0, 0, v->strip.width, v->strip.height};
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, all.width, all.height);
+    const cairo_format_t format = v->look.clear ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24;
+    cairo_surface_t *surface = cairo_image_surface_create(format, all.width, all.height);
     struct bead_frame frame = {all.width, all.height, (size_t)cairo_image_surface_get_stride(surface),
-                               cairo_image_surface_get_data(surface), false};
+                               cairo_image_surface_get_data(surface), v->look.clear};
     struct bead_canvas *canvas = NULL;
     enum bead_error err = frame.pixels ? bead_canvas_create("plain", all.width, all.height, &canvas, msg)
                                        : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a stage");
     if (!err)
-        err = bead_paint_stage(canvas, &v->stage, all, v->head, &frame, msg);
+        err = bead_stage_paint(v, canvas, all, &frame, msg);
     if (!err) {
         cairo_surface_mark_dirty(surface);
         cairo_set_source_surface(cr, surface, v->strip.x, v->strip.y);
@@ -213,6 +215,30 @@ static enum bead_error stage_vector(struct bead_view *v, double time, cairo_t *c
         err = draw_stage(v, cr, msg);
     if (!err && v->row.height > 0)
         draw_row(v, cr);
+    return err;
+}
+
+enum bead_error bead_stage_at_rest(const struct bead_view_setup *setup, struct bead_rect rect, cairo_t *cr,
+                                   struct bead_message *msg)
+{
+    const enum bead_field field = bead_stage_field(setup);
+    const double *rest = contacts_of(setup->chain) ? bead_chain_static_force(setup->chain) : NULL;
+    struct bead_sample sample = {.active = bead_chain_beads(setup->chain)};
+    struct bead_view *v = NULL;
+    BEAD_FREED double *zeros = NULL;
+    BEAD_TRY(bead_new(&zeros, sample.active + 1, msg, "a stage"));
+    sample.field[BEAD_FIELD_DISPLACEMENT] = zeros;
+    sample.field[field] = rest ? rest : zeros;
+    enum bead_error err = stage_create(setup, &v, msg);
+    if (!err)
+        err = stage_place(v, rect, NULL, msg);
+    if (!err)
+        err = bead_stage_decorate(v, cr, msg);
+    if (!err)
+        err = stage_feed(v, &sample, msg);
+    if (!err)
+        err = stage_vector(v, 0, cr, msg);
+    stage_destroy(v);
     return err;
 }
 

@@ -11,6 +11,11 @@ BEAD_VIEWS(BEAD_VIEW_TYPE)
 /* Room, px, that the key of a stage takes at the right of its headroom. */
 double bead_stage_key_room(const struct bead_view_setup *setup);
 
+/* Draws the beginning of a chain at rest on a stage, without a row, numbers or key, into `rect` of a picture. Errors: MEMORY,
+ * GRAPHICS. */
+BEAD_CHECK enum bead_error bead_stage_at_rest(const struct bead_view_setup *setup, struct bead_rect rect, cairo_t *cr,
+                                              struct bead_message *msg);
+
 /* View `index` of those that an output asks for. Errors: USAGE (a function is missing). */
 BEAD_CHECK enum bead_error bead_view_take(const struct bead_views_asked *asked, size_t index, const struct bead_view_type **type,
                                           struct bead_message *msg);

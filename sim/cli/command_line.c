@@ -61,6 +61,7 @@ static enum bead_error set_progress(struct command *command, const char *value, 
     return BEAD_OK;
 }
 
+static const char *const still_words[] = {"poster", NULL};
 static const char *const new_words[] = {"paper", "lecture", "sweep", "compare", NULL};
 
 static enum bead_error set_quiet(struct command *command, const char *, struct bead_message *)
@@ -132,6 +133,8 @@ static const struct command_option rows[] = {
     {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", .separators = ","},
     {"frame", 0, "MOMENT", "draw only a frame of the scene's film, as PNG: 2.1ms of the motion, 50% of the film, or peak",
      .text = COMMAND(job.frame), .draws = true},
+    {"still", 0, "KIND", "draw only the film's beads, large, as PNG, for a title slide: poster; at the peak, or --frame MOMENT",
+     .words = still_words, .text = COMMAND(job.still), .draws = true},
     {"plan", 0, NULL, "show what would be computed, what is skipped, and why; compute nothing", .action = COMMAND_PLAN},
     {"new", 0, "KIND", "write a commented scene to start from, KIND.yaml or -o FILE: paper, lecture, sweep or compare",
      .words = new_words, .text = COMMAND(kind), .action = COMMAND_NEW},

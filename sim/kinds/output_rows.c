@@ -110,8 +110,8 @@ const struct bead_option bead_light_row[1] = {
 };
 const struct bead_option bead_axes_row[1] = {
     {"axes", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(views.axes), .initial = "true",
-     .help = "axes, labels and colour bar around the picture; false: nothing but the views, and in an image of spacetime alone "
-             "bead 0 in the top row (see orientation)"},
+     .help = "axes, labels and colour bar around the picture; false: nothing but the views: of a stage fewer and larger beads, "
+             "in an image of spacetime alone bead 0 in the top row (see orientation)"},
 };
 const struct bead_option bead_orientation_row[1] = {
     {"orientation", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(views.orientation), .initial = "auto", .choices = orientations,

@@ -3,6 +3,7 @@
  */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "beadreel/sweep.h"
@@ -111,6 +112,8 @@ static enum bead_error check_job(const struct bead_job *job, struct bead_message
 {
     if (job->configuration && job->sheet)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--sheet shows many configurations, --configuration one: give one of the two");
+    if (job->still && strcmp(job->still, "poster") != 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--still: there is no `%s`; must be poster", job->still);
     if (job->frame && (job->configuration || job->sheet))
         return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: has no effect with --%s", job->sheet ? "sheet" : "configuration");
     if (job->sheet && job->parts > 0)
@@ -159,6 +162,8 @@ static enum bead_error begin(struct bead_session *s, const struct bead_job *give
                          job->instructions);
     if (!job->input)
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given");
+    if (job->still && !job->frame)
+        s->job.frame = "peak";
     err = check_job(job, msg);
     return err ? err : open_input(s, msg);
 }

@@ -10,6 +10,7 @@
 #include "sim/base/suggest.h"
 #include "sim/base/units.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/kinds/scene_facts.h"
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
@@ -153,6 +154,19 @@ static enum bead_error read_frame(const struct bead_session *s, struct bead_fram
                : BEAD_OK;
 }
 
+/* Leaves nothing of a film but its beads. */
+static enum bead_error bare_beads(const struct bead_scene *scene, struct bead_output *output, struct bead_message *msg)
+{
+    if (!bead_scene_has_beads(scene))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--still poster: %s has no beads to show", scene->file);
+    output->views.kinds[0] = BEAD_VIEW_STAGE;
+    output->views.count = 1;
+    output->views.axes = output->shown.trust = output->movie.race = false;
+    output->movie.layout = BEAD_LAYOUT_AUTO;
+    output->movie.note_count = 0;
+    return BEAD_OK;
+}
+
 /* A poster, or slides, go beside the movie, wherever `-o FILE` puts that. */
 static enum bead_error place_single(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
@@ -167,6 +181,8 @@ static enum bead_error place_single(const struct bead_session *s, struct bead_ma
     size_t length = (size_t)(bead_session_base_name(path) - path);
     if (s->job.frame) {
         m->changed.movie.poster = m->changed.movie.slides = NULL;
+        if (s->job.still)
+            BEAD_TRY(bare_beads(s->source, &m->changed, msg));
         return read_frame(s, &m->frame, msg);
     }
     if (s->source->output_count != 1 && s->job.setting_count > 0)

@@ -225,7 +225,7 @@ static enum bead_error find_frame_path(struct bead_session *s, const struct bead
                    ? BEAD_OK
                    : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: makes a PNG file, and -o names %s", output);
     }
-    char *name = own_name(movie, s->job.frame);
+    char *name = own_name(movie, s->job.still ? s->job.still : s->job.frame);
     enum bead_error err = name ? bead_file_join(output ? output : ".", name, &s->frame_path, msg) : bead_session_out_of_memory(msg);
     free(name);
     s->single = s->frame_path;

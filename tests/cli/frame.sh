@@ -80,6 +80,39 @@ ok "... of the run" prints "time: 0.6 ms as asked"
 ok "JSON" exits 0 "$beadreel" given.yaml --frame 50% --json -q
 ok "... names the file and its kind" prints '"kind": "frame"'
 
+# ---- title slides ----
+
+cat >slide.yaml <<'YAML'
+title: Beads of brass
+chain: {striker: {bead: brass, velocity: 0.4 m/s}, beads: [{bead: brass, count: 40}]}
+simulate: {until: 0.6 ms}
+outputs:
+  - {movie: slide.mp4, duration: 2 s, size: [640, 360], card: true, captions: [{at: 0.1 ms, text: Now}]}
+YAML
+# warm FILE X Y W H : is this part of the picture's, on average, redder than blue by a fifth?
+warm() {
+    read -r red _ blue < <(ffmpeg -v fatal -i "$1" -vf "crop=$4:$5:$2:$3,scale=1:1:flags=area" -f rawvideo -pix_fmt rgb24 - | od -An -tu1)
+    [ $((10 * red)) -gt $((12 * blue)) ]
+}
+alphas() { ffmpeg -v fatal -i "$1" -vf alphaextract,format=gray -f rawvideo - | od -An -v -tu1 -w1 | sort -nu | sed -n '1p;$p' | tr -d '\n'; }
+ok "a poster for slides" exits 0 "$beadreel" slide.yaml --still poster
+ok "... has a name of its own" test -s slide-poster.png
+ok "... of a moment" exits 0 "$beadreel" slide.yaml --still poster --frame 0.2ms -o early.png
+ok "... which is another" [ "$(cmp -s early.png slide-poster.png; echo $?)" -eq 1 ]
+ok "... without a background" exits 0 "$beadreel" slide.yaml --still poster --set outputs.0.background=none -o clear.png
+ok "the title card" exits 0 "$beadreel" slide.yaml --frame 0% -o card.png
+if command -v ffmpeg >/dev/null; then
+    ok "the poster's beads are brass" warm slide-poster.png 200 120 240 120
+    ok "... on nothing" [ "$(alphas clear.png | tr -d ' ')" = 0255 ]
+    ok "the card's, too" warm card.png 100 140 440 60
+    ok "... and those of steel are grey" exits 0 "$beadreel" slide.yaml --frame 0% -o card.png --set chain.beads.0.bead=large-steel --set chain.striker.bead=large-steel
+    ok "... which shows" [ "$(warm card.png 100 140 440 60; echo $?)" -eq 1 ]
+fi
+ok "equations have no beads" fails 2 "$beadreel" kdv --still poster
+ok "... as it says" says "kdv.yaml has no beads to show"
+ok "no other kind" fails 2 "$beadreel" slide.yaml --still postre
+ok "... is known" says "unknown value \`postre\`; did you mean \`poster\`"
+
 # ---- names ----
 
 rm -f ./*.png

@@ -10,7 +10,7 @@ for program in beadreel beadsim; do
     ok "$program --help" exits 0 "$p" --help
     ok "$program --help fits a screen" test "$(wc -l <"$T/out")" -le 40
     ok "$program --help fits 132 columns" test "$(wc -L <"$T/out")" -le 132
-    ok "$program --help has examples" prints "Examples:"
+    ok "$program --help has examples" prints "Example"
     ok "$program -h is --help" cmp <("$p" -h) <("$p" --help)
     ok "$program --version" exits 0 "$p" --version
     ok "$program --version names itself" prints "$program $(sed -n 's/^#define BEADREEL_VERSION "\(.*\)"/\1/p' "$top/include/beadreel/api.h")"

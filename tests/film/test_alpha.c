@@ -212,6 +212,7 @@ static void take_rgba(const AVFrame *frame, uint8_t *rgba)
     }
 }
 
+/* Stages: test_stage. */
 static void films_cover_what_they_show(void **state)
 {
     (void)state;
@@ -222,8 +223,8 @@ static void films_cover_what_they_show(void **state)
         for (int k = 0; k < 2; k++) {
             char text[400], path[256];
             snprintf(text, sizeof text,
-                     "movie: a.apng, background: %s, theme: %s, size: [480, 270], fps: 10, duration: 1 s, card: 0.2 s, captions: "
-                     "[{at: 0.2 ms, text: A caption}]",
+                     "movie: a.apng, views: [beads, profile, spacetime], background: %s, theme: %s, size: [480, 270], fps: 10, "
+                     "duration: 1 s, card: 0.2 s, captions: [{at: 0.2 ms, text: A caption}]",
                      backgrounds[k], themes[dark]);
             struct built built = build_chain(text);
             draw_output(&built, pulse_down_the_chain);

@@ -478,6 +478,52 @@ static void the_key_light_is_heard(void **state)
         }
 }
 
+/* Without a background a stage laid over grey is the stage on a grey floor, and lets through all where nothing is. */
+static void stages_are_transparent(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct setting s;
+    open_view(&s, few, BEAD_LIGHT_CONTACTS);
+    struct bead_view *v = s.view;
+    const struct bead_rect all = {0, 0, v->strip.width, v->strip.height};
+    struct bead_frame clear, grey;
+    struct bead_canvas *canvas;
+    require(bead_frame_create(all.width, all.height, &clear, &msg), &msg);
+    require(bead_frame_create(all.width, all.height, &grey, &msg), &msg);
+    require(bead_canvas_create("plain", all.width, all.height, &canvas, &msg), &msg);
+    require(bead_stage_prepare(&v->stage, &msg), &msg);
+    v->look.clear = true;
+    require(bead_stage_paint(v, canvas, all, &clear, &msg), &msg);
+    v->look.clear = false;
+    v->stage.theme = &v->floors[1];
+    require(bead_stage_paint(v, canvas, all, &grey, &msg), &msg);
+    const int behind = (int)(255 * bead_stage_shown(v->floors[1].floor[0]));
+    int most = 0, solid = 0, nothing = 0;
+    for (int y = v->head; y < all.height - (int)v->stage.unit; y++) {
+        for (int x = 0; x < all.width; x++) {
+            const uint8_t *over = clear.pixels + (size_t)y * clear.stride + 4 * (size_t)x,
+                          *on = grey.pixels + (size_t)y * grey.stride + 4 * (size_t)x;
+            solid += over[3] == 255;
+            nothing += over[3] == 0;
+            int off = 0;
+            for (int c = 0; c < 3; c++) {
+                off += over[c] + behind * (255 - over[3]) / 255 - on[c];
+                assert_true(over[c] <= over[3]);
+            }
+            most = abs(off) > most ? abs(off) : most;
+        }
+    }
+    const double balls = 5 * 3.14159 * v->stage.unit * v->stage.unit; /* with the striker */
+    most = (most + 2) / 3;                                            /* one alpha serves three channels: their mean is right */
+    if (most > 2 || solid < 0.9 * balls || solid > 1.1 * balls || nothing < all.width * 10)
+        fail_msg("off by %d levels; %d pixels hide all, balls have %.0f; %d hide nothing", most, solid, balls, nothing);
+    bead_canvas_destroy(canvas);
+    bead_frame_free(&clear);
+    bead_frame_free(&grey);
+    close_view(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -490,6 +536,7 @@ int main(void)
         cmocka_unit_test(names_have_room),
         cmocka_unit_test(beads_are_large),
         cmocka_unit_test(the_key_light_is_heard),
+        cmocka_unit_test(stages_are_transparent),
     };
     return cmocka_run_group_tests_name("stage", tests, NULL, NULL);
 }
