@@ -9,7 +9,6 @@
 #ifndef BEADREEL_CHAIN_H
 #define BEADREEL_CHAIN_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/error.h"

@@ -3,9 +3,6 @@
 #ifndef BEADREEL_KINDS_H
 #define BEADREEL_KINDS_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
 #include "beadreel/api.h"
 
 BEAD_BEGIN

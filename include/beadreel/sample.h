@@ -4,7 +4,6 @@
 #define BEADREEL_SAMPLE_H
 
 #include <stddef.h>
-#include <stdint.h>
 
 #include "beadreel/api.h"
 

@@ -2,9 +2,7 @@
 /* Palettes of animations: chooses the colours of all frames and turns their pixels into indices. Used for GIF files. */
 #include <limits.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/colour/palette.h"
 #include "sim/base/memory.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the bar beside a picture that explains its colours, and measures it for layouts. */
-#include <math.h>
 
 #include "beadreel/view.h"
 #include "render/draw/axis.h"

@@ -2,8 +2,6 @@
 /* Names of chains and materials in pictures: never the identifiers of the scene. */
 #pragma once
 
-#include <string.h>
-
 #include "beadreel/chain.h"
 
 /* "" for an unnamed chain. */

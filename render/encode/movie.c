@@ -2,7 +2,6 @@
 /* Movies: checks, and the steps from open to close. The functions of the format are in encoder.c and codecs.c. */
 #include "beadreel/movie.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

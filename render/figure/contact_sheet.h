@@ -3,8 +3,6 @@
  * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_draw.c (with its words). */
 #pragma once
 
-#include <stdint.h>
-
 #include "beadreel/sweep.h"
 #include "beadreel/view.h"
 #include "render/colour/colour_range.h"

@@ -8,6 +8,7 @@
  * drawn at the end, when their ranges are known. PNG, PDF and SVG come from the same drawing. */
 #pragma once
 
+#include <math.h>
 #include <stdbool.h>
 
 #include "beadreel/sink.h"

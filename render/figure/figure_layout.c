@@ -2,7 +2,6 @@
 /* The layout of a figure. Axes are measured by drawing them onto a recording surface; plots get the remaining room. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/layout.h"
 #include "render/figure/figure.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finishes a still of several panels: the ranges are known now, and everything is drawn. */
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

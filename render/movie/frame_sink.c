@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "render/movie/film.h"
-#include "render/paint/canvas.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/output/sink_grid.h"

@@ -3,7 +3,6 @@
  * follows the front: windows of one length, and the widths of the plots that show them. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <stddef.h>
-#include <stdint.h>
 
 #include "beadreel/error.h"
 #include "beadreel/render.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by pixel_kernels_<set>.c, which defines KERNELS_NAME and KERNELS_TABLE. Paints like assets/shaders, with the same order
  * of operations, and with 8-bit blending like that of Mesa's llvmpipe. */
-#include <math.h>
-#include <string.h>
 
 #include "render/paint/pixel_kernels.h"
 #include "render/paint/pixel_kernels_vector.h"

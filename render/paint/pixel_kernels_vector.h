@@ -2,7 +2,6 @@
 /* Included by pixel_kernels_body.h: vectors of 32-bit numbers, one for each pixel, as wide as in the instruction set, in GCC's and
  * Clang's vector types. With KERNELS_PORTABLE only these types are used. */
 #include <math.h>
-#include <stdbool.h>
 #include <stdint.h>
 
 #if defined KERNELS_PORTABLE

@@ -3,7 +3,6 @@
  * panels move outside, which makes plots smaller; this repeats until everything has a place. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"

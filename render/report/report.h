@@ -5,7 +5,6 @@
 #pragma once
 
 #include "beadreel/sink.h"
-#include "beadreel/sweep.h"
 
 extern const struct bead_sink_type bead_report_sink;
 extern const struct bead_sink_type bead_report_sweep_sink;

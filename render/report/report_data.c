@@ -4,7 +4,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "beadreel/api.h"
 #include "render/draw/names.h"
 #include "render/report/report_private.h"
 #include "sim/base/file.h"

@@ -4,7 +4,6 @@
 
 #include "beadreel/render.h"
 #include "render/colour/colour_range.h"
-#include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 #include "render/view/tale.h"

@@ -2,7 +2,6 @@
 /* Reports of sweeps: force against magnetism, with the space-time image of each configuration behind its point. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "beadreel/sweep.h"
 #include "render/colour/colour_range.h"

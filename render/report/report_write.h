@@ -2,7 +2,6 @@
 /* Text of a report: its page, made from a template, and pieces of HTML and JSON. */
 #pragma once
 
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>

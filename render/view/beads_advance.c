@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The state of the beads at one time: positions, colours, loads, place of the lens. First step of every draw of the beads view. */
 #include <math.h>
-#include <string.h>
 
 #include "render/view/beads.h"
 #include "sim/chain/chain_internal.h"

@@ -2,7 +2,6 @@
 /* Places the row of beads and the lens, and draws names, wall and the lens's frame around them, once per picture. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/names.h"

@@ -3,7 +3,6 @@
 #include "render/view/profile_scan.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "render/paint/pixel_kernels.h"
 

@@ -6,7 +6,6 @@
 #include <stddef.h>
 
 #include "beadreel/view.h"
-#include "render/draw/axis.h"
 
 struct bead_curve {
     const float *x, *y; /* points in px of the rectangle, x rising, y downwards */

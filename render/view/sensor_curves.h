@@ -2,7 +2,6 @@
 /* Curves over time, such as force at sensors, with no more points than a row of pixels can show. */
 #pragma once
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/error.h"

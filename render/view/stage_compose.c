@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the stage shows at one time: where its beads are, the light at their contacts, and the row of all beads. */
 #include <math.h>
-#include <string.h>
 
 #include "render/view/stage_view.h"
 #include "sim/chain/chain_internal.h"

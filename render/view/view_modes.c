@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: energies of the linear modes of an equation, a bar for each. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/axis.h"
 #include "render/draw/raster.h"
 #include "render/view/latest.h"
 #include "render/view/panel.h"
-#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/view_kinds.h"

@@ -2,13 +2,11 @@
 /* Sensors: the force of each against time, in one plot with the names at the curves. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/raster.h"
 #include "render/view/horizon.h"
 #include "render/view/panel.h"
 #include "render/view/sensor_curves.h"
-#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/view_kinds.h"

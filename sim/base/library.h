@@ -3,8 +3,6 @@
  * linked, HDF5 alone would make a small table take 17 million instructions instead of 3, and libav 90. */
 #pragma once
 
-#include <stddef.h>
-
 #include "beadreel/error.h"
 #include "sim/base/internal.h"
 

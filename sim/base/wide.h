@@ -4,7 +4,6 @@
  * an operation, 1 us for a function. */
 #pragma once
 
-#include <float.h>
 #include <math.h>
 
 #if LDBL_MANT_DIG == 113

@@ -10,7 +10,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "beadreel/api.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 

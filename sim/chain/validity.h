@@ -8,7 +8,6 @@
 #pragma once
 
 #include "beadreel/chain.h"
-#include "beadreel/sample.h"
 #include "beadreel/sink.h"
 
 /* Where the model ends: parts of the radius and of the bar speed; p0 in units of the yield strength. */

@@ -2,7 +2,6 @@
 /* Runs or plans a session for the command line: progress on stderr, results on stdout. */
 #include "sim/cli/command_line.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>

@@ -2,7 +2,6 @@
 /* Keeps the forces of patches over a step as polynomials, and corrects interpolated states with them: see between.h. */
 #include "sim/integrate/between.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

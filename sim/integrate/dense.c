@@ -4,7 +4,6 @@
 #include "sim/base/memory.h"
 #include "sim/chain/drive.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Included by kernels_body.h: integrates the pieces of patches, in GCC's and Clang's vector types of the set's width. Lanes are the
  * nodes of a piece; sums have a fixed order, so every set gives the same bits. */
-#include <string.h>
 
 #include "sim/integrate/events_patch.h"
 

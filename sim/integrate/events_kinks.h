@@ -16,9 +16,6 @@
  * contact grazes, patches take over (events.h). */
 #pragma once
 
-#include <stdbool.h>
-#include <stddef.h>
-
 struct bead_patch_source;
 
 enum { BEAD_KINK_STAGES = 8 };

@@ -3,8 +3,6 @@
  */
 #include "sim/integrate/kernels.h"
 
-#include <math.h>
-
 #include "beadreel/law.h"
 #include "sim/base/elementary.h"
 #include "sim/base/instruction_set.h"

@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 struct bead_event_flags;
 struct bead_event_limits;

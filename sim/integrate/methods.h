@@ -5,7 +5,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "beadreel/api.h"
 #include "sim/base/internal.h"
 
 struct bead_method_info {

@@ -5,7 +5,6 @@
 #include "sim/kinds/view_kinds.h"
 
 #include <math.h>
-#include <string.h>
 
 BEAD_OUTPUT_CHECK(bead_output_check_times)
 {

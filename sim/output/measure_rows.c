@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "beadreel/law.h"
-#include "sim/base/elementary.h"
 #include "sim/base/wide.h"
 #include "sim/output/measure_private.h"
 #include "sim/output/participation.h"

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
-#include "sim/base/number.h"
 #include "sim/frequency/bands.h"
 #include "sim/output/table.h"
 

@@ -6,7 +6,6 @@
 
 #include <string.h>
 
-#include "sim/base/file.h"
 #include "sim/chain/system.h"
 
 struct xdmf {

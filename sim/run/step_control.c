@@ -4,7 +4,6 @@
 #include "sim/chain/chain_internal.h"
 
 #include <math.h>
-#include <stdint.h>
 
 /* Steps between estimates of omega, each of which looks this far ahead. */
 enum { EVERY = 4 };

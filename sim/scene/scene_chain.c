@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `chain`: its beads, its striker, and its forces. */
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

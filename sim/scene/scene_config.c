@@ -2,7 +2,6 @@
 /* A user's own settings: where their file is, and reading it. */
 #include "sim/scene/scene_private.h"
 
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -2,6 +2,8 @@
 /* What the house does with scenes, and programs need not: changes, help, the user's own settings. */
 #pragma once
 
+#include <stdio.h>
+
 #include "beadreel/scene.h"
 
 /* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says

@@ -2,7 +2,6 @@
 /* Sensitivities and standard deviations of peaks, after the run: each chain once more, its states kept, and back (sensitivity.h).
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"

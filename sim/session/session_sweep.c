@@ -2,7 +2,6 @@
 /* Sessions of sweeps: compute many chains, or read their results from a file, and write tables and plots of them. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "beadreel/sweep.h"
 #include "sim/base/file.h"

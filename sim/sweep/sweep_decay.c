@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the decay of waves along the chains of a sweep from its profiles. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/elementary.h"
