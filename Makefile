@@ -421,7 +421,7 @@ staged:
 	install -m 644 assets/completions/_beadreel $(DESTDIR)$(ZSHDIR)
 	install -m 644 assets/completions/beadreel.fish $(SHARE)/fish/vendor_completions.d
 	ln -sf beadreel.fish $(SHARE)/fish/vendor_completions.d/beadsim.fish
-	for m in $(wildcard assets/python/*.py); do install -D -m 644 $$m $(DESTDIR)$(PYTHONDIR)/$${m##*/} || exit 1; done
+	for m in $(wildcard assets/python/beadreel/*.py assets/python/beadreel/py.typed); do install -D -m 644 $$m $(DESTDIR)$(PYTHONDIR)/$${m#assets/python/} || exit 1; done
 
 # What came, and which directories were new: `uninstall` removes just these.
 INSTALLED = $(PREFIX)/share/beadreel/installed

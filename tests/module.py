@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The module assets/python/beadreel.py, as a user has it: module.py FOLDER. numpy and h5py are needed. Prints TAP."""
+"""The module assets/python/beadreel, as a user has it: module.py FOLDER. numpy and h5py are needed. Prints TAP."""
+import inspect
 import os
 import pathlib
 import subprocess
@@ -35,7 +36,6 @@ def refused(kind, words, function, *arguments, **settings):
 
 def has_xarray():
     try:
-        import h5netcdf  # noqa: F401
         import xarray  # noqa: F401
     except ImportError:
         return False
@@ -50,23 +50,53 @@ def demo():
     ok(len(peaks) == 258 and set(peaks["chain"]) == {"Clean", "Delocalised"} and peaks["contact"].dtype.kind == "i"
        and abs(peaks["peak_force_N"].max() - 84.3222) < 1e-3, "peaks are a structured array")
     ok([chain["chain"] for chain in run.result["runs"]] == ["Clean", "Delocalised"], "the result has each chain")
+    return run
+
+
+def skipped(missing, what):
+    global count
+    count += 1
+    print("# missing:", missing)
+    print("ok", count, "-", what, "# SKIP")
+
+
+def trajectories(run):
+    """Chains are a dimension; what is read is what the file has, wherever one cuts."""
+    if not has_xarray():
+        return skipped("python3-xarray", "the trajectory in xarray")
+    data = run.trajectory
     with h5py.File(run.outputs["run.h5"]) as file:
         stored = file["particles/chain/bead_force/value"][:]
-        if not has_xarray():
-            print("# missing: xarray and h5netcdf (python3-xarray, python3-h5netcdf)")
-            global count
-            count += 1
-            print("ok", count, "- the trajectory in xarray # SKIP")
-            return
-        data = run.trajectory
-        ok(data.bead_force.dims == ("time", "bead") and np.array_equal(data.bead_force, stored)
-           and np.array_equal(data.time, file["time"][:]) and data.position.dims == ("time", "bead", "spatial"), "trajectory: an xarray")
-    clean = data.isel(bead=(data.chain == "Clean").values)
-    ok(clean.sizes["bead"] == 129 and float(clean.bead_force.max()) == stored[:, :129].max(), "... that knows chains by name")
+        places = file["particles/chain/position/value"][::50, 129:]
+        times = file["time"][:]
+    ok(data.bead_force.dims == ("chain", "time", "bead") and list(data.chain) == ["Clean", "Delocalised"]
+       and data.position.dims == ("chain", "time", "bead", "spatial") and np.array_equal(data.time, times), "trajectory: an xarray")
+    clean = data.sel(chain="Clean")
+    ok(clean.bead_force.dims == ("time", "bead") and np.array_equal(clean.bead_force, stored[:, :129])
+       and np.array_equal(data.isel(chain=1).position[::50], places), "... that knows chains by name")
+    ok(float(data.bead_force.sel(chain="Delocalised", bead=7)[900]) == stored[900, 136]
+       and np.array_equal(data.bead_force.isel(chain=[1, 0], time=[5, 3], bead=[9, 2]).values[0], stored[[5, 3]][:, [138, 131]])
+       and np.array_equal(data.bead_force[0, 2800:2790:-3, ::60], stored[2800:2790:-3, :129:60]), "... read in parts, in any order")
+    ok(data.bead_force.attrs == {"units": "N", "long_name": "mean of the forces in the two contacts of the bead"}
+       and data.time.attrs["units"] == "s" and data.mass.attrs["units"] == "kg" and data.attrs["title"] == "Clean and delocalised waves",
+       "... with units and attributes")
+    both = beadreel.run({"chains": [{"name": name, "beads": [{"bead": "large-steel", "count": count}]} for name, count in (("A", 9), ("B", 4))]},
+                        outputs=[{"trajectory": "run.h5", "fields": ["displacement", "contact-force"], "beads": [1, 5], "every": "10 us"}]).trajectory
+    ok(list(both.bead) == [1, 2, 3, 4, 5] and bool(both.displacement.sel(chain="B", bead=5).isnull().all())
+       and not bool(both.displacement.sel(chain="B", bead=[1, 4]).isnull().any()) and both.contact_force.dims == ("chain", "time", "contact")
+       and bool((both.contact_force.sel(chain="A", contact=2) > 0).any()), "unlike chains are filled up with NaN; beads have their numbers")
+    try:
+        import matplotlib
+    except ImportError:
+        return skipped("python3-matplotlib", "xarray plots it")
+    matplotlib.use("Agg")
+    image = clean.bead_force.plot()
+    ok(image.axes.get_xlabel() == "bead" and image.axes.get_ylabel() == "time [s]" and image.get_array().size == clean.bead_force.size
+       and len(data.bead_force.plot(col="chain").axs.flat) == 2 and data.bead_force.plot() is not None, "xarray plots it, with units")
 
 
 def without_xarray():
-    names = {name: sys.modules.get(name) for name in ("xarray", "h5netcdf")}
+    names = {name: sys.modules.get(name) for name in ("xarray",)}
     sys.modules.update(dict.fromkeys(names))
     file = beadreel.open_trajectory(folder / "demo/run.h5")
     ok(isinstance(file, h5py.File) and len(file["time"]) == 2801, "trajectory without xarray: an h5py.File")
@@ -84,6 +114,13 @@ def scenes():
     ok(sorted(run.outputs) == ["force.png", "peaks.csv", "run.h5"], "a dictionary without outputs has some")
     ok(run._repr_html_().startswith('<img alt="force.png"') and "base64,iVBOR" in run._repr_html_(), "a notebook shows the picture")
     film = run.film(size=[320, 240], duration="0.2 s")
+    again = beadreel.run(run.outputs["run.h5"], outputs=[{"image": "a.png", "size": [320, 240]}, {"image": "b.svg"}])
+    ok(sorted(again.outputs) == ["a.png", "b.svg"] and b"<svg" in again.outputs["b.svg"].read_bytes() and again.folder != run.folder,
+       "a trajectory drawn again")
+    ok(refused(ValueError, "nothing to draw", beadreel.run, run.outputs["run.h5"], only="b.png")
+       and refused(ValueError, "without this setting", beadreel.run, run.outputs["run.h5"], simulate__until="1 s"), "... and what cannot be")
+    page = beadreel.run(STEEL, outputs=[{"report": "page.html"}], simulate__until="0.1 ms")
+    ok("<iframe" in page._repr_html_() and "&lt;html" in page._repr_html_(), "a notebook shows the report")
     ok(film.exists() and "<video" in film._repr_html_() and b"ftyp" in film.read_bytes()[:16], "a film from the trajectory")
     ok("peak_force_N" in run.outputs["peaks.csv"]._repr_html_(), "a notebook shows a table")
     place = run.folder
@@ -139,17 +176,35 @@ def sweeps():
     ok(len(runs) == 4 and [len(run.peaks) for run in runs] == [5, 10, 5, 10], "a sweep over values: each combination")
     ok(abs(first[2] / first[0] / 10**1.2 - 1) < 1e-4, "... with the forces of Hertz's law")
     ok(runs[3].settings["chain.beads.0.count"] == 10, "... and its values")
+    try:
+        beadreel.sweep(scene, over={"chain.beads.0.count": [5, "no number", *range(6, 60)]}, out=folder / "ends", workers=1)
+    except beadreel.SceneError as error:
+        ok("count" in str(error) and len(list((folder / "ends").iterdir())) < 50, "... ends where one of them is wrong")
     waves = beadreel.sweep(cells=8, magnetism=[1, 0.5], configurations=3, seed=1)
     table = waves.table("force.csv")
     ok(list(table["magnetism"]) == [0.5, 1.0] and waves.result["sweep"]["computed"] > 3 and waves._repr_html_().startswith("<img"),
        "a sweep of random chains")
 
 
-demo()
+def documented():
+    """Each public name says what it is for, and each function which types it takes."""
+    public = [getattr(beadreel, name) for name in beadreel.__all__]
+    methods = [item.fget if isinstance(item, property) else item for kind in (beadreel.Run, beadreel.Output)
+               for name, item in vars(kind).items() if not name.startswith("__") and (callable(item) or isinstance(item, property))]
+    functions = [item for item in public if inspect.isfunction(item)] + methods
+    ok(all(item.__doc__ for item in public + [m for m in methods if m.__name__ != "_first"]), "a docstring each")
+    ok(all("return" in item.__annotations__ and len(item.__annotations__) > item.__code__.co_argcount + item.__code__.co_kwonlyargcount
+           - ("self" in item.__code__.co_varnames) for item in functions), "type hints each")
+    ok((pathlib.Path(beadreel.__file__).parent / "py.typed").exists(), "... which type checkers read")
+
+
+run_of_demo = demo()
+trajectories(run_of_demo)
 without_xarray()
 scenes()
 errors()
 many()
 sweeps()
+documented()
 print(f"1..{count}")
 sys.exit(failed > 0)
