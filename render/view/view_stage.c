@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "render/view/stage_view.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"
