@@ -3,6 +3,7 @@
  * 1978, chapter IV), whose peak keeps its height while a pulse passes from bead to bead; a polygon's varies by a tenth. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 enum {
@@ -13,6 +14,7 @@ enum {
 /* Number of parts of a gap of `pitch` px; 1: values so close that straight lines do. */
 unsigned bead_smooth_parts(double pitch);
 /* The points of the curve from value `from` to value `to` - 1 of `count`, parts * (to - from - 1) + 1 of them, into sx and sy.
- * y points down and stays within `top` and `bottom`. */
-size_t bead_smooth_fill(const float *x, const float *y, size_t count, size_t from, size_t to, unsigned parts, float top,
+ * y points down and stays within `top` and `bottom`. `odd`: beyond its ends the curve goes on turned about them, as a string's does
+ * at its fixed ends; else the values stay as they are. */
+size_t bead_smooth_fill(const float *x, const float *y, size_t count, size_t from, size_t to, unsigned parts, bool odd, float top,
                         float bottom, float *sx, float *sy);

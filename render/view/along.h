@@ -9,7 +9,9 @@
 /* Whether beads drawn over equally wide places would be more than half a radius away from theirs, and the narrowest is two pixels
  * wide where all take `length` px. Looks at arrays of the chain where `over_beads` is set. */
 bool bead_along_uneven(const struct bead_view_setup *setup, double length);
-/* m along the chain: the left border of a bead or contact, from the first shown to one after the last. */
+/* Is all of a string shown between its fixed ends? Its plots reach to these, one spacing beyond the masses. */
+bool bead_along_fixed(const struct bead_view_setup *setup);
+/* m along the chain: the left border of a bead or contact, from the first shown to one after the last. Gaps are halved. */
 double bead_along_border(const struct bead_view_setup *setup, size_t number);
 /* 0..1 of a number, with fraction, along plots where places are uneven. */
 double bead_along_place(const struct bead_view_setup *setup, double number);

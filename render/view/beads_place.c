@@ -5,6 +5,7 @@
 
 #include "render/draw/looks.h"
 #include "render/draw/names.h"
+#include "render/view/along.h"
 #include "render/view/beads.h"
 #include "render/view/panel.h"
 #include "sim/chain/chain_internal.h"
@@ -31,6 +32,8 @@ static double largest_part(const struct bead_view_setup *setup)
     double largest = 0;
     for (size_t i = first; i <= last; i++)
         largest = fmax(largest, radius[i]);
+    if (!bead_chain_spec(setup->chain)->system->has_contacts)
+        return 2 * largest / (bead_along_border(setup, last + 1) - bead_along_border(setup, first));
     return 2 * largest / (place[last] + radius[last] - place[first] + radius[first]);
 }
 

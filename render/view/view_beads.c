@@ -6,6 +6,7 @@
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/pixel_kernels.h"
+#include "render/view/along.h"
 #include "render/view/beads.h"
 #include "render/view/magnify.h"
 #include "sim/base/memory.h"
@@ -83,6 +84,10 @@ static void beads_measure(struct bead_view *v)
         v->largest = fmax(v->largest, v->radius[i]);
         v->ends[0] = fmin(v->ends[0], v->position[i] - v->radius[i]);
         v->ends[1] = fmax(v->ends[1], v->position[i] + v->radius[i]);
+    }
+    if (!bead_chain_spec(chain)->system->has_contacts) {
+        v->ends[0] = bead_along_border(&v->setup, v->first);
+        v->ends[1] = bead_along_border(&v->setup, v->first + v->count);
     }
     v->compression = bead_compression_scale(chain);
     v->striker = v->first == 0 && bead_chain_spec(chain)->system->has_striker;

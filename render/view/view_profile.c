@@ -29,6 +29,7 @@ struct bead_view {
     struct bead_view_setup setup;
     struct bead_look look;
     size_t first, count; /* values shown */
+    bool fixed;          /* the first and the last are those of a string's fixed ends: 0 */
     double *numbers;     /* memory of `value` and `place` */
     double *value[2];
     struct bead_latest latest;
@@ -88,6 +89,8 @@ static enum bead_error profile_create(const struct bead_view_setup *setup, struc
     v->look = *setup->look;
     v->setup.look = &v->look;
     v->first = setup->beads.first;
+    v->fixed = bead_along_fixed(setup) && (setup->field == BEAD_FIELD_DISPLACEMENT || setup->field == BEAD_FIELD_VELOCITY);
+    n += 2 * v->fixed;
     v->count = v->to = n;
     BEAD_TRY(bead_new(&v->numbers, 3 * n, msg, "a profile of %zu beads", n));
     BEAD_TRY(bead_new(&v->pixels, 5 * n, msg, "a profile of %zu beads", n));
@@ -190,8 +193,9 @@ static void profile_find_ends(struct bead_view *v)
     for (size_t k = 0; k <= v->other_count; k++) {
         const struct bead_view *curve = curve_at(v, k);
         const struct bead_chain_axis along = profile_along(curve);
-        v->ends[0] = fmin(v->ends[0], along.first + ((double)curve->first - 0.5) * along.spacing);
-        v->ends[1] = fmax(v->ends[1], along.first + ((double)(curve->first + curve->count) - 0.5) * along.spacing);
+        const double beyond = bead_along_fixed(&curve->setup) ? 1 : 0.5;
+        v->ends[0] = fmin(v->ends[0], along.first + ((double)curve->setup.beads.first - beyond) * along.spacing);
+        v->ends[1] = fmax(v->ends[1], along.first + ((double)curve->setup.beads.last + beyond) * along.spacing);
     }
 }
 
@@ -217,12 +221,12 @@ static void profile_spread(struct bead_view *v, const struct bead_view *on)
     const bool uneven = on->other_count == 0 && bead_along_uneven(&v->setup, v->plot.width);
     profile_make_axis(v);
     for (size_t i = 0; i < v->count; i++) {
-        double value = along.first + (double)(v->first + i) * along.spacing;
+        const double number = (double)(v->first + i) - v->fixed, value = along.first + number * along.spacing;
         v->x[i] = (float)((value - on->ends[0]) / (on->ends[1] - on->ends[0]) * on->plot.width);
         if (on->other_count == 0) /* without rounding */
             v->x[i] = (float)(((double)i + 0.5) * on->plot.width / (double)v->count);
         if (uneven)
-            v->x[i] = (float)(bead_along_place(&v->setup, (double)(v->first + i)) * on->plot.width);
+            v->x[i] = (float)(bead_along_place(&v->setup, number) * on->plot.width);
     }
     if (v->count == 1) /* a level line */
         v->x[0] = 0;
@@ -289,7 +293,7 @@ static enum bead_error profile_feed(struct bead_view *v, const struct bead_sampl
     if (!field)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "a profile of %s needs that field", bead_field_info(v->setup.field)->name);
     bead_latest_feed(&v->latest, sample->time);
-    memcpy(v->value[v->latest.newest], field + v->first, v->count * sizeof(double));
+    memcpy(v->value[v->latest.newest] + v->fixed, field + v->first, (v->count - (size_t)(2 * v->fixed)) * sizeof(double));
     if (v->hold)
         bead_hold_feed(v->hold, sample->time, field + v->first);
     for (size_t i = 0; v->hold && v->setup.cells && i < v->count; i++)
@@ -316,7 +320,7 @@ static void profile_advance(struct bead_view *v, double time)
 static void profile_smooth(struct bead_view *v)
 {
     float bottom = profile_y_of(v, v->base), lowest = v->axis.low < 0 || v->axis.scale == BEAD_SCALE_LOG ? INFINITY : bottom;
-    v->points = bead_smooth_fill(v->x, v->y, v->count, v->from, v->to, v->parts, -INFINITY, lowest, v->sx, v->sy);
+    v->points = bead_smooth_fill(v->x, v->y, v->count, v->from, v->to, v->parts, v->fixed, -INFINITY, lowest, v->sx, v->sy);
 }
 
 static struct bead_curve profile_curve_of(const struct bead_view *v)
@@ -362,9 +366,9 @@ static void draw_span(struct bead_view *v, int from, int to, struct bead_frame *
         struct bead_curve curve = profile_curve_of(own);
         bead_curve_draw(&curve, v->plot, from, to, frame, k == 0 && !(own->hold && own->setup.hold) ? background : NULL);
         if (own->dots > 0) {
-            curve.x = own->x + own->from;
-            curve.y = own->y + own->from;
-            curve.count = own->to - own->from;
+            curve.x = own->x + own->from + own->fixed;
+            curve.y = own->y + own->from + own->fixed;
+            curve.count = own->to - own->from - (size_t)(2 * own->fixed);
             bead_curve_dots(&curve, own->dots, v->plot, from, to, frame);
         }
     }
@@ -447,7 +451,7 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
     cairo_set_line_width(cr, curve.width);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cr);
-    for (size_t i = 0; v->dots > 0 && i < v->count; i++) {
+    for (size_t i = v->fixed; v->dots > 0 && i + v->fixed < v->count; i++) {
         cairo_new_sub_path(cr);
         cairo_arc(cr, v->x[i], v->y[i], v->dots, 0, 2 * M_PI);
     }

@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "render/draw/looks.h"
 #include "render/figure/figure.h"
 #include "render/view/along.h"
 #include "render/view/area.h"
@@ -24,7 +25,8 @@ static const struct {
              {"{cell: [large-steel, aluminium], count: 16}", "all", false},
              {"{bead: large-steel, count: 20}, {bead: small-steel, count: 20}", "all", true},
              {"{bead: large-steel, count: 4}", "all", false},
-             {"{bead: large-steel, count: 60}", "[20, 45]", false}};
+             {"{bead: large-steel, count: 60}", "[20, 45]", false},
+             {"{bead: large-steel, count: 12, gap: 6 mm}, {bead: large-steel, count: 12}", "all", true}};
 enum { CASES = sizeof cases / sizeof cases[0] };
 
 struct made {
@@ -119,10 +121,40 @@ static void test_pixels_belong_to_unlike_beads(void **state)
     bead_area_destroy(area);
 }
 
+/* Of a string between fixed ends: the ends are those of the plot, masses at their coordinates, whether or not they are drawn. */
+static void test_strings_reach_their_ends(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse("chain: {equation: fput, points: 31, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
+                                     "simulate: {until: 10}\noutputs: [{movie: a.mp4}]\n");
+    struct bead_chain *chain;
+    struct bead_look look;
+    struct bead_axis axis;
+    bead_look_film(&look, 1280, 720, true, false);
+    assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+    const struct bead_view_setup setup = {.chain = chain, .field = BEAD_FIELD_DISPLACEMENT, .beads = {0, 30}, .look = &look};
+    assert_true(bead_along_fixed(&setup) && bead_along_uneven(&setup, 1000));
+    (void)bead_along_axis(&axis, &setup, 1000, look.tick, true);
+    assert_true(axis.low == 0 && axis.high == 32);
+    for (size_t t = 0; t < axis.count; t++)
+        assert_float_equal(axis.ticks[t].place, axis.ticks[t].value / 32, 1e-9);
+    for (int k = 0; k <= 32; k++) /* mass number k - 1 is at x = k */
+        assert_float_equal(bead_along_place(&setup, k - 1), k / 32.0, 1e-9);
+    assert_float_equal(bead_along_border(&setup, 0), 0, 1e-9);
+    assert_float_equal(bead_along_border(&setup, 5), 5.5, 1e-9);
+    assert_float_equal(bead_along_border(&setup, 31), 32, 1e-9);
+    struct bead_view_setup part = setup;
+    part.beads.last = 20;
+    assert_false(bead_along_fixed(&part));
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_beads_over_their_numbers),
+        cmocka_unit_test(test_strings_reach_their_ends),
         cmocka_unit_test(test_pixels_belong_to_unlike_beads),
     };
     return cmocka_run_group_tests_name("places along chains", tests, NULL, NULL);

@@ -43,7 +43,7 @@ static void the_peak_does_not_jitter(void **state)
     double low = 1e9, high = 0, polygon_low = 1e9, polygon_high = 0;
     for (int k = 0; k <= 50; k++) {
         pulse(20 + k / 50.0, x, y);
-        size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, -INFINITY, 100, sx, sy);
+        size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, false, -INFINITY, 100, sx, sy);
         assert_int_equal(points, (COUNT - 1) * PARTS + 1);
         low = fmin(low, peak_of(sy, points));
         high = fmax(high, peak_of(sy, points));
@@ -59,12 +59,12 @@ static void values_are_kept(void **state)
     (void)state;
     float x[COUNT], y[COUNT], sx[COUNT * PARTS], sy[COUNT * PARTS];
     pulse(20.3, x, y);
-    size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, -INFINITY, 100, sx, sy);
+    size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, false, -INFINITY, 100, sx, sy);
     for (size_t i = 0; i < COUNT; i++)
         assert_true(sx[i * PARTS] == x[i] && sy[i * PARTS] == y[i]);
     for (size_t i = 0; i < points; i++)
         assert_true(sy[i] <= 100); /* no force of the wrong sign */
-    assert_int_equal(bead_smooth_fill(x, y, COUNT, 0, COUNT, 1, -INFINITY, 100, sx, sy), COUNT);
+    assert_int_equal(bead_smooth_fill(x, y, COUNT, 0, COUNT, 1, false, -INFINITY, 100, sx, sy), COUNT);
     assert_memory_equal(y, sy, sizeof y);
 }
 
@@ -74,16 +74,30 @@ static void influence_ends(void **state)
     (void)state;
     float x[COUNT], y[COUNT], sx[2][COUNT * PARTS], sy[2][COUNT * PARTS];
     pulse(20.3, x, y);
-    size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, -INFINITY, INFINITY, sx[0], sy[0]);
+    size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, false, -INFINITY, INFINITY, sx[0], sy[0]);
     y[18] -= 5;
-    bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, -INFINITY, INFINITY, sx[1], sy[1]);
+    bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, false, -INFINITY, INFINITY, sx[1], sy[1]);
     for (size_t i = 0; i < points; i++) {
         if (i <= (18 - BEAD_SMOOTH_REACH) * PARTS || i >= (18 + BEAD_SMOOTH_REACH) * PARTS)
             assert_true(sy[0][i] == sy[1][i]);
     }
-    bead_smooth_fill(x, y, COUNT, 10, 20, PARTS, -INFINITY, INFINITY, sx[0], sy[0]);
+    bead_smooth_fill(x, y, COUNT, 10, 20, PARTS, false, -INFINITY, INFINITY, sx[0], sy[0]);
     for (size_t i = 0; i <= 9 * PARTS; i++)
         assert_true(sy[0][i] == sy[1][10 * PARTS + i]);
+}
+
+/* The fifth mode of a string: with its fixed ends the curve is the sine everywhere, without bends at the ends. */
+static void strings_are_straight_at_their_ends(void **state)
+{
+    (void)state;
+    float x[COUNT], y[COUNT], sx[COUNT * PARTS], sy[COUNT * PARTS];
+    for (int i = 0; i < COUNT; i++) {
+        x[i] = (float)(10 * i);
+        y[i] = (float)(50 - 40 * sin(5 * M_PI * i / (COUNT - 1)));
+    }
+    const size_t points = bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, true, -INFINITY, INFINITY, sx, sy);
+    for (size_t i = 0; i < points; i++)
+        assert_float_equal(sy[i], 50 - 40 * sin(5 * M_PI * sx[i] / (10 * (COUNT - 1))), 0.05);
 }
 
 int main(void)
@@ -91,6 +105,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_peak_does_not_jitter),
         cmocka_unit_test(values_are_kept),
+        cmocka_unit_test(strings_are_straight_at_their_ends),
         cmocka_unit_test(influence_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
