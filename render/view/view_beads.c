@@ -9,6 +9,7 @@
 #include "render/view/along.h"
 #include "render/view/beads.h"
 #include "render/view/magnify.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/view_kinds.h"

@@ -7,6 +7,7 @@
 #include "render/draw/raster.h"
 #include "render/view/latest.h"
 #include "render/view/panel.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/view_kinds.h"

@@ -13,6 +13,7 @@
 #include "render/view/panel.h"
 #include "render/view/profile_hold.h"
 #include "render/view/profile_scan.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"

@@ -7,6 +7,7 @@
 #include "render/view/horizon.h"
 #include "render/view/panel.h"
 #include "render/view/sensor_curves.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/view_kinds.h"

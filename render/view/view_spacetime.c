@@ -13,6 +13,7 @@
 #include "render/view/horizon.h"
 #include "render/view/orientation.h"
 #include "render/view/panel.h"
+#include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/view_kinds.h"
 
