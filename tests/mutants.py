@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Do the tests notice small faults? tests/mutants.py [--count N] [--seed N] [ROOM...], or `make mutants`; by hand, from a commit.
+`--again LOG` tries the survivors of an earlier run, whose output LOG is, and no others.
 
 Draws faults by seed, each one change of one line of the last commit: another comparison, operator or constant, two arguments
 swapped, a statement dropped. A fault that does not compile, or leaves the object file as it was, is none and is drawn again. Each
-meets the tests that run its line, the quickest first, until one fails; which test runs which line is measured once, with gcov, and
-kept in build-mutants/. Hashes and golden pictures do not count: they say that something changed, not that it is wrong.
+meets the tests that run its line, those named like its file and then the quickest first, until one fails; which test runs which line
+is measured once, with gcov, and kept in build-mutants/. Hashes and golden pictures do not count: they say that something changed, not that it is wrong.
 Prints each fault, then the survivors and the score of each room. tests/mutants.txt lists faults proved harmless, with reasons.
 
 Why not a tool: universalmutator (PyPI) draws from the same kind of patterns, but knows no map from lines to tests and runs all of
@@ -181,7 +182,8 @@ class Tree:
     def meet(self, fault, reached):
         spent = 0
         names = self.tests_that_run(fault, reached)
-        for test in sorted(names, key=lambda t: reached[t][0]):
+        words = set(re.split(r"\W+|_", fault.file[:-2]))
+        for test in sorted(names, key=lambda t: (not words & set(test.split("_")), reached[t][0])):
             if spent > MOST_SECONDS:
                 break
             program = test.startswith("test_")
@@ -203,6 +205,7 @@ def main():
     ask.add_argument("--work", default="build-mutants", help="folder for copies of the commit, and for the map; default: %(default)s")
     ask.add_argument("--jobs", type=int, default=os.cpu_count(), help="faults tried at a time; default: a core each")
     ask.add_argument("--tests", nargs="+", help="only these, not all; kept with the map")
+    ask.add_argument("--again", metavar="LOG", help="output of an earlier run: only its survivors")
     ask.add_argument("rooms", nargs="*", default=["sim", "render"])
     said = ask.parse_args()
     with open("tests/mutants.txt", encoding="utf-8") as file:
@@ -212,6 +215,10 @@ def main():
                    if f.endswith(".c") and not f.startswith("sim/cli/beadsim"))
     all_faults = [fault for file in files for fault in possible(file)]
     random.Random(said.seed).shuffle(all_faults)
+    if said.again:
+        with open(said.again, encoding="utf-8") as file:
+            survivors = {re.sub(r":\d+: ", ": ", line.split(" s  ", 1)[1].strip()) for line in file if line.startswith("SURVIVED")}
+        all_faults = [fault for fault in all_faults if fault.key() in survivors]
     todo = (fault for fault in all_faults if fault.key() not in harmless)
     lock, results = threading.Lock(), []
 

@@ -67,7 +67,7 @@ BEAD_API size_t bead_chain_contacts(const struct bead_chain *chain); /* N, and o
 /* Arrays of length beads. */
 BEAD_API const double *bead_chain_mass(const struct bead_chain *chain);     /* kg */
 BEAD_API const double *bead_chain_radius(const struct bead_chain *chain);   /* m */
-BEAD_API const double *bead_chain_position(const struct bead_chain *chain); /* m: centre at rest, from the centre of bead 1 */
+BEAD_API const double *bead_chain_position(const struct bead_chain *chain); /* m: centre, from bead 1's, unloaded */
 BEAD_API const size_t *bead_chain_material(const struct bead_chain *chain); /* index into scene->materials */
 /* Arrays of length contacts. */
 BEAD_API const double *bead_chain_stiffness(const struct bead_chain *chain);    /* A_k, N/m^power, physics of Hertz: see law.h */

@@ -267,12 +267,15 @@ static void test_bars_are_for_colours(void **state)
     w.chain_count = 1;
     w.views[w.view_count++] = bead_view_find(BEAD_VIEW_PROFILE);
     assert_int_equal(bead_movie_arrange(&w, &with, NULL), BEAD_OK);
-    w.colourless = true;
-    assert_int_equal(bead_movie_arrange(&w, &without, NULL), BEAD_OK);
-    assert_true(with.bar.width > 0 && without.bar.width == 0);
-    assert_true(without.chains[0].plot[0].width > with.chains[0].plot[0].width + with.bar.width);
+    for (int bare = 0; bare < 2; bare++) {
+        w.colourless = !bare;
+        w.axes = !bare;
+        assert_int_equal(bead_movie_arrange(&w, &without, NULL), BEAD_OK);
+        assert_true(with.bar.width > 0 && without.bar.width == 0);
+        assert_true(without.chains[0].plot[0].width > with.chains[0].plot[0].width + with.bar.width);
+        bead_movie_layout_free(&without);
+    }
     bead_movie_layout_free(&with);
-    bead_movie_layout_free(&without);
 }
 
 static void test_too_small(void **state)

@@ -151,6 +151,33 @@ static void test_words_never_collide(void **state)
     }
 }
 
+/* Axes hold rulers with their bands, and error bars, besides the points; each kind of ruler is in the range of its own axis. */
+static void test_axes_hold_all(void **state)
+{
+    (void)state;
+    static const double x[] = {1, 2, 3}, y[] = {4, 5, 6}, error[] = {3, 0.1, 5};
+    static const struct bead_ruler across[] = {{false, 22, 20, 24, "across"}}, along[] = {{true, 9, NAN, NAN, "along"}};
+    const struct bead_series series = {.x = x, .y = y, .error = error, .count = 3, .mark = BEAD_MARK_POINTS};
+    const struct bead_graph_axis axis = {.title = "x", .unit = "", .low = NAN, .high = NAN};
+    struct bead_look look;
+    bead_look_screen(&look, 1280, 720, false);
+    for (int kind = 0; kind < 3; kind++) {
+        const struct bead_panel panel = {.x = axis,
+                                         .y = axis,
+                                         .series = &series,
+                                         .series_count = 1,
+                                         .rulers = kind == 1 ? across : along,
+                                         .ruler_count = kind > 0};
+        const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+        struct graph_layout layout = lay_out(&graph, &look, 1280, 720);
+        const struct graph_cell *cell = &layout.cells[0];
+        const double right = kind == 2 ? 9 : 3, top = kind == 1 ? 24 : 11;
+        assert_true(cell->low[0] <= 1 && cell->high[0] >= right && cell->high[0] < 1.3 * right);
+        assert_true(cell->low[1] <= 1 && cell->high[1] >= top && cell->high[1] < 1.5 * top);
+        graph_layout_free(&layout);
+    }
+}
+
 /* Clouds of few and of many points: equal marks in all panels, as large as the largest cloud bears. */
 static void test_clouds_have_equal_points(void **state)
 {
@@ -464,17 +491,12 @@ static void test_bad_ranges_and_sizes_are_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shared_axes_are_shared),
-        cmocka_unit_test(test_ranges_that_make_no_sense),
-        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors),
-        cmocka_unit_test(test_clouds_have_equal_points),
-        cmocka_unit_test(test_words_never_collide),
-        cmocka_unit_test(test_words_of_odd_axes_never_collide),
-        cmocka_unit_test(test_headings_have_room),
-        cmocka_unit_test(test_legends_without_room_go_outside),
-        cmocka_unit_test(test_long_names_leave_room_for_plots),
-        cmocka_unit_test(test_gaps_of_dashes_are_covered),
-        cmocka_unit_test(test_legends_of_parts_stay_inside),
+        cmocka_unit_test(test_shared_axes_are_shared),          cmocka_unit_test(test_ranges_that_make_no_sense),
+        cmocka_unit_test(test_bad_ranges_and_sizes_are_errors), cmocka_unit_test(test_axes_hold_all),
+        cmocka_unit_test(test_clouds_have_equal_points),        cmocka_unit_test(test_words_never_collide),
+        cmocka_unit_test(test_words_of_odd_axes_never_collide), cmocka_unit_test(test_headings_have_room),
+        cmocka_unit_test(test_legends_without_room_go_outside), cmocka_unit_test(test_long_names_leave_room_for_plots),
+        cmocka_unit_test(test_gaps_of_dashes_are_covered),      cmocka_unit_test(test_legends_of_parts_stay_inside),
     };
     return cmocka_run_group_tests_name("graphs", tests, NULL, NULL);
 }

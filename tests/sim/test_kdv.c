@@ -190,6 +190,16 @@ static void zabusky_and_kruskal_see_eight_solitons(void **state)
     kdv->equation->destroy(motion);
 }
 
+/* A cosine of one period has its crest at the first point of the grid. */
+static void a_cosine_has_one_crest(void **state)
+{
+    (void)state;
+    struct bead_motion *motion = start_motion(kdv, &zabusky_kruskal, 1e-6, 0, 1e-6);
+    move_until(kdv, motion, 1e-6);
+    assert_true(measure(kdv, motion, "crests at the end") == 1);
+    kdv->equation->destroy(motion);
+}
+
 static void zabusky_and_kruskal_see_the_start_again(void **state)
 {
     (void)state;
@@ -400,6 +410,7 @@ int main(void)
                                        cmocka_unit_test(solitons_of_equal_speed_are_told_apart),
                                        cmocka_unit_test(solitons_start_where_they_overlap),
                                        cmocka_unit_test(signs_and_drift),
+                                       cmocka_unit_test(a_cosine_has_one_crest),
                                        cmocka_unit_test(zabusky_and_kruskal_see_eight_solitons),
                                        cmocka_unit_test(zabusky_and_kruskal_see_the_start_again),
                                        cmocka_unit_test(recurrence_is_as_exact_as_asked),

@@ -105,6 +105,29 @@ static void strikes_from_both_sides_are_alike(void **state)
     release(&right);
 }
 
+/* Centres of unlike beads are the sum of their radii apart; what a precompression takes away is no part of positions. */
+static void unlike_beads_touch(void **state)
+{
+    (void)state;
+    static const char text[] = "materials:\n"
+                               "  small: {mass: 1 g, radius: 2 mm, modulus: 1 GPa, poisson: 0.3}\n"
+                               "  large: {mass: 8 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}\n"
+                               "chain: {" UNIT "%sbeads: [{cell: [large, small, small], count: 4}]}\n";
+    char loose_text[512], tight_text[512];
+    snprintf(loose_text, sizeof loose_text, text, "");
+    snprintf(tight_text, sizeof tight_text, text, "wall: rigid, precompression: 27 N, ");
+    struct built loose = build(loose_text, "until: 1 us"), tight = build(tight_text, "until: 1 us");
+    const double *x = bead_chain_position(loose.chain), *pressed = bead_chain_position(tight.chain);
+    const double radius[3] = {5e-3, 2e-3, 2e-3};
+    for (size_t j = 2; j < bead_chain_beads(loose.chain); j++) { /* 0 is the striker */
+        const double apart = radius[(j - 2) % 3] + radius[(j - 1) % 3];
+        assert_near(x[j] - x[j - 1], apart, 1e-15);
+        assert_near(pressed[j] - pressed[j - 1], apart, 1e-15);
+    }
+    release(&loose);
+    release(&tight);
+}
+
 /* Equal beads that are further apart than they are compressed hand the velocity on, one collision at a time: each takes a time that
  * quadrature gives, the flight between has its own. */
 static void gaps_make_collisions_of_a_wave(void **state)
@@ -176,6 +199,7 @@ int main(void)
         cmocka_unit_test(solitary_waves_pass),
         cmocka_unit_test(momentum_of_two_strikes_is_kept),
         cmocka_unit_test(strikes_from_both_sides_are_alike),
+        cmocka_unit_test(unlike_beads_touch),
         cmocka_unit_test(gaps_make_collisions_of_a_wave),
         cmocka_unit_test(gaps_are_where_they_are_said_to_be),
         cmocka_unit_test(a_standing_chain_carries_its_weight),
