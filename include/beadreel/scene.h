@@ -228,8 +228,13 @@ enum bead_show {
     BEAD_SHOW_SPREADING,
     BEAD_SHOW_BANDS,
     BEAD_SHOW_EIGENMODES,
+    BEAD_SHOW_SPECTRUM,
+    BEAD_SHOW_SPECTROGRAM,
+    BEAD_SHOW_TRANSFER,
+    BEAD_SHOW_DISPERSION,
     BEAD_SHOW_COUNT
 };
+enum bead_taper { BEAD_WINDOW_HANN, BEAD_WINDOW_NONE };
 enum { BEAD_CONTACT_AUTO = 1000000000, BEAD_MODES = 64, BEAD_PROFILE_TIMES = 12 };
 /* Contents of plots and tables of sweeps: force against magnetism, forces of every configuration, peaks along the chain. */
 enum bead_sweep_show {
@@ -350,6 +355,9 @@ struct bead_curves_asked {
                                     maximum */
     bool overlay;                /* the curves of all chains have one panel */
     enum bead_parts parts;       /* of the energy */
+    enum bead_taper window;      /* of spectra */
+    double segment;              /* s: length of what is transformed; NaN: automatic */
+    double frequencies[2];       /* Hz, that are shown; NaN: automatic */
 };
 
 /* Contents of plots and tables of sweeps. */

@@ -71,10 +71,10 @@ static enum bead_error draw_plot(const struct bead_still *s, const struct still_
     BEAD_TRY(graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, msg));
     cairo_save(cr);
     cairo_translate(cr, panel->area.x, panel->area.y);
-    graph_draw_all(cr, &layout);
+    enum bead_error err = graph_draw_all(cr, &layout, msg);
     cairo_restore(cr);
     graph_layout_free(&layout);
-    return BEAD_OK;
+    return err;
 }
 
 static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_message *msg)

@@ -14,9 +14,10 @@ enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bea
     struct graph_layout layout;
     BEAD_TRY(graph_layout_make(graph, look, width, height, NULL, &layout, msg));
     cairo_save(cr);
-    graph_draw_all(cr, &layout);
+    enum bead_error err = graph_draw_all(cr, &layout, msg);
     cairo_restore(cr);
     graph_layout_free(&layout);
+    BEAD_TRY(err);
     cairo_status_t status = cairo_status(cr);
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "graph: %s", cairo_status_to_string(status)) : BEAD_OK;
 }

@@ -57,6 +57,15 @@ struct bead_graph_axis {
     bool zero; /* an automatic linear range begins at 0 unless a value is negative */
 };
 
+/* Values as colours, below the curves, with a bar at the right. */
+struct bead_graph_image {
+    double x[2], y[2];        /* of the middles of the first and the last column and row */
+    size_t columns, rows;     /* two or more */
+    const double *values;     /* [columns][rows]; where pixels are larger than these, the largest */
+    double low, high;         /* ends of the bar, in the map of light or dark pictures whose low end looks like the page */
+    const char *title, *unit; /* of the bar */
+};
+
 struct bead_panel {
     const char *title; /* above it; NULL: none */
     struct bead_graph_axis x, y;
@@ -64,6 +73,7 @@ struct bead_panel {
     size_t series_count;
     const struct bead_ruler *rulers;
     size_t ruler_count;
+    const struct bead_graph_image *image; /* NULL: none; a panel with one needs the ends of its axes */
 };
 
 struct bead_graph {

@@ -24,12 +24,14 @@ static void graph_draw_head(cairo_t *cr, const struct graph_layout *layout, cons
                              cell->head);
 }
 
-static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell)
+static enum bead_error draw_cell(cairo_t *cr, const struct graph_layout *layout, const struct graph_cell *cell,
+                                 struct bead_message *msg)
 {
     const struct bead_look *look = layout->look;
     const struct bead_rect *plot = &cell->plot;
     if (look->dark)
         bead_look_paint_panel(look, cr, plot->x, plot->y, plot->width, plot->height);
+    BEAD_TRY(graph_draw_image(cr, look, cell, msg));
     graph_draw_bands(cr, look, cell);
     if (!look->dark)
         bead_box_draw(cr, look, *plot);
@@ -39,9 +41,10 @@ static void draw_cell(cairo_t *cr, const struct graph_layout *layout, const stru
     graph_draw_words(cr, look, cell);
     graph_legend_draw(&cell->legend, look, cr);
     graph_draw_head(cr, layout, cell);
+    return graph_draw_bar(cr, look, cell, msg);
 }
 
-void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
+enum bead_error graph_draw_all(cairo_t *cr, const struct graph_layout *layout, struct bead_message *msg)
 {
     const struct bead_look *look = layout->look;
     if (!look->clear) {
@@ -50,7 +53,8 @@ void graph_draw_all(cairo_t *cr, const struct graph_layout *layout)
         cairo_fill(cr);
     }
     for (size_t p = 0; p < layout->graph->panel_count; p++)
-        draw_cell(cr, layout, &layout->cells[p]);
+        BEAD_TRY(draw_cell(cr, layout, &layout->cells[p], msg));
     graph_legend_draw(&layout->legend, look, cr);
     graph_page_draw(&layout->page, look, cr, layout->cells[0].plot.x);
+    return BEAD_OK;
 }

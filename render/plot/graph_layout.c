@@ -203,7 +203,7 @@ static struct bead_insets reach_of(const struct graph_layout *l, const struct gr
         bead_axis_draw(NULL, look, &cell->axis[0], cell->plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0], cell->panel->x.title);
     return (struct bead_insets){.left = cell->labelled[0] ? fmax(left, over_left) : left,
                                 .top = fmax(half, points),
-                                .right = cell->labelled[0] ? fmax(points, over_right) : points,
+                                .right = fmax(cell->labelled[0] ? fmax(points, over_right) : points, graph_image_reach(look, cell)),
                                 .bottom = fmax(bottom, half)};
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Common to the files of a graph: graph.c (entry, files), graph_range.c (axes), graph_layout.c (places), graph_words.c (words at
- * rulers), graph_legend.c, graph_outer.c (legends), graph_draw.c (panels), graph_page.c (title and caption), graph_contents.c
- * (inside a plot's frame), graph_curve.c (curves and points). Lengths in px. */
+ * rulers), graph_legend.c, graph_outer.c (legends), graph_draw.c (panels), graph_page.c (title and caption), graph_image.c (colours
+ * and their bar), graph_contents.c (inside a plot's frame), graph_curve.c (curves and points). Lengths in px. */
 #pragma once
 
 #include "render/draw/layout.h"
@@ -161,7 +161,14 @@ void graph_ruler_style(cairo_t *cr, const struct bead_look *look, const struct b
 void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
 /* Bands of rulers, below all that. */
 void graph_draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
-void graph_draw_all(cairo_t *cr, const struct graph_layout *layout);
+/* Its image, if it has one; the image's bar. Errors: MEMORY, GRAPHICS, IO (colour map). */
+BEAD_CHECK enum bead_error graph_draw_image(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell,
+                                            struct bead_message *msg);
+BEAD_CHECK enum bead_error graph_draw_bar(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell,
+                                          struct bead_message *msg);
+/* How far right of the plot the bar of its image reaches, px. */
+double graph_image_reach(const struct bead_look *look, const struct graph_cell *cell);
+BEAD_CHECK enum bead_error graph_draw_all(cairo_t *cr, const struct graph_layout *layout, struct bead_message *msg);
 /* Sizes title and caption for a page. */
 void graph_page_measure(struct graph_page *page, const struct bead_look *look, double width, double height);
 /* The title begins above the left end of the `axes`, px; at the margin if it is too long for that. */

@@ -10,9 +10,6 @@
 #include "sim/base/wide.h"
 #include "sim/frequency/bands.h"
 
-/* Points of each band; the last is a break. */
-enum { POINTS = 202 };
-
 static void no_samples(const struct bead_plot_data *data, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.why = data->why};
@@ -38,17 +35,25 @@ static enum bead_error plot_bands_create(struct bead_plot_data *data, struct bea
     return BEAD_OK;
 }
 
-static void fill_medium(const struct bead_medium *medium, size_t number, double *at, char label[256], struct bead_series *series)
+/* The last point of each band is a break. */
+struct bead_series plot_bands_of(const struct bead_medium *medium, double *at)
 {
-    const size_t count = POINTS * medium->cell.count;
+    const size_t count = PLOT_BAND_POINTS * medium->cell.count;
     for (size_t i = 0; i < count; i++) {
-        const double part = (double)(i % POINTS) / (POINTS - 2);
+        const double part = (double)(i % PLOT_BAND_POINTS) / (PLOT_BAND_POINTS - 2);
         at[i] = fmin(part, 1);
         at[count + i] =
-            part > 1 ? NAN : bead_jacobi_frequency(&medium->cell, i / POINTS, bead_sin((0.5 - part) * 3.14159265358979323846));
+            part > 1 ? NAN
+                     : bead_jacobi_frequency(&medium->cell, i / PLOT_BAND_POINTS, bead_sin((0.5 - part) * 3.14159265358979323846));
     }
+    return (struct bead_series){.x = at, .y = at + count, .count = count, .mark = BEAD_MARK_LINE};
+}
+
+static void fill_medium(const struct bead_medium *medium, size_t number, double *at, char label[256], struct bead_series *series)
+{
     snprintf(label, 256, "beads %zu to %zu", medium->first, medium->last);
-    *series = (struct bead_series){.x = at, .y = at + count, .count = count, .mark = BEAD_MARK_LINE, .label = label};
+    *series = plot_bands_of(medium, at);
+    series->label = label;
     plot_tell_apart(series, number);
 }
 
@@ -71,17 +76,15 @@ static enum bead_error fill_bands(struct bead_plot_data *data, size_t p, const s
 {
     size_t values = 0;
     for (size_t i = 0; i < count; i++)
-        values += 2 * POINTS * media[i].cell.count;
+        values += PLOT_BAND_VALUES * media[i].cell.count;
     struct plot_panel *part = &data->parts[p];
-    free(part->series); /* reserved for none */
-    free(part->labels);
-    free(part->values);
+    plot_unreserve_series(part);
     BEAD_TRY(plot_reserve_series(data, p, count, values, msg));
     double *at = part->values;
     for (size_t i = 0; i < count; i++) {
         fill_medium(&media[i], i, at, part->labels[i], &part->series[i]);
         part->series[i].label = count > 1 ? part->labels[i] : NULL;
-        at += 2 * POINTS * media[i].cell.count;
+        at += PLOT_BAND_VALUES * media[i].cell.count;
     }
     return count == 1 ? shade_gaps(part, &data->panels[p], &media[0], msg) : BEAD_OK;
 }

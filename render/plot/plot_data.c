@@ -10,8 +10,10 @@
 #include "sim/output/profile_times.h"
 
 /* The first is the default. */
-static const struct plot_kind *const kinds[] = {&bead_plot_sensors, &bead_plot_peaks,      &bead_plot_modes, &bead_plot_profiles,
-                                                &bead_plot_bands,   &bead_plot_eigenmodes, &bead_plot_energy};
+static const struct plot_kind *const kinds[] = {&bead_plot_sensors,    &bead_plot_peaks,    &bead_plot_modes,
+                                                &bead_plot_profiles,   &bead_plot_bands,    &bead_plot_eigenmodes,
+                                                &bead_plot_spectrum,   &bead_plot_transfer, &bead_plot_spectrogram,
+                                                &bead_plot_dispersion, &bead_plot_energy};
 
 static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 {
@@ -49,6 +51,7 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
         free(data->parts[p].values);
         free(data->parts[p].labels);
         free(data->parts[p].rulers);
+        free(data->parts[p].spectral.values);
     }
     free(data->overlaid);
     free(data->overlaid_labels);
@@ -57,6 +60,7 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
     free(data->sample);
     free(data->fronts);
     bead_profile_times_destroy(data->moments);
+    bead_spectra_destroy(data->spectra);
     free(data);
 }
 

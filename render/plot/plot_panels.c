@@ -60,6 +60,13 @@ enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_
     return BEAD_OK;
 }
 
+void plot_unreserve_series(struct plot_panel *part)
+{
+    free(part->series);
+    free(part->labels);
+    free(part->values);
+}
+
 enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg)
 {
     BEAD_TRY(plot_reserve(data, data->context.chain_count, msg));

@@ -4,6 +4,7 @@
 
 #include "render/plot/plot_data.h"
 #include "render/view/sensor_curves.h"
+#include "sim/output/spectra.h"
 
 /* A panel's data. */
 struct plot_panel {
@@ -14,6 +15,8 @@ struct plot_panel {
     char (*labels)[256];
     size_t taken;                     /* samples, of numbers against time */
     struct bead_ruler ruler, *rulers; /* one, or as many as there are */
+    struct bead_spectral spectral;    /* of spectra */
+    struct bead_graph_image image;
     char title[768];
 };
 
@@ -27,6 +30,7 @@ struct bead_plot_data {
     size_t numbers;                     /* of each of these times */
     struct bead_energy_front *fronts;   /* [chains], of energies */
     struct bead_profile_times *moments; /* of profiles */
+    struct bead_spectra *spectra;
     struct plot_panel *parts;
     struct bead_panel *panels;
     struct bead_series *overlaid; /* of all panels, in the first; NULL: each has its own */
@@ -44,13 +48,15 @@ struct plot_kind {
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
 extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles, bead_plot_bands,
-    bead_plot_eigenmodes, bead_plot_energy;
+    bead_plot_eigenmodes, bead_plot_spectrum, bead_plot_transfer, bead_plot_spectrogram, bead_plot_dispersion, bead_plot_energy;
 
 /* Allocates panels, with their titles. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);
 /* Allocates series, their labels and values in panel `p`. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_t series, size_t values,
                                                struct bead_message *msg);
+/* Frees those that were reserved before their number was known. */
+void plot_unreserve_series(struct plot_panel *part);
 /* Allocates a panel, titled with the chain's name, for each chain shown. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg);
 /* Numbers against time. Chooses the times, and reserves room for so many numbers and a zero at each, for twice as many series, and
@@ -65,4 +71,8 @@ bool plot_shows(const struct bead_plot_data *data, size_t chain);
 /* Name and magnetism of chain `number`, in the markup of graphs. */
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);
 /* Sets colour, dashes and marks that distinguish curve `index` from the others, in greyscale too. */
+/* The bands of a cell, against wave number in units of pi by cell, as a series that is broken between them. `at`: room for
+ * PLOT_BAND_VALUES numbers for each bead of the cell. */
+enum { PLOT_BAND_POINTS = 202, PLOT_BAND_VALUES = 2 * PLOT_BAND_POINTS };
+struct bead_series plot_bands_of(const struct bead_medium *medium, double *at);
 void plot_tell_apart(struct bead_series *series, size_t index);

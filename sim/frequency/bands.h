@@ -20,7 +20,7 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_media_find(const struct bead_chain
                                                          struct bead_message *msg);
 BEAD_INTERNAL void bead_media_free(struct bead_medium *media, size_t count);
 /* Ends of band `index` (from 0), Hz: at cell phases 0 and pi. Between these the frequency is monotonic. */
-void bead_band(const struct bead_medium *medium, size_t index, double ends[2]);
+BEAD_INTERNAL void bead_band(const struct bead_medium *medium, size_t index, double ends[2]);
 /* Is there nothing between band `index` and the next, apart from rounding? */
 BEAD_INTERNAL bool bead_gap(const struct bead_medium *medium, size_t index, double ends[2]);
 

@@ -68,6 +68,8 @@ struct bead_show_type {
     bool modes;                   /* energies of modes */
     bool of_field;                /* the output's `field` */
     bool vibrations;              /* of the chain at rest, whose contacts must be closed; nothing is run */
+    bool of_places;               /* of the beads and contacts listed, or of sensors */
+    bool of_motion;               /* its field is velocity by default, and none of contacts */
     bool own_times;               /* no samples but its own are close enough */
 };
 const struct bead_show_type *bead_show_type(enum bead_show show);

@@ -4,11 +4,12 @@
 
 #include "sim/kinds/outputs.h"
 
-static const char *const plot_shows[] = {"sensors",  "peaks", "setup",      "contact", "cell", "modes",
-                                         "profiles", "bands", "eigenmodes", "energy",  NULL};
-static const unsigned plot_values[] = {BEAD_SHOW_SENSORS,    BEAD_SHOW_PEAKS, BEAD_SHOW_SETUP,    BEAD_SHOW_CONTACT,
-                                       BEAD_SHOW_CELL,       BEAD_SHOW_MODES, BEAD_SHOW_PROFILES, BEAD_SHOW_BANDS,
-                                       BEAD_SHOW_EIGENMODES, BEAD_SHOW_ENERGY};
+static const char *const plot_shows[] = {"sensors", "peaks",      "setup",  "contact",          "cell", "modes", "profiles",
+                                         "bands",   "eigenmodes", "energy", BEAD_SPECTRA_SHOWS, NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS,    BEAD_SHOW_PEAKS,  BEAD_SHOW_SETUP,    BEAD_SHOW_CONTACT,
+                                       BEAD_SHOW_CELL,       BEAD_SHOW_MODES,  BEAD_SHOW_PROFILES, BEAD_SHOW_BANDS,
+                                       BEAD_SHOW_EIGENMODES, BEAD_SHOW_ENERGY, BEAD_SPECTRA_VALUES};
+static const char *const windows[] = {"hann", "none", NULL};
 static const char *const energy_parts[] = {"form", "place", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
 static const char *const normalisings[] = {"none", "first", "max", NULL};
@@ -135,14 +136,15 @@ const struct bead_option bead_image_rows[3] = {
 /* ---- plots and tables ---- */
 
 /* Keys of curves and of tables of their numbers. */
-const struct bead_option bead_curves_rows[6] = {
+const struct bead_option bead_curves_rows[9] = {
     {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(curves.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
      .help = "how many modes `show: modes` shows", .example = "4"},
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
-     .help = "the field that `show: profiles` shows, and that `show: sensors` shows of beads"},
+     .help = "the field that `show: profiles` shows, and that `show: sensors`, and spectra, show of beads; of transfer and "
+             "dispersion, velocity unless said otherwise"},
     {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads), .shape = "a number or a list of numbers; 0 is the striker",
      .like = "number|[number]", .read = bead_output_read_listed,
-     .help = "with `show: sensors`, the beads whose `field` is shown over time, instead of those with a sensor; with `show: "
+     .help = "with `show: sensors`, and of spectra, the beads whose `field` is shown, instead of those with a sensor; with `show: "
              "bead-peaks`, only these; with `show: energy`, beads past which the energy is shown, too",
      .example = "[20, 40]"},
     {"contacts", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.contacts),
@@ -163,6 +165,20 @@ const struct bead_option bead_curves_rows[6] = {
          "the parts of `show: energy`. form: kinetic, of contacts, of the wall, of gravity, of springs, dissipated; place: of the "
          "front, that is of the first pulse up to where the force of contacts falls to a tenth; of what is behind it; reflected, "
          "that of beads which pass energy back; dissipated"},
+    {"window", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.window), .initial = "hann", .choices = windows,
+     .help = "what spectra weigh their samples by: Hann's window, for motion that goes on, or none, for pulses that end"},
+    {"segment", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(curves.segment), .unit = "s", .of_motion = true, .initial = "auto", .low = 0,
+     .high = 1e12, .open = BEAD_OPEN_LOW, .word = "auto", .word_value = NAN,
+     .help = "the length of what spectra transform at once: lines are as wide as one or two over it. Half-overlapping segments are "
+             "averaged by their squares (Welch); a spectrogram has a column for each, every eighth of its length. auto: all of "
+             "`time`; of a spectrogram a twentieth",
+     .example = "0.2 ms"},
+    {"frequencies", BEAD_OPTION_PAIR, BEAD_OF_OUTPUT(curves.frequencies), .unit = "Hz", .initial = "auto", .low = 0, .high = 1e12,
+     .word = "auto", .word_value = NAN,
+     .help = "the frequencies that plots and tables of spectra show; auto: in plots up to the last with a thousandth of the "
+             "largest amplitude, or beyond "
+             "the highest band, in tables all up to half of the sampling rate",
+     .example = "[0 Hz, 20 kHz]"},
 };
 /* Keys of plots and of panels that are plots. */
 const struct bead_option bead_plot_rows[5] = {
@@ -173,7 +189,7 @@ const struct bead_option bead_plot_rows[5] = {
          "energies of modes against time; the energy against time, its parts stacked; profiles, a field along the chain at several "
          "times; bands, frequency against wave number "
          "of each repeated cell under its precompression; eigenmodes, participation against frequency of the small vibrations of "
-         "each chain; or a schematic drawing of the "
+         "each chain; " BEAD_SPECTRA_HELP "; or a schematic drawing of the "
          "experiment, of a contact or of the cells"},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = scales,
      .help = "scale of the axis of peaks"},

@@ -17,6 +17,7 @@ const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MA
                                                   .panel = {.chain = SIZE_MAX},
                                                   .image = {.at = NAN},
                                                   .movie = {.poster_at = NAN},
+                                                  .curves = {.segment = NAN, .frequencies = {NAN, NAN}},
                                                   .plot = {.range = {NAN, NAN}}};
 
 /* Defaults are those of contacts: where the output does not say otherwise, systems without them have their own. */
@@ -43,6 +44,12 @@ static void fit_without_contacts(const struct bead_reader *reader, const struct 
             output->views.kinds[kept++] = output->views.kinds[i];
     }
     output->views.count = kept;
+}
+
+static void fit_motion(const struct bead_at *at, struct bead_output *output)
+{
+    if (bead_show_type(output->curves.show)->of_motion && !bead_given(at, "field"))
+        output->shown.field = BEAD_FIELD_VELOCITY;
 }
 
 /* The stage is the default of films of few chains; films of images have a row of beads instead. */
@@ -98,6 +105,7 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
         return err;
     fit_stage(reader, at, output);
     fit_without_contacts(reader, at, output);
+    fit_motion(at, output);
     if (sweep)
         return type->check_sweep ? type->check_sweep(reader, at, output) : BEAD_OK;
     for (size_t i = 0; !err && i < BEAD_OUTPUT_CHECKS && type->checks[i]; i++)

@@ -9,8 +9,9 @@
 enum { PLOT = 1 << BEAD_OUTPUT_PLOT, TABLE = 1 << BEAD_OUTPUT_TABLE };
 
 static const char no_contacts[] = "peaks are those of contacts between beads, which equations do not have",
-                  whole_passage[] = "peaks are those of the first passage";
+                  whole_passage[] = "peaks are those of the first passage", of_frequencies[] = "spectra have an axis of frequency";
 
+#define SPECTRA "window", "segment", "frequencies"
 #define KEYS(...)         \
     (const char *const[]) \
     {                     \
@@ -20,7 +21,8 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
     [BEAD_SHOW_SENSORS] = {.keys = KEYS("every", "time", "normalise", "field", "beads", "contacts", "overlay"),
                            .why_not = "sensors have curves over time, on a linear axis",
                            .ends = PLOT | TABLE,
-                           .of_field = true},
+                           .of_field = true,
+                           .of_places = true},
     [BEAD_SHOW_PEAKS] = {.keys = KEYS("scale", "contacts", "overlay"),
                          .why_not = whole_passage,
                          .without_contacts = no_contacts,
@@ -60,6 +62,29 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                               .why_not = "eigenmodes are those of a chain at rest",
                               .without_contacts = "has the modes of beads; an equation has `show: modes`",
                               .vibrations = true},
+    [BEAD_SHOW_SPECTRUM] = {.keys = KEYS("every", "time", "field", "beads", "contacts", "overlay", "scale", SPECTRA),
+                            .why_not = of_frequencies,
+                            .ends = PLOT | TABLE,
+                            .of_field = true,
+                            .of_places = true},
+    [BEAD_SHOW_SPECTROGRAM] = {.keys = KEYS("every", "time", "field", "beads", "contacts", SPECTRA),
+                               .why_not = of_frequencies,
+                               .ends = PLOT | TABLE,
+                               .of_field = true,
+                               .of_places = true},
+    [BEAD_SHOW_TRANSFER] = {.keys = KEYS("every", "time", "field", "beads", "overlay", "scale", SPECTRA),
+                            .why_not = of_frequencies,
+                            .without_contacts = "is that of driven beads, which equations do not have",
+                            .ends = PLOT | TABLE,
+                            .of_field = true,
+                            .of_places = true,
+                            .of_motion = true},
+    [BEAD_SHOW_DISPERSION] = {.keys = KEYS("every", "time", "field", SPECTRA),
+                              .why_not = "a dispersion is that of all beads of the cells that a chain repeats",
+                              .without_contacts = "is one of beads; an equation has its own",
+                              .ends = PLOT | TABLE,
+                              .of_field = true,
+                              .of_motion = true},
     [BEAD_SHOW_SETUP] = {.drawing = true},
     [BEAD_SHOW_CONTACT] = {.drawing = true},
     [BEAD_SHOW_CELL] = {.drawing = true},
@@ -74,8 +99,8 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
-    static const char *const keys[] = {"every",     "time",     "modes", "field",   "at",   "scale",
-                                       "normalise", "contacts", "beads", "overlay", "parts"};
+    static const char *const keys[] = {"every",     "time",     "modes", "field",   "at",    "scale",
+                                       "normalise", "contacts", "beads", "overlay", "parts", SPECTRA};
     const struct bead_show_type *show = &shows[output->curves.show];
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         char homes[120] = "";
@@ -127,11 +152,18 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
             return BEAD_WRONG_KEY(reader, at, lists[i].key, "has %zu, but the last %s is %zu", lists[i].listed->all[count - 1],
                                   lists[i].word, most);
     }
-    if (curves->show != BEAD_SHOW_SENSORS)
+    const struct bead_show_type *show = &shows[curves->show];
+    const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
+    if (show->of_motion && (of_contacts || output->shown.field == BEAD_FIELD_FORCE))
+        return BEAD_WRONG_KEY(reader, at, "field",
+                              "must be one of beads here, and not their force, which short waves do not change: "
+                              "velocity, displacement or energy");
+    if (curves->show == BEAD_SHOW_SPECTROGRAM && curves->beads.count + curves->contacts.count > 1)
+        return BEAD_WRONG_KEY(reader, at, "beads", "are several places; a spectrogram is that of one");
+    if (!show->of_places)
         return BEAD_OK;
     if (curves->contacts.count > 0 && !bead_scene_system(scene)->has_contacts)
         return BEAD_WRONG_KEY(reader, at, "contacts", "are between beads, which equations do not have");
-    const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
     if (of_contacts && !(curves->beads.count == 0 && curves->contacts.count > 0))
         return BEAD_WRONG_KEY(reader, at, "field", "is one of contacts: say which `contacts`, instead of beads or sensors");
     if (!of_contacts && output->shown.field != BEAD_FIELD_FORCE && curves->contacts.count > 0)
@@ -169,7 +201,7 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
     if (show->drawing || output->still.panel_count > 0)
         return BEAD_OK;
     enum bead_error err = show->modes ? bead_output_need_modes(reader, at, "show") : BEAD_OK;
-    if (!err && output->curves.show == BEAD_SHOW_SENSORS && !output->curves.beads.all && !output->curves.contacts.all &&
+    if (!err && show->of_places && !output->curves.beads.all && !output->curves.contacts.all &&
         !bead_scene_has_sensors(reader->scene, SIZE_MAX))
         return BEAD_WRONG_KEY(reader, at, "show",
                               "shows sensors, but no bead of the chain has a `sensor`; give one, or say which `beads`");

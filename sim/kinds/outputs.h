@@ -16,6 +16,15 @@
         .help = "name of the file, or a list of names for the same contents", .like = "text|[text]", .read = bead_output_read_path \
     }
 
+/* `show` of spectra, in plots and tables. */
+#define BEAD_SPECTRA_SHOWS  "spectrum", "spectrogram", "transfer", "dispersion"
+#define BEAD_SPECTRA_VALUES BEAD_SHOW_SPECTRUM, BEAD_SHOW_SPECTROGRAM, BEAD_SHOW_TRANSFER, BEAD_SHOW_DISPERSION
+#define BEAD_SPECTRA_HELP                                                                                                          \
+    "spectrum, amplitude against frequency of the curves that sensors have, whose squares add up to twice the mean square (times " \
+    "3/2 with Hann's window); spectrogram, that of one curve over time; transfer, the ratio of each curve to that of the driven "  \
+    "bead; dispersion, amplitude against wave number and frequency of all beads of the cells that a chain repeats, with their "    \
+    "exact bands"
+
 /* The names of all views, for the shape of a value: "beads, profile, ". */
 #define BEAD_VIEW_LISTED(ID, view, ...) #view ", "
 #define BEAD_VIEWS_LISTED               BEAD_VIEWS(BEAD_VIEW_LISTED)
@@ -23,7 +32,7 @@
 /* Rows that kinds share. What of the chains: */
 extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1];
 /* Curves and tables of their numbers; sweeps: */
-extern const struct bead_option bead_curves_rows[6], bead_plot_rows[5], bead_threshold_row[1], bead_against_row[1];
+extern const struct bead_option bead_curves_rows[9], bead_plot_rows[5], bead_threshold_row[1], bead_against_row[1];
 /* Images and panels that are images; pictures with panels: */
 extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];
 /* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */

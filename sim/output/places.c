@@ -43,14 +43,19 @@ struct bead_place_shown bead_place_shown(const struct bead_output *output, const
     return place;
 }
 
+void bead_place_needs(const struct bead_place_shown *place, struct bead_needs *needs)
+{
+    needs->fields |= BEAD_FIELD_BIT(place->field);
+    needs->beads.first = place->index < needs->beads.first ? place->index : needs->beads.first;
+    needs->beads.last = place->index > needs->beads.last ? place->index : needs->beads.last;
+}
+
 void bead_places_need(const struct bead_output *output, const struct bead_chain *chain, struct bead_needs *needs)
 {
     const size_t count = bead_places_count(output, chain);
     for (size_t k = 0; k < count; k++) {
         const struct bead_place_shown place = bead_place_shown(output, chain, k);
-        needs->fields |= BEAD_FIELD_BIT(place.field);
-        needs->beads.first = place.index < needs->beads.first ? place.index : needs->beads.first;
-        needs->beads.last = place.index > needs->beads.last ? place.index : needs->beads.last;
+        bead_place_needs(&place, needs);
     }
 }
 

@@ -15,6 +15,8 @@ struct bead_place_shown {
 /* How many a chain has for this output, and number `k` of them: beads first. Those that the chain does not have are left out. */
 BEAD_INTERNAL size_t bead_places_count(const struct bead_output *output, const struct bead_chain *chain);
 BEAD_INTERNAL struct bead_place_shown bead_place_shown(const struct bead_output *output, const struct bead_chain *chain, size_t k);
+/* Widen what is needed of samples to one place. */
+void bead_place_needs(const struct bead_place_shown *place, struct bead_needs *needs);
 /* Widen what is needed of samples, `beads` and `fields`, to those of the chain. */
 BEAD_INTERNAL void bead_places_need(const struct bead_output *output, const struct bead_chain *chain, struct bead_needs *needs);
 /* Is a bead, or a contact, one of those listed, or are none? */

@@ -8,6 +8,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/output/data_sinks.h"
+#include "sim/output/spectra.h"
 #include "sim/output/table.h"
 
 static const struct table *const tables[] = {
@@ -24,6 +25,10 @@ static const struct table *const tables[] = {
     [BEAD_SHOW_SPREADING] = &bead_table_spreading,
     [BEAD_SHOW_BANDS] = &bead_table_bands,
     [BEAD_SHOW_EIGENMODES] = &bead_table_eigenmodes,
+    [BEAD_SHOW_SPECTRUM] = &bead_table_spectrum,
+    [BEAD_SHOW_SPECTROGRAM] = &bead_table_spectrogram,
+    [BEAD_SHOW_TRANSFER] = &bead_table_spectrum,
+    [BEAD_SHOW_DISPERSION] = &bead_table_dispersion,
 };
 
 static void table_destroy(struct bead_sink *sink)
@@ -41,6 +46,7 @@ static void table_destroy(struct bead_sink *sink)
     for (size_t i = 0; sink->measures && i < sink->context.chain_count; i++)
         bead_measures_destroy(sink->measures[i]);
     bead_profile_times_destroy(sink->moments);
+    bead_spectra_destroy(sink->spectra);
     free(sink->measures);
     free(sink->columns);
     free(sink->largest);

@@ -31,7 +31,8 @@ struct bead_sink {
     struct bead_profile_times *moments; /* of profiles */
     struct bead_spreading *spreading;   /* [chains], of spreading */
     struct bead_energy_front *fronts;   /* [chains], of energies */
-    double *largest;                    /* [chains], of extremes: of the first run, so far */
+    struct bead_spectra *spectra;
+    double *largest; /* [chains], of extremes: of the first run, so far */
     uint64_t rows;
     bool open, finished;
 };
@@ -63,6 +64,8 @@ void bead_table_time_header(const struct bead_sink *sink);
 /* Tables with a row for each time. Adds a column, "chain/what", or "what" for a single chain. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t chain, size_t bead, const char *what,
                                                  struct bead_message *msg);
+/* Adds a column for each sensor, or each place that the output lists. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg);
 /* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg);
 void bead_table_columns_header(struct bead_sink *sink);
@@ -73,5 +76,6 @@ void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sam
 /* One for each word of `show`. */
 extern const struct table bead_table_sensors, bead_table_contact_peaks, bead_table_bead_peaks, bead_table_measures,
     bead_table_energy, bead_table_modes, bead_table_profiles, bead_table_chain, bead_table_sensitivities, bead_table_extremes,
-    bead_table_spreading, bead_table_bands, bead_table_eigenmodes;
+    bead_table_spreading, bead_table_bands, bead_table_eigenmodes, bead_table_spectrum, bead_table_spectrogram,
+    bead_table_dispersion;
 void bead_table_spreading_free(struct bead_sink *sink);

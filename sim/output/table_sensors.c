@@ -12,20 +12,27 @@ static void column_name(const struct bead_place_shown *place, bool listed, char 
         *c = *c == ' ' ? '_' : *c;
 }
 
-static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_message *msg)
+enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg)
 {
     const struct bead_curves_asked *curves = &sink->output->curves;
-    const bool listed = curves->beads.all || curves->contacts.all;
     char name[160];
     for (size_t c = 0; c < sink->context.chain_count; c++) {
         const size_t count = bead_places_count(sink->output, sink->context.chains[c]);
         for (size_t i = 0; i < count; i++) {
             const struct bead_place_shown place = bead_place_shown(sink->output, sink->context.chains[c], i);
-            column_name(&place, listed, name, sizeof name);
+            column_name(&place, curves->beads.all || curves->contacts.all, name, sizeof name);
             BEAD_TRY(bead_table_add_column(sink, c, place.index, name, msg));
             sink->columns[sink->column_count - 1].field = place.field;
         }
     }
+    return BEAD_OK;
+}
+
+static enum bead_error sensors_prepare(struct bead_sink *sink, struct bead_message *msg)
+{
+    const struct bead_curves_asked *curves = &sink->output->curves;
+    const bool listed = curves->beads.all || curves->contacts.all;
+    BEAD_TRY(bead_table_place_columns(sink, msg));
     if (sink->column_count == 0)
         return bead_output_wrong(sink->output, msg, "show: sensors, but no bead of the chain has a `sensor`");
     char what[40];

@@ -132,7 +132,7 @@ static BEAD_OPTION_READER(read_starting_beads)
 
 static const struct bead_option starting_rows[] = {
     {"bead", BEAD_OPTION_CUSTOM, .required = true, .shape = "a number, last, or [first, last]; 0 is the striker",
-     .like = "number|last|[2 any]", .read = read_starting_beads, .help = "which bead, or which beads", .example = "last"},
+     .like = "number|last|[2 number|last]", .read = read_starting_beads, .help = "which bead, or which beads", .example = "last"},
     {"velocity", BEAD_OPTION_NUMBER, STARTING(velocity), .unit = "m/s", .initial = "0 m/s", .low = -1e4, .high = 1e4,
      .help = "velocity at time 0; negative: away from the wall, to the left", .example = "-0.443 m/s"},
     {"displacement", BEAD_OPTION_NUMBER, STARTING(displacement), .unit = "m", .initial = "0 m", .low = -1e3, .high = 1e3,

@@ -109,7 +109,7 @@ needs() { # SECTION KEY
     'sweep: spins') before=(sweep.cells=4) ;;
     'sweep: measure' | 'sweep.measure: sensor') scene=chain before=('sweep={measure: {peak: force}}' 'outputs=[{table: t.csv}]') ;;
     'sweep: tilt') before=(sweep.wall=brass) ;;
-    *': window') before+=(outputs.0.follow=front) ;;
+    'outputs (movie): window') before+=(outputs.0.follow=front) ;;
     *': poster-at') before+=(outputs.0.poster=p.png simulate.until=1ms) ;;
     *': letters') before+=('outputs.0.panels=[[{show: peaks}]]') ;;
     *': panels') scene=pair ;;
@@ -121,6 +121,8 @@ needs() { # SECTION KEY
     'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: i.${extension[$kind]}, show: modes}]") ;;
     'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
     'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (plot): window' | 'outputs (plot): segment' | 'outputs (plot): frequencies' | 'outputs (table): window' | 'outputs (table): segment' | 'outputs (table): frequencies')
+        before=("outputs=[{$kind: i.${extension[$kind]}, show: spectrum, beads: 1}]") ;;
     'outputs (table): contacts') before=('outputs=[{table: t.csv, show: sensitivities}]') ;;
     'outputs (table): time' | 'outputs (table): every') before+=(outputs.0.show=sensors) ;;
     esac

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Spectra, a panel for each chain: amplitudes, or ratios to the driven bead, against frequency; and amplitudes as colours, against
+ * time, or against wave number with the exact bands over them. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "render/draw/markup.h"
+#include "render/plot/plot_private.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/output/places.h"
+
+/* Automatic axes leave out what is less than this part of the largest; colours reach down to `deepest`. */
+static const double least = 1e-3, least_log = 1e-6, deepest = -60 /* dB */;
+/* An automatic axis goes this far beyond the highest band. */
+static const double beyond = 1.15;
+
+static enum bead_show show_of(const struct bead_plot_data *data)
+{
+    return data->output->curves.show;
+}
+
+/* Its y axis. */
+static struct bead_graph_axis amplitudes(struct bead_plot_data *data, double low)
+{
+    const bool transfer = show_of(data) == BEAD_SHOW_TRANSFER;
+    const struct bead_chain *chain = data->context.chains[data->parts[0].chain];
+    const struct bead_field_info *field = bead_chain_field(chain, bead_place_shown(data->output, chain, 0).field);
+    snprintf(data->axis_title, sizeof data->axis_title, "%s of %s", transfer ? "transfer" : "amplitude", field->title);
+    return (struct bead_graph_axis){.title = data->axis_title,
+                                    .unit = transfer ? "" : field->unit,
+                                    .low = low,
+                                    .high = data->output->plot.range[1],
+                                    .scale = data->output->plot.scale,
+                                    .zero = true};
+}
+
+static bool is_image(const struct bead_plot_data *data)
+{
+    return show_of(data) == BEAD_SHOW_SPECTROGRAM || show_of(data) == BEAD_SHOW_DISPERSION;
+}
+
+/* `frequencies`, `columns`: the ranges; NaN before they are known. */
+static void make_axes(struct bead_plot_data *data, const double frequencies[2], const double columns[2], double low)
+{
+    const char *time = bead_chain_time_unit(data->context.chains[0]), *hertz = *time ? "Hz" : "";
+    const struct bead_graph_axis frequency = {"frequency", hertz, frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false},
+                                 wave = {"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, false},
+                                 moment = {"time", time, columns[0], columns[1], BEAD_SCALE_LINEAR, false};
+    for (size_t p = 0; p < data->count; p++) {
+        data->panels[p].x = !is_image(data) ? frequency : show_of(data) == BEAD_SHOW_DISPERSION ? wave : moment;
+        data->panels[p].y = is_image(data) ? frequency : amplitudes(data, low);
+    }
+}
+
+static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    BEAD_TRY(bead_spectra_create(data->output, &data->context, &data->spectra, msg));
+    BEAD_TRY(plot_reserve_chains(data, 0, 0, msg));
+    snprintf(data->why, sizeof data->why, "spectra");
+    make_axes(data, (const double[]){NAN, NAN}, (const double[]){NAN, NAN}, data->output->plot.range[0]);
+    for (size_t p = 0; p < data->count && is_image(data); p++) {
+        data->parts[p].image = (struct bead_graph_image){.low = deepest, .high = 0, .title = "amplitude", .unit = "dB"};
+        data->panels[p].image = &data->parts[p].image;
+    }
+    return BEAD_OK;
+}
+
+static void needs_of(const struct bead_plot_data *data, struct bead_needs *needs)
+{
+    *needs = bead_spectra_needs(data->spectra);
+}
+
+static enum bead_error feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
+{
+    return bead_spectra_feed(data->spectra, sample, msg);
+}
+
+static double largest_of(const struct bead_plot_data *data)
+{
+    double most = 0;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_spectral *found = &data->parts[p].spectral;
+        for (size_t i = 0; i < found->columns * found->rows; i++)
+            most = fmax(most, found->values[i]);
+    }
+    return most;
+}
+
+/* The range of frequencies: as asked, else to beyond the highest band, or to the last that is not small; a transfer has all. */
+static void choose_frequencies(const struct bead_plot_data *data, double range[2])
+{
+    const double some = show_of(data) == BEAD_SHOW_TRANSFER ? 0 : least * largest_of(data);
+    double high = 0;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_spectral *found = &data->parts[p].spectral;
+        const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
+        double ends[2];
+        if (medium) {
+            bead_band(medium, medium->cell.count - 1, ends);
+            high = fmax(high, beyond * ends[1]);
+        }
+        for (size_t i = 0; i < found->columns * found->rows && !medium; i++)
+            high = found->values[i] > some ? fmax(high, (double)(i % found->rows) * found->step) : high;
+    }
+    const double *asked = data->output->curves.frequencies;
+    range[0] = isnan(asked[0]) ? 0 : asked[0];
+    range[1] = isnan(asked[1]) ? high : asked[1];
+}
+
+static enum bead_error find_all(struct bead_plot_data *data, double range[2], struct bead_message *msg)
+{
+    for (size_t p = 0; p < data->count; p++)
+        BEAD_TRY(bead_spectra_of(data->spectra, data->parts[p].chain, &data->parts[p].spectral, msg));
+    choose_frequencies(data, range);
+    if (range[0] >= range[1])
+        return bead_output_wrong(data->output, msg, "frequencies: from %g to %g Hz there is nothing to show", range[0], range[1]);
+    return BEAD_OK;
+}
+
+/* ---- curves ---- */
+
+static enum bead_error fill_curves(struct bead_plot_data *data, size_t p, struct bead_message *msg)
+{
+    struct plot_panel *part = &data->parts[p];
+    const struct bead_spectral *found = &part->spectral;
+    plot_unreserve_series(part);
+    BEAD_TRY(plot_reserve_series(data, p, found->columns, found->rows, msg));
+    for (size_t k = 0; k < found->rows; k++)
+        part->values[k] = (double)k * found->step;
+    for (size_t i = 0; i < found->columns; i++) {
+        const struct bead_place_shown place = bead_place_shown(data->output, data->context.chains[part->chain], i);
+        bead_markup_quote(place.name, part->labels[i], sizeof part->labels[i]);
+        part->series[i] = (struct bead_series){.x = part->values,
+                                               .y = found->values + i * found->rows,
+                                               .count = found->rows,
+                                               .mark = BEAD_MARK_LINE,
+                                               .label = part->labels[i]};
+        plot_tell_apart(&part->series[i], i);
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error finish_curves(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
+{
+    const bool log = data->output->plot.scale == BEAD_SCALE_LOG;
+    double range[2], low = data->output->plot.range[0];
+    BEAD_TRY(find_all(data, range, msg));
+    const double most = largest_of(data);
+    low = isnan(low) && log && most > 0 ? least_log * most : low;
+    make_axes(data, range, (const double[]){NAN, NAN}, low);
+    for (size_t p = 0; p < data->count; p++)
+        BEAD_TRY(fill_curves(data, p, msg));
+    return BEAD_OK;
+}
+
+/* ---- images ---- */
+
+/* Amplitudes to decibels of the largest of all chains. */
+static void to_decibels(struct bead_plot_data *data)
+{
+    const double most = largest_of(data);
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_spectral *found = &data->parts[p].spectral;
+        for (size_t i = 0; i < found->columns * found->rows; i++)
+            found->values[i] = fmax(2 * deepest, 20 * log10(found->values[i] / most));
+    }
+}
+
+static void fill_image(struct plot_panel *part)
+{
+    const struct bead_spectral *found = &part->spectral;
+    part->image.x[0] = found->first;
+    part->image.x[1] = found->first + (double)(found->columns - 1) * found->between;
+    part->image.y[1] = (double)(found->rows - 1) * found->step;
+    part->image.columns = found->columns;
+    part->image.rows = found->rows;
+    part->image.values = found->values;
+}
+
+static enum bead_error add_bands(struct bead_plot_data *data, size_t p, struct bead_message *msg)
+{
+    const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
+    struct plot_panel *part = &data->parts[p];
+    if (!medium)
+        return BEAD_OK;
+    plot_unreserve_series(part);
+    BEAD_TRY(plot_reserve_series(data, p, 1, PLOT_BAND_VALUES * medium->cell.count, msg));
+    part->series[0] = plot_bands_of(medium, part->values);
+    part->series[0].colour = 0;
+    part->series[0].dash = 1;
+    part->series[0].label = "exact bands";
+    return BEAD_OK;
+}
+
+static enum bead_error finish_image(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
+{
+    const double *asked = data->output->shown.time;
+    double range[2], time[2] = {0, 0};
+    BEAD_TRY(find_all(data, range, msg));
+    to_decibels(data);
+    for (size_t p = 0; p < data->count; p++) {
+        if (data->parts[p].spectral.columns < 2)
+            return bead_output_wrong(data->output, msg, "show: there is but one column of amplitudes; a picture needs two");
+        fill_image(&data->parts[p]);
+        time[0] = isnan(asked[0]) ? data->parts[p].image.x[0] : asked[0];
+        time[1] = isnan(asked[1]) ? fmax(time[1], data->parts[p].image.x[1]) : asked[1];
+        BEAD_TRY(add_bands(data, p, msg));
+    }
+    make_axes(data, range, time, NAN);
+    return BEAD_OK;
+}
+
+const struct plot_kind bead_plot_spectrum = {BEAD_SHOW_SPECTRUM, true, create, needs_of, feed, finish_curves};
+const struct plot_kind bead_plot_transfer = {BEAD_SHOW_TRANSFER, true, create, needs_of, feed, finish_curves};
+const struct plot_kind bead_plot_spectrogram = {BEAD_SHOW_SPECTROGRAM, true, create, needs_of, feed, finish_image};
+const struct plot_kind bead_plot_dispersion = {BEAD_SHOW_DISPERSION, true, create, needs_of, feed, finish_image};

@@ -1,0 +1,139 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Spectra: a sine's line and Parseval's sum, a chirp's line over time, waves that fade where no band is, and the bands of a cell, from
+# runs.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {d = a / b - 1; exit !(a != "" && (d < 0 ? -d : d) <= t)}' || { echo "$1 is not $2 to $3"; return 1; }; }
+# FILE COLUMN : half of the sum of the squares of a column; where it is largest, and how large
+halves() { awk -F, -v c="$2" 'NR > 1 {sum += $c * $c} END {printf "%.15g", sum / 2}' "$1"; }
+largest() { awk -F, -v c="$2" 'NR > 1 && $c > most {most = $c; at = $1} END {print at}' "$1"; }
+# FILE COLUMN ROWS : mean square about the mean of the first rows
+square() { awk -F, -v c="$2" -v n="$3" 'NR > 1 && NR <= n + 1 {s += $c; q += $c * $c} END {printf "%.15g", q / n - s * s / n / n}' "$1"; }
+
+# 10 periods in 1000 samples; one more does not fit.
+cat >sine.yaml <<'YAML'
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{bead: large-steel, count: 30}]
+  drive: {displacement: sine, amplitude: 10 nm, frequency: 5 kHz}
+simulate: {until: 2 ms}
+outputs:
+  - {table: hann.csv, show: spectrum, beads: [0, 20], field: displacement, every: 2 us}
+  - {table: none.csv, show: spectrum, beads: [0, 20], field: displacement, every: 2 us, window: none}
+  - {table: time.csv, show: sensors, beads: [0, 20], field: displacement, every: 2 us}
+YAML
+ok "a driven chain" exits 0 "$beadreel" sine.yaml -o .
+ok "a sine has its line at its frequency" test "$(largest none.csv 2)" = 5000
+ok "... in Hann's window" test "$(largest hann.csv 2)" = 5000
+ok "... of its amplitude" near "$(awk -F, '$1 == 5000 {print $2}' hann.csv)" 1e-8 1e-9
+ok "the squares of a sine add up to half of its own" near "$(halves none.csv 2)" 5e-17 1e-9
+ok "... times 3/2 in Hann's window" near "$(halves hann.csv 2)" 7.5e-17 1e-9
+ok "those of any curve to its mean square" near "$(halves none.csv 3)" "$(square time.csv 3 1000)" 1e-10
+
+# Equal beads above their band: cosh(k / 2) = f / f1, amplitudes fall as exp(-k n).
+cat >fade.yaml <<'YAML'
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{bead: large-steel, count: 60}]
+  drive: {displacement: sine, amplitude: 1 nm, frequency: 30 kHz, ramp: 2 ms}
+simulate: {until: 6 ms}
+outputs:
+  - {table: fade.csv, show: transfer, beads: [1, 5], time: [2 ms, 6 ms], every: 1 us, window: none}
+  - {table: bands.csv, show: bands}
+YAML
+ok "a chain driven above its band" exits 0 "$beadreel" fade.yaml -o .
+ok "transfer has the one frequency that is driven" test "$(wc -l <fade.csv)" = 2
+fades() { # COLUMN BEADS
+    local f1; f1=$(awk -F, '$3 == "band" {print $6}' bands.csv)
+    near "$(awk -F, -v c="$1" 'NR == 2 {print $c}' fade.csv)" "$(awk -v x="$f1" -v n="$2" 'BEGIN {x = 30000 / x; k = 2 * log(x + sqrt(x * x - 1)); printf "%.15g", exp(-k * n)}')" 1e-4
+}
+ok "waves above the band fade from bead to bead" fades 2 1
+ok "... by the same factor" fades 3 5
+
+# A dimer under 20 N: bands end at 4710.94, 8102.20 and 9372.22 Hz.
+cat >dimer.yaml <<'YAML'
+materials:
+  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
+  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{cell: [heavy, light], count: 400}]
+  start: [{bead: [400, 401], velocity: 1 um/s}]
+simulate: {until: 20 ms}
+outputs: [{table: dispersion.csv, show: dispersion}, {plot: dispersion.svg, show: dispersion}]
+YAML
+line() { awk -F, -v q="$1" -v b="$2" '$1 == q && $2 == b {print $4}' dispersion.csv; }
+ok "a dimer, struck in the middle" exits 0 "$beadreel" dimer.yaml -o .
+ok "the dispersion has the top of the lower band" near "$(line 1 1)" 4710.94 1e-3
+ok "... the bottom of the upper one" near "$(line 1 2)" 8102.20 1e-3
+ok "... and its top" near "$(line 0 2)" 9372.22 1e-3
+ok "lines of long and short waves lie on the exact bands" eval \
+    'awk -F, "NR > 1 && \$1 > 0.05 {d = \$4 / \$3 - 1; n += d * d < 1e-6; all++} END {exit !(all > 350 && n > 0.99 * all)}" dispersion.csv'
+
+# f^2 = (f1^2 + f2^2) / 2 -+ sqrt((f1^2 + f2^2)^2 / 4 - (f1 f2 sin(q / 2))^2).
+awk 'BEGIN { pi = atan2(0, -1); print "part,Hz"
+             for (b = -1; b <= 1; b += 2) for (i = 0; i <= 1000; i++) {
+                 q = i / 1000; f1 = 4710.94 ^ 2; f2 = 8102.20 ^ 2
+                 printf "%.9g,%.9g\n", q, sqrt((f1 + f2) / 2 + b * sqrt((f1 + f2) ^ 2 / 4 - f1 * f2 * sin(pi * q / 2) ^ 2)) } }' >closed.csv
+sort -t, -k1g,1 closed.csv >bands.csv
+ok "a plot has the exact bands over it" python3 "$top/tests/curves.py" dispersion.svg bands.csv 1 1e3
+cat >gap.yaml <<'YAML'
+materials:
+  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
+  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{cell: [heavy, light], count: 30}]
+  drive: {displacement: noise, amplitude: 10 pm, frequency: 12 kHz} # more would make waves in the gap from two in the bands
+simulate: {until: 40 ms, accuracy: 1e-8}
+outputs:
+  - {table: gap.csv, show: transfer, beads: 40, every: 20 us, segment: 20 ms}
+  - {plot: gap.svg, show: transfer, beads: 40, every: 20 us, segment: 20 ms, frequencies: [0 Hz, 12 kHz]}
+  - {table: spectrum.csv, show: spectrum, beads: 40, every: 20 us, window: none}
+  - {plot: spectrum.svg, show: spectrum, beads: 40, every: 20 us, window: none, frequencies: [0 Hz, 12 kHz]}
+YAML
+# cosh k = 2 f^2 (f3^2 - f^2) / (f1 f2)^2 - 1 within the gap; by cell.
+ok "a dimer driven by a sine in its gap" exits 0 "$beadsim" gap.yaml -o . --set 'chain.drive={displacement: sine, amplitude: 1 nm, frequency: 5.1 kHz, ramp: 20 ms}' \
+    --set chain.striker.bead=light --set 'outputs=[{table: cell.csv, show: transfer, beads: [2, 20], time: [20 ms, 40 ms], every: 10 us}]'
+cells() { awk -v n="$1" 'BEGIN {f = 5100; x = 2 * f ^ 2 * (9372.22 ^ 2 - f ^ 2) / (4710.94 * 8102.20) ^ 2 - 1; printf "%.15g", exp(-n * log(x + sqrt(x * x - 1)))}'; }
+ok "waves in the gap fade by the closed form" near "$(awk -F, '$1 == 5100 {print $2}' cell.csv)" "$(cells 1)" 1e-4
+ok "... ten cells on" near "$(awk -F, '$1 == 5100 {print $3}' cell.csv)" "$(cells 10)" 1e-3
+between() { awk -F, -v a="$1" -v b="$2" '$1 > a && $1 < b && $2 > most {most = $2} END {print most}' gap.csv; }
+ok "a dimer driven by noise" exits 0 "$beadreel" gap.yaml -o .
+ok "a plot has the transfer of the table" python3 "$top/tests/curves.py" gap.svg gap.csv 1e3 1
+ok "a plot has the spectrum of the table" python3 "$top/tests/curves.py" spectrum.svg spectrum.csv 1e3 1e-6
+ok "inside the gap less than a thousandth passes" awk -v t="$(between 5100 7700)" 'BEGIN {exit !(t > 0 && t < 1e-3)}'
+ok "in the bands most of it" awk -v a="$(between 500 4600)" -v b="$(between 8200 9300)" 'BEGIN {exit !(a > 0.5 && b > 0.5)}'
+
+# A chirp from 1 to 21 kHz in 20 ms: at time t it is at 1 kHz + t * 1 MHz/s.
+cat >chirp.yaml <<'YAML'
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{bead: large-steel, count: 10}]
+  drive: {displacement: chirp, amplitude: 1 nm, frequency: 1 kHz, to: 21 kHz}
+simulate: {until: 20 ms}
+outputs:
+  - {table: chirp.csv, show: spectrogram, beads: 0, field: displacement, every: 10 us}
+YAML
+follows() {
+    awk -F, 'function check() {if (time != "") {d = at - 1000 - 1e6 * time; all++; bad += d > 1000 || d < -1000}}
+             NR == 1 {next}
+             $1 != time {check(); time = $1; most = 0}
+             $3 > most {most = $3; at = $2}
+             END {check(); exit !(all > 100 && bad == 0)}' chirp.csv
+}
+ok "a chirp" exits 0 "$beadsim" chirp.yaml -o .
+ok "a chirp's line climbs with it" follows
+ok "... with the amplitude of the sine" near "$(awk -F, 'NR > 1 && $3 > most {most = $3} END {print most}' chirp.csv)" 1e-9 0.15
+
+ok "a segment must fit" fails "1 2" "$beadsim" gap.yaml -o . --set 'outputs.0.segment=1 s'
+ok "... and be said" says "segment: has 50000 of 2001 samples"
+ok "spectrograms have one curve" fails "1 2" "$beadsim" --plan chirp.yaml --set outputs.0.beads='[0, 1]'
+ok "forces of beads have no short waves" fails "1 2" "$beadsim" --plan dimer.yaml --set outputs.0.field=force --set outputs.1.field=velocity
+finish

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Values as colours in a graph: each has its colour, at its place on the axes. */
+#include "beadreel/render.h"
+#include "graphs.h"
+#include "render/draw/looks.h"
+
+enum { COLUMNS = 4, ROWS = 3 };
+
+static uint32_t colour_of(const struct bead_colormap *map, double part)
+{
+    const uint8_t *rgb = map->rgb[(int)fmin(255, 256 * part)];
+    return (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
+}
+
+/* Columns at 0.5 to 3.5 of an axis from 0 to 4, rows at 10 to 30 of one from 5 to 35: equal boxes. */
+static void check(bool dark)
+{
+    struct bead_message msg = {""};
+    struct bead_colormap map;
+    struct bead_look look;
+    double values[COLUMNS * ROWS];
+    for (int i = 0; i < COLUMNS * ROWS; i++)
+        values[i] = -60 + 5.0 * i;
+    const struct bead_graph_image image = {{0.5, 3.5}, {10, 30}, COLUMNS, ROWS, values, -60, 0, "amplitude", "dB"};
+    const struct bead_panel panel = {.x = {"time", "s", 0, 4, BEAD_SCALE_LINEAR, false},
+                                     .y = {"frequency", "Hz", 5, 35, BEAD_SCALE_LINEAR, false},
+                                     .image = &image};
+    const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+    bead_look_screen(&look, 800, 600, dark);
+    assert_int_equal(bead_colormap_load(dark ? "inferno" : "ember", &map, &msg), BEAD_OK);
+    struct canvas c = make_canvas(800, 600);
+    struct graph_layout layout = lay_out(&graph, &look, c.width, c.height);
+    draw(&graph, &look, &c);
+    const struct bead_rect plot = layout.cells[0].plot;
+    assert_true(plot.x + plot.width < c.width - 40); /* the bar's room */
+    for (int i = 0; i < COLUMNS; i++) {
+        for (int j = 0; j < ROWS; j++) {
+            const int x = plot.x + (int)((i + 0.5) / COLUMNS * plot.width),
+                      y = plot.y + (int)((ROWS - j - 0.5) / ROWS * plot.height);
+            const double part = (values[i * ROWS + j] + 60) / 60;
+            assert_true(near(pixel(&c, x, y), colour_of(&map, part)));
+            assert_true(near(pixel(&c, x - plot.width / 10, y - plot.height / 8), colour_of(&map, part))); /* still its box */
+        }
+    }
+    graph_layout_free(&layout);
+    free_canvas(&c);
+}
+
+static void values_have_their_colours_at_their_places(void **)
+{
+    check(false);
+    check(true);
+}
+
+/* Of many values in a pixel, the largest is seen. */
+static void lines_thinner_than_pixels_are_seen(void **)
+{
+    enum { MANY = 5000 };
+    static double values[2 * MANY];
+    struct bead_message msg = {""};
+    struct bead_colormap map;
+    struct bead_look look;
+    for (int i = 0; i < 2 * MANY; i++)
+        values[i] = i % MANY == 2500 ? 0 : -60;
+    const struct bead_graph_image image = {{0.5, 1.5}, {0, 4999}, 2, MANY, values, -60, 0, "amplitude", "dB"};
+    const struct bead_panel panel = {.x = {"time", "s", 0, 2, BEAD_SCALE_LINEAR, false},
+                                     .y = {"frequency", "Hz", 0, 4999, BEAD_SCALE_LINEAR, false},
+                                     .image = &image};
+    const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+    bead_look_screen(&look, 600, 400, false);
+    assert_int_equal(bead_colormap_load("ember", &map, &msg), BEAD_OK);
+    struct canvas c = make_canvas(600, 400);
+    struct graph_layout layout = lay_out(&graph, &look, c.width, c.height);
+    draw(&graph, &look, &c);
+    const struct bead_rect plot = layout.cells[0].plot;
+    int dark = 0;
+    for (int y = plot.y; y < plot.y + plot.height; y++)
+        dark += near(pixel(&c, plot.x + plot.width / 4, y), colour_of(&map, 1));
+    assert_int_equal(dark, 1);
+    graph_layout_free(&layout);
+    free_canvas(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(values_have_their_colours_at_their_places),
+                                       cmocka_unit_test(lines_thinner_than_pixels_are_seen)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
