@@ -4,9 +4,10 @@
 `--again LOG` tries the survivors of an earlier run, whose output LOG is, and no others.
 
 Draws faults by seed, each one change of one line of the last commit: another comparison, operator or constant, two arguments
-swapped, a statement dropped. A fault that does not compile, or leaves the object file as it was, is none and is drawn again. Each
-meets the tests that run its line, those named like its file and then the quickest first, until one fails; which test runs which line
-is measured once, with gcov, and kept in build-mutants/. Hashes and golden pictures do not count: they say that something changed, not that it is wrong.
+swapped, a statement dropped (but none that frees: leaks are for the sanitizers). A fault that does not compile, or leaves the object
+file as it was, is none and is drawn again. Each meets the tests that run its line, those named like its file and then the quickest
+first, until one fails; which test runs which line is measured once, with gcov, and kept in build-mutants/. Hashes and golden pictures
+do not count: they say that something changed, not that it is wrong.
 Prints each fault, then the survivors and the score of each room. tests/mutants.txt lists faults proved harmless, with reasons.
 
 Why not a tool: universalmutator (PyPI) draws from the same kind of patterns, but knows no map from lines to tests and runs all of
@@ -31,7 +32,8 @@ SWAPS = [(r" < ", (" <= ", " >= ")), (r" > ", (" >= ", " <= ")), (r" <= ", (" < 
          (r" \|\| ", (" && ",)), (r" \+= ", (" -= ",)), (r" -= ", (" += ",)), (r"\bfmax\(", ("fmin(",)), (r"\bfmin\(", ("fmax(",)),
          (r"\+\+;", ("--;",)), (r"(?<=[(\[ ])!(?=\w)", ("",)), (r"(?<![\w.])0\.5(?![\w.])", ("0.501",)), (r"(?<![\w.])1(?![\w.])", ("2", "0")),
          (r"(?<![\w.])2(?![\w.])", ("3",)), (r"(?<![\w.])0(?![\w.])", ("1",)), (r"\btrue\b", ("false",)), (r"\bfalse\b", ("true",)),
-         (r"\((\w+), (\w+)\)", (r"(\2, \1)",)), (r"^(\s+)[\w\->\[\].]+ [-+*/]?= [^;]*;$", (r"\1;",)), (r"^(\s+)\w+\([^;]*\);$", (r"\1;",))]
+         (r"\((\w+), (\w+)\)", (r"(\2, \1)",)), (r"^(\s+)[\w\->\[\].]+ [-+*/]?= [^;]*;$", (r"\1;",)),
+         (r"^(\s+)(?!\w*(?:free|destroy|release)\()\w+\([^;]*\);$", (r"\1;",))]
 NO_CODE = re.compile(r"^\s*(/\*|\*|//|#|struct|enum|static const|const|case|default|\{|\}|$)|\*/\s*$")
 
 

@@ -106,7 +106,7 @@ ok "repeat without of" wrong 'chain.beads.0.repeat: belongs to `of`' '{bead: bra
 ok "count beside of" wrong 'chain.beads.0.count: is given beside `of`' '{of: [{bead: brass}], count: 3}'
 ok "nothing to repeat" wrong 'chain.beads.0.of: is an empty list' '{of: []}'
 ok "a sensor twice" wrong 'sensor: `a` is the name of another sensor' '{of: [{bead: brass, sensor: a}], repeat: 2}'
-for range in 'uniform 3..1' 'uniform 0..1' 'uniform 1 mm..2 kg' 'uniform 0.5..2 mm..3' 'uniform 1' 'gauss 3' 'normal 50 %' 'normal 1 mm' normal '[1, 2]' ''; do
+for range in 'uniform 3..1' 'uniform 0..1' 'uniform 1 mm..2 kg' 'uniform 1 mm..2' 'uniform 0.5..2 mm..3' 'uniform 1' 'gauss 3' 'normal 50 %' 'normal 1 mm' normal '[1, 2]' ''; do
     ok "disorder: $range" wrong 'chain.beads.0.disorder.radius: is ' "{bead: brass, disorder: {radius: $range}}"
 done
 ok "nothing to stand between" wrong 'chain.beads.0.decorate: needs two or more' '{bead: brass, decorate: brass}'

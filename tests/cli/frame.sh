@@ -62,6 +62,29 @@ else
     film lens "views: [beads]"
 fi
 
+# ---- races ----
+
+# race FIRST SECOND HALF : of a light and a heavy chain the word stands in the half of the picture that the faster one has.
+race() {
+    cat >race.yaml <<YAML
+chains:
+  - {name: $1, beads: [{bead: $1, count: 40}], striker: {bead: $1, velocity: 1 m/s}}
+  - {name: $2, beads: [{bead: $2, count: 40}], striker: {bead: $2, velocity: 1 m/s}}
+simulate: {until: 0.4 ms}
+outputs: [{movie: race.mp4, duration: 1 s, fps: 20, size: [960, 540], views: [stage], race: true}]
+YAML
+    exits 0 "$beadreel" race.yaml --frame 0.12ms -o with.png || return
+    exits 0 "$beadreel" race.yaml --frame 0.12ms --set outputs.0.race=false -o without.png || return
+    cmp -l <(pixels with.png) <(pixels without.png) >differ
+    awk -v half="$3" '{ n[int(($1 - 1) / (4 * 960 * 270))]++ } END { exit !(n[half] > 500 && n[1 - half] == 0) }' differ
+}
+if command -v ffmpeg >/dev/null; then
+    ok "a race: the faster chain above is ahead" race small-steel large-steel 0
+    ok "... and below" race large-steel small-steel 1
+else
+    skip ffmpeg "a race"
+fi
+
 # ---- how much is computed ----
 
 cat >given.yaml <<'YAML'

@@ -21,6 +21,7 @@ static void test_markup(void **state)
                  {"2 * 3 * 4", "2 * 3 * 4", "<i>"},
                  {"a<b & c", "a&lt;b &amp; c", NULL},
                  {"chain\\_1", "chain_1", "<"},
+                 {"*no star\\*", "*no star*", "<"},
                  {"α_β^γ", ">β<", "α_"},
                  {"*t* = 8.98", "\u00a0=\u00a08.98", " = "},
                  {"open {", "open {", NULL},
