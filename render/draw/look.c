@@ -2,6 +2,7 @@
 /* Looks: fonts, sizes and colours of paper, slide, screen and movie. Every picture takes its look from here. */
 #include "render/draw/axis.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -130,4 +131,15 @@ static const struct bead_rgb inks[2][6] = {
 struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index)
 {
     return inks[look->dark][index % (sizeof inks[0] / sizeof inks[0][0])];
+}
+
+/* Whole, dashed, dash-dot, short dashes, long dashes, dash-dot-dot; dotted. */
+static const struct bead_dashes dashes[] = {{0, {0}},        {2, {5.5, 2.5}}, {4, {6, 2, 1.3, 2}},
+                                            {2, {2.5, 1.8}}, {2, {12, 2.8}},  {6, {6, 1.8, 1.3, 1.8, 1.3, 1.8}},
+                                            {2, {1.2, 1.8}}};
+static_assert(sizeof dashes / sizeof dashes[0] == BEAD_DASHES + 1, "patterns of dashes");
+
+const struct bead_dashes *bead_look_dashes(size_t index)
+{
+    return &dashes[index % (BEAD_DASHES + 1)];
 }

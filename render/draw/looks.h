@@ -12,6 +12,14 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
 void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
 /* Screen look for a projector: larger type, thicker lines. */
 void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
+/* Patterns by which lines are told apart without their colours: 0 is whole; the last is for plateaus and fits. */
+enum { BEAD_DASHES = 6, BEAD_DASH_DOTTED = BEAD_DASHES };
+struct bead_dashes {
+    int count;
+    double lengths[6]; /* on and off, in widths of the line */
+};
+/* That of number `index`, from 0; after BEAD_DASH_DOTTED they begin again. */
+const struct bead_dashes *bead_look_dashes(size_t index);
 /* Another family for all letters; NULL, "auto": as it is. */
 void bead_look_font(struct bead_look *look, const char *family);
 void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, double y, double width, double height);

@@ -229,6 +229,33 @@ static void draw_name(const struct bead_composer *c, size_t chain, struct bead_r
         bead_text_draw(cr, &style, rect->x + rect->width, rect->y + 0.5 * rect->height, markup);
 }
 
+/* The line of a chain's curve before its heading, which says whose it is without colours; where nothing gives way for it. */
+static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect *rect)
+{
+    static const double length = 1.8;
+    const struct bead_look *look = &c->look;
+    const struct bead_chain *own = c->setup.chains[chain];
+    const struct bead_dashes *dashes = bead_look_dashes(chain % BEAD_DASHES);
+    const double label = c->layout.label_lines ? 0 : bead_heading_width(look, own), width = fmax(1.6, 1.8 * look->line);
+    const double line = rect->height - (c->layout.label_lines ? 1.35 * look->label : 0);
+    const int room = (int)ceil((length + 0.5) * look->label);
+    double lengths[6];
+    if (fmax(label, bead_heading_least(look, own)) + room > rect->width)
+        return;
+    for (int i = 0; i < dashes->count; i++)
+        lengths[i] = width * dashes->lengths[i];
+    cairo_save(cr);
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+    cairo_set_line_width(cr, width);
+    cairo_set_dash(cr, lengths, dashes->count, 0);
+    cairo_move_to(cr, rect->x, round(rect->y + 0.5 * line));
+    cairo_rel_line_to(cr, length * look->label, 0);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+    rect->x += room;
+    rect->width -= room;
+}
+
 /* The heading of a chain, over the top of its stage, and its name above its image. */
 static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
 {
@@ -242,6 +269,8 @@ static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
         rect.x += (int)round(0.5 * look->label);
         rect.width -= (int)round(look->label + bead_composer_key(c, chain));
     }
+    if (rect.width > 0 && shares_curves(c))
+        draw_sample(c, chain, heading.colour, cr, &rect);
     if (rect.width > 0)
         bead_heading_draw(cr, look, &heading, rect);
     if (place->name.width > 0)

@@ -18,13 +18,14 @@
 #include "beadreel/error.h"
 #include "beadreel/scene.h"
 #include "render/draw/axis.h"
+#include "render/draw/looks.h"
 
 /* Marks on a line too dense for them are put at every n-th point, alternating with those of other curves. A band lies between y and
  * `upper`. */
 enum bead_mark { BEAD_MARK_LINE, BEAD_MARK_POINTS, BEAD_MARK_LINE_POINTS, BEAD_MARK_BAND };
 /* Dashes and marks distinguish the curves of a panel in greyscale too: the first DASHES patterns are for curves, the dotted one is
  * for fits. */
-enum { BEAD_DASHES = 6, BEAD_DASH_DOTTED = BEAD_DASHES, BEAD_SHAPES = 6 };
+enum { BEAD_SHAPES = 6 };
 
 /* One curve. It is interrupted where y is NaN; points outside the axes are cut off at the frame. */
 struct bead_series {

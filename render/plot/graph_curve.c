@@ -46,15 +46,6 @@ static const struct shape {
               {0, 0, 1, true, false, 0},    {4, 0.125, 1.2, false, true, 0}};
 enum { SHAPES = sizeof shapes / sizeof shapes[0] };
 
-/* On and off, in widths of the line: whole, dashed, dash-dot, short dashes, long dashes, dash-dot-dot; dotted. */
-static const struct dashes {
-    int count;
-    double lengths[6];
-} dashes[] = {{0, {0}},        {2, {5.5, 2.5}}, {4, {6, 2, 1.3, 2}},
-              {2, {2.5, 1.8}}, {2, {12, 2.8}},  {6, {6, 1.8, 1.3, 1.8, 1.3, 1.8}},
-              {2, {1.2, 1.8}}};
-enum { PATTERNS = sizeof dashes / sizeof dashes[0] };
-static_assert((int)PATTERNS == BEAD_DASHES + 1, "patterns of dashes");
 static_assert((int)SHAPES >= BEAD_SHAPES, "shapes of marks");
 
 static void curve_outline(cairo_t *cr, const struct shape *shape, double x, double y, double radius)
@@ -322,7 +313,7 @@ double graph_point_size(const struct bead_series *series, const struct graph_cel
 
 void graph_stroke_style(cairo_t *cr, const struct bead_look *look, const struct bead_series *series, bool guide)
 {
-    const struct dashes *pattern = &dashes[series->dash % PATTERNS];
+    const struct bead_dashes *pattern = bead_look_dashes(series->dash);
     double width = series->faint || guide ? look->line : fmax(1.5 * look->line, curve_width * look->label), lengths[6];
     struct bead_rgb ink = ink_of(look, series);
     for (int i = 0; i < pattern->count; i++)

@@ -179,16 +179,11 @@ static void make_columns(const struct bead_curve *curve, const struct pen *pen, 
     }
 }
 
-void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
-                     const struct bead_frame *background)
+static void draw_whole(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame)
 {
     const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(NULL);
     struct bead_columns columns;
     struct pen pen;
-    if (curve->count < 2)
-        return;
-    if (background)
-        bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
     make_pen(curve, &pen);
     set_colours(curve, frame, &columns);
     const int offset = (rect.x + from) % GROUP; /* no vector reaches into another row */
@@ -197,6 +192,94 @@ void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int 
                      &columns);
         kernels->curve(&columns, frame->pixels + (size_t)rect.y * frame->stride + 4 * (ptrdiff_t)(rect.x + begin), frame->stride);
     }
+}
+
+/* A dash as it grows, and where it is drawn. */
+enum { DASH_POINTS = 64 };
+struct dash {
+    float x[DASH_POINTS], y[DASH_POINTS];
+    struct bead_curve curve;
+    struct bead_rect rect;
+    int from, to;
+    struct bead_frame *frame;
+};
+
+static void end_dash(struct dash *d)
+{
+    const int reach = bead_curve_reach(&d->curve);
+    if (d->curve.count > 1) {
+        const int left = (int)floorf(d->x[0]) - reach, right = (int)ceilf(d->x[d->curve.count - 1]) + reach;
+        const int from = left > d->from ? left : d->from, to = right < d->to ? right : d->to;
+        if (from < to)
+            draw_whole(&d->curve, d->rect, from, to, d->frame);
+    }
+    d->curve.count = 0;
+}
+
+static void add_point(struct dash *d, float x, float y)
+{
+    if (d->curve.count == DASH_POINTS) {
+        end_dash(d);
+        d->x[0] = d->x[DASH_POINTS - 1];
+        d->y[0] = d->y[DASH_POINTS - 1];
+        d->curve.count = 1;
+    }
+    d->x[d->curve.count] = x;
+    d->y[d->curve.count++] = y;
+}
+
+/* The pen's round ends are part of a dash: what is on is shorter by its width, what is off longer. */
+static float dash_length(const struct bead_curve *c, int part)
+{
+    static const float least_on = 0.2f;
+    const float length = (float)c->dashes->lengths[part];
+    return c->width * (part % 2 ? length + 1 : most(least_on, length - 1));
+}
+
+static void draw_dashes(const struct bead_curve *c, struct bead_rect rect, int from, int to, struct bead_frame *frame)
+{
+    struct dash d = {.curve = *c, .rect = rect, .from = from, .to = to, .frame = frame};
+    int part = 0;
+    float left = dash_length(c, 0);
+    d.curve.x = d.x;
+    d.curve.y = d.y;
+    d.curve.area_alpha = 0;
+    d.curve.count = 0;
+    add_point(&d, c->x[0], c->y[0]);
+    for (size_t i = 1; i < c->count && c->x[i - 1] < (float)to + c->width; i++) {
+        const float dx = c->x[i] - c->x[i - 1], dy = c->y[i] - c->y[i - 1], length = sqrtf(dx * dx + dy * dy);
+        float at = 0;
+        for (; length - at > left; left = dash_length(c, part)) {
+            at += left;
+            const float x = c->x[i - 1] + dx * (at / length), y = c->y[i - 1] + dy * (at / length);
+            if (part % 2 == 0) {
+                add_point(&d, x, y);
+                end_dash(&d);
+            } else {
+                d.curve.count = 0;
+                add_point(&d, x, y);
+            }
+            part = (part + 1) % c->dashes->count;
+        }
+        left -= length - at;
+        if (part % 2 == 0)
+            add_point(&d, c->x[i], c->y[i]);
+    }
+    if (part % 2 == 0)
+        end_dash(&d);
+}
+
+void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,
+                     const struct bead_frame *background)
+{
+    if (curve->count < 2)
+        return;
+    if (background)
+        bead_frame_copy(frame, background, (struct bead_rect){rect.x + from, rect.y, to - from, rect.height});
+    if (curve->dashes && curve->dashes->count > 0)
+        draw_dashes(curve, rect, from, to, frame);
+    else
+        draw_whole(curve, rect, from, to, frame);
 }
 
 /* One disc with a soft edge. */

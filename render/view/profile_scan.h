@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "beadreel/view.h"
+#include "render/draw/looks.h"
 
 struct bead_curve {
     const float *x, *y; /* points in px of the rectangle, x rising, y downwards */
@@ -14,6 +15,7 @@ struct bead_curve {
     float width; /* of the line, px */
     struct bead_rgb line, area;
     double area_alpha;
+    const struct bead_dashes *dashes; /* of the line, from the first point on, and then without an area; NULL: whole */
 };
 
 /* Reach of a point's influence beyond its neighbours, px. */

@@ -334,7 +334,8 @@ static struct bead_curve profile_curve_of(const struct bead_view *v)
                                .width = (float)line_width(v),
                                .line = colour,
                                .area = colour,
-                               .area_alpha = v->setup.own_colour ? shared_alpha : area_alpha};
+                               .area_alpha = v->setup.own_colour ? shared_alpha : area_alpha,
+                               .dashes = v->setup.own_colour ? bead_look_dashes(v->setup.chain_index % BEAD_DASHES) : NULL};
 }
 
 /* The largest values so far: a thin line, fainter than the curve. */
@@ -391,6 +392,8 @@ static void find_changed(const struct bead_view *curve, bool all, uint8_t *chang
         int b = i + gaps >= curve->to ? width : (int)ceilf(curve->x[i + gaps]) + reach;
         a = a < 0 ? 0 : a;
         b = b > width ? width : b;
+        if (drawn.dashes && drawn.dashes->count > 0) /* all that follows is moved along the curve */
+            b = width;
         if (b > a)
             memset(changed + a, 1, (size_t)(b - a));
     }
@@ -426,6 +429,14 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
     return v->labels ? bead_moving_labels_draw(v->labels, v->left, frame, background, changes, msg) : BEAD_OK;
 }
 
+static void set_dashes(cairo_t *cr, const struct bead_curve *curve)
+{
+    double lengths[6];
+    for (int i = 0; curve->dashes && i < curve->dashes->count; i++)
+        lengths[i] = curve->width * curve->dashes->lengths[i];
+    cairo_set_dash(cr, lengths, curve->dashes ? curve->dashes->count : 0, 0);
+}
+
 static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t *cr, struct bead_message *)
 {
     if (v->latest.fed == 0 || v->count == 0)
@@ -450,6 +461,7 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
     cairo_path_destroy(path);
     cairo_set_source_rgb(cr, curve.line.r, curve.line.g, curve.line.b);
     cairo_set_line_width(cr, curve.width);
+    set_dashes(cr, &curve);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cr);
     for (size_t i = v->fixed; v->dots > 0 && i + v->fixed < v->count; i++) {

@@ -13,6 +13,7 @@
 
 #include "beadreel/render.h"
 #include "render/paint/pixel_kernels.h"
+#include "render/view/profile_scan.h"
 #include "tests/painting.h"
 
 /* Noise of all levels. */
@@ -106,11 +107,52 @@ static void test_curves_cover_transparent_frames(void **state)
     check_curves(4);
 }
 
+/* Dashes are as long as their pattern says, and do not depend on which columns are drawn at a time. */
+static void test_dashes(void **state)
+{
+    (void)state;
+    enum { WIDTH = 480, HEIGHT = 120, POINTS = 61, BLOCK = 37 };
+    const struct bead_rect rect = {0, 0, WIDTH, HEIGHT};
+    struct bead_message msg = {""};
+    struct bead_frame whole, parts;
+    float x[POINTS], y[POINTS];
+    require(bead_frame_create(WIDTH, HEIGHT, &whole, &msg), &msg);
+    require(bead_frame_create(WIDTH, HEIGHT, &parts, &msg), &msg);
+    for (size_t pattern = 1; pattern <= BEAD_DASH_DOTTED; pattern++) {
+        const struct bead_dashes *dashes = bead_look_dashes(pattern);
+        struct bead_curve curve = {x, y, POINTS, .base = HEIGHT, .width = 4, .line = {1, 1, 1}, .dashes = dashes};
+        double lit = 0, expected = 0, all = 0;
+        for (int i = 0; i < dashes->count; i++) {
+            expected += i % 2 ? 0 : dashes->lengths[i];
+            all += dashes->lengths[i];
+        }
+        for (int wavy = 0; wavy < 2; wavy++) {
+            memset(whole.pixels, 0, whole.stride * HEIGHT);
+            memset(parts.pixels, 0, parts.stride * HEIGHT);
+            for (int i = 0; i < POINTS; i++) {
+                x[i] = (float)(WIDTH * i) / (POINTS - 1);
+                y[i] = (float)(60.5 - wavy * 50 * sin(0.4 * i));
+            }
+            bead_curve_draw(&curve, rect, 0, WIDTH, &whole, NULL);
+            for (int from = 0; from < WIDTH; from += BLOCK)
+                bead_curve_draw(&curve, rect, from, from + BLOCK < WIDTH ? from + BLOCK : WIDTH, &parts, NULL);
+            assert_memory_equal(whole.pixels, parts.pixels, whole.stride * HEIGHT);
+            for (int px = 0; px < WIDTH && !wavy; px++)
+                lit += whole.pixels[60 * whole.stride + 4 * (size_t)px] / 255.0 / WIDTH;
+        }
+        if (fabs(lit - expected / all) > 0.06)
+            fail_msg("pattern %zu is on in %.3f of its length, not %.3f", pattern, lit, expected / all);
+    }
+    bead_frame_free(&whole);
+    bead_frame_free(&parts);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_curves_are_averages_over_slices),
         cmocka_unit_test(test_curves_cover_transparent_frames),
+        cmocka_unit_test(test_dashes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
