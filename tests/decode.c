@@ -41,7 +41,7 @@ static void describe(const AVFormatContext *format, const AVStream *stream, cons
     movie->width = stream->codecpar->width;
     movie->height = stream->codecpar->height;
     snprintf(movie->format, sizeof movie->format, "%s", format->iformat->name);
-    snprintf(movie->codec, sizeof movie->codec, "%s", decoder->name);
+    snprintf(movie->codec, sizeof movie->codec, "%s", avcodec_get_name(decoder->id));
     tag(format, "title", movie->title, sizeof movie->title);
     tag(format, "comment", movie->comment, sizeof movie->comment);
     movie->chapters = format->nb_chapters;
@@ -220,6 +220,10 @@ void decoded_rgb(const AVFrame *frame, int x, int y, int rgb[3])
     case AV_PIX_FMT_BGRA:
         for (int c = 0; c < 3; c++)
             rgb[c] = line[4 * x + 2 - c];
+        break;
+    case AV_PIX_FMT_ARGB:
+        for (int c = 0; c < 3; c++)
+            rgb[c] = line[4 * x + 1 + c];
         break;
     case AV_PIX_FMT_GBRP:
         for (int c = 0; c < 3; c++) /* planes are G B R */

@@ -107,9 +107,19 @@ static const struct expected all[] = {
     {"high.webm", BEAD_QUALITY_HIGH, "vp9", 38},         {"lossless.webm", BEAD_QUALITY_LOSSLESS, "vp9", 0},
     {"standard.gif", BEAD_QUALITY_STANDARD, "gif", 0},   {"standard.apng", BEAD_QUALITY_STANDARD, "apng", 0},
     {"draft.png", BEAD_QUALITY_DRAFT, "apng", 0},        {"lossless.PNG", BEAD_QUALITY_LOSSLESS, "apng", 0},
-    {"lossless.mov", BEAD_QUALITY_LOSSLESS, "png", 0},
+    {"lossless.mov", BEAD_QUALITY_LOSSLESS, "png", 0},   {"draft.avif", BEAD_QUALITY_DRAFT, "av1", 33},
+    {"standard.avif", BEAD_QUALITY_STANDARD, "av1", 35}, {"lossless.avif", BEAD_QUALITY_LOSSLESS, "av1", 0},
+    {"av1.mp4", BEAD_QUALITY_STANDARD, "av1", 35},       {"av1-high.webm", BEAD_QUALITY_HIGH, "av1", 40},
+    {"av1.mkv", BEAD_QUALITY_LOSSLESS, "av1", 0},
 };
 enum { ALL = sizeof all / sizeof *all };
+
+static inline struct bead_movie_settings settings_of(const struct expected *expected)
+{
+    struct bead_movie_settings wanted = settings(expected->quality);
+    wanted.codec = strncmp(expected->name, "av1", 3) == 0 ? BEAD_CODEC_AV1 : BEAD_CODEC_AUTO;
+    return wanted;
+}
 
 static inline int make_directory(void **state)
 {

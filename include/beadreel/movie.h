@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies: frames into a file through libavcodec and libavformat. The container follows the extension:
- * mp4 (H.264), mov (ProRes 4444; lossless: PNG), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG); lossless mp4 and
- * webm keep RGB as it is.
+ * mp4 (H.264), mov (ProRes 4444; lossless: PNG), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG), avif, webp;
+ * lossless mp4 and webm keep RGB as it is. mp4, mkv and webm can have AV1 instead.
  *
  *   bead_movie_check(path, &settings, &msg);          long before, where there is time to say no
  *   bead_movie_open(path, &settings, &movie, &msg);   writes path.part
@@ -10,7 +10,8 @@
  *                                                     which leaves path.part as far as it goes; or bead_movie_abort(movie)
  *
  * path.part plays while it grows, also where the program is killed: an mp4 file grows by fragments, which close copies into a plain
- * file with its index in front, and a gif as an animated PNG, of which close makes the GIF.
+ * file with its index in front, a gif as an animated PNG, of which close makes the GIF, and an avif as mp4. Only of webp nothing is
+ * written before close.
  *
  * Only the changed rectangles are converted. Every frame is a picture of the file, at a constant rate; in drafts a frame without
  * changes is not, and the one before is shown for longer (the last one always is, so that the duration is exact). Encoder
@@ -51,10 +52,11 @@ struct bead_movie_settings {
     size_t chapter_count;
     double length; /* s: where the last chapter ends */
     int channels;  /* of sound: 1, or 2 (left and right); 0: none. bead_movie_sound will be called. mp4, mov, mkv and webm */
-    bool alpha;    /* frames have alpha, and so has the movie: webm, mov, apng and png */
+    bool alpha;    /* frames have alpha, and so has the movie: webm, mov, apng, png and webp */
     /* For the same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
     const struct bead_movie_subtitle *subtitles;
     size_t subtitle_count;
+    enum bead_codec_asked codec;
 };
 
 struct bead_movie;

@@ -251,6 +251,7 @@ enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };
 enum bead_normalise { BEAD_NORMALISE_NONE, BEAD_NORMALISE_FIRST, BEAD_NORMALISE_MAX };
 enum bead_sampling { BEAD_SAMPLING_AREA, BEAD_SAMPLING_MAX };
 enum bead_quality { BEAD_QUALITY_DRAFT, BEAD_QUALITY_STANDARD, BEAD_QUALITY_HIGH, BEAD_QUALITY_LOSSLESS };
+enum bead_codec_asked { BEAD_CODEC_AUTO /* the container's usual one */, BEAD_CODEC_AV1 };
 enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYLE_MOVIE };
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_background { BEAD_BACKGROUND_THEME, BEAD_BACKGROUND_NONE };
@@ -440,6 +441,7 @@ struct bead_movie_asked {
     size_t modes;            /* how many the view modes shows */
     enum bead_profile_of profile;
     double strobe; /* s of the motion from sample to sample, between which pictures blend; 0: every picture has its own */
+    enum bead_codec_asked codec;
 };
 
 struct bead_plot_asked {

@@ -119,7 +119,7 @@ static int close_again(AVFormatContext *, AVIOContext *context)
     return 0;
 }
 
-static int copy_stream(const AVStream *from, AVFormatContext *to)
+static int copy_stream(const AVStream *from, int format, AVFormatContext *to)
 {
     AVStream *stream = avformat_new_stream(to, NULL);
     if (!stream)
@@ -129,7 +129,8 @@ static int copy_stream(const AVStream *from, AVFormatContext *to)
     stream->avg_frame_rate = from->avg_frame_rate;
     int code = avcodec_parameters_copy(stream->codecpar, from->codecpar);
     stream->sample_aspect_ratio = stream->codecpar->sample_aspect_ratio = (AVRational){1, 1}; /* not read if 1 */
-    stream->codecpar->bit_rate = 0;                                                           /* of the first fragment only */
+    stream->codecpar->format = format; /* demuxers leave it out, and the muxer of AVIF needs it */
+    stream->codecpar->bit_rate = 0;    /* of the first fragment only */
     return code < 0 ? code : av_dict_set(&stream->metadata, "alpha_mode", alpha ? alpha->value : NULL, 0);
 }
 
@@ -209,7 +210,7 @@ static int write_cover(AVFormatContext *to, AVPacket *cover)
 
 static int copy_all(AVFormatContext *from, AVFormatContext *to, AVDictionary **options, const struct bead_av_beside *beside)
 {
-    int code = copy_stream(from->streams[0], to);
+    int code = copy_stream(from->streams[0], beside->format, to);
     if (code >= 0)
         code = bead_tracks_open(beside->tracks, to);
     if (code >= 0 && beside->cover)

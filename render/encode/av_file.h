@@ -21,8 +21,9 @@ struct bead_av_beside {
     AVRational frame_time; /* s: duration of the last picture */
     struct bead_tracks *tracks;
     AVPacket *cover; /* PNG; NULL: none */
+    int format;      /* of pixels: enum AVPixelFormat */
 };
-/* Copy the movie in `from`, with the additions, into the file `to`, in the same container with other options, without encoding.
+/* Copy the movie in `from`, with the additions, into the file `to`, without encoding.
  * `to` has its metadata, but no streams and no file yet. Returns 0 or libav's error number. */
 int bead_av_copy(int from, AVFormatContext *to, int descriptor, AVDictionary **options, const struct bead_av_beside *beside);
 

@@ -160,6 +160,26 @@ static const struct bead_preset vp9_clear[] = {
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
     {.encoder = NULL}};
+/* SVT-AV1 gives the same pictures with any number of threads (lp). Where it is missing, or a side is too short for it, libaom takes
+ * its place. */
+#define SVT_AV1(preset, crf) "preset=" preset " crf=" crf " svtav1-params=lp=4"
+#define AOM(speed, crf)      "usage=realtime cpu-used=" speed " row-mt=0 tiles=1x1 b=0 crf=" crf
+#define AOM_LOSSLESS \
+    "usage=good cpu-used=6 row-mt=0 tiles=1x1 lag-in-frames=0 b=0 crf=0 aom-params=lossless=1" /* realtime is not exact */
+enum { SVT_LEAST = 64 /* px */ };
+static const struct bead_preset aom[] = {{"libaom-av1", AV_PIX_FMT_YUV420P, 1, false, AOM("8", "35")},
+                                         {"libaom-av1", AV_PIX_FMT_YUV420P, 1, false, AOM("7", "28")},
+                                         {"libaom-av1", AV_PIX_FMT_YUV420P, 1, false, AOM("6", "18")},
+                                         {"libaom-av1", AV_PIX_FMT_GBRP, 1, false, AOM_LOSSLESS}};
+static const struct bead_preset av1[] = {{"libsvtav1", AV_PIX_FMT_YUV420P, 1, false, SVT_AV1("12", "35")},
+                                         {"libsvtav1", AV_PIX_FMT_YUV420P, 1, false, SVT_AV1("10", "30")},
+                                         {"libsvtav1", AV_PIX_FMT_YUV420P, 1, false, SVT_AV1("8", "20")},
+                                         {"libaom-av1", AV_PIX_FMT_GBRP, 1, false, AOM_LOSSLESS}};
+/* The encoder of WebP holds all pictures until the end. Not lossless: it takes three times as long, for twice the size. */
+static const struct bead_preset webp[] = {{"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=0 quality=75"},
+                                          {"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=2 quality=90"},
+                                          {"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=4 quality=97"},
+                                          {"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=2 lossless=1"}};
 /* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), at which flat colours take little room. The vendor is the one
  * that editing programs expect. ProRes is never lossless; PNG is. */
 #define PRORES(quantiser) "profile=4444 vendor=apl0 flags=+qscale global_quality=" quantiser
@@ -187,18 +207,20 @@ static const struct bead_preset growing_gif[] = {{"apng", AV_PIX_FMT_RGB24, 1, f
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"}};
 
 /* The last chunk of a PNG file. */
-#define PNG_END "\0\0\0\0IEND\xae\x42\x60\x82"
+#define PNG_END   "\0\0\0\0IEND\xae\x42\x60\x82"
+#define MP4_PARTS "movflags=+empty_moov+default_base_moof+frag_custom"
 #define APNG                                                                                                          \
     .way = &bead_movie_libav, .muxer = "apng", .muxer_options = "plays=0", .ending = PNG_END, .comment = comment_png, \
     .presets = apng, .clear = apng_clear, .final_delay = true
 
 static const struct bead_codec codecs[] = {
-    {.info = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players)"},
+    {.info = {"mp4", "H.264, plays everywhere (lossless: RGB, not in all players); AV1"},
      .way = &bead_movie_libav,
      .muxer = "mp4",
-     .muxer_options = "movflags=+empty_moov+default_base_moof+frag_custom",
+     .muxer_options = MP4_PARTS,
      .plain_options = "movflags=+faststart",
      .presets = h264,
+     .av1 = av1,
      .chapters = true,
      .subtitles = &bead_subtitles_mp4,
      .sound = &bead_sound_aac,
@@ -206,28 +228,44 @@ static const struct bead_codec codecs[] = {
     {.info = {"mov", "ProRes 4444, for editing; lossless: PNG"},
      .way = &bead_movie_libav,
      .muxer = "mov",
-     .muxer_options = "movflags=+empty_moov+default_base_moof+frag_custom",
+     .muxer_options = MP4_PARTS,
      .plain_options = "movflags=+faststart",
      .presets = prores,
      .clear = prores_clear,
      .chapters = true,
      .subtitles = &bead_subtitles_mp4,
      .sound = &bead_sound_aac},
-    {.info = {"mkv", "H.264 in Matroska; lossless: FFV1"},
+    {.info = {"mkv", "H.264 in Matroska; lossless: FFV1; AV1"},
      .way = &bead_movie_libav,
      .muxer = "matroska",
      .chapters = true,
      .subtitles = &bead_subtitles_mkv,
      .sound = &bead_sound_opus,
-     .presets = h264_or_ffv1},
-    {.info = {"webm", "VP9, plays in browsers (lossless: RGB)"},
+     .presets = h264_or_ffv1,
+     .av1 = av1},
+    {.info = {"webm", "VP9, plays in browsers (lossless: RGB); AV1"},
      .way = &bead_movie_libav,
      .muxer = "webm",
      .chapters = true,
      .subtitles = &bead_subtitles_webm,
      .sound = &bead_sound_opus,
      .presets = vp9,
-     .clear = vp9_clear},
+     .clear = vp9_clear,
+     .av1 = av1},
+    {.info = {"avif", "a loop in AV1"},
+     .way = &bead_movie_libav,
+     .muxer = "mp4",
+     .muxer_options = MP4_PARTS,
+     .plain_muxer = "avif",
+     .plain_options = "",
+     .presets = av1,
+     .av1 = av1},
+    {.info = {"webp", "a loop in WebP"},
+     .way = &bead_movie_libav,
+     .muxer = "webp",
+     .muxer_options = "loop=0",
+     .presets = webp,
+     .clear = webp},
     {.info = {"gif", "animated GIF, 255 colours, at most 50 frames a second"},
      .way = &bead_movie_libav,
      .muxer = "apng",
@@ -262,8 +300,18 @@ const struct bead_codec *bead_codec_find(const char *path)
 
 const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings)
 {
-    const struct bead_preset *presets = settings->alpha ? codec->clear : codec->presets;
+    const bool asked = settings->codec == BEAD_CODEC_AV1;
+    const struct bead_preset *presets = settings->alpha ? (asked ? NULL : codec->clear) : asked ? codec->av1 : codec->presets;
     return presets && presets[settings->quality].encoder ? &presets[settings->quality] : NULL;
+}
+
+const struct bead_preset *bead_codec_encoder(const struct bead_codec *codec, const struct bead_movie_settings *settings)
+{
+    const struct bead_preset *preset = bead_codec_preset(codec, settings);
+    if (preset != &av1[settings->quality])
+        return preset;
+    const bool small = settings->width < SVT_LEAST || settings->height < SVT_LEAST;
+    return small || !avcodec_find_encoder_by_name(preset->encoder) ? &aom[settings->quality] : preset;
 }
 
 size_t bead_codec_group(const struct bead_codec *codec, double fps)

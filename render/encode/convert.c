@@ -38,6 +38,21 @@ static void to_rgba(const struct bead_frame *frame, struct bead_rect r, AVFrame 
         bead_straight_rgba(row(frame, r.x, y), (size_t)r.width, line(picture, 0, y) + 4 * (ptrdiff_t)r.x);
 }
 
+static void to_bgra(const struct bead_frame *frame, struct bead_rect r, AVFrame *picture)
+{
+    for (int y = r.y; y < r.y + r.height; y++) {
+        const uint8_t *from = row(frame, r.x, y);
+        uint8_t *to = line(picture, 0, y) + 4 * (ptrdiff_t)r.x;
+        if (frame->alpha)
+            bead_straight_rgba(from, (size_t)r.width, to);
+        for (int x = 0; x < r.width; x++, from += 4, to += 4) {
+            const uint8_t rgba[] = {to[0], to[1], to[2], to[3]}, opaque[] = {from[2], from[1], from[0], 255};
+            const uint8_t *straight = frame->alpha ? rgba : opaque;
+            memcpy(to, (const uint8_t[]){straight[2], straight[1], straight[0], straight[3]}, 4);
+        }
+    }
+}
+
 /* Two rows of a block as B G R A with straight colours. Transparent pixels take the colour of their neighbours: chroma is the mean
  * of four pixels, so a dark one would be visible at edges. */
 static void straighten(const struct bead_frame *frame, int x, int y, uint8_t out[2][4 * BLOCK])
@@ -144,7 +159,7 @@ bead_convert bead_convert_find(enum AVPixelFormat format)
     } converters[] = {
         {AV_PIX_FMT_YUV420P, to_yuv420},     {AV_PIX_FMT_YUVA420P, to_yuva420}, {AV_PIX_FMT_YUV444P10, to_yuva444},
         {AV_PIX_FMT_YUVA444P10, to_yuva444}, {AV_PIX_FMT_RGBA, to_rgba},        {AV_PIX_FMT_BGR0, copy_bgr0},
-        {AV_PIX_FMT_RGB24, to_rgb24},        {AV_PIX_FMT_GBRP, to_gbrp},
+        {AV_PIX_FMT_BGRA, to_bgra},          {AV_PIX_FMT_RGB24, to_rgb24},      {AV_PIX_FMT_GBRP, to_gbrp},
     };
     for (size_t i = 0; i < sizeof converters / sizeof *converters; i++) {
         if (converters[i].format == format)

@@ -182,9 +182,9 @@ static enum bead_error open_file(struct bead_movie *movie, struct bead_message *
 }
 
 /* Without a name: the table gives the container, open_file the file. */
-static int make_format(const struct bead_movie *movie, AVFormatContext **format)
+static int make_format(const char *muxer, AVFormatContext **format)
 {
-    int code = avformat_alloc_output_context2(format, NULL, movie->codec->muxer, NULL);
+    int code = avformat_alloc_output_context2(format, NULL, muxer, NULL);
     if (code < 0)
         return code;
     (*format)->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_CUSTOM_IO; /* no dates, no random identifiers */
@@ -205,7 +205,7 @@ static enum bead_error libav_open(struct bead_movie *movie, struct bead_message 
     e->held = av_packet_alloc();
     if (!e->packet || !e->held)
         return no_memory(movie, msg);
-    int code = make_format(movie, &e->format);
+    int code = make_format(movie->codec->muxer, &e->format);
     if (code < 0)
         return fail(movie, "libavformat does not write this container", code, msg);
     BEAD_TRY(open_codec(movie, msg));
@@ -358,10 +358,10 @@ static enum bead_error end_part(struct bead_movie *movie, struct bead_message *m
 static int copy_plain(struct bead_movie *movie, int descriptor)
 {
     struct bead_encoder *e = movie->encoder;
-    const struct bead_av_beside beside = {e->frame_time, &e->tracks, e->cover};
+    const struct bead_av_beside beside = {e->frame_time, &e->tracks, e->cover, e->codec->pix_fmt};
     AVFormatContext *plain = NULL;
     AVDictionary *options = NULL;
-    int code = make_format(movie, &plain);
+    int code = make_format(movie->codec->plain_muxer ? movie->codec->plain_muxer : movie->codec->muxer, &plain);
     if (code >= 0)
         code = av_dict_copy(&plain->metadata, e->format->metadata, 0);
     if (code >= 0 && movie->description && *movie->description)
@@ -424,11 +424,27 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
     return err ? err : close_part(movie, msg);
 }
 
+/* SVT-AV1 1.4 waits for ever where it is closed before its end, or had no picture. */
+static void exhaust(const struct bead_movie *movie)
+{
+    struct bead_encoder *e = movie->encoder;
+    if (!e->codec || !avcodec_is_open(e->codec) || strcmp(e->codec->codec->name, "libsvtav1") != 0 || e->pictures.count == 0)
+        return;
+    int code = movie->encoded > 0 ? 0 : avcodec_send_frame(e->codec, e->pictures.slots[0].picture);
+    if (code >= 0)
+        avcodec_send_frame(e->codec, NULL); /* fails where it was the end */
+    while (code >= 0) {
+        code = avcodec_receive_packet(e->codec, e->packet);
+        av_packet_unref(e->packet);
+    }
+}
+
 static void libav_destroy(struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;
     if (!e)
         return;
+    exhaust(movie);
     bead_pictures_close(&e->pictures);
     bead_tracks_free(&e->tracks);
     av_packet_free(&e->cover);

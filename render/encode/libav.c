@@ -2,6 +2,9 @@
 /* FFmpeg's libraries, opened for the first movie; hints for encoders. */
 #include "render/encode/libav.h"
 
+#include <stdbool.h>
+#include <stdlib.h>
+
 #define TEXT(x)                TEXT_OF(x)
 #define TEXT_OF(x)             #x
 #define FILE_OF(name, version) "lib" name ".so." TEXT(version)
@@ -21,7 +24,7 @@ enum bead_error bead_av_open(struct bead_message *msg)
 {
     struct bead_message why;
     if (!bead_library_load(bead_av_libraries, BEAD_LATE, &bead_libav, &why))
-        return BEAD_OK;
+        return setenv("SVT_LOG", "0", false) == 0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an encoder");
     /* Debian names library packages after their files; that of libavformat depends on the others. */
     return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries (install libavformat%s): %s",
                      TEXT(LIBAVFORMAT_VERSION_MAJOR), why.text);

@@ -32,6 +32,11 @@ static bool needs_even(enum AVPixelFormat format)
     return format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUVA420P;
 }
 
+static bool has_av1(const struct bead_codec *codec)
+{
+    return codec->av1;
+}
+
 static bool has_alpha(const struct bead_codec *codec)
 {
     return codec->clear;
@@ -68,6 +73,14 @@ static enum bead_error check_kind(const char *path, const struct bead_codec *cod
     char list[128];
     if (settings->channels < 0 || settings->channels > 2)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %d channels of sound; must be 0, 1 or 2", path, settings->channels);
+    if (settings->codec == BEAD_CODEC_AV1 && codec->presets && !codec->av1) {
+        list_codecs(has_av1, list, sizeof list);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s files cannot have AV1 (`codec: av1`); %s files can", path,
+                         codec->info.extension, list);
+    }
+    if (settings->codec == BEAD_CODEC_AV1 && settings->alpha)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s files cannot be transparent (`background: none`) with `codec: av1`", path,
+                         codec->info.extension);
     if (settings->alpha && codec->presets && !bead_codec_preset(codec, settings)) {
         list_codecs(has_alpha, list, sizeof list);
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: %s%s files cannot be transparent (`background: none`); %s files can", path,
@@ -97,12 +110,17 @@ static enum bead_error check_size(const char *path, const struct bead_codec *cod
 static enum bead_error check_encoders(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
                                       struct bead_message *msg)
 {
-    const char *const names[] = {bead_codec_preset(codec, settings)->encoder, settings->channels > 0 ? codec->sound->encoder : NULL,
-                                 codec->gif ? "gif" : NULL};
     struct bead_message why;
     enum bead_error err = bead_av_open(&why);
     if (err)
         return bead_fail(msg, err, "%s: %s", path, why.text);
+    const char *const names[] = {bead_codec_encoder(codec, settings)->encoder,
+                                 settings->channels > 0 ? codec->sound->encoder : NULL, codec->gif ? "gif" : NULL};
+    const char *const muxers[] = {codec->muxer, codec->plain_muxer};
+    for (size_t i = 0; i < sizeof muxers / sizeof muxers[0]; i++) {
+        if (muxers[i] && !av_guess_format(muxers[i], NULL, NULL))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavformat was built without its muxer %s", path, muxers[i]);
+    }
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         if (names[i] && !avcodec_find_encoder_by_name(names[i]))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, names[i]);
@@ -118,6 +136,8 @@ static enum bead_error check(const char *path, const struct bead_movie_settings 
         return unknown_extension(path, msg);
     if ((int)settings->quality < 0 || settings->quality > BEAD_QUALITY_LOSSLESS)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown quality %d", path, (int)settings->quality);
+    if ((int)settings->codec < 0 || settings->codec > BEAD_CODEC_AV1)
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: unknown codec %d", path, (int)settings->codec);
     enum bead_error err = check_kind(path, *codec, settings, msg);
     if (!err)
         err = check_size(path, *codec, settings, msg);
@@ -167,7 +187,7 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     struct bead_movie *m;
     BEAD_TRY(bead_new(&m, 1, msg, "%s", path));
     m->codec = codec;
-    m->preset = bead_codec_preset(codec, &own);
+    m->preset = codec->presets ? bead_codec_encoder(codec, &own) : NULL;
     m->group = (int64_t)bead_codec_group(codec, own.fps);
     m->settings = own;
     if (m->preset)

@@ -51,14 +51,16 @@ struct bead_codec {
     const struct bead_movie_way *way;
     const char *muxer;         /* libav's name; NULL, like all members below, if the way has no codec */
     const char *muxer_options; /* "key=value key=value", with which the growing file can be read */
+    const char *plain_muxer;   /* of the finished file; NULL: the same */
     const char *plain_options; /* of the finished file; NULL: that is the part itself */
     const char *ending;        /* BEAD_ENDING_BYTES after each flush, so that the growing file can be read; NULL: not needed */
     enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
     const struct bead_preset *presets;                                                      /* by enum bead_quality */
     const struct bead_preset
-        *clear;       /* of transparent movies, likewise; without an encoder: not in this quality. NULL: in no quality */
-    bool final_delay; /* the muxer has this option, as it finds durations only from the next picture */
-    bool chapters;    /* the container has chapters */
+        *clear; /* of transparent movies, likewise; without an encoder: not in this quality. NULL: in no quality */
+    const struct bead_preset *av1;                /* if the settings ask for AV1, likewise */
+    bool final_delay;                             /* the muxer has this option, as it finds durations only from the next picture */
+    bool chapters;                                /* the container has chapters */
     const struct bead_subtitle_format *subtitles; /* NULL: it has none */
     const struct bead_sound_format *sound;        /* NULL: it has none */
     bool gif;                                     /* the finished file is a GIF, made from the part */
@@ -68,8 +70,10 @@ struct bead_codec {
 
 /* By the extension of `path`, ignoring case; NULL: none. */
 const struct bead_codec *bead_codec_find(const char *path);
-/* The encoder for these settings (quality, transparency); NULL: there is none. */
+/* The table's row for these settings (quality, transparency, codec); NULL: there is none. */
 const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings);
+/* The same, or what takes its place here: libav must be open. */
+const struct bead_preset *bead_codec_encoder(const struct bead_codec *codec, const struct bead_movie_settings *settings);
 /* The number of frames for one picture in the file, so that it keeps to most_fps; usually 1. */
 size_t bead_codec_group(const struct bead_codec *codec, double fps);
 

@@ -66,6 +66,7 @@ static struct bead_movie_settings movie_settings_of(const struct bead_sink *s)
                                         .height = s->film.height,
                                         .fps = s->film.output->movie.fps,
                                         .quality = s->film.output->movie.quality,
+                                        .codec = s->film.output->movie.codec,
                                         .channels = bead_film_sound_channels(s->sound),
                                         .alpha = s->film.output->paper.background == BEAD_BACKGROUND_NONE,
                                         .title = s->film.context.scene->title[0] ? s->film.context.scene->title : NULL,

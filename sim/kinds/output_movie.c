@@ -12,6 +12,7 @@
 enum { MOST_BEADS = 200000000 }; /* more than there may be */
 
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
+static const char *const codecs[] = {"auto", "av1", NULL};
 static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", "images", "stage", NULL};
 static const char *const profiles[] = {"bead", "cell", NULL};
 static const char *const types[] = {"normal", "large", NULL};
@@ -88,7 +89,7 @@ static BEAD_OPTION_READER(read_slides)
 }
 
 static const struct bead_option movie_rows[] = {
-    BEAD_FILE_ROW("movie", "FILE.mp4, .mov, .mkv, .webm, .gif, .png or .apng", "waves.mp4"),
+    BEAD_FILE_ROW("movie", "FILE.mp4, .mov, .mkv, .webm, .gif, .png, .apng, .webp or .avif", "waves.mp4"),
     {"size", BEAD_OPTION_CUSTOM, .initial = "[1920, 1080]", .shape = "[width, height] in pixels, 1 to 32768", .like = "[2 number]",
      .read = bead_output_read_frame_size, .help = "size of the frame", .example = "[1280, 720]"},
     {"views", BEAD_OPTION_CUSTOM, .initial = "[stage, profile, spacetime]", .shape = BEAD_VIEWS_LISTED "in a list",
@@ -174,6 +175,10 @@ static const struct bead_option movie_rows[] = {
     {"quality", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.quality), .initial = "standard", .choices = qualities,
      .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture "
              "that does not change for as long as that lasts: a variable rate, while all others have a constant one"},
+    {"codec", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.codec), .initial = "auto", .choices = codecs,
+     .help =
+         "auto: the file's usual one; av1: in mp4, mkv and webm half the size or less, encoded more slowly, with SVT-AV1 (libaom "
+         "where FFmpeg has no other)"},
 };
 /* After `time`, of which they are parts. */
 static const struct bead_option span_rows[] = {

@@ -72,8 +72,9 @@ const struct bead_option bead_theme_rows[3] = {
     {"theme", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(paper.theme), .initial = "auto", .choices = themes,
      .help = "colours of background and text; auto: dark for movies, else light"},
     {"background", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(paper.background), .initial = "theme", .choices = backgrounds,
-     .help = "what is painted behind it all; none: nothing, the picture is transparent there, in the panels too, and letters and "
-             "lines have the colours of the theme. Stills of all formats can have none, and movies in webm, mov, apng and png"},
+     .help =
+         "what is painted behind it all; none: nothing, the picture is transparent there, in the panels too, and letters and "
+         "lines have the colours of the theme. Stills of all formats can have none, and movies in webm, mov, apng, png and webp"},
 };
 const struct bead_option bead_caption_row[1] = {
     {"caption", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(still.caption),

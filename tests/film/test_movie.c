@@ -6,6 +6,7 @@
 
 #include "decode.h"
 #include "render/encode/movie_private.h"
+#include "sim/base/memory.h"
 
 static void assert_exact(const char *name, const AVFrame *picture, const struct bead_frame *frame)
 {
@@ -47,7 +48,7 @@ static void every_format_shows_what_was_added(void **state)
 {
     (void)state;
     for (int i = 0; i < ALL; i++) {
-        struct bead_movie_settings wanted = settings(all[i].quality);
+        struct bead_movie_settings wanted = settings_of(&all[i]);
         const char *path = place(all[i].name);
         assert_int_equal(write_movie(path, &wanted, 20, 0), 20);
         struct decoded movie;
@@ -109,7 +110,7 @@ static void one_frame_is_a_movie(void **state)
 {
     (void)state;
     for (int i = 0; i < ALL; i++) {
-        struct bead_movie_settings wanted = settings(all[i].quality);
+        struct bead_movie_settings wanted = settings_of(&all[i]);
         const char *path = place(all[i].name);
         assert_int_equal(write_movie(path, &wanted, 1, 0), 1);
         struct decoded movie;
@@ -170,7 +171,7 @@ static void runs_give_the_same_files(void **state)
 {
     (void)state;
     for (int i = 0; i < ALL; i++) {
-        struct bead_movie_settings wanted = settings(all[i].quality);
+        struct bead_movie_settings wanted = settings_of(&all[i]);
         char *bytes[3] = {NULL, NULL, NULL};
         size_t size[3];
         for (int run = 0; run < 3; run++) {
@@ -203,7 +204,7 @@ static void colours_are_bt709(void **state)
     for (int i = 0; i < ALL; i++) {
         if (all[i].psnr == 0)
             continue;
-        struct bead_movie_settings wanted = settings(all[i].quality);
+        struct bead_movie_settings wanted = settings_of(&all[i]);
         wanted.width = 8 * 32;
         wanted.height = 32;
         struct bead_frame frame;
@@ -323,6 +324,67 @@ static void apng_loops_for_ever(void **state)
     assert_non_null(control);
     assert_memory_equal(control + 4, "\0\0\0\11\0\0\0\0", 8);
     unlink(path);
+}
+
+static size_t number(const uint8_t *bytes, int count)
+{
+    size_t value = 0;
+    while (count-- > 0)
+        value = value << 8 | bytes[count];
+    return value;
+}
+
+/* The first frame of the loop, alone, as a file of its own. */
+static void write_webp_frame(const uint8_t *frame, size_t size)
+{
+    FILE *file = fopen(place("frame.webp"), "wb");
+    const uint32_t bytes = (uint32_t)size + 4;
+    assert_non_null(file);
+    fwrite("RIFF", 1, 4, file);
+    fwrite(&bytes, sizeof bytes, 1, file);
+    fwrite("WEBP", 1, 4, file);
+    fwrite(frame, 1, size, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* By the container's specification, as FFmpeg reads no loops: they run for ever, each frame for its time, and the first is whole.
+ */
+static void webp_is_a_loop(void **state)
+{
+    (void)state;
+    enum { CHUNK = 8, FRAME = 16, FRAMES = 20 };
+    for (enum bead_quality quality = BEAD_QUALITY_DRAFT; quality <= BEAD_QUALITY_LOSSLESS; quality++) {
+        struct bead_movie_settings wanted = settings(quality);
+        const char *path = place("loop.webp");
+        size_t size, frames = 0, lasting = 0;
+        write_movie(path, &wanted, FRAMES, 0);
+        BEAD_FREED uint8_t *bytes = (uint8_t *)take_file(path, &size);
+        assert_memory_equal(bytes + 8, "WEBP", 4);
+        for (size_t at = 12; at + CHUNK <= size; at += CHUNK + number(bytes + at + 4, 4) + number(bytes + at + 4, 1) % 2) {
+            const uint8_t *chunk = bytes + at + CHUNK;
+            if (memcmp(bytes + at, "ANIM", 4) == 0)
+                assert_int_equal(number(chunk + 4, 2), 0); /* loops */
+            if (memcmp(bytes + at, "ANMF", 4) != 0)
+                continue;
+            lasting += number(chunk + 12, 3);
+            if (frames++ == 0)
+                write_webp_frame(chunk + FRAME, number(bytes + at + 4, 4) - FRAME);
+        }
+        assert_int_equal(frames, FRAMES);
+        assert_int_equal(lasting, FRAMES * 1000 / FPS);
+        struct decoded first;
+        struct bead_frame frame;
+        decode(place("frame.webp"), &first);
+        assert_int_equal(bead_frame_create(WIDTH, HEIGHT, &frame, NULL), BEAD_OK);
+        draw(&frame, 0);
+        if (quality == BEAD_QUALITY_LOSSLESS)
+            assert_exact("lossless.webp", first.frame[0], &frame);
+        else
+            assert_true(luma_psnr(first.frame[0], &frame) > 30);
+        bead_frame_free(&frame);
+        decoded_free(&first);
+        unlink(place("frame.webp"));
+    }
 }
 
 static void mp4_starts_fast_and_has_a_title(void **state)
@@ -467,6 +529,7 @@ int main(void)
         cmocka_unit_test(gif_is_playable),
         cmocka_unit_test(gif_has_only_what_changes),
         cmocka_unit_test(apng_loops_for_ever),
+        cmocka_unit_test(webp_is_a_loop),
         cmocka_unit_test(mp4_starts_fast_and_has_a_title),
         cmocka_unit_test(every_movie_has_a_comment),
         cmocka_unit_test(covers_that_never_come_do_no_harm),

@@ -18,11 +18,11 @@ static void formats_without_alpha_are_refused(void **state)
         const char *name;
         enum bead_quality quality;
         const char *says;
-    } wrong[] = {
-        {"a.mp4", BEAD_QUALITY_HIGH, "mp4 files cannot be transparent (`background: none`); mov, webm, apng and png files can"},
-        {"a.mkv", BEAD_QUALITY_LOSSLESS, "mkv files"},
-        {"a.gif", BEAD_QUALITY_STANDARD, "gif files"},
-        {"a.webm", BEAD_QUALITY_LOSSLESS, "lossless webm files"}};
+    } wrong[] = {{"a.mp4", BEAD_QUALITY_HIGH,
+                  "mp4 files cannot be transparent (`background: none`); mov, webm, webp, apng and png files can"},
+                 {"a.mkv", BEAD_QUALITY_LOSSLESS, "mkv files"},
+                 {"a.gif", BEAD_QUALITY_STANDARD, "gif files"},
+                 {"a.webm", BEAD_QUALITY_LOSSLESS, "lossless webm files"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         struct bead_movie_settings wanted = settings(wrong[i].quality);
         struct bead_message msg = {""};
@@ -37,6 +37,26 @@ static void formats_without_alpha_are_refused(void **state)
         wanted.alpha = true;
         assert_int_equal(bead_movie_check(fine[i], &wanted, NULL), BEAD_OK);
     }
+}
+
+static void formats_without_av1_are_refused(void **state)
+{
+    (void)state;
+    struct bead_movie_settings wanted = settings(BEAD_QUALITY_STANDARD);
+    struct bead_message msg = {""};
+    wanted.codec = BEAD_CODEC_AV1;
+    static const char *const names[] = {"a.mov", "a.gif", "a.webp", "a.png", "a.avif"};
+    for (size_t i = 0; i < sizeof names / sizeof *names - 1; i++) {
+        assert_int_equal(bead_movie_check(names[i], &wanted, &msg), BEAD_ERROR_SCENE);
+        assert_non_null(strstr(msg.text, "(`codec: av1`); mp4, mkv, webm and avif files can"));
+    }
+    assert_int_equal(bead_movie_check("a.avif", &wanted, &msg), BEAD_OK);
+    wanted.alpha = true;
+    assert_int_equal(bead_movie_check("a.webm", &wanted, &msg), BEAD_ERROR_SCENE);
+    assert_non_null(strstr(msg.text, "webm files cannot be transparent (`background: none`) with `codec: av1`"));
+    wanted.alpha = false;
+    wanted.codec = (enum bead_codec_asked)7;
+    assert_int_equal(bead_movie_check("a.mp4", &wanted, &msg), BEAD_ERROR_SCENE);
 }
 
 static void wrong_settings_are_refused(void **state)
@@ -161,7 +181,7 @@ static void abort_removes_only_the_unfinished(void **state)
 {
     (void)state;
     for (int i = 0; i < ALL; i++) {
-        struct bead_movie_settings wanted = settings(all[i].quality);
+        struct bead_movie_settings wanted = settings_of(&all[i]);
         const char *path = place(all[i].name);
         write_movie(path, &wanted, 3, 0);
         uint64_t before = bead_file_bytes(path);
@@ -203,13 +223,10 @@ static void misuse_is_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formats_without_alpha_are_refused),
-        cmocka_unit_test(wrong_settings_are_refused),
-        cmocka_unit_test(scenes_and_codecs_agree),
-        cmocka_unit_test(unwritable_places_are_told),
-        cmocka_unit_test(full_disk_is_told),
-        cmocka_unit_test(abort_removes_only_the_unfinished),
-        cmocka_unit_test(misuse_is_an_error),
+        cmocka_unit_test(formats_without_alpha_are_refused), cmocka_unit_test(formats_without_av1_are_refused),
+        cmocka_unit_test(wrong_settings_are_refused),        cmocka_unit_test(scenes_and_codecs_agree),
+        cmocka_unit_test(unwritable_places_are_told),        cmocka_unit_test(full_disk_is_told),
+        cmocka_unit_test(abort_removes_only_the_unfinished), cmocka_unit_test(misuse_is_an_error),
     };
     return cmocka_run_group_tests_name("movie errors", tests, make_directory, remove_directory);
 }
