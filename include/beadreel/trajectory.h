@@ -34,8 +34,9 @@ struct bead_trajectory;
 
 /* True where the file looks like HDF5, whatever it is called. */
 BEAD_API bool bead_trajectory_is(const char *path);
-/* Overrides change the stored scene's outputs (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY,
- * SCENE. */
+/* HDF5 reads the file in a process of its own, a child of the calling one, until the trajectory is closed: there it has no files,
+ * no network and little memory, and a file that makes it fail is an error here. Overrides change the stored scene's outputs (not
+ * its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY, SCENE. */
 BEAD_API BEAD_CHECK enum bead_error bead_trajectory_open(const char *path, const struct bead_overrides *overrides,
                                                          struct bead_trajectory **trajectory, struct bead_message *msg);
 BEAD_API void bead_trajectory_close(struct bead_trajectory *trajectory);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets, h5_read.c reads. */
+/* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets, h5_open.c opens files, h5_read.c
+ * reads. */
 #include "sim/base/file.h"
 #include "sim/base/h5_private.h"
 
@@ -63,8 +64,7 @@ enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format,
     return h5->error;
 }
 
-/* By a call of the system, which left `error` in errno. `done`: "read" or "written". */
-static enum bead_error fail_by(struct bead_h5 *h5, const char *done, int error)
+enum bead_error bead_h5_fail_by(struct bead_h5 *h5, const char *done, int error)
 {
     if (error == ENOMEM)
         h5->code = BEAD_ERROR_MEMORY; /* the first error stays */
@@ -76,12 +76,11 @@ static bool take_file(struct bead_h5 *h5)
 {
     h5->error = bead_file_open(h5->path, &h5->disk.file, NULL, h5->msg);
     if (!h5->error && ftruncate(h5->disk.file, 0) != 0)
-        fail_by(h5, "written", errno);
+        bead_h5_fail_by(h5, "written", errno);
     return !h5->error;
 }
 
-/* False if HDF5 is missing. */
-static bool load(struct bead_h5 *h5)
+bool bead_h5_load_for(struct bead_h5 *h5)
 {
     struct bead_message why;
     enum bead_error err = bead_h5_load(&why);
@@ -94,7 +93,7 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
 {
     *h5 =
         (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_IO, .msg = msg, .disk = {.file = -1}, .check = {.file = -1}};
-    if (!load(h5))
+    if (!bead_h5_load_for(h5))
         return;
     BEAD_H5_QUIET;
     BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
@@ -115,139 +114,7 @@ void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *m
 void bead_h5_check_disk(struct bead_h5 *h5)
 {
     if (h5->disk.error)
-        fail_by(h5, "written", h5->disk.error);
-}
-
-/* Follow no links out of the file: an untrusted file must not refer to others. */
-static herr_t refuse_external(const char *, const char *, const char *, const char *, unsigned *, hid_t, void *)
-{
-    return -1;
-}
-
-hid_t bead_h5_access(hid_t class)
-{
-    hid_t access = H5Pcreate(class);
-    if (access >= 0 && H5Pset_elink_cb(access, refuse_external, NULL) < 0)
-        bead_h5_release(&access);
-    return access;
-}
-
-/* Files up to this size are looked through when they are opened; of larger ones, what is read is. */
-static const uint64_t checked_whole = 64 << 20;
-
-static enum bead_error find_seal(struct bead_h5 *h5)
-{
-    struct stat found;
-    struct bead_h5_check *check = &h5->check;
-    check->file = bead_file_look(h5->path);
-    if (check->file < 0 || fstat(check->file, &found) != 0)
-        return fail_by(h5, "read", errno);
-    h5->bytes = (uint64_t)found.st_size;
-    const enum bead_seal_state state = bead_seal_read(&check->seal, check->file);
-    const size_t length = strlen(h5->path), ending = strlen(".part");
-    /* A killed run may have begun its seal. */
-    if (state == BEAD_SEAL_DAMAGED && length > ending && strcmp(h5->path + length - ending, ".part") == 0)
-        return BEAD_OK;
-    if (state == BEAD_SEAL_NO_MEMORY)
-        return fail_by(h5, "read", ENOMEM);
-    return state == BEAD_SEAL_DAMAGED ? bead_h5_fail(h5, false, "damaged: its digests are not those that were written") : BEAD_OK;
-}
-
-static enum bead_error look_through(struct bead_h5 *h5)
-{
-    uint64_t damaged = 0, from = 0, to = 0;
-    BEAD_TRY(find_seal(h5));
-    const struct bead_seal *seal = &h5->check.seal;
-    if (!seal->covered)
-        return bead_h5_fail(h5, false, "has no digests: it is unfinished, of an older version, or another program has changed it");
-    const int error = bead_seal_look(seal, h5->check.file, &damaged, &from, &to);
-    if (error)
-        return fail_by(h5, "read", error);
-    if (damaged)
-        return bead_h5_fail(h5, false,
-                            "damaged: %llu of %llu blocks are not those that were written, the first in bytes %llu to %llu",
-                            (unsigned long long)damaged, (unsigned long long)((seal->covered - 1) / BEAD_SEAL_BLOCK + 1),
-                            (unsigned long long)from, (unsigned long long)to - 1);
-    return BEAD_OK;
-}
-
-enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_message *msg)
-{
-    struct bead_h5 h5 = {.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1}};
-    const enum bead_error err = look_through(&h5);
-    *bytes = h5.bytes;
-    if (h5.check.file >= 0)
-        close(h5.check.file);
-    bead_seal_free(&h5.check.seal);
-    return err;
-}
-
-static enum bead_error open_checked(struct bead_h5 *h5)
-{
-    BEAD_TRY(find_seal(h5));
-    uint64_t damaged = 0;
-    if (h5->check.seal.covered && h5->check.seal.covered <= checked_whole &&
-        bead_seal_look(&h5->check.seal, h5->check.file, &damaged, &h5->check.from, &h5->check.to) == 0 && damaged) {
-        h5->check.damaged = true;
-        return bead_h5_fail(h5, false, "damaged");
-    }
-    BEAD_H5_QUIET;
-    BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
-    /* Closing the file closes all objects in it. A run that is still writing holds a lock; data it has flushed may be read.
-     * No filter is needed, so none is looked for in other files. */
-    if (access_list < 0 || H5PLset_loading_state(0) < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0 ||
-        bead_h5_check_use(access_list, &h5->check) < 0)
-        return bead_h5_fail(h5, true, "cannot be opened");
-    h5->file = H5Fopen(h5->path, H5F_ACC_RDONLY, access_list);
-    return h5->file < 0 ? bead_h5_fail(h5, true, "damaged, or cut off") : BEAD_OK;
-}
-
-void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg)
-{
-    *h5 = (struct bead_h5){.file = -1, .path = path, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
-    if (access(path, R_OK) != 0) {
-        h5->code = BEAD_ERROR_IO;
-        fail_by(h5, "read", errno);
-        h5->code = BEAD_ERROR_FORMAT;
-        return;
-    }
-    if (!bead_h5_is(path)) {
-        bead_h5_fail(h5, false, "not an HDF5 file");
-        return;
-    }
-    if (load(h5) && open_checked(h5))
-        bead_h5_check_leave(&h5->check);
-}
-
-/* Like H5Fis_hdf5, but without opening the library: the signature is at the beginning, or at 512 bytes times a power of two. */
-bool bead_h5_is(const char *path)
-{
-    static const char signature[8] = "\211HDF\r\n\032\n";
-    char bytes[sizeof signature];
-    int file = bead_file_look(path);
-    off_t at = 0;
-    bool found = false, more = file >= 0;
-    while (!found && more) {
-        more = pread(file, bytes, sizeof bytes, at) == (ssize_t)sizeof bytes;
-        found = more && memcmp(bytes, signature, sizeof bytes) == 0;
-        more = more && __builtin_mul_overflow(at ? at : 256, 2, &at) == 0;
-    }
-    if (file >= 0)
-        close(file);
-    return found;
-}
-
-void bead_h5_shut(struct bead_h5 *h5)
-{
-    if (h5->file < 0)
-        return;
-    BEAD_H5_QUIET;
-    if (H5Fclose(h5->file) < 0)
-        bead_h5_fail(h5, true, "cannot be closed properly");
-    h5->file = -1;
-    bead_h5_disk_leave(&h5->disk);
-    bead_h5_check_leave(&h5->check);
-    bead_h5_check_disk(h5);
+        bead_h5_fail_by(h5, "written", h5->disk.error);
 }
 
 void bead_h5_flush(struct bead_h5 *h5, bool write)
@@ -259,16 +126,6 @@ void bead_h5_flush(struct bead_h5 *h5, bool write)
     if (H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
         bead_h5_fail(h5, true, "cannot be flushed");
     bead_h5_check_disk(h5);
-}
-
-void bead_h5_close(struct bead_h5 *h5, hid_t *object)
-{
-    if (*object < 0)
-        return;
-    BEAD_H5_QUIET;
-    if (H5Idec_ref(*object) < 0)
-        bead_h5_fail(h5, true, "cannot be written");
-    *object = -1;
 }
 
 hid_t bead_h5_text_type(size_t size, H5T_cset_t characters)

@@ -17,15 +17,16 @@
 #include "sim/base/library.h"
 
 struct bead_h5 {
-    hid_t file;                 /* -1: not open */
-    const char *path;           /* for messages; borrowed */
-    const char *kind;           /* "sweep"; NULL: trajectory */
-    enum bead_error code;       /* of failures: IO when writing, FORMAT when reading */
-    struct bead_h5_disk disk;   /* of a file being written */
-    struct bead_h5_check check; /* of one being read */
-    uint64_t bytes;             /* of that, when it was opened */
-    enum bead_error error;      /* the first failure */
-    struct bead_message *msg;   /* for its text; may be NULL; set it whenever a part that keeps a bead_h5 is called */
+    hid_t file;                  /* -1: not open in this process */
+    const char *path;            /* for messages; borrowed */
+    const char *kind;            /* what it is read as, for messages: "sweep", "trajectory" */
+    enum bead_error code;        /* of failures: IO when writing, FORMAT when reading */
+    struct bead_h5_disk disk;    /* of a file being written */
+    struct bead_h5_check check;  /* of one being read */
+    uint64_t bytes;              /* of that, when it was opened */
+    struct bead_h5_apart *apart; /* the process that reads it; NULL: this one */
+    enum bead_error error;       /* the first failure */
+    struct bead_message *msg;    /* for its text; may be NULL; set it whenever a part that keeps a bead_h5 is called */
 };
 
 /* Keep the first failure and its message: "path: ...", with HDF5's reason if `cause`. Returns the error. */
@@ -39,9 +40,12 @@ extern const struct bead_library_info bead_h5_libraries[];
  * files that it could not close. */
 void bead_h5_no_exit_handler(void);
 
+/* For tests that look into HDF5, and for fuzzing: files are read in this process, not in one of their own. */
+void bead_h5_stay_in_process(void);
+
 /* Make a new file, or open one for reading. `path` must outlive the bead_h5, which must not move while the file is open. */
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg);
-void bead_h5_open(struct bead_h5 *h5, const char *path, struct bead_message *msg);
+void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct bead_message *msg);
 /* Is the finished file at `path` what was written, to the bit? *bytes gets its length. Errors: IO, MEMORY, FORMAT (it is not, or
  * has no digests). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_message *msg);

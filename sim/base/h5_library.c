@@ -13,11 +13,21 @@ _Static_assert(sizeof BEAD_HDF5_LIBRARY > 1 && sizeof BEAD_HDF5_HL_LIBRARY > 1, 
 
 /* Not constant: there is one HDF5 in the process, and it calls the driver of h5_disk.c without a context. */
 void *bead_hdf5;
-static bool no_exit_handler;
+static bool no_exit_handler, stays_in_process;
 
 void bead_h5_no_exit_handler(void)
 {
     no_exit_handler = true;
+}
+
+void bead_h5_stay_in_process(void)
+{
+    stays_in_process = true;
+}
+
+bool bead_h5_stays_in_process(void)
+{
+    return stays_in_process;
 }
 
 enum bead_error bead_h5_load(struct bead_message *msg)

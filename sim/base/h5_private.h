@@ -28,6 +28,13 @@ void bead_h5_release(hid_t *id);
 /* An identifier of any kind, closed at the end of the block. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
 
+/* The failure of a call of the system, which left `error` in errno. `done`: "read" or "written". */
+enum bead_error bead_h5_fail_by(struct bead_h5 *h5, const char *done, int error);
+/* False if HDF5 is missing. */
+bool bead_h5_load_for(struct bead_h5 *h5);
+/* Open the file that h5->check has open, in this process. */
+void bead_h5_open_here(struct bead_h5 *h5);
+bool bead_h5_stays_in_process(void);
 /* Report a failed write, which the driver hides from HDF5. */
 void bead_h5_check_disk(struct bead_h5 *h5);
 /* The type of numbers in memory. */

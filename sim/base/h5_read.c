@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads HDF5 files that are not trusted, trajectories and files of sweeps: see h5.h. */
+#include "sim/base/h5_apart.h"
 #include "sim/base/h5_private.h"
 
 #include <stdlib.h>
@@ -8,10 +9,18 @@
 /* Bytes: a chunk of a trajectory has 8 MiB at most, or one row of a million columns. */
 static const uint64_t largest_chunk = 8 << 20;
 
+/* Identifiers are those of the process that reads. */
+static hid_t identifier(const struct bead_h5 *h5, struct bead_h5_answer answer)
+{
+    return h5->error ? -1 : answer.number;
+}
+
 bool bead_h5_has(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
         return false;
+    if (h5->apart)
+        return bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_HAS}, NULL).number != 0;
     BEAD_H5_QUIET;
     char path[256];
     BEAD_H5_AUTO access = bead_h5_access(H5P_LINK_ACCESS);
@@ -34,6 +43,8 @@ bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
         return false;
+    if (h5->apart)
+        return bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_HAS_ATTRIBUTE}, NULL).number != 0;
     BEAD_H5_QUIET;
     return H5Aexists(h5->file, name) > 0;
 }
@@ -41,7 +52,7 @@ bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name)
 static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
 {
     if (!bead_h5_has(h5, name)) {
-        bead_h5_fail(h5, false, "not a %s of this program: it has no %s", h5->kind ? h5->kind : "trajectory", name);
+        bead_h5_fail(h5, false, "not a %s of this program: it has no %s", h5->kind, name);
         return -1;
     }
     BEAD_H5_AUTO access = bead_h5_access(kind == H5I_GROUP ? H5P_GROUP_ACCESS : H5P_DATASET_ACCESS);
@@ -49,7 +60,7 @@ static hid_t open_object(struct bead_h5 *h5, const char *name, H5I_type_t kind)
     if (access >= 0)
         object = kind == H5I_GROUP ? H5Gopen2(h5->file, name, access) : H5Dopen2(h5->file, name, access);
     if (object < 0)
-        bead_h5_fail(h5, false, "not a %s of this program: %s is not a %s", h5->kind ? h5->kind : "trajectory", name,
+        bead_h5_fail(h5, false, "not a %s of this program: %s is not a %s", h5->kind, name,
                      kind == H5I_GROUP ? "group" : "dataset");
     return object;
 }
@@ -58,6 +69,8 @@ hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
         return -1;
+    if (h5->apart)
+        return identifier(h5, bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_GROUP}, NULL));
     BEAD_H5_QUIET;
     return open_object(h5, name, H5I_GROUP);
 }
@@ -151,7 +164,11 @@ static void get(struct bead_h5 *h5, hid_t object, const char *name, H5T_class_t 
 void bead_h5_get_text(struct bead_h5 *h5, hid_t object, const char *name, char *text, size_t size)
 {
     memset(text, 0, size);
-    get(h5, object, name, H5T_STRING, -1, size, text);
+    if (h5->apart)
+        bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_GET_TEXT, .object = object, .rows = size},
+                    &(struct bead_h5_place){text, 1, 1, size});
+    else
+        get(h5, object, name, H5T_STRING, -1, size, text);
     text[size - 1] = '\0';
 }
 
@@ -159,6 +176,8 @@ double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name)
 {
     if (h5->error)
         return 0;
+    if (h5->apart)
+        return bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_GET_DOUBLE, .object = object}, NULL).value;
     double value = 0;
     get(h5, object, name, H5T_FLOAT, H5T_NATIVE_DOUBLE, 0, &value);
     return value;
@@ -168,6 +187,11 @@ int64_t bead_h5_get_int(struct bead_h5 *h5, hid_t object, const char *name, int6
 {
     if (h5->error)
         return low;
+    if (h5->apart) {
+        const struct bead_h5_question question = {.what = BEAD_H5_GET_INT, .object = object, .low = low, .high = high};
+        const int64_t found = bead_h5_ask(h5, name, question, NULL).number;
+        return found >= low && found <= high ? found : low;
+    }
     int64_t value = low;
     get(h5, object, name, H5T_INTEGER, H5T_NATIVE_INT64, 0, &value);
     if (!h5->error && (value < low || value > high))
@@ -200,21 +224,48 @@ void bead_h5_read_numbers(struct bead_h5 *h5, const char *name, enum bead_h5_typ
 {
     if (h5->error)
         return;
+    if (h5->apart) {
+        bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_NUMBERS, .type = type, .rows = count},
+                    &(struct bead_h5_place){first, sizeof(double), size, count});
+        return;
+    }
     BEAD_H5_AUTO apart = bead_h5_space_apart(size, count);
     read_vector(h5, name, type == BEAD_H5_DOUBLE ? H5T_FLOAT : H5T_INTEGER, bead_h5_memory_type(type), 0, apart, first, count);
 }
 
 void bead_h5_read_texts(struct bead_h5 *h5, const char *name, struct bead_h5_text *texts, size_t count)
 {
-    read_vector(h5, name, H5T_STRING, -1, sizeof *texts, H5S_ALL, texts, count);
+    if (h5->apart)
+        bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_TEXTS, .rows = count},
+                    &(struct bead_h5_place){texts, sizeof *texts, sizeof *texts, count});
+    else
+        read_vector(h5, name, H5T_STRING, -1, sizeof *texts, H5S_ALL, texts, count);
     for (size_t i = 0; i < count; i++)
         texts[i].text[sizeof texts[i].text - 1] = '\0';
+}
+
+/* The text that the process apart has found; to be freed. */
+static char *ask_text(struct bead_h5 *h5, const char *name, size_t limit)
+{
+    const int64_t length = bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_TEXT, .rows = limit}, NULL).number;
+    if (!h5->error && (length < 0 || (uint64_t)length > limit || (uint64_t)length > bead_h5_apart_room(h5)))
+        bead_h5_fail(h5, false, "%s cannot be read", name);
+    if (h5->error)
+        return NULL;
+    char *text = calloc(1, (size_t)length + 1);
+    if (text)
+        memcpy(text, bead_h5_apart_bytes(h5), (size_t)length);
+    else
+        h5->error = bead_fail(h5->msg, BEAD_ERROR_MEMORY, "%s: no memory for %s", h5->path, name);
+    return text;
 }
 
 char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
 {
     if (h5->error)
         return NULL;
+    if (h5->apart)
+        return ask_text(h5, name, limit);
     BEAD_H5_QUIET;
     BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
     if (h5->error)
@@ -260,6 +311,12 @@ hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, 
 {
     if (h5->error)
         return -1;
+    if (h5->apart) {
+        const struct bead_h5_question question = {.what = BEAD_H5_SERIES, .columns = columns, .components = components};
+        const struct bead_h5_answer answer = bead_h5_ask(h5, name, question, NULL);
+        *rows = answer.rows;
+        return identifier(h5, answer);
+    }
     BEAD_H5_QUIET;
     hid_t series = without_cache(h5, name, bead_h5_open_dataset(h5, name));
     if (series < 0)
@@ -283,10 +340,27 @@ hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, 
     return series;
 }
 
+/* In pieces that fit. */
+static void ask_rows(struct bead_h5 *h5, hid_t series, size_t first, size_t rows, size_t columns, double *values)
+{
+    const size_t row = columns ? columns : 1, most = bead_h5_apart_room(h5) / sizeof *values / row;
+    for (size_t done = 0, count; done < rows && !h5->error; done += count) {
+        count = rows - done < most || most == 0 ? rows - done : most;
+        bead_h5_ask(h5, NULL,
+                    (struct bead_h5_question){
+                        .what = BEAD_H5_ROWS, .object = series, .first = first + done, .rows = count, .columns = columns},
+                    &(struct bead_h5_place){values + done * row, sizeof *values, sizeof *values, count * row});
+    }
+}
+
 void bead_h5_read_rows(struct bead_h5 *h5, hid_t series, size_t first, size_t rows, size_t columns, double *values)
 {
     if (h5->error)
         return;
+    if (h5->apart) {
+        ask_rows(h5, series, first, rows, columns, values);
+        return;
+    }
     BEAD_H5_QUIET;
     hsize_t start[3] = {first, 0, 0}, count[3] = {rows, columns, 1};
     BEAD_H5_AUTO file_space = H5Dget_space(series);
@@ -300,6 +374,12 @@ void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type 
 {
     if (h5->error)
         return;
+    if (h5->apart) {
+        const size_t value = type == BEAD_H5_BYTE ? 1 : sizeof(double);
+        bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_TABLE, .type = type, .rows = rows, .columns = columns},
+                    &(struct bead_h5_place){values, value, value, rows * columns});
+        return;
+    }
     BEAD_H5_QUIET;
     BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
     if (dataset < 0)

@@ -9,6 +9,7 @@
 
 #include "beadreel/scene.h"
 #include "sim/base/h5.h"
+#include "sim/base/sandbox.h"
 #include "sim/base/stop.h"
 #include "sim/base/suggest.h"
 #include "sim/scene/scene_internal.h"
@@ -158,8 +159,21 @@ static enum bead_error catch_signals(struct bead_message *msg)
     return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
 }
 
+/* HDF5 files are read in a sandbox: where the kernel has none, their reader should know. */
+static void warn_of_files(const struct command *command)
+{
+    bool reads = command->job.input && bead_h5_is(command->job.input);
+    for (size_t i = 0; i < command->part_count; i++)
+        reads = reads || bead_h5_is(command->parts[i]);
+    if (reads && !bead_sandbox_is_there())
+        command_warn(command->program,
+                     "this kernel has no seccomp: HDF5 files are read in a process of their own, but in no sandbox; "
+                     "read only files that you trust");
+}
+
 static enum bead_error act(const struct command *command, struct bead_message *msg)
 {
+    warn_of_files(command);
     switch (command->action) {
     case COMMAND_HELP:
         command_print_help(command->program, stdout);

@@ -257,7 +257,7 @@ static enum bead_error open_file(struct bead_trajectory *t, const char *path, bo
     for (size_t i = 0; i < BEAD_SERIES_COUNT; i++)
         t->sources[i].value = -1;
     BEAD_TRY(bead_file_join(NULL, path, &t->path, msg));
-    bead_h5_open(&t->h5, t->path, msg);
+    bead_h5_open(&t->h5, t->path, "trajectory", msg);
     *sweep = !t->h5.error && is_sweep(t);
     if (!t->h5.error && !*sweep)
         read_summary(t);

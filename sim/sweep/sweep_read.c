@@ -21,7 +21,7 @@ enum bead_error bead_sweep_is(const char *path, bool *is, struct bead_message *m
     *is = false;
     if (!bead_h5_is(path))
         return BEAD_OK;
-    bead_h5_open(&h5, path, msg);
+    bead_h5_open(&h5, path, "sweep", msg);
     if (!h5.error && bead_h5_has_attribute(&h5, "format"))
         bead_h5_get_text(&h5, h5.file, "format", kind, sizeof kind);
     bead_h5_shut(&h5);
@@ -189,10 +189,9 @@ static enum bead_error read_head(struct bead_h5 *h5, struct bead_sweep *sweep, s
 
 static enum bead_error read_sweep(const char *path, const struct bead_own *own, struct bead_sweep **sweep, struct bead_message *msg)
 {
-    struct bead_h5 h5 = {.file = -1, .kind = "sweep"};
+    struct bead_h5 h5;
     struct bead_scene *scene = NULL;
-    bead_h5_open(&h5, path, msg);
-    h5.kind = "sweep";
+    bead_h5_open(&h5, path, "sweep", msg);
     enum bead_error err = h5.error ? h5.error : read_scene(&h5, own, &scene, msg);
     if (!err)
         err = bead_sweep_allocate(scene, sweep, msg);

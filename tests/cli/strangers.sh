@@ -155,6 +155,66 @@ limited() {
 }
 ok "a limit of CPU time stops a run in good order" limited
 
+# ---- the process that reads HDF5 files ----
+scene '{trajectory: read.h5, every: 5 us}' >read.yaml && "$beadsim" read.yaml -o . >/dev/null
+# intrude WHAT : a library whose pread does that in each process but the first.
+intrude() {
+    cat >"$1.c" <<C
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <unistd.h>
+static pid_t first;
+static ssize_t (*real)(int, void *, size_t, off_t);
+__attribute__((constructor)) static void begin(void)
+{
+    first = getpid();
+    real = (ssize_t (*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT, "pread");
+}
+static void say(const char *what, int result)
+{
+    dprintf(2, "intruder: %s: %s\n", what, result < 0 ? strerror(errno) : "done");
+}
+ssize_t pread(int file, void *bytes, size_t size, off_t at)
+{
+    static int done;
+    if (getpid() != first && !done++) {
+        $2
+    }
+    return real(file, bytes, size, at);
+}
+C
+    ${CC:-cc} -w -shared -fPIC "$1.c" -o "$1.so" -ldl
+}
+if [ "${sanitized:-}" ] || ! intrude intruder 'say("write", open("intruded", O_WRONLY | O_CREAT, 0600));
+    say("connect", socket(AF_INET, SOCK_STREAM, 0)); say("run", execl("/bin/true", "true", NULL)); say("memory", malloc(1u << 30) ? 0 : -1);'; then
+    skip "a compiler, and a build without sanitizers" "a sandbox around HDF5"
+else
+    ok "who takes over the process that reads a trajectory" exits 0 env LD_PRELOAD="$T/intruder.so" "$beadsim" --info read.h5
+    for what in write connect run; do ok "... cannot $what" says "intruder: $what: Operation not permitted"; done
+    ok "... has not much memory" says "intruder: memory: Cannot allocate memory"
+    ok "... and has written nothing" test ! -e intruded
+    for part in 1 2; do "$beadsim" sweep.yaml --shard $part/2 -o parts >/dev/null; done
+    ok "the same of one that merges" exits 0 env LD_PRELOAD="$T/intruder.so" "$beadsim" --merge parts/*.h5 -o merged.h5
+    ok "..." says "intruder: write: Operation not permitted"
+    ok "... into the same bytes" cmp merged.h5 sweep.h5
+    intrude fault 'raise(SIGSEGV);'
+    ok "a fault within HDF5 ends no program" fails 1 env LD_PRELOAD="$T/fault.so" "$beadsim" --info read.h5
+    ok "... it is damage" says "read.h5: damaged: HDF5 fails over it (Segmentation fault)"
+    ok "... nor one that draws" fails 1 env LD_PRELOAD="$T/fault.so" "$beadreel" read.h5 -o fault.png
+    ok "... nor one that merges" fails 1 env LD_PRELOAD="$T/fault.so" "$beadsim" --merge parts/*.h5 -o fault.h5
+    ok "... and nothing is left" test "$(echo fault.* intruded*)" = "fault.c fault.so intruded*"
+    refuse syscall -1 38 beadsim
+    ok "a kernel without sandboxes" exits 0 env LD_PRELOAD="$T/syscall.so" "$beadsim" --info read.h5
+    ok "... is told" says "warning: this kernel has no seccomp: HDF5 files are read in a process of their own, but in no sandbox"
+fi
+
 # ---- no locks ----
 if [ "${sanitized:-}" ] || ! refuse flock -1 37; then # ENOLCK
     skip "a compiler, and a build without sanitizers" "file systems without locks"

@@ -15,6 +15,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/session.h"
 #include "beadreel/sweep.h"
+#include "sim/base/h5.h"
 #include "sim/scene/scene_internal.h"
 
 static uint32_t state = 1;
@@ -86,6 +87,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     struct bead_message msg = {""};
     (void)argc;
     (void)argv;
+    bead_h5_stay_in_process(); /* where its way is seen, and what it leaves open */
     fuzz_must(bead_scene_materials(&scene, &msg) == BEAD_OK, "the ready materials are there");
     bead_scene_free(scene);
     return 0;

@@ -58,7 +58,7 @@ static long fail_each(action act, const void *context)
             fail_msg("allocation %ld: the message is '%s'", k, msg.text);
         if (clear() != 0)
             fail_msg("allocation %ld leaves unfinished files (%s)", k, msg.text);
-        if (made < k) {
+        if (made < k && err != BEAD_ERROR_MEMORY) { /* the process that reads HDF5 files counts on from this one */
             assert_int_equal(err, BEAD_OK);
             return made;
         }

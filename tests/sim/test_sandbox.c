@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a process in the sandbox tries to do is refused; the same is done by one outside it. */
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/base/sandbox.h"
+#include "support.h"
+
+#include "scratch.h"
+#include "tests/missing.h"
+#include "tests/torture/fail_alloc.h"
+
+static char written[1100];
+static struct sockaddr_un listener = {.sun_family = AF_UNIX};
+
+static bool writes(void)
+{
+    const int file = open(written, O_WRONLY | O_CREAT, 0600);
+    return file >= 0 && write(file, "x", 1) == 1;
+}
+
+static bool reads(void)
+{
+    return open("/proc/self/status", O_RDONLY) >= 0;
+}
+
+static bool removes(void)
+{
+    return rename(written, listener.sun_path) == 0 || errno == ENOENT;
+}
+
+static bool connects(void)
+{
+    const int one = socket(AF_UNIX, SOCK_STREAM, 0);
+    return one >= 0 && connect(one, (const struct sockaddr *)&listener, sizeof listener) == 0;
+}
+
+static bool asks_the_network(void)
+{
+    return socket(AF_INET, SOCK_DGRAM, 0) >= 0 || errno == EAFNOSUPPORT;
+}
+
+static bool starts_a_process(void)
+{
+    const pid_t child = fork();
+    if (child == 0)
+        _exit(0);
+    return child > 0;
+}
+
+static bool runs_a_program(void)
+{
+    if (execl("/bin/true", "true", (char *)NULL) < 0)
+        return false;
+    return true;
+}
+
+static bool takes_memory(void)
+{
+    return mmap(NULL, (size_t)1 << 30, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED;
+}
+
+/* What is allowed: to take some memory, to read an open file. */
+static bool computes(void)
+{
+    char byte;
+    void *some = malloc((size_t)100 << 20);
+    const bool done = some && memset(some, 1, 4096) && pread(STDERR_FILENO + 1, &byte, 1, 0) == 1;
+    free(some);
+    return done;
+}
+
+/* In a process of its own. Returns 1: done, 0: not; fails the test where the process ends by a signal. */
+static int attempt(bool (*act)(void), bool inside)
+{
+    int status = -1;
+    const pid_t child = fork();
+    if (child == 0) {
+        const int open_file = open("/proc/self/exe", O_RDONLY);
+        if (open_file < 0 || dup2(open_file, STDERR_FILENO + 1) < 0)
+            _exit(99);
+        if (inside)
+            bead_sandbox_enter();
+        _exit(act() ? 1 : 0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) <= 1);
+    return WEXITSTATUS(status);
+}
+
+static void nothing_outside_is_reached(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        bool (*act)(void);
+    } attempts[] = {{"write", writes},
+                    {"read", reads},
+                    {"connect", connects},
+                    {"ask the network", asks_the_network},
+                    {"start a process", starts_a_process},
+                    {"rename", removes}};
+    if (!bead_sandbox_is_there())
+        skip_without("a kernel with seccomp");
+    snprintf(written, sizeof written, "%s/written", directory);
+    snprintf(listener.sun_path, sizeof listener.sun_path, "%.80s/socket", directory);
+    const int server = socket(AF_UNIX, SOCK_STREAM, 0);
+    assert_int_equal(bind(server, (const struct sockaddr *)&listener, sizeof listener), 0);
+    assert_int_equal(listen(server, 4), 0);
+    for (size_t i = 0; i < sizeof attempts / sizeof *attempts; i++) {
+        if (attempt(attempts[i].act, true))
+            fail_msg("a process in the sandbox could %s", attempts[i].name);
+        assert_int_not_equal(access(written, F_OK), 0);
+        if (!attempt(attempts[i].act, false))
+            fail_msg("a process outside could not %s", attempts[i].name);
+        unlink(written);
+    }
+    assert_int_equal(attempt(runs_a_program, true), 0);
+    assert_int_equal(attempt(computes, true), 1);
+    close(server);
+    unlink(listener.sun_path);
+}
+
+static void memory_is_limited(void **state)
+{
+    (void)state;
+#ifdef FAIL_ALLOC_SANITIZED
+    skip_without("a build without sanitizers");
+#endif
+    assert_int_equal(attempt(takes_memory, true), 0);
+    assert_int_equal(attempt(takes_memory, false), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_outside_is_reached), cmocka_unit_test(memory_is_limited)};
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}
