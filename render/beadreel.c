@@ -4,6 +4,7 @@
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
+#include "render/draw/png_source.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_internal.h"
 #include "render/paint/canvas.h"
@@ -76,6 +77,7 @@ int main(int argc, char **argv)
         .lists = lists,
         .sinks = sinks,
         .canvases = canvases,
+        .source_of_png = bead_png_source,
     };
     return command_main(&program, argc, argv);
 }

@@ -527,6 +527,7 @@ struct bead_overrides {
     size_t setting_count;
     const char *config;         /* file of the user's own settings, which give what is said nowhere else: bead_config. NULL: none */
     const struct bead_own *own; /* what the program adds; NULL: nothing, or what the scene that is changed has */
+    const char *name;           /* of a scene that is loaded, in messages and in what it makes; NULL: its path */
 };
 
 /* Load a scene from a file. On success *scene belongs to the caller; on failure it is NULL and the message reads

@@ -60,6 +60,7 @@ struct bead_job {
     const char *const *others;  /* more trajectories, whose chains are shown beside those of `input` */
     size_t other_count;
     bool difference;   /* of two trajectories: the second less the first */
+    const char *name;  /* what the scene is called in messages and in what it makes; NULL: as `input` is */
     const char *still; /* "poster": of the frame asked for, or else of "peak", the beads alone and large; NULL: no */
 };
 

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "beadreel/api.h"
+
 /* A piece of the file; text NULL: it is not there. */
 struct piece {
     const char *text;
@@ -32,7 +34,19 @@ static long number_before(const char *pdf, const char *place)
     return strtol(place > pdf ? place - 1 : place, NULL, 10);
 }
 
-void bead_pdf_write(const char *pdf, size_t length, FILE *file)
+/* The scene as an attached file (7.11.4): the numbers of the two objects are `number` and the next. Sets the places of both. */
+static size_t attach(const char *source, long number, size_t place, size_t at[2], FILE *file)
+{
+    static const char mark[] = "# beadreel " BEADREEL_VERSION ", scene:\n";
+    at[0] = place;
+    at[1] = place + (size_t)fprintf(file, "%ld 0 obj\n<< /Type /EmbeddedFile /Length %zu >>\nstream\n%s%s\nendstream\nendobj\n",
+                                    number, sizeof mark - 1 + strlen(source), mark, source);
+    return at[1] +
+           (size_t)fprintf(file, "%ld 0 obj\n<< /Type /Filespec /F (scene.yaml) /UF (scene.yaml) /EF << /F %ld 0 R >> >>\nendobj\n",
+                           number + 1, number);
+}
+
+void bead_pdf_write(const char *pdf, size_t length, const char *source, FILE *file)
 {
     static const char figure_begins[] = "<< /Type /StructElem\n   /S /Figure\n", catalog_begins[] = "<< /Type /Catalog\n",
                       object_ends[] = ">>\nendobj";
@@ -45,14 +59,30 @@ void bead_pdf_write(const char *pdf, size_t length, FILE *file)
         return;
     const long numbers[2] = {number_before(pdf, figure.text - sizeof figure_begins + 1),
                              number_before(pdf, catalog.text - sizeof catalog_begins + 1)};
-    size_t at[3] = {length};
+    static const char size_key[] = "/Size ";
+    const char *size = memmem(trailer.text, (size_t)trailer.length, size_key, strlen(size_key)), *rest = NULL;
+    const long first = size ? strtol(size + strlen(size_key), (char **)&rest, 10) : 0;
+    const bool attached = source && *source && first > 0;
+    char names[96] = "";
+    size_t at[3] = {length}, added[2] = {0};
+    if (attached)
+        snprintf(names, sizeof names, "   /Names << /EmbeddedFiles << /Names [(scene.yaml) %ld 0 R] >> >>\n", first + 1);
     at[1] = at[0] + (size_t)fprintf(file, "%ld 0 obj\n%s%.*s   /Alt %.*s\n%s\n", numbers[0], figure_begins, figure.length,
                                     figure.text, subject.length, subject.text, object_ends);
     at[2] = at[1] + (size_t)fprintf(file,
                                     "%ld 0 obj\n%s%.*s   /Lang (en)\n   /MarkInfo << /Marked true >>\n"
-                                    "   /ViewerPreferences << /DisplayDocTitle true >>\n%s\n",
-                                    numbers[1], catalog_begins, catalog.length, catalog.text, object_ends);
+                                    "   /ViewerPreferences << /DisplayDocTitle true >>\n%s%s\n",
+                                    numbers[1], catalog_begins, catalog.length, catalog.text, names, object_ends);
+    if (attached)
+        at[2] = attach(source, first, at[2], added, file);
     fprintf(file, "xref\n%ld 1\n%010zu 00000 n \n%ld 1\n%010zu 00000 n \n", numbers[0], at[0], numbers[1], at[1]);
-    fprintf(file, "trailer\n<<%.*s   /Prev %.*s\n>>\nstartxref\n%zu\n%%%%EOF\n", trailer.length, trailer.text, before.length,
-            before.text, at[2]);
+    if (attached)
+        fprintf(file, "%ld 2\n%010zu 00000 n \n%010zu 00000 n \n", first, added[0], added[1]);
+    fprintf(file, "trailer\n<<");
+    if (attached)
+        fprintf(file, "%.*s%ld%.*s", (int)(size + strlen(size_key) - trailer.text), trailer.text, first + 2,
+                (int)(trailer.text + trailer.length - rest), rest);
+    else
+        fprintf(file, "%.*s", trailer.length, trailer.text);
+    fprintf(file, "   /Prev %.*s\n>>\nstartxref\n%zu\n%%%%EOF\n", before.length, before.text, at[2]);
 }

@@ -7,6 +7,8 @@
 #include <hb.h>
 #include <string.h>
 
+#include "beadreel/api.h"
+
 /* ---- words ---- */
 
 static const cairo_user_data_key_t file_key;
@@ -147,6 +149,11 @@ static const char *put_head(const struct bead_svg_parts *svg, FILE *file)
     fputs(" role=\"img\">\n", file);
     put_element(file, "title", svg->title);
     put_element(file, "desc", svg->description);
+    if (svg->source && *svg->source) {
+        char *source = g_strdup_printf("beadreel " BEADREEL_VERSION ", scene:\n%s", svg->source);
+        put_element(file, "metadata", source);
+        g_free(source);
+    }
     return body + 1 + (body[1] == '\n');
 }
 

@@ -25,9 +25,10 @@ struct bead_svg_parts {
     size_t length;
     char *words; /* elements that come last, above everything else */
     size_t words_length;
-    const char *title, *description; /* "" or NULL: none */
+    const char *title, *description, *source; /* "" or NULL: none; source: the scene */
 };
 
-/* Writes the drawing to `file`, with its title, description and words, and with "surface604", "image607" and "source-610" numbered
- * from 1 in order of appearance. Write errors show when the file is closed. Errors: UNSUPPORTED (too many names). */
+/* Writes the drawing to `file`, with its title, description, scene (as metadata) and words, and with "surface604", "image607" and
+ * "source-610" numbered from 1 in order of appearance. Write errors show when the file is closed. Errors: UNSUPPORTED (too many
+ * names). */
 BEAD_CHECK enum bead_error bead_svg_write(const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg);

@@ -144,7 +144,7 @@ static enum bead_error write_drawn(const struct page *page, const struct bead_sv
 {
     if (page->format->svg)
         return bead_svg_write(svg, file, msg);
-    bead_pdf_write(svg->text, svg->length, file);
+    bead_pdf_write(svg->text, svg->length, page->notes->source, file);
     return BEAD_OK;
 }
 
@@ -152,7 +152,8 @@ static enum bead_error write_drawn(const struct page *page, const struct bead_sv
 static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct page *page = context;
-    struct bead_svg_parts svg = {.title = page->notes->title, .description = page->notes->description};
+    struct bead_svg_parts svg = {
+        .title = page->notes->title, .description = page->notes->description, .source = page->notes->source};
     FILE *drawn = open_memstream(&svg.text, &svg.length), *words = open_memstream(&svg.words, &svg.words_length);
     enum bead_error err =
         drawn && words ? write_page(page, drawn, page->format->svg && !page->notes->outlines ? words : NULL, part, msg) : BEAD_OK;

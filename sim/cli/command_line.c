@@ -143,6 +143,8 @@ static const struct command_option rows[] = {
      .action = COMMAND_INFO},
     {"verify", 0, "FILE", "say whether a finished trajectory, or a sweep's file, is to the bit what was written",
      .text = COMMAND(job.input), .action = COMMAND_VERIFY},
+    {"reproduce", 0, "FILE", "make a picture, film, table or trajectory again, by the scene stored in it: same bits?",
+     .text = COMMAND(job.input), .action = COMMAND_REPRODUCE},
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
      .text = COMMAND(job.configuration)},
     {"diff", 0, NULL, "of two trajectories: show the second less the first, into the file -o", .flag = COMMAND(job.difference)},

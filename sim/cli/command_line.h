@@ -31,6 +31,8 @@ struct command_program {
     const struct command_list *lists;                 /* ends with a NULL name */
     const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
     const char *const *canvases;                      /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
+    /* the scene in a PNG file, as bead_png_source; NULL: the program has no way to read them */
+    enum bead_error (*source_of_png)(const char *path, char **source, char *version, size_t size, struct bead_message *msg);
 };
 
 enum command_action {
@@ -39,6 +41,7 @@ enum command_action {
     COMMAND_LIST,
     COMMAND_INFO,
     COMMAND_VERIFY,
+    COMMAND_REPRODUCE,
     COMMAND_MERGE,
     COMMAND_NEW,
     COMMAND_HELP,
@@ -108,6 +111,19 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_verify(const struct command *command, struct bead_message *msg);
 enum bead_error command_merge(const struct command *command, struct bead_message *msg);
+/* Makes the file `job.input` again, from the scene that it was made of, in a directory of its own or in -o, and says whether all
+ * bytes are the same. Errors: those of command_run; NUMBERS: they are not; FORMAT: there is no scene. */
+enum bead_error command_reproduce(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+/* What a file says of its making. */
+struct command_origin {
+    char *scene;      /* owned; NULL: nothing */
+    char version[32]; /* of the program; "": not said */
+    char file[4096];  /* the name of the scene's file; "": not said */
+    char beside[256]; /* the file that has said it instead; "": itself */
+};
+/* Errors: IO, FORMAT, MEMORY. */
+enum bead_error command_find_origin(const struct command *command, const char *path, struct command_origin *origin,
+                                    struct bead_message *msg);
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg);
 
 /* Lists that need no graphics. */

@@ -64,7 +64,7 @@ static void print_looks(FILE *out)
 static void command_print_help(const struct command_program *program, FILE *out)
 {
     char text[256], left[64];
-    fprintf(out, "%s - %s\n\n%s\nOptions:\n", program->name, program->purpose, program->usage);
+    fprintf(out, "%s - %s\n%s\nOptions:\n", program->name, program->purpose, program->usage);
     const struct command_option *row;
     for (size_t i = 0; (row = command_option(i)); i++) {
         char letter[8] = "    ";
@@ -78,10 +78,9 @@ static void command_print_help(const struct command_program *program, FILE *out)
     }
     if (program->canvases)
         print_looks(out);
-    fprintf(
-        out,
-        "\n%s\nExit status: 0: done; 1: the run failed; 2: the command line or the scene is wrong; 128+N: stopped by signal N.\n",
-        program->examples);
+    fprintf(out,
+            "\n%sExit status: 0: done; 1: the run failed; 2: the command line or the scene is wrong; 128+N: stopped by signal N.\n",
+            program->examples);
 }
 
 /* The options as a man page has them. */
@@ -204,10 +203,13 @@ static enum bead_error act(const struct command *command, struct bead_message *m
         return command_new(command, msg);
     case COMMAND_PLAN:
         return command_plan(command, &stop_signal, msg);
+    case COMMAND_REPRODUCE:
     case COMMAND_RUN:
         break;
     }
     BEAD_TRY(catch_signals(msg));
+    if (command->action == COMMAND_REPRODUCE)
+        return command_reproduce(command, &stop_signal, msg);
     return (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
 }
 

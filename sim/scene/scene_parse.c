@@ -187,7 +187,7 @@ enum bead_error bead_scene_load(const char *path, const struct bead_overrides *o
     size_t length = 0;
     *scene = NULL;
     BEAD_TRY(bead_file_read_input(path, BEAD_YAML_BYTES, &text, &length, msg));
-    return bead_scene_parse(path, text, length, overrides, scene, msg);
+    return bead_scene_parse(overrides && overrides->name ? overrides->name : path, text, length, overrides, scene, msg);
 }
 
 static void free_chain(struct bead_chain_spec *chain)

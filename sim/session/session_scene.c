@@ -16,7 +16,8 @@ static enum bead_error load(const struct bead_session *s, bool with_settings, st
     const struct bead_overrides overrides = {.settings = s->job.settings,
                                              .setting_count = with_settings ? s->job.setting_count : 0,
                                              .config = s->job.config,
-                                             .own = s->job.own};
+                                             .own = s->job.own,
+                                             .name = s->job.name};
     char path[4096];
     BEAD_TRY(bead_scene_find(s->job.input, path, sizeof path, msg));
     return bead_scene_load(path, &overrides, scene, msg);

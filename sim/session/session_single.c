@@ -155,7 +155,8 @@ static enum bead_error change(const struct bead_session *s, const struct bead_sc
         all[count++] = (struct bead_override){
             .origin = look, .path = look + 2, .below = below, .place = {1, 1}, .value = look + strcspn(look, "=") + 1};
     }
-    const struct bead_overrides overrides = {all, count, job->settings, job->setting_count, job->config, NULL};
+    const struct bead_overrides overrides = {
+        .all = all, .count = count, .settings = job->settings, .setting_count = job->setting_count, .config = job->config};
     return bead_scene_change(scene, &overrides, changed, msg);
 }
 

@@ -1,0 +1,63 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# --reproduce: any file that was made is made again, by the scene that it or its neighbour has, with the same bits.
+source "$(dirname "$0")/../shell.bash"
+cd "$T" || exit 1
+cat >scene.yaml <<'YAML'
+title: "A < B & \"C\""
+chain: {beads: [{bead: large-steel, count: 12}], wall: rigid}
+simulate: {until: 0.2 ms}
+outputs:
+  - {image: a.png, size: [320, 240]}
+  - {image: a.pdf}
+  - {image: a.svg}
+  - {movie: a.mp4, size: [320, 240], duration: 0.2 s}
+  - {movie: a.webm, size: [320, 240], duration: 0.2 s}
+  - {movie: a.mkv, size: [320, 240], duration: 0.2 s}
+  - {movie: a.gif, size: [320, 240], duration: 0.2 s}
+  - {table: a.csv, show: peaks}
+  - {trajectory: a.h5}
+  - {report: a.html}
+YAML
+made=(a.png a.pdf a.svg a.mp4 a.webm a.mkv a.gif a.csv a.h5 a.html)
+ok "a scene with a file of each kind" exits 0 "$beadreel" scene.yaml -o all --set simulate.until='0.25 ms'
+rm scene.yaml
+for f in "${made[@]}"; do
+    ok "$f is made again" exits 0 "$beadreel" --reproduce "all/$f"
+    ok "... with the same bits" prints "all/$f: same bits"
+done
+ok "nothing new beside it" test "$(ls all | wc -l)" -eq ${#made[@]}
+ok "a table by the data program" exits 0 "$beadsim" --reproduce all/a.csv
+for f in all/a.png all/a.pdf all/a.svg all/a.mp4 all/a.webm all/a.mkv all/a.html; do
+    mkdir alone && cp "$f" alone/b."${f##*.}"
+    ok "${f##*/} has its scene in it, under any name" bash -c "'$beadreel' --reproduce alone/b.* >out && grep -q 'by the scene in it' out"
+    rm -r alone
+done
+if command -v pdfdetach >/dev/null; then
+    attached() { pdfdetach -save 1 -o s.yaml all/a.pdf && "$beadreel" s.yaml -o s --only a.csv -q && cmp s/a.csv all/a.csv; }
+    ok "a PDF has its scene attached, ready to run" attached
+else
+    skip "poppler-utils" "a PDF has its scene attached, ready to run"
+fi
+
+# What was changed is found.
+other() { # FILE SED SAYS
+    sed -i "$2" "all/$1" && fails 1 "$beadreel" --reproduce "all/$1" && says "$3"
+}
+ok "a changed number of a table is found" other a.csv '4s/,[0-9]*\./,9999./' "a.csv: other bits from line 4 on"
+ok "... and of a picture" other a.svg 's/fill="[^"]*"/fill="red"/' "a.svg: other bits from byte"
+ok "-o keeps the new file" fails 1 "$beadreel" --reproduce all/a.csv -o new
+ok "... as it should be" bash -c "[ \"\$(diff all/a.csv new/a.csv | grep -c '^<')\" = 1 ]"
+older() { sed -i 's/beadreel [0-9.]*, scene:/beadreel 0.0.9, scene:/' all/a.svg && fails 1 "$beadreel" --reproduce all/a.svg && says "beadreel 0.0.9 made it"; }
+ok "another version is named" older
+mkdir alone && cp all/a.csv alone
+ok "a table alone has no scene" fails 1 "$beadreel" --reproduce alone/a.csv
+ok "... and says so" says "no scene is stored in it, nor one that names it in a file beside it"
+stranger() { cp all/a.csv alone/b.csv && cp all/a.h5 alone && fails 1 "$beadreel" --reproduce alone/b.csv && cp all/a.pdf alone/x.pdf &&
+    sed -i 's/a\.pdf/a.abc/' alone/x.pdf && fails 2 "$beadreel" --reproduce alone/x.pdf; }
+ok "a file that its scene does not make" stranger
+ok "what is no file" fails 1 "$beadreel" --reproduce nothing.png
+
+"$beadreel" sweep -o sweep -q --set sweep.cells=8 --set sweep.configurations=2 >/dev/null
+for f in sweep.h5 force.csv sheet.pdf; do ok "a sweep's $f has the same bits" exits 0 "$beadreel" --reproduce "sweep/$f"; done
+finish
