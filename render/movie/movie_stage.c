@@ -7,8 +7,8 @@
 #include "render/view/views.h"
 
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
-static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, least_stage = 2.1, least_curve[] = {8, 2.4},
-                    least_image[] = {4, 2.5}, name_room = 3.5;
+static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, least_stage = 1.8, least_curve[] = {8, 2.4},
+                    least_image[] = {3.75, 2.5}, name_room = 3.5;
 /* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame. */
 static const double wide = 1.5, wide_inset = 0.03;
 /* Of the area of all plots: the curve has at least this; of a frame: images have at most this. */
@@ -19,9 +19,11 @@ const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS] = {
     {0.447, 0.15, true, true, 1},    {0.43, 0.15, true, true, 1},     {0.41, 0.15, true, true, 1},
     {0.39, 0.15, true, true, 1},     {0.37, 0.15, true, true, 1},     {0.39, 0.15, true, true, 0.4},
     {0.355, 0.15, true, true, 0.4},  {0.38, 0.15, false, true, 0.4},  {0.355, 0.15, false, true, 0.4},
-    {0.355, 0.12, false, true, 0.4}, {0.355, 0.09, false, true, 0.4}, {0.40, 0, false, true, 0.4},
-    {0.355, 0, false, true, 0.4},    {0.465, 0, false, true, 0.2},    {0.48, 0, false, true, 0.2},
-    {0.60, 0, false, true, 0.2},     {0.30, 0, false, true, 0.2},     {0.40, 0, false, false, 0.2},
+    {0.355, 0.12, false, true, 0.4}, {0.355, 0.12, false, true, 0.2}, {0.355, 0.09, false, true, 0.2},
+    {0.355, 0.06, false, true, 0.2}, {0.447, 0, false, true, 0.4},    {0.44, 0, false, true, 0.2},
+    {0.40, 0, false, true, 0.4},     {0.355, 0, false, true, 0.4},    {0.465, 0, false, true, 0.2},
+    {0.48, 0, false, true, 0.2},     {0.60, 0, false, true, 0.2},     {0.30, 0, false, true, 0.2},
+    {0.40, 0, false, false, 0.2},
 };
 
 /* One arrangement of one plan. */

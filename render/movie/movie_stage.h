@@ -12,7 +12,7 @@ struct bead_stage_plan {
     bool bar, curve;
     double air; /* gaps, in units of their usual size */
 };
-enum { BEAD_STAGE_PLANS = 18 };
+enum { BEAD_STAGE_PLANS = 22 };
 extern const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS];
 
 /* px by which beads are within the area of plots with their axes. */
