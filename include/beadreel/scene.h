@@ -110,7 +110,12 @@ struct bead_start {
 };
 
 /* A bead that is driven: one of the two waves is given. */
-enum bead_wave { BEAD_WAVE_NONE, BEAD_WAVE_SINE, BEAD_WAVE_CHIRP, BEAD_WAVE_NOISE };
+enum bead_wave { BEAD_WAVE_NONE, BEAD_WAVE_SINE, BEAD_WAVE_CHIRP, BEAD_WAVE_NOISE, BEAD_WAVE_POINTS };
+/* A point of a measured wave: forces are straight between two, displacements a cubic spline. */
+struct bead_wave_point {
+    double time, value; /* s; in units of the amplitude */
+    double bend;        /* second derivative, 1/s^2 */
+};
 struct bead_drive {
     size_t bead;
     enum bead_wave displacement, force;
@@ -118,6 +123,8 @@ struct bead_drive {
     double frequency, to; /* Hz; to: of chirps, at the end of the run */
     double ramp;          /* s */
     uint64_t seed;
+    struct bead_wave_point *points; /* BEAD_WAVE_POINTS: [point_count], two or more, at rising times */
+    size_t point_count;
 };
 
 struct bead_chain_spec {

@@ -43,6 +43,43 @@ static struct bead_wave_at noise(const struct bead_drive *drive, double t)
          rate * rate * rate * (c[3] - c[0] + 3 * (c[1] - c[2]))}};
 }
 
+/* By elimination: bend_i = bend[i] - work[i] bend_{i+1}. */
+void bead_wave_spline(struct bead_wave_point *p, size_t count, double *work)
+{
+    for (size_t i = 0; i < count; i++) {
+        const double h = i > 0 ? p[i].time - p[i - 1].time : 0, g = i + 1 < count ? p[i + 1].time - p[i].time : 0;
+        const double before = i > 0 ? (p[i].value - p[i - 1].value) / h : 0, after = g > 0 ? (p[i + 1].value - p[i].value) / g : 0;
+        const double pivot = 2 * (h + g) - (i > 0 ? h * work[i - 1] : 0);
+        p[i].bend = (6 * (after - before) - (i > 0 ? h * p[i - 1].bend : 0)) / pivot;
+        work[i] = g / pivot;
+    }
+    for (size_t i = count - 1; i-- > 0;)
+        p[i].bend -= work[i] * p[i + 1].bend;
+}
+
+/* The first of the two points around t, the last but one behind them all. */
+static size_t point_before(const struct bead_drive *drive, double t)
+{
+    size_t low = 0, high = drive->point_count - 1;
+    while (high - low > 1) {
+        const size_t middle = (low + high) / 2;
+        *(drive->points[middle].time <= t ? &low : &high) = middle;
+    }
+    return low;
+}
+
+/* Before the first point, and behind the last, the wave stays as it is there. */
+static struct bead_wave_at points(const struct bead_drive *drive, double t)
+{
+    const struct bead_wave_point *p = drive->points + point_before(drive, t), *last = drive->points + drive->point_count - 1;
+    if (t < p->time || t >= last->time)
+        return (struct bead_wave_at){{t < p->time ? p->value : last->value}};
+    const double h = p[1].time - p->time, y = (t - p->time) / h, z = 1 - y, m0 = p->bend, m1 = p[1].bend;
+    return (struct bead_wave_at){{z * p->value + y * p[1].value + ((z * z * z - z) * m0 + (y * y * y - y) * m1) * (h * h / 6),
+                                  (p[1].value - p->value) / h + ((3 * y * y - 1) * m1 - (3 * z * z - 1) * m0) * (h / 6),
+                                  z * m0 + y * m1, (m1 - m0) / h}};
+}
+
 /* Rises from 0 to 1 in the time of the ramp, with two derivatives that do not jump. */
 static struct bead_wave_at ramp(double duration, double t)
 {
@@ -60,7 +97,9 @@ struct bead_wave_at bead_drive_at(const struct bead_chain *chain, double t)
     const enum bead_wave wave = drive->force ? drive->force : drive->displacement;
     const double w = two_pi * drive->frequency,
                  bend = wave == BEAD_WAVE_CHIRP ? two_pi * (drive->to - drive->frequency) / chain->scene->simulate.until : 0;
-    const struct bead_wave_at f = wave == BEAD_WAVE_NOISE ? noise(drive, t) : sine((w + 0.5 * bend * t) * t, w + bend * t, bend),
+    const struct bead_wave_at f = wave == BEAD_WAVE_POINTS  ? points(drive, t)
+                                  : wave == BEAD_WAVE_NOISE ? noise(drive, t)
+                                                            : sine((w + 0.5 * bend * t) * t, w + bend * t, bend),
                               e = ramp(drive->ramp, t);
     struct bead_wave_at all = {{e.x[0] * f.x[0], e.x[1] * f.x[0] + e.x[0] * f.x[1],
                                 e.x[2] * f.x[0] + 2 * e.x[1] * f.x[1] + e.x[0] * f.x[2],
@@ -95,17 +134,37 @@ double bead_drive_break(const struct bead_chain *chain, double t)
         const double rate = 2 * drive->frequency, knot = (floor(t * rate) + 1) / rate;
         next = fmin(next, knot > t ? knot : (floor(t * rate) + 2) / rate);
     }
+    for (size_t i = drive->point_count > 0 ? point_before(drive, t) : 0; i < drive->point_count; i++) {
+        if (drive->points[i].time > t)
+            return fmin(next, drive->points[i].time);
+    }
     return next;
+}
+
+double bead_drive_end(const struct bead_chain *chain, double t0, double t1)
+{
+    const double just = nextafter(t1, t0);
+    return bead_drive_break(chain, just) <= t1 ? just : t1;
 }
 
 double bead_drive_speed(const struct bead_chain *chain, double mass, double stiffness)
 {
     const struct bead_drive *drive = &chain->spec->drive;
     const double low = two_pi * drive->frequency, high = two_pi * fmax(drive->frequency, drive->to);
+    double most = 1, fastest = high, impulse = 1 / low;
+    if (drive->point_count > 0)
+        most = fastest = impulse = 0;
+    for (size_t i = 0; i + 1 < drive->point_count; i++) {
+        const struct bead_wave_point *p = drive->points + i;
+        const double larger = fmax(fabs(p->value), fabs(p[1].value)), h = p[1].time - p->time;
+        most = fmax(most, larger);
+        fastest = fmax(fastest, fabs(p[1].value - p->value) / h);
+        impulse += larger * h;
+    }
     if (drive->displacement)
-        return drive->amplitude * high;
+        return drive->amplitude * fastest;
     /* A free bead, and one that compresses its contact with this force. */
     const struct bead_law *law = chain->law;
-    const double d = law->compression(stiffness, &chain->spec->law, drive->amplitude);
-    return fmin(drive->amplitude / (mass * low), sqrt(2 * law->energy(stiffness, &chain->spec->law, d) / mass));
+    const double d = law->compression(stiffness, &chain->spec->law, most * drive->amplitude);
+    return fmin(drive->amplitude * impulse / mass, sqrt(2 * law->energy(stiffness, &chain->spec->law, d) / mass));
 }

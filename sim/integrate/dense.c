@@ -46,7 +46,7 @@ static void find_jerks(const struct bead_dense *dense, const struct bead_stepper
     for (size_t j = 0; s->pull && j < n; j++)
         jerk[j] -= s->pull[j] * state->v[j];
     if (s->driven != SIZE_MAX)
-        bead_drive_apply(s->chain, state == &s->start ? s->t0 : s->t1, 1, jerk);
+        bead_drive_apply(s->chain, state == &s->start ? s->t0 : bead_drive_end(s->chain, s->t0, s->t1), 1, jerk);
 }
 
 static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
@@ -57,7 +57,7 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     dense->jerk[0] = dense->jerk[1];
     dense->jerk[1] = spare;
     const bool back = dense->step == s->steps + 1; /* over recorded steps: this one ends where the one before began */
-    if (dense->step + 1 != s->steps || s->steps == 1)
+    if (dense->step + 1 != s->steps || s->steps == 1 || s->driven != SIZE_MAX) /* that of a drive may jump between steps */
         find_jerks(dense, s, &s->start, dense->jerk[0]);
     if (!back)
         find_jerks(dense, s, &s->end, dense->jerk[1]);
@@ -174,7 +174,7 @@ static double jerk(const struct bead_stepper *s, const struct bead_state *state,
         jerk -= s->pull[j] * state->v[j];
     if (j != s->driven)
         return jerk;
-    bead_drive_acceleration(s->chain, state == &s->start ? s->t0 : s->t1, driven);
+    bead_drive_acceleration(s->chain, state == &s->start ? s->t0 : bead_drive_end(s->chain, s->t0, s->t1), driven);
     return s->chain->spec->drive.displacement ? driven[1] : jerk + driven[1];
 }
 

@@ -133,7 +133,7 @@ static void describe_ends(struct bead_events *e, const struct bead_stepper *s)
     source->driven = s->driven == SIZE_MAX ? PTRDIFF_MIN : (ptrdiff_t)s->driven;
     if (s->driven != SIZE_MAX) {
         bead_drive_acceleration(s->chain, s->t0, source->drive[0]);
-        bead_drive_acceleration(s->chain, s->t1, source->drive[1]);
+        bead_drive_acceleration(s->chain, bead_drive_end(s->chain, s->t0, s->t1), source->drive[1]);
     }
 }
 

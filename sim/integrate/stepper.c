@@ -113,6 +113,20 @@ static void hold(struct bead_stepper *s)
     const struct bead_wave_at at = bead_drive_at(s->chain, s->t1);
     s->end.u[s->driven] = at.x[0];
     s->end.v[s->driven] = at.x[1];
+    s->end.a[s->driven] = bead_drive_at(s->chain, bead_drive_end(s->chain, s->t0, s->t1)).x[2];
+}
+
+/* Where the acceleration of such a bead jumps, that of `end` begins the next step. */
+static void go_on_behind_jump(struct bead_stepper *s)
+{
+    const double end = bead_drive_end(s->chain, s->t0, s->t1);
+    if (!s->chain->spec->drive.displacement || end == s->t1)
+        return;
+    if (s->last_a != s->before_a)
+        memcpy(s->before_a, s->end.a, s->active * sizeof *s->before_a);
+    s->last_a = s->before_a;
+    s->before_a[s->driven] = bead_drive_at(s->chain, end).x[2];
+    s->end.a[s->driven] = bead_drive_at(s->chain, s->t1).x[2];
 }
 
 enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
@@ -257,6 +271,7 @@ static void end_at_closing(struct bead_stepper *s)
         s->h *= first.at;
         s->t1 = s->t0 + s->h;
         s->method->step(s, s->h);
+        s->last_a = s->end.a;
         if (s->driven != SIZE_MAX)
             hold(s);
     }
@@ -284,13 +299,15 @@ void bead_stepper_advance_by(struct bead_stepper *s, double h, double t1)
      * with subnormal numbers is slow. The caller's flags are restored afterwards. */
     const uint64_t flags = flush_subnormals();
     s->method->step(s, h);
+    s->last_a = s->end.a;
     if (s->driven != SIZE_MAX)
         hold(s);
-    s->last_a = s->end.a;
     if (s->closed)
         end_at_closing(s);
     if (s->events)
         bead_events_correct(s->events, s);
+    if (s->driven != SIZE_MAX)
+        go_on_behind_jump(s);
     set_arithmetic_flags(flags);
     s->steps++;
 }

@@ -1,11 +1,80 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `drive`: a force on a bead, or its displacement, as a function of time. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/base/memory.h"
+#include "sim/chain/drive.h"
 #include "sim/scene/scene_private.h"
 
 #define DRIVE(member) offsetof(struct bead_drive, member)
 
-static const char *const waves[] = {"sine", "chirp", "noise", NULL};
-static const unsigned wave_values[] = {BEAD_WAVE_SINE, BEAD_WAVE_CHIRP, BEAD_WAVE_NOISE};
+enum { MOST_POINTS = 100000 };
+
+static const char wave_shape[] =
+    "sine, chirp, noise, a file such as {file: scope.csv, columns: [1, 2]}, or points `time value, ...`";
+
+static bool read_two(const char **text, struct bead_wave_point *p)
+{
+    char *end = NULL, *last = NULL;
+    p->time = strtod(*text, &end);
+    p->value = strtod(end, &last);
+    const bool good = end != *text && last != end && isfinite(p->time) && isfinite(p->value);
+    *text = last + strspn(last, " ");
+    return good;
+}
+
+/* "0 0, 1e-6 0.25, ...": seconds and values. */
+static enum bead_error read_points(const struct bead_reader *reader, const struct bead_at *at, struct bead_drive *drive)
+{
+    const char *text = at->node->text;
+    size_t most = 1;
+    for (const char *c = text; *c; c++)
+        most += *c == ',';
+    if (most < 2 || most > MOST_POINTS)
+        return bead_wrong(reader, at, "has %zu points; must be %s, of 2 to %d", most, wave_shape, MOST_POINTS);
+    BEAD_TRY(bead_new(&drive->points, most, reader->msg, "a wave"));
+    while (drive->point_count < most) {
+        struct bead_wave_point *p = &drive->points[drive->point_count];
+        if (!read_two(&text, p) || *text != (drive->point_count + 1 < most ? ',' : '\0'))
+            return bead_wrong(reader, at, "point %zu is not `time value`; must be %s", drive->point_count + 1, wave_shape);
+        if (drive->point_count++ > 0 && !(p->time > p[-1].time))
+            return bead_wrong(reader, at, "point %zu, at %g s, is not later than the one before", drive->point_count, p->time);
+        text++;
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error read_wave(struct bead_reader *reader, const struct bead_at *at, struct bead_drive *drive,
+                                 enum bead_wave *wave)
+{
+    static const char *const words[] = {"", "sine", "chirp", "noise"};
+    const char *text;
+    BEAD_TRY(bead_read_scalar(reader, at, wave_shape, &text));
+    *wave = BEAD_WAVE_POINTS;
+    for (enum bead_wave w = BEAD_WAVE_SINE; w <= BEAD_WAVE_NOISE; w++)
+        *wave = strcmp(words[w], text) == 0 ? w : *wave;
+    return *wave == BEAD_WAVE_POINTS && !drive->points ? read_points(reader, at, drive) : BEAD_OK;
+}
+
+static BEAD_OPTION_READER(read_displacement)
+{
+    struct bead_drive *drive = settings;
+    BEAD_FREED double *work = NULL;
+    BEAD_TRY(read_wave(reader, at, drive, &drive->displacement));
+    if (!drive->points)
+        return BEAD_OK;
+    BEAD_TRY(bead_new(&work, drive->point_count, reader->msg, "a wave"));
+    bead_wave_spline(drive->points, drive->point_count, work);
+    return BEAD_OK;
+}
+
+static BEAD_OPTION_READER(read_force)
+{
+    struct bead_drive *drive = settings;
+    return read_wave(reader, at, drive, &drive->force);
+}
 
 /* `displacement` and `force` come before, and say which unit it has. */
 static BEAD_OPTION_READER(read_amplitude)
@@ -20,15 +89,20 @@ static const double last_bead = 1e9;
 static const struct bead_option drive_rows[] = {
     {"bead", BEAD_OPTION_COUNT, DRIVE(bead), .initial = "0", .low = 0, .high = 1e9, .word = "last", .word_value = 1e9,
      .help = "which bead; 0 is the striker, which touches the first", .example = "last"},
-    {"displacement", BEAD_OPTION_CHOICE, DRIVE(displacement), .choices = waves, .values = wave_values,
+    {"displacement", BEAD_OPTION_CUSTOM, DRIVE(displacement), .shape = wave_shape, .like = "text|chain.drive.file",
+     .read = read_displacement,
      .help = "its displacement is this wave, whatever pushes it: a sine, a chirp (a sine whose frequency changes evenly until the "
-             "end of the run), or random noise"},
-    {"force", BEAD_OPTION_CHOICE, DRIVE(force), .choices = waves, .values = wave_values,
-     .help = "a force on it is this wave; positive: towards the wall"},
+             "end of the run), random noise, or a cubic spline through the points of a file, which is level at both ends",
+     .example = "sine"},
+    {"force", BEAD_OPTION_CUSTOM, DRIVE(force), .shape = wave_shape, .like = "text|chain.drive.file", .read = read_force,
+     .help = "a force on it is this wave; positive: towards the wall; straight lines between the points of a file. Steps end at "
+             "each point",
+     .example = "{file: scope.csv, columns: [time, force]}"},
     {"amplitude", BEAD_OPTION_CUSTOM, .required = true, .shape = "a length for `displacement`, a force for `force`",
-     .like = "number", .read = read_amplitude, .help = "amplitude; standard deviation of noise", .example = "0.1 um"},
-    {"frequency", BEAD_OPTION_NUMBER, DRIVE(frequency), .unit = "Hz", .required = true, .low = 0, .high = 1e12,
-     .open = BEAD_OPEN_LOW, .help = "frequency; of a chirp that at time 0; of noise about the highest", .example = "5 kHz"},
+     .like = "number", .read = read_amplitude, .help = "amplitude; standard deviation of noise; what 1 is in a file",
+     .example = "0.1 um"},
+    {"frequency", BEAD_OPTION_NUMBER, DRIVE(frequency), .unit = "Hz", .low = 0, .high = 1e12, .open = BEAD_OPEN_LOW,
+     .help = "frequency, of all but files; of a chirp that at time 0; of noise about the highest", .example = "5 kHz"},
     {"to", BEAD_OPTION_NUMBER, DRIVE(to), .unit = "Hz", .low = 0, .high = 1e12, .open = BEAD_OPEN_LOW, .initial = "1 Hz",
      .help = "of a chirp: frequency at the end of the run", .example = "20 kHz"},
     {"ramp", BEAD_OPTION_NUMBER, DRIVE(ramp), .unit = "s", .initial = "0 s", .low = 0, .high = 1e6,
@@ -48,6 +122,9 @@ BEAD_OPTION_READER(bead_scene_read_drive)
     BEAD_TRY(bead_options_read(reader, at, &bead_drive_options, drive));
     if (!drive->displacement == !drive->force)
         return bead_wrong(reader, at, "must have either `displacement` or `force`, such as `force: sine`");
+    const bool measured = drive->point_count > 0;
+    if (measured == bead_given(at, "frequency"))
+        return BEAD_WRONG_KEY(reader, at, "frequency", measured ? "belongs to waves that are not from a file" : "is missing");
     const bool chirp = drive->displacement == BEAD_WAVE_CHIRP || drive->force == BEAD_WAVE_CHIRP;
     if (chirp != bead_given(at, "to"))
         return BEAD_WRONG_KEY(reader, at, "to", "belongs to a chirp, which needs it");

@@ -274,6 +274,8 @@ enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *path
     struct bead_node *outputs = bead_node_get(root.node, "outputs", NULL);
     if (!err && config && root.node->kind == BEAD_NODE_MAP)
         err = take_config(&own, outputs);
+    if (!err)
+        err = bead_scene_take_waves(reader, &root, &own.changed);
     if (!err && outputs)
         err = take_all_colours(&own, &(struct bead_at){&root, "outputs", 0, outputs});
     bead_config_free(config);

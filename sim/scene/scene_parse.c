@@ -196,6 +196,7 @@ static void free_chain(struct bead_chain_spec *chain)
         bead_scene_free_segment(&chain->segments[i]);
     free(chain->segments);
     free(chain->starts);
+    free(chain->drive.points);
     free(chain->name);
     free(chain->title);
     free(chain->label);

@@ -35,6 +35,8 @@ for equation in 'fput, points: 31, start: {mode: 1}' 'kdv, low: -12, length: 34,
     echo "{chain: {equation: $equation}, simulate: {until: 1}, outputs: [{table: t.csv, show: measures}]}" >"${equation%%,*}.yaml"
 done
 
+printf 'time,force\n0,0\n1e-4,2\n' >scope.csv
+
 # all_of SECTION : its keys with their examples, for a map that may need several of them.
 all_of() { awk -F'|' -v section="$1" '$1 == section { printf "%s%s: %s", n++ ? ", " : "", $2, $3 }' examples; }
 
@@ -51,6 +53,7 @@ base() {
     chain.beads) prefix=chain.beads.0. ;;
     chain.beads.taper) prefix=chain.beads.0.taper. before=('chain.beads=[{bead: brass, count: 5, taper: {to: 2 mm}}]') ;;
     chain.drive) prefix=chain.drive. before=('chain.drive={force: sine, amplitude: 1 N, frequency: 1 kHz}' simulate.until=1ms) ;;
+    chain.drive.file) prefix=chain.drive.force. before=('chain.drive={force: {file: scope.csv}, amplitude: 1 N}' simulate.until=1ms) ;;
     chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
     'chain.law ('*')') prefix=chain.law. before=("chain.law={$(all_of "$1")}") ;;
     materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
@@ -93,6 +96,7 @@ needs() { # SECTION KEY
     'chain: start' | 'chain: drive' | 'chain: cradle' | chain.cradle:* | 'chain.beads: spring' | 'chain.beads.disorder: spring' | 'chain.striker: spring')
         before=(simulate.until=1ms) ;;
     'chain.drive: displacement') before=('chain.drive={amplitude: 1 um, frequency: 1 kHz}' simulate.until=1ms) ;;
+    'chain.drive: force') before=('chain.drive={amplitude: 1 N}' simulate.until=1ms) ;;
     'chain.drive: amplitude') before=('chain.drive={displacement: sine, frequency: 1 kHz}' simulate.until=1ms) ;;
     'chain.drive: to') before=('chain.drive={force: chirp, amplitude: 1 N, frequency: 1 kHz}' simulate.until=1ms) ;;
     'scene: chain' | 'scene: chains' | 'scene: sweep' | 'scene: sweeps') scene=empty ;;

@@ -12,8 +12,9 @@ static void derivatives_belong_to_the_wave(void **state)
 {
     (void)state;
     static const char *const waves[] = {"force: sine, frequency: 5 kHz", "displacement: chirp, frequency: 2 kHz, to: 9 kHz",
-                                        "force: noise, frequency: 4 kHz, seed: 3"};
-    for (size_t i = 0; i < 3; i++) {
+                                        "force: noise, frequency: 4 kHz, seed: 3",
+                                        "displacement: '0 0, 2e-4 1, 9e-4 -0.5, 1.2e-3 0.25, 3e-3 1'"};
+    for (size_t i = 0; i < sizeof waves / sizeof *waves; i++) {
         char text[300];
         snprintf(text, sizeof text, MATERIAL "chain: {" UNIT "beads: [{bead: unit}], drive: {%s, amplitude: 2, ramp: 1 ms}}\n",
                  waves[i]);
@@ -114,6 +115,9 @@ static void work_is_the_energy(void **state)
         {"force: sine, amplitude: 20 N, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
         {"bead: 3, force: noise, amplitude: 20 N, frequency: 3 kHz", "wall: rigid", 1e-9},
         {"force: sine, amplitude: 20 N, frequency: 3 kHz", "wall: rigid, precompression: 30 N", 1e-9},
+        {"displacement: '0 0, 1e-4 1, 3e-4 -2, 6e-4 1, 1.1e-3 0.5', amplitude: 2 um", "wall: rigid", 1e-9},
+        {"force: '0 0, 1e-4 20, 3e-4 -5, 1.1e-3 0', amplitude: 1 N", "wall: none", 1e-9},
+        {"displacement: noise, amplitude: 2 um, frequency: 3 kHz", "wall: rigid", 1e-9},
         {"displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms",
          "wall: rigid, damping: {coefficient: 5, exponent: 1}", 1e-7},
     };
@@ -139,6 +143,56 @@ static void work_is_the_energy(void **state)
         bead_run_destroy(run);
         release(&b);
     }
+}
+
+/* A lone bead under a force of straight lines: cubic parabolas between the kinks, and uniform motion behind the last. */
+static void kinks_are_exact(void **state)
+{
+    (void)state;
+    static const double time[] = {0, 1.1e-3, 1.7e-3, 4e-3}, force[] = {0, 2e-3, -3e-3, 0};
+    struct built b =
+        build(MATERIAL "chain: {" UNIT "gap: 1 m, beads: [{bead: unit}, {bead: unit}], drive: {bead: 2, amplitude: 1 mN, "
+                       "force: '0 0, 1.1e-3 2, 1.7e-3 -3, 4e-3 0'}}\n",
+              "until: 6 ms, accuracy: 1e-8");
+    struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = 6e-3});
+    double x = 0, v = 0;
+    for (int i = 0; i < 3; i++) {
+        const double h = time[i + 1] - time[i], f = force[i] / mass, g = force[i + 1] / mass;
+        x += v * h + h * h * (2 * f + g) / 6;
+        v += h * (f + g) / 2;
+        run_until(run, time[i + 1]);
+        assert_near(sample_at(run, time[i + 1]).field[BEAD_FIELD_DISPLACEMENT][2], x, 1e-12 * 2e-6);
+    }
+    run_until(run, 6e-3);
+    assert_near(sample_at(run, 6e-3).field[BEAD_FIELD_DISPLACEMENT][2], x + v * 2e-3, 1e-12 * 2e-6);
+    bead_run_destroy(run);
+    release(&b);
+}
+
+/* The spline goes through its points, and between those of a cosine it is off by 5/384 of their distance to the fourth times the
+ * fourth derivative at most (C. A. Hall and W. W. Meyer, J. Approx. Theory 16, 105, 1976). */
+static void splines_follow_their_points(void **state)
+{
+    (void)state;
+    double off[2] = {0, 0};
+    for (int fine = 0; fine < 2; fine++) {
+        const int count = fine ? 41 : 21;
+        char text[4000];
+        int used =
+            snprintf(text, sizeof text, MATERIAL "chain: {" UNIT "beads: [{bead: unit}], drive: {amplitude: 1 mm, displacement: '");
+        for (int i = 0; i < count; i++)
+            used += snprintf(text + used, sizeof text - (size_t)used, "%s%.17g %.17g", i ? ", " : "", 1e-3 * i / (count - 1),
+                             cos(3 * pi * i / (count - 1)));
+        snprintf(text + used, sizeof text - (size_t)used, "'}}\n");
+        struct built b = build(text, "until: 2 ms");
+        for (int i = 0; i < count; i++)
+            assert_near(bead_drive_at(b.chain, 1e-3 * i / (count - 1)).x[0], 1e-3 * cos(3 * pi * i / (count - 1)), 1e-17);
+        for (int i = 0; i <= 1000; i++)
+            off[fine] = fmax(off[fine], fabs(bead_drive_at(b.chain, 1e-6 * i).x[0] - 1e-3 * cos(3 * pi * i / 1000)));
+        assert_below(off[fine], 5. / 384 * pow(3 * pi / (count - 1), 4) * 1e-3);
+        release(&b);
+    }
+    assert_true(off[0] > 14 * off[1] && off[0] < 18 * off[1]);
 }
 
 /* Beads that no wave has reached are skipped: the same bits as if they were not. */
@@ -182,6 +236,8 @@ int main(void)
         cmocka_unit_test(lone_beads_follow_a_force),
         cmocka_unit_test(beyond_the_band_waves_decay),
         cmocka_unit_test(work_is_the_energy),
+        cmocka_unit_test(kinks_are_exact),
+        cmocka_unit_test(splines_follow_their_points),
         cmocka_unit_test(quiet_beads_change_nothing),
         cmocka_unit_test(compositions_are_refused),
     };

@@ -1,0 +1,40 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Waves of drives from files: columns by name and number, units, a run that keeps what was read, and what is wrong with a file.
+source "$(dirname "$0")/../shell.bash"
+mkdir -p "$T/in" && cd "$T" || exit 1
+printf 'us;ignored;volts\n0;7;0\n100;7;0.5\n300;7;-0.25\n\n500;7;0\n' >in/scope.csv
+printf '0,0\n1e-4,0.5\n3e-4,-0.25\n5e-4,0\n' >plain.csv
+cat >in/s.yaml <<'YAML'
+chain:
+  beads: [{bead: large-steel, count: 10}]
+  drive: {force: {file: scope.csv, columns: [us, volts], time: 1 us}, amplitude: 40 N}
+simulate: {until: 1 ms}
+outputs: [{table: t.csv, show: sensors, contacts: [0, 4], every: 1 us}]
+YAML
+ok "a wave from a file beside the scene" exits 0 "$beadsim" in/s.yaml -o a
+ok "... by number, from a file named in an option" exits 0 "$beadsim" in/s.yaml -o b --set 'chain.drive.force={file: plain.csv}'
+ok "... as points" exits 0 "$beadsim" in/s.yaml -o c --set 'chain.drive.force="0 0, 1e-4 0.5, 3e-4 -0.25, 5e-4 0"'
+alike() {
+    paste -d, a/t.csv b/t.csv c/t.csv | awk -F, 'function off(x) {return x < 0 ? -x : x}
+        NR > 1 {most = $2 > most ? $2 : most; w = off($2 - $5) > w ? off($2 - $5) : w; x += off($5 - $8)}
+        END {exit !(most > 5 && w < 1e-6 * most && x == 0)}'
+}
+ok "all are the same, to the rounding of times" alike
+ok "a run keeps the wave" exits 0 "$beadsim" in/s.yaml -o . --set 'outputs=[{trajectory: run.h5, every: 1 us, fields: [contact-force]}]'
+rm in/scope.csv
+ok "... without the file" exits 0 "$beadsim" run.h5 -o d.csv --set 'outputs=[{table: d.csv, show: sensors, contacts: [0, 4], every: 1 us}]'
+ok "... to the last digit" cmp a/t.csv d.csv
+refused() { fails "1 2" "$beadsim" --plan in/s.yaml "${@:2}" && says "$1"; }
+wrong() { # FILE TEXT SETTING...
+    printf '%b' "$1" >in/scope.csv
+    refused "${@:2}"
+}
+ok "a file that is not there" refused 'scope.csv: cannot be read'
+ok "a column that is not there" wrong 'us,force\n0,1\n1,2\n' 'scope.csv has no column `volts`'
+ok "a line without numbers" wrong 'us,volts\n0,1\n1,x\n' 'scope.csv: line 3 has no two numbers'
+ok "times that do not rise" wrong 'us,volts\n0,1\n0,2\n' 'point 2, at 0 s, is not later'
+ok "one point" wrong 'us,volts\n0,1\n' 'has 1 points'
+ok "a frequency besides" wrong 'us,volts\n0,1\n1,2\n' 'belongs to waves that are not from a file' --set chain.drive.frequency=1kHz
+ok "a wave that is none" refused 'must be sine, chirp, noise' --set chain.drive.force=square
+finish
