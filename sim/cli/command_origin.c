@@ -104,7 +104,7 @@ static enum bead_error find_in_h5(const char *path, struct command_origin *origi
     static const char profile[] = "/parameters/beadreel";
     struct bead_h5 h5;
     char said[64] = "";
-    bead_h5_open(&h5, path, msg);
+    bead_h5_open(&h5, path, "result", msg);
     const bool trajectory = !h5.error && bead_h5_has(&h5, profile);
     hid_t group = trajectory ? bead_h5_open_group(&h5, profile) : -1;
     if (trajectory) {
