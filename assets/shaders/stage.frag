@@ -60,9 +60,15 @@ void main()
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec3 c = floor_light(at);
 #ifdef WALL
-    float up = (stage.x - gl_FragCoord.y) / stage.y, d = max((gl_FragCoord.x - ball.x) / stage.y, 0.0);
+    float up = (stage.x - gl_FragCoord.y) / stage.y, d = max((gl_FragCoord.x - ball.x) / stage.y, 0.0), fade = 1.0;
+    bool mirrored = gl_FragCoord.y > stage.z;
+    if (mirrored) {
+        up = -2.0 * COSINE - up;
+        fade = neighbours.x / (1.0 + (up + COSINE) * (0.85 + 0.5 * (up + COSINE)));
+    }
     float fall = clamp(1.0 - 0.8 * d, 0.0, 1.0), close = 0.10 * fall * fall / (0.10 + d * d * 4.0 + up * up);
-    c = (0.5 + 0.5 * smoothstep(-1.0, 1.3, up) + 0.8 * (1.0 - smoothstep(0.0, 0.03, d))) * everywhere + close * from_right;
+    vec3 face = (0.5 + 0.5 * smoothstep(-1.0, 1.3, up) + 0.8 * (1.0 - smoothstep(0.0, 0.03, d))) * everywhere + close * from_right;
+    c = (mirrored ? c : vec3(0.0)) + fade * face;
 #endif
 #if defined BALL || defined MIRROR
     float high = abs(stage.z - gl_FragCoord.y);

@@ -108,19 +108,24 @@ static void spread_floor(const struct bead_stage *s, int y)
 
 /* ---- wall ---- */
 
+/* From its upper edge to the floor, and its image there, which fades as those of beads do. */
 static void stage_wall(const struct bead_stage *s, int y)
 {
     const struct bead_stage_wall *w = &s->wall;
-    const float up = bead_stage_up(s, (float)y + 0.5f);
-    if (w->width <= 0 || up < -BEAD_STAGE_COSINE || up > 1.2f)
+    const bool image = (float)y + 0.5f > bead_stage_foot(s);
+    const float seen = bead_stage_up(s, (float)y + 0.5f), up = image ? -2 * BEAD_STAGE_COSINE - seen : seen;
+    const float high = up + BEAD_STAGE_COSINE, fade = image ? s->theme->mirror / (1 + high * (0.85f + 0.5f * high)) : 1;
+    if (w->width <= 0 || up > 1.2f)
         return;
     const int end = (int)least(w->x + w->width, (float)s->width);
     for (int x = pixel_from(w->x, 0, s->width); x < end; x++) {
         const float d = most(((float)x + 0.5f - w->x) / s->unit, 0), fall = least(most(1 - 0.8f * d, 0), 1);
         const float close = 0.10f * fall * fall / (0.10f + d * d * 4 + up * up);
         const float face = 0.5f + 0.5f * smooth_part(-1, 1.3f, up) + 0.8f * smooth_part(0.03f, 0, d);
-        for (int c = 0; c < 3; c++)
-            s->row[(size_t)c * (size_t)s->row_width + (size_t)x] = face * w->colour[c] + close * w->light[c];
+        for (int c = 0; c < 3; c++) {
+            float *to = &s->row[(size_t)c * (size_t)s->row_width + (size_t)x];
+            *to = (image ? *to : 0) + fade * (face * w->colour[c] + close * w->light[c]);
+        }
     }
 }
 

@@ -247,8 +247,10 @@ static enum bead_error paint_wall(struct bead_stage_painter *p, const int size[2
     *r = (struct rectangle){.disc = {w->x}};
     memcpy(r->right, w->light, sizeof r->right);
     memcpy(r->own, w->colour, sizeof r->own);
-    /* Rows as in the plain painter: those whose middle is from 1.2 above to the floor. */
-    const float top = ceilf(s->centre - 1.2f * s->unit - 0.5f), bottom = floorf(bead_stage_foot(s) - 0.5f) + 1;
+    r->sides[0] = s->theme->mirror;
+    /* Rows as in the plain painter: those whose middle is from 1.2 above to as far below the floor. */
+    const float top = ceilf(s->centre - 1.2f * s->unit - 0.5f), foot = bead_stage_foot(s);
+    const float bottom = fminf((float)s->height, floorf(foot + (1.2f + BEAD_STAGE_COSINE) * s->unit - 0.5f) + 1);
     const float left = fmaxf(0, ceilf(w->x - 0.5f)), right = fminf(floorf(w->x + w->width), (float)s->width);
     if (w->width <= 0 || !add_box(r, left, fmaxf(skip, top), right, bottom))
         return BEAD_OK;

@@ -478,6 +478,35 @@ static void the_key_light_is_heard(void **state)
         }
 }
 
+/* The floor below a wall is brighter than without it, and where the contact's light is mirrored brighter still. */
+static void walls_are_mirrored(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_canvas *canvas;
+    struct bead_frame frame;
+    double lit[3][2];
+    require(bead_frame_create(WIDTH, HEIGHT, &frame, &msg), &msg);
+    require(bead_canvas_create("plain", WIDTH, HEIGHT, &canvas, &msg), &msg);
+    for (int k = 0; k < 3; k++) {
+        struct bead_stage s;
+        open_stage(&s, &bead_stage_dark, 30);
+        s.wall = (struct bead_stage_wall){.x = 200, .width = k > 0 ? 80 : 0, .colour = {.2f, .2f, .2f}};
+        bead_stage_glow(k > 1 ? 1 : 0, s.wall.light);
+        require(bead_stage_prepare(&s, &msg), &msg);
+        require(bead_paint_stage(canvas, &s, (struct bead_rect){0, 0, WIDTH, HEIGHT}, 0, &frame, &msg), &msg);
+        const int centre = (int)(2 * bead_stage_foot(&s) - s.centre);
+        for (int far = 0; far < 2; far++)
+            lit[k][far] = lightness(&frame, far ? 270 : 202, centre < HEIGHT - 8 ? centre : HEIGHT - 8);
+        bead_stage_close(&s);
+    }
+    if (!(lit[1][0] > lit[0][0] + 1 && lit[1][1] > lit[0][1] + 1 && lit[2][0] > lit[1][0] + 5 && lit[2][0] > lit[2][1] + 5))
+        fail_msg("below the wall's face and its back: %g, %g without it, %g, %g with it, %g, %g lit", lit[0][0], lit[0][1],
+                 lit[1][0], lit[1][1], lit[2][0], lit[2][1]);
+    bead_canvas_destroy(canvas);
+    bead_frame_free(&frame);
+}
+
 /* Without a background a stage laid over grey is the stage on a grey floor, and lets through all where nothing is. */
 static void stages_are_transparent(void **state)
 {
@@ -537,6 +566,7 @@ int main(void)
         cmocka_unit_test(beads_are_large),
         cmocka_unit_test(the_key_light_is_heard),
         cmocka_unit_test(stages_are_transparent),
+        cmocka_unit_test(walls_are_mirrored),
     };
     return cmocka_run_group_tests_name("stage", tests, NULL, NULL);
 }
