@@ -8,6 +8,7 @@
 #include "beadreel/law.h"
 #include "beadreel/scene.h"
 #include "sim/base/memory.h"
+#include "sim/chain/contact_walk.h"
 #include "sim/cli/command_line.h"
 #include "sim/cli/json.h"
 
@@ -28,18 +29,28 @@ static void widen(struct span *span, double value, bool first)
     span->high = first ? value : fmax(span->high, value);
 }
 
-/* By material, as the scene numbers them, the striker left out; NULL: no memory. To be freed. */
+static void add_kind(struct kind *kind, const struct bead_material *material, size_t count)
+{
+    const bool first = kind->count == 0;
+    kind->count += count;
+    widen(&kind->radius, material->radius, first);
+    widen(&kind->mass, material->mass, first);
+    widen(&kind->modulus, material->modulus, first);
+}
+
+/* By material, as the scene numbers them, the striker left out; NULL: no memory. To be freed. From the specification: a chain of
+ * 1e8 beads is not laid to be described. */
 static struct kind *kinds_of(const struct bead_chain *chain)
 {
-    const struct bead_scene *scene = bead_chain_scene(chain);
-    const size_t *material = bead_chain_material(chain);
-    struct kind *kinds = calloc(scene->material_count + 1, sizeof *kinds);
-    for (size_t i = 1; kinds && i < bead_chain_beads(chain); i++) {
-        struct kind *kind = &kinds[scene->materials[material[i]].of];
-        const bool first = kind->count++ == 0;
-        widen(&kind->radius, bead_chain_radius(chain)[i], first);
-        widen(&kind->mass, bead_chain_mass(chain)[i], first);
-        widen(&kind->modulus, scene->materials[material[i]].modulus, first);
+    const struct bead_material *materials = bead_chain_scene(chain)->materials;
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    struct kind *kinds = calloc(bead_chain_scene(chain)->material_count + 1, sizeof *kinds);
+    for (size_t s = 0; kinds && s < spec->segment_count; s++) {
+        const struct bead_segment *segment = &spec->segments[s];
+        const size_t *indices = segment->each ? segment->each : segment->cell;
+        const size_t cells = segment->each ? segment->count : 1, each = segment->each ? 1 : segment->count;
+        for (size_t i = 0; i < cells * segment->cell_beads; i++)
+            add_kind(&kinds[materials[indices[i]].of], &materials[indices[i]], each);
     }
     return kinds;
 }
@@ -47,8 +58,9 @@ static struct kind *kinds_of(const struct bead_chain *chain)
 static struct span stiffness_of(const struct bead_chain *chain)
 {
     struct span all = {0};
-    for (size_t i = 0; i < bead_chain_contacts(chain); i++)
-        widen(&all, bead_chain_stiffness(chain)[i], i == 0);
+    struct bead_contact_walk walk;
+    for (bead_contact_walk_start(&walk, chain, true); bead_contact_walk_next(&walk);)
+        widen(&all, walk.stiffness, walk.k == 0);
     return all;
 }
 
@@ -94,8 +106,6 @@ static void write_span(struct json *json, const char *name, struct span span)
 
 void command_write_beads(struct json *json, const struct bead_chain *chain)
 {
-    if (!bead_chain_material(chain)) /* that of a plan, which lays no beads */
-        return;
     const struct bead_scene *scene = bead_chain_scene(chain);
     BEAD_FREED struct kind *kinds = kinds_of(chain);
     json_open(json, "kinds", '[');

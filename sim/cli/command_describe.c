@@ -8,6 +8,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
 #include "sim/cli/command_line.h"
@@ -115,7 +116,7 @@ static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, co
     json_open(&json, "chains", '[');
     for (size_t i = 0; i < scene->chain_count && !err; i++) {
         struct bead_chain *chain = NULL;
-        err = bead_chain_create(scene, i, &chain, msg);
+        err = bead_chain_outline(scene, &scene->chains[i], &chain, msg);
         if (!err)
             write_chain(&json, chain);
         bead_chain_destroy(chain);

@@ -14,6 +14,7 @@
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
 #include "sim/base/h5.h"
+#include "sim/chain/chain_data.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
@@ -145,7 +146,7 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
     print_head(out, path, "scene", scene);
     for (size_t i = 0; i < scene->chain_count && !err; i++) {
         struct bead_chain *chain;
-        err = bead_chain_create(scene, i, &chain, msg);
+        err = bead_chain_outline(scene, &scene->chains[i], &chain, msg);
         if (err)
             break;
         print_chain(out, chain, i);
