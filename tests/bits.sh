@@ -31,6 +31,7 @@ shortened() {
     zabusky-kruskal) settings=(simulate.until=1.2) ;;
     thesis/fig8) settings=(simulate.until=4 'outputs.0.at=[0, 4]' 'outputs.1.at=[0, 4]') ;;
     cradle) settings=(simulate.until=0.1) ;;
+    martinez2016) settings=(simulate.until=20 'sweep.over={chain.beads.0.disorder.seed: 1..2}') ;;
     sweep) settings=(sweep.configurations=2) ;;
     thesis/fig6) settings=(sweep.configurations=1) ;;
     thesis/decay) settings=(sweep.configurations=2 'sweep.magnetism=[0.9]') ;;

@@ -88,7 +88,8 @@ static const char *subject_of(const struct bead_output *output, const struct bea
         [BEAD_SHOW_SETUP] = "drawing of the experiment",    [BEAD_SHOW_CONTACT] = "drawing of a contact",
         [BEAD_SHOW_CELL] = "drawing of the cells",          [BEAD_SHOW_MODES] = "energies of modes",
         [BEAD_SHOW_PROFILES] = "profiles at several times", [BEAD_SHOW_BANDS] = "frequency against wave number",
-        [BEAD_SHOW_EIGENMODES] = "participation in modes",  [BEAD_SHOW_ENERGY] = "parts of the energy"};
+        [BEAD_SHOW_EIGENMODES] = "participation in modes",  [BEAD_SHOW_ENERGY] = "parts of the energy",
+        [BEAD_SHOW_SPREADING] = "spreading of the energy"};
     if (scene->sweep_count > 0)
         return "results of a sweep";
     if (output->views.count == 0 && output->curves.show < BEAD_SHOW_COUNT && plots[output->curves.show])

@@ -13,7 +13,7 @@
 static const struct plot_kind *const kinds[] = {&bead_plot_sensors,    &bead_plot_peaks,    &bead_plot_modes,
                                                 &bead_plot_profiles,   &bead_plot_bands,    &bead_plot_eigenmodes,
                                                 &bead_plot_spectrum,   &bead_plot_transfer, &bead_plot_spectrogram,
-                                                &bead_plot_dispersion, &bead_plot_energy};
+                                                &bead_plot_dispersion, &bead_plot_energy,   &bead_plot_spreading};
 
 static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 {
@@ -59,6 +59,9 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
     free(data->panels);
     free(data->sample);
     free(data->fronts);
+    for (size_t p = 0; data->spreading && p < data->count; p++)
+        bead_spreading_free(&data->spreading[p]);
+    free(data->spreading);
     bead_profile_times_destroy(data->moments);
     bead_spectra_destroy(data->spectra);
     free(data);

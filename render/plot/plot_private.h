@@ -5,6 +5,7 @@
 #include "render/plot/plot_data.h"
 #include "render/view/sensor_curves.h"
 #include "sim/output/spectra.h"
+#include "sim/output/spreading.h"
 
 /* A panel's data. */
 struct plot_panel {
@@ -29,6 +30,7 @@ struct bead_plot_data {
     double *sample;                     /* of one time, [sensors]; of numbers against time: the times */
     size_t numbers;                     /* of each of these times */
     struct bead_energy_front *fronts;   /* [chains], of energies */
+    struct bead_spreading *spreading;   /* [panels] */
     struct bead_profile_times *moments; /* of profiles */
     struct bead_spectra *spectra;
     struct plot_panel *parts;
@@ -48,7 +50,8 @@ struct plot_kind {
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
 extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles, bead_plot_bands,
-    bead_plot_eigenmodes, bead_plot_spectrum, bead_plot_transfer, bead_plot_spectrogram, bead_plot_dispersion, bead_plot_energy;
+    bead_plot_eigenmodes, bead_plot_spectrum, bead_plot_transfer, bead_plot_spectrogram, bead_plot_dispersion, bead_plot_energy,
+    bead_plot_spreading;
 
 /* Allocates panels, with their titles. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);

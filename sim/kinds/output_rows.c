@@ -4,11 +4,12 @@
 
 #include "sim/kinds/outputs.h"
 
-static const char *const plot_shows[] = {"sensors", "peaks",      "setup",  "contact",          "cell", "modes", "profiles",
-                                         "bands",   "eigenmodes", "energy", BEAD_SPECTRA_SHOWS, NULL};
-static const unsigned plot_values[] = {BEAD_SHOW_SENSORS,    BEAD_SHOW_PEAKS,  BEAD_SHOW_SETUP,    BEAD_SHOW_CONTACT,
-                                       BEAD_SHOW_CELL,       BEAD_SHOW_MODES,  BEAD_SHOW_PROFILES, BEAD_SHOW_BANDS,
-                                       BEAD_SHOW_EIGENMODES, BEAD_SHOW_ENERGY, BEAD_SPECTRA_VALUES};
+static const char *const plot_shows[] = {"sensors",  "peaks", "setup",      "contact", "cell",      "modes",
+                                         "profiles", "bands", "eigenmodes", "energy",  "spreading", BEAD_SPECTRA_SHOWS,
+                                         NULL};
+static const unsigned plot_values[] = {BEAD_SHOW_SENSORS,    BEAD_SHOW_PEAKS,  BEAD_SHOW_SETUP,     BEAD_SHOW_CONTACT,
+                                       BEAD_SHOW_CELL,       BEAD_SHOW_MODES,  BEAD_SHOW_PROFILES,  BEAD_SHOW_BANDS,
+                                       BEAD_SHOW_EIGENMODES, BEAD_SHOW_ENERGY, BEAD_SHOW_SPREADING, BEAD_SPECTRA_VALUES};
 static const char *const windows[] = {"hann", "none", NULL};
 static const char *const energy_parts[] = {"form", "place", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};
@@ -187,7 +188,8 @@ const struct bead_option bead_plot_rows[5] = {
      .help =
          "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
          "where it was rising at the end, or was larger later); the "
-         "energies of modes against time; the energy against time, its parts stacked; profiles, a field along the chain at several "
+         "energies of modes against time; the energy against time, its parts stacked; spreading, second moment, participation and "
+         "front of the energy with their power laws; profiles, a field along the chain at several "
          "times; bands, frequency against wave number "
          "of each repeated cell under its precompression; eigenmodes, participation against frequency of the small vibrations of "
          "each chain; " BEAD_SPECTRA_HELP "; or a schematic drawing of the "

@@ -53,7 +53,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
     [BEAD_SHOW_SPREADING] = {.keys = KEYS("every", "time"),
                              .why_not = "spreading is that of the energies of all beads over time",
                              .without_contacts = "is one of the energies of beads, which equations do not have",
-                             .ends = TABLE},
+                             .ends = PLOT | TABLE},
     [BEAD_SHOW_BANDS] = {.keys = KEYS(NULL),
                          .why_not = "bands are those of a chain at rest",
                          .without_contacts = "has the bands of cells of beads, which equations do not have",

@@ -12,7 +12,7 @@
 
 BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
 {
-    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
+    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY, spreading = output->sweep_curves.show == BEAD_SWEEP_SPREADING;
     if (decay && output->plot.range[0] <= 0)
         return BEAD_WRONG_KEY(reader, at, "range", "begins at %g; must be above 0: the axes of decay are logarithmic",
                               output->plot.range[0]);
@@ -24,9 +24,15 @@ BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
             return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is one over spins, whose axes are linear");
         if (sweep->over.key_count && decay)
             return BEAD_WRONG_KEY(reader, at, "show", "decay is one by magnetism, which a sweep over keys has not");
+        if (spreading && !(sweep->over.key_count && reader->scene->sweep_count == 1))
+            return BEAD_WRONG_KEY(reader, at, "show",
+                                  "spreading is averaged over the seeds of one sweep over keys: `sweep: {over: ...}`");
+        if (spreading && isnan(reader->scene->simulate.until))
+            return BEAD_WRONG_KEY(reader, at, "show",
+                                  "is spreading, of chains that run as long as each other: give `simulate: {until: ...}`");
         if (decay && !sweep->measures.decay)
             return BEAD_WRONG_KEY(reader, at, "show", "decay is not measured; must have `measure: {decay: true}` in every sweep");
-        if (!decay && !sweep->measures.peak)
+        if (!decay && !spreading && !sweep->measures.peak)
             return BEAD_WRONG_KEY(reader, at, "show", "peaks are not measured (measure: {peak: none}); must be decay");
     }
     return BEAD_OK;

@@ -99,6 +99,7 @@ struct bead_variation {
     struct bead_distribution random[BEAD_VARIED_COUNT];
     size_t *materials; /* to draw from, one entry for each part; own; NULL: none */
     size_t material_count;
+    size_t alike; /* so many neighbours draw the same */
     uint64_t seed;
 };
 extern const struct bead_variation bead_variation_none;

@@ -13,7 +13,8 @@
 /* Beads that differ one by one, in a scene: each takes a material. */
 enum { MOST_VARIED = 100000 };
 
-const struct bead_variation bead_variation_none = {.value = {NAN, NAN, NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}};
+const struct bead_variation bead_variation_none = {
+    .value = {NAN, NAN, NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}, .alike = 1};
 
 /* `draws`: number of the random numbers; 1003 are those of materials. */
 static const struct {
@@ -173,6 +174,8 @@ static const struct bead_option disorder_rows[] = {
     {"material", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]", .read = read_materials,
      .help = "each bead is one of these at random, instead of its own; `3 ptfe` has three chances",
      .example = "[large-steel, 3 ptfe]"},
+    {"alike", BEAD_OPTION_COUNT, offsetof(struct bead_variation, alike), .initial = "1", .low = 1, .high = BEAD_SCENE_BEADS,
+     .help = "so many beads in a row draw alike: with 2 and two materials, dimers of two equal beads", .example = "2"},
     {"seed", BEAD_OPTION_SEED, offsetof(struct bead_variation, seed), .initial = "0",
      .help = "seed; the same seed gives the same beads on every machine", .example = "7"},
 };
@@ -283,17 +286,18 @@ static enum bead_error vary_bead(const struct bead_reader *reader, const struct 
                                  size_t k, size_t beads, double first, size_t *material)
 {
     double value[BEAD_VARIED_COUNT];
+    const size_t drawer = k / v->alike;
     if (v->material_count > 0)
-        *material = v->materials[bead_draw_below(v->seed, MATERIAL_DRAWS, k, v->material_count)];
+        *material = v->materials[bead_draw_below(v->seed, MATERIAL_DRAWS, drawer, v->material_count)];
     take_values(reader, *material, value);
     const double radius = tapered(v, k, beads, first, value[BEAD_VARIED_RADIUS]);
     if (radius != value[BEAD_VARIED_RADIUS])
         resize(value, radius);
-    const double drawn = draw_value(v, k, BEAD_VARIED_RADIUS, radius);
+    const double drawn = draw_value(v, drawer, BEAD_VARIED_RADIUS, radius);
     if (drawn != radius)
         resize(value, drawn);
     for (size_t i = BEAD_VARIED_MASS; i < BEAD_VARIED_COUNT; i++)
-        value[i] = draw_value(v, k, (enum bead_varied)i, value[i]);
+        value[i] = draw_value(v, drawer, (enum bead_varied)i, value[i]);
     return derive(reader, at, *material, value, material);
 }
 

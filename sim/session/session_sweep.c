@@ -71,12 +71,17 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
 
 /* ---- running ---- */
 
+static bool is_spreading(const struct bead_made *made)
+{
+    return made->output->sweep_curves.show == BEAD_SWEEP_SPREADING;
+}
+
 /* Does an output show results of the sweep? Sheets run what they show themselves. */
 static bool needs_results(const struct bead_session *s)
 {
     bool needs = false;
     for (size_t i = 0; i < s->made_count; i++)
-        needs = needs || (bead_session_makes(&s->made[i]) && !s->made[i].type->without_results);
+        needs = needs || (bead_session_makes(&s->made[i]) && !s->made[i].type->without_results && !is_spreading(&s->made[i]));
     return needs;
 }
 
@@ -85,7 +90,7 @@ static bool runs_chains(const struct bead_session *s)
 {
     bool runs = false;
     for (size_t i = 0; i < s->made_count; i++)
-        runs = runs || (bead_session_makes(&s->made[i]) && s->made[i].type->runs_chains);
+        runs = runs || (bead_session_makes(&s->made[i]) && (s->made[i].type->runs_chains || is_spreading(&s->made[i])));
     return runs;
 }
 

@@ -24,8 +24,7 @@ static enum bead_error find_key(const struct bead_over *over, const char *agains
                     : BEAD_OK;
 }
 
-/* A number for the values of all keys that are neither on the axis nor seeds: that of the curve. */
-static size_t curve_of(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key)
+size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key)
 {
     const struct bead_over *over = &bead_sweep_panel(sweep, panel)->spec->over;
     size_t number = 0;
@@ -36,14 +35,14 @@ static size_t curve_of(const struct bead_sweep *sweep, size_t panel, size_t inde
     return number;
 }
 
-static void name_curve(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key, struct bead_sweep_curve *curve)
+void bead_sweep_curve_name(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key, char name[200])
 {
     const struct bead_over *over = &bead_sweep_panel(sweep, panel)->spec->over;
     for (size_t k = 0; k < over->key_count && over->combine == BEAD_COMBINE_GRID; k++) {
-        const size_t used = strlen(curve->name);
+        const size_t used = strlen(name);
         const char *path = over->keys[k].path, *dot = strrchr(path, '.');
         if (k != key && !over->keys[k].seed)
-            snprintf(curve->name + used, sizeof curve->name - used, "%s%s %s", used ? ", " : "", dot ? dot + 1 : path,
+            snprintf(name + used, 200 - used, "%s%s %s", used ? ", " : "", dot ? dot + 1 : path,
                      over->keys[k].text[bead_sweep_value(sweep, panel, index, k)]);
     }
 }
@@ -96,10 +95,10 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
         size_t count = 0;
         for (size_t i = 0; i < shown->configurations; i++) {
             struct bead_sweep_configuration found;
-            if (bead_sweep_value(sweep, panel, i, key) != value || curve_of(sweep, panel, i, key) != number)
+            if (bead_sweep_value(sweep, panel, i, key) != value || bead_sweep_curve_of(sweep, panel, i, key) != number)
                 continue;
             if (!*curve->name)
-                name_curve(sweep, panel, i, key, curve);
+                bead_sweep_curve_name(sweep, panel, i, key, curve->name);
             if (bead_sweep_configuration(sweep, panel, i, &found))
                 forces[count++] = found.peaks[place].force;
         }
@@ -122,7 +121,7 @@ enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t pa
     *curves = (struct bead_sweep_curves){.count = 0};
     BEAD_TRY(find_key(&shown->spec->over, against, &curves->key, msg));
     for (size_t i = 0; i < shown->configurations; i++) {
-        const size_t number = curve_of(sweep, panel, i, curves->key);
+        const size_t number = bead_sweep_curve_of(sweep, panel, i, curves->key);
         count = number >= count ? number + 1 : count;
     }
     BEAD_TRY(bead_new(&curves->curves, count, msg, "the curves of a sweep"));

@@ -23,6 +23,10 @@ struct bead_sweep_curves {
     struct bead_sweep_curve *curves;
     size_t count;
 };
+/* A number for the values that configuration `index` has of all keys that are neither seeds nor `key`, the one along the axis
+ * (SIZE_MAX: none): that of its curve; and these values in words. */
+BEAD_INTERNAL size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key);
+BEAD_INTERNAL void bead_sweep_curve_name(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key, char name[200]);
 /* At a place; `against`: a key's path, "": the first that is no seed. To be freed even after an error. Errors: USAGE (no such key),
  * MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place,

@@ -9,12 +9,14 @@
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_spreading.h"
 
 /* A table that is being written. */
 struct out {
     FILE *file;
     const struct bead_sweep *sweep;
     const struct bead_output *output;
+    const struct bead_sweep_settings *settings;
     bool several, places; /* has a column for the sweep's name, and for the place's */
 };
 
@@ -228,6 +230,37 @@ static enum bead_error write_statistics(const struct out *o, struct bead_message
     return err;
 }
 
+static enum bead_error write_spreading(const struct out *o, struct bead_message *msg)
+{
+    struct bead_sweep_spreads spreads;
+    enum bead_error err = bead_sweep_spreads_find(o->sweep, o->settings, &spreads, msg);
+    if (!err)
+        fputs("time_s,curve,configurations,second_moment,second_moment_error,participation,participation_error,front,front_error,"
+              "gamma,gamma_error,eta,eta_error,fit_from_s,fit_to_s\n",
+              o->file);
+    for (size_t k = 0; k < spreads.count && !err; k++) {
+        const struct bead_sweep_spread *s = &spreads.of[k];
+        const double end = spreads.time[BEAD_SWEEP_TIMES - 1],
+                     fits[] = {s->exponent[0].mean,           s->exponent[0].standard_error, s->exponent[1].mean,
+                               s->exponent[1].standard_error, BEAD_SPREADING_WINDOW * end,   end};
+        for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++) {
+            bead_write_number(o->file, spreads.time[i]);
+            fputc(',', o->file);
+            bead_table_text(o->file, s->name);
+            fprintf(o->file, ",%zu", s->chains);
+            for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
+                number(o->file, s->mean[n][i]);
+                number(o->file, s->error[n][i]);
+            }
+            for (size_t n = 0; n < sizeof fits / sizeof *fits; n++)
+                number(o->file, fits[n]);
+            fputc('\n', o->file);
+        }
+    }
+    bead_sweep_spreads_free(&spreads);
+    return err;
+}
+
 static const struct kind {
     enum bead_sweep_show show;
     const char *why;
@@ -239,29 +272,37 @@ static const struct kind {
     {BEAD_SWEEP_CONFIGURATIONS, "peak force of every configuration, with its spins or values of keys", true, write_configurations},
     {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay}};
 
+static const struct kind *find_kind(const struct kind *of, size_t count, enum bead_sweep_show show)
+{
+    size_t i = count - 1;
+    while (i > 0 && of[i].show != show)
+        i--;
+    return &of[i];
+}
+
 static const struct kind *kind_of(const struct bead_output *output)
 {
-    size_t i = sizeof kinds / sizeof *kinds - 1;
-    while (i > 0 && kinds[i].show != output->sweep_curves.show)
-        i--;
-    return &kinds[i];
+    return find_kind(kinds, sizeof kinds / sizeof *kinds, output->sweep_curves.show);
 }
 
 /* Of sweeps over keys. */
 static const struct kind over_kinds[] = {
     {BEAD_SWEEP_MAGNETISM, "peak forces against a key, averaged over seeds", true, write_statistics},
-    {BEAD_SWEEP_CONFIGURATIONS, "peak force and values of the keys of every chain", true, write_every_point}};
+    {BEAD_SWEEP_CONFIGURATIONS, "peak force and values of the keys of every chain", true, write_every_point},
+    {BEAD_SWEEP_SPREADING, "how far energy has spread, averaged over seeds", false, write_spreading}};
 
 static const struct kind *kind_for(const struct bead_sweep *sweep, const struct bead_output *output)
 {
     if (sweep->panels[0].shown.spec->over.key_count == 0)
         return kind_of(output);
-    return &over_kinds[output->sweep_curves.show == BEAD_SWEEP_CONFIGURATIONS];
+    return find_kind(over_kinds, sizeof over_kinds / sizeof *over_kinds, output->sweep_curves.show);
 }
 
 static const char *sweep_table_why(const struct bead_output *output)
 {
-    return kind_of(output)->why;
+    return output->sweep_curves.show == BEAD_SWEEP_SPREADING
+               ? "how far energy has spread, in chains that are run for it, averaged over seeds"
+               : kind_of(output)->why;
 }
 
 static enum bead_error sweep_table_fill(void *context, FILE *file, const char *, struct bead_message *msg)
@@ -283,7 +324,7 @@ static enum bead_error write_table(const struct bead_output *output, const struc
                                    uint64_t *bytes, struct bead_message *msg)
 {
     const struct bead_sweep *sweep = context->sweep;
-    struct out o = {.sweep = sweep, .output = output, .several = bead_sweep_panels(sweep) > 1};
+    struct out o = {.sweep = sweep, .output = output, .settings = context->sweep_settings, .several = bead_sweep_panels(sweep) > 1};
     for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
         o.places = o.places || (kind_for(sweep, output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
     return bead_file_write(path, sweep_table_fill, &o, bytes, msg);

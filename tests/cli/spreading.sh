@@ -25,16 +25,39 @@ ok "... that stays as narrow: eta 0" within "$(last 7)" 0 0.03
 # A bead struck with V = 1 sends on a solitary wave of V = .68163, at c = .907470 V^(1/5) beads in each unit of time.
 ok "... whose front is a solitary wave" within "$(last 4)" "$(awk 'BEGIN {print 4000 * 0.907470 * 0.68163 ^ 0.2}')" 5
 scene '{bead: one, count: 8000, disorder: {material: [one, small], seed: 1}}' >random.yaml
-eight() {
-    local seed
-    for seed in 1 2 3 4 5 6 7 8; do
-        "$beadsim" random.yaml -o . -q --set chain.beads.0.disorder.seed=$seed >"$T/out" || return 1
-        tail -n 1 s.csv
-    done >all
-}
-ok "eight disordered ones" eight
-mean() { awk -F, -v c="$1" '{s += $c} END {print s / NR}' all; }
-ok "... spread superdiffusively: gamma 1.77" within "$(mean 5)" 1.77 0.02
-ok "... and delocalise: eta .98" within "$(mean 7)" 0.98 0.03
+# The ready scene: eight chains, one command. AB or BA, AA or BB dimers are its comment's.
+ready() { "$beadsim" martinez2016 -o . -q --set 'outputs=[{table: m.csv, show: spreading}]' "$@" >"$T/out" 2>&1; }
+of_means() { tail -n 1 m.csv | cut -d, -f"$1"; }
+ok "eight disordered ones, in one command" ready
+ok "... spread superdiffusively: gamma 1.77" within "$(of_means 10)" 1.77 0.02
+ok "... and delocalise: eta .98" within "$(of_means 12)" 0.98 0.03
+ok "... over a window that the table says" eval '[ "$(tail -n 1 m.csv | cut -d, -f14-15)" = 280,4000 ]'
+
+# Means and standard errors are those of single chains, and dimers of two equal beads have no single ones.
+small=(--set simulate.until=40 --set 'chain.start=[{bead: 30, velocity: 1 m/s}]' --set chain.beads.0.count=60)
+ok "two short chains" ready "${small[@]}" --set 'sweep.over={chain.beads.0.disorder.seed: [3, 5]}'
+for seed in 3 5; do
+    ok "... chain $seed by itself" exits 0 "$beadsim" martinez2016 -q "${small[@]}" --set 'sweep={}' --set chain.beads.0.disorder.seed=$seed \
+        --set "outputs=[{table: $seed.csv, show: spreading, every: 0.1}, {table: beads-$seed.csv, show: chain}]" -o .
+done
+both() { echo "$(tail -n 1 3.csv | cut -d, -f"$1") $(tail -n 1 5.csv | cut -d, -f"$1")"; }
+ok "... the mean of both moments" within "$(of_means 4)" "$(both 2 | awk '{printf "%.15g", ($1 + $2) / 2}')" 1e-9
+ok "... its standard error, half their distance" within "$(of_means 5)" "$(both 2 | awk '{d = ($1 - $2) / 2; printf "%.15g", d < 0 ? -d : d}')" 1e-9
+ok "... and the mean of both exponents" within "$(of_means 10)" "$(both 5 | awk '{printf "%.15g", ($1 + $2) / 2}')" 1e-9
+ok "beads that draw alike" exits 0 "$beadsim" martinez2016 -q --set 'sweep={}' --set chain.beads.0.disorder.alike=2 --set 'outputs=[{table: alike.csv, show: chain}]' -o .
+ok "... in twos" awk -F, 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == "radius_m") c = i} NR > 2 && NR % 2 == 1 {last = $c} NR > 2 && NR % 2 == 0 && $c != last {bad = 1} NR > 2 {n[$c]++} END {exit bad || n["1"] + n["0.7"] != 8000 || n["1"] < 3800 || n["1"] > 4200}' alike.csv
+
+# The plot's legend has the exponents of the table.
+cat >ballistic.yaml <<'YAML'
+materials: {one: {density: 0.238732414637843 kg/m3, radius: 1 m, modulus: 2.121320343559643 Pa, poisson: 0}}
+chain: {striker: {bead: one}, start: [{bead: 300, velocity: 1 m/s}], beads: [{bead: one, count: 600}]}
+simulate: {until: 300 s}
+outputs: [{table: s.csv, show: spreading, every: 0.1 s}, {plot: s.svg, show: spreading, every: 0.1 s}]
+sweep: {over: {chain.start.0.velocity: [1 m/s]}}
+YAML
+ok "a plot of an ordered chain" exits 0 "$beadreel" ballistic.yaml -o . --set 'sweep={}'
+ok "... says the table's exponent of a wave, 2" eval 'within "$(last 5)" 2 0.01 && grep -qF "exponent $(printf %.3f "$(last 5)")" s.svg'
+ok "the plot of a sweep of it" exits 0 "$beadreel" ballistic.yaml -o . --set 'outputs=[{table: m.csv, show: spreading}, {plot: m.svg, show: spreading}]'
+ok "... too" eval 'within "$(of_means 10)" 2 0.01 && grep -qF "exponent $(printf %.3f "$(of_means 10)")" m.svg'
 ok "equations have no beads" eval 'fails 2 "$beadsim" fput --plan --set "outputs=[{table: s.csv, show: spreading}]"'
 finish

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How far energy has spread against time, on logarithmic axes, with the power laws that fit: of each chain of a run, a panel each,
+ * or the means of a sweep, a panel for each curve. */
+#include <math.h>
+#include <stdio.h>
+
+#include "render/draw/markup.h"
+#include "render/draw/quantity.h"
+#include "render/plot/plot_private.h"
+#include "render/plot/sweep_plot.h"
+#include "sim/base/memory.h"
+#include "sim/sweep/sweep_internal.h"
+#include "sim/sweep/sweep_spreading.h"
+
+/* Three curves, and two power laws of two points. */
+enum { SERIES = BEAD_SPREADING_NUMBERS + 2, LAW = 4 };
+static const char *const names[BEAD_SPREADING_NUMBERS] = {"second moment (beads²)", "participation", "front"};
+
+static void set_axes(struct bead_panel *panel, const char *seconds, const double range[2])
+{
+    panel->x = (struct bead_graph_axis){"time", seconds, NAN, NAN, BEAD_SCALE_LOG, false};
+    panel->y = (struct bead_graph_axis){"beads", "", range[0], range[1], BEAD_SCALE_LOG, false};
+}
+
+/* The curve of number `n`, and its power law, whose values go to `law`: times, then numbers. Returns how many series. */
+static size_t add(struct bead_series *series, char (*labels)[256], int n, const double *time, const double *y, size_t count,
+                  const struct bead_exponent *exponent, double law[LAW])
+{
+    char slope[32], off[32] = "";
+    *series = (struct bead_series){.x = time, .y = y, .count = count, .mark = BEAD_MARK_LINE, .label = labels[0]};
+    plot_tell_apart(series, (size_t)n);
+    snprintf(labels[0], sizeof *labels, "%s", names[n]);
+    if (n == BEAD_FRONT || count == 0 || !isfinite(exponent->slope))
+        return 1;
+    for (int i = 0; i < 2; i++) {
+        law[i] = (i ? 1 : BEAD_SPREADING_WINDOW) * time[count - 1];
+        law[2 + i] = exp(exponent->offset + exponent->slope * log(law[i]));
+    }
+    bead_number(exponent->slope, 3, slope, sizeof slope);
+    if (isfinite(exponent->error))
+        bead_number(exponent->error, 3, off, sizeof off);
+    snprintf(labels[1], sizeof *labels, "exponent %s%s%s", slope, *off ? " ± " : "", off);
+    series[1] = (struct bead_series){
+        .x = law, .y = law + 2, .count = 2, .mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED, .label = labels[1]};
+    return 2;
+}
+
+/* ---- of a run ---- */
+
+static enum bead_error plot_spreading_create(struct bead_plot_data *data, struct bead_message *msg)
+{
+    BEAD_TRY(plot_times_create(data, BEAD_SPREADING_NUMBERS, "the energy of every bead", msg));
+    BEAD_TRY(bead_new(&data->spreading, data->count, msg, "a plot"));
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
+        BEAD_TRY(bead_spreading_begin(&data->spreading[p], chain, bead_grid_count(&data->grid), msg));
+        set_axes(&data->panels[p], bead_chain_time_unit(chain), data->output->plot.range);
+    }
+    return BEAD_OK;
+}
+
+static void plot_spreading_needs(const struct bead_plot_data *data, struct bead_needs *needs)
+{
+    *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY),
+                                 .beads = {0, SIZE_MAX},
+                                 .grid = data->grid,
+                                 .until = data->grid.end,
+                                 .why = data->why};
+}
+
+static enum bead_error plot_spreading_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *)
+{
+    double numbers[BEAD_SPREADING_NUMBERS];
+    struct plot_panel *part = plot_times_take(data, sample);
+    if (!part)
+        return BEAD_OK;
+    bead_spreading_feed(&data->spreading[part - data->parts], sample, bead_chain_beads(data->context.chains[part->chain]), numbers);
+    plot_times_add(data, part, numbers);
+    return BEAD_OK;
+}
+
+static enum bead_error plot_spreading_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *)
+{
+    const size_t times = bead_grid_count(&data->grid);
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        double *laws = part->values + BEAD_SPREADING_NUMBERS * times;
+        size_t used = 0;
+        for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
+            struct bead_exponent e = {NAN, NAN, NAN};
+            if (n != BEAD_FRONT)
+                e = bead_spreading_exponent(&data->spreading[p], n);
+            used += add(&part->series[used], &part->labels[used], n, data->sample, part->values + (size_t)n * times, part->taken,
+                        &e, laws + LAW * (n % 2));
+        }
+        data->panels[p].series_count = used;
+    }
+    return BEAD_OK;
+}
+
+const struct plot_kind bead_plot_spreading = {
+    BEAD_SHOW_SPREADING, true, plot_spreading_create, plot_spreading_needs, plot_spreading_feed, plot_spreading_finish};
+
+/* ---- of a sweep ---- */
+
+struct means {
+    struct bead_series series[SERIES];
+    char labels[SERIES][256], title[300];
+    double law[2][LAW];
+};
+
+static void fill(const struct bead_sweep_spreads *spreads, size_t k, const double range[2], struct means *m,
+                 struct bead_panel *panel)
+{
+    const struct bead_sweep_spread *s = &spreads->of[k];
+    size_t used = 0;
+    for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
+        struct bead_exponent e = {NAN, NAN, NAN};
+        if (n != BEAD_FRONT)
+            e = (struct bead_exponent){s->exponent[n].mean, s->exponent[n].standard_error, s->offset[n]};
+        used += add(&m->series[used], &m->labels[used], n, spreads->time, s->mean[n], BEAD_SWEEP_TIMES, &e, m->law[n % 2]);
+    }
+    bead_markup_quote(s->name, m->title, sizeof m->title);
+    *panel = (struct bead_panel){.title = *m->title ? m->title : NULL, .series = m->series, .series_count = used};
+    set_axes(panel, "s", range);
+}
+
+enum bead_error bead_spreading_plot_write(const struct bead_output *output, const struct bead_run_context *context,
+                                          const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_sweep_spreads spreads;
+    BEAD_FREED struct means *means = NULL;
+    BEAD_FREED struct bead_panel *panels = NULL;
+    enum bead_error err = bead_sweep_spreads_find(context->sweep, context->sweep_settings, &spreads, msg);
+    if (!err)
+        err = bead_new(&means, spreads.count, msg, "a plot of a sweep");
+    if (!err)
+        err = bead_new(&panels, spreads.count, msg, "a plot of a sweep");
+    for (size_t k = 0; k < spreads.count && !err; k++)
+        fill(&spreads, k, output->plot.range, &means[k], &panels[k]);
+    const struct bead_graph graph = {
+        .panels = panels, .panel_count = spreads.count, .letters = true, .share_x = true, .share_y = true};
+    if (!err)
+        err = bead_graph_write(&graph, output, bead_sweep_scene(context->sweep), path, bytes, msg);
+    bead_sweep_spreads_free(&spreads);
+    return err;
+}
