@@ -12,6 +12,7 @@
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"
+#include "sim/chain/spins.h"
 #include "sim/sweep/sweep_internal.h"
 
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
@@ -223,19 +224,51 @@ static void add_place(struct panel *p, size_t place, const char *name, enum bead
         add_rulers(p, s);
 }
 
+/* A point for each configuration, against the order of its spins. */
+static void add_orders(const struct plot *plot, size_t index, size_t place, const char *name, int order)
+{
+    struct panel *p = &plot->panels[index];
+    const struct bead_sweep_statistics *s = &p->statistics[place];
+    struct bead_sweep_configuration c;
+    size_t count = 0;
+    for (size_t i = 0; i < s->row_count; i++)
+        count += s->rows[i].count;
+    const struct bead_series points = {.y = s->values,
+                                       .mark = BEAD_MARK_POINTS,
+                                       .colour = place,
+                                       .shape = place,
+                                       .label = *name ? name_series(p, name, "each") : NULL};
+    double *x = add_series(p, points, count, 1);
+    for (size_t i = 0; x && i < count; i++) {
+        x[i] = NAN;
+        if (bead_sweep_configuration(plot->sweep, index, s->indices[i], &c))
+            x[i] = bead_spins_order(c.spins, bead_sweep_panel(plot->sweep, index)->spec->cells, order);
+    }
+}
+
 static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct bead_message *msg)
 {
     struct panel *p = &plot->panels[index];
     const struct bead_plot_asked *asked = &plot->output->plot;
     const enum bead_sweep_show show = plot->output->sweep_curves.show;
+    const char *against = plot->output->sweep_curves.against;
     enum bead_error err = sweep_plot_reserve(p, SERIES_OF_PLACE * p->places, msg);
     for (size_t place = 0; !err && place < p->places; place++) {
         const char *name = p->places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
-        add_place(p, place, name, show, is_crowded(plot));
+        if (*against)
+            add_orders(plot, index, place, name, bead_order_named(against));
+        else
+            add_place(p, place, name, show, is_crowded(plot));
         err = p->full ? out_of_memory(msg) : BEAD_OK;
     }
     struct bead_panel *shown = &plot->shown[index];
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
+    if (*against)
+        shown->x = (struct bead_graph_axis){.title = against,
+                                            .low = NAN,
+                                            .high = NAN,
+                                            .unit = "",
+                                            .scale = bead_order_named(against) == 0 ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR};
     shown->y = (struct bead_graph_axis){.title = "peak force *F*/\u2060*F*(*M*\u00a0=\u00a01)",
                                         .unit = "",
                                         .low = isnan(asked->range[0]) ? 0 : asked->range[0],

@@ -3,6 +3,7 @@
 #include "sim/chain/spins.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "sim/base/random.h"
 
@@ -27,4 +28,26 @@ void bead_spins_shuffle(char *digits, size_t count, size_t up, uint64_t seed, ui
         digits[i - 1] = digits[other];
         digits[other] = keep;
     }
+}
+
+int bead_order_named(const char *name)
+{
+    static const char *const names[BEAD_ORDERS] = {BEAD_ORDER_DOMAIN, BEAD_ORDER_CORRELATION, BEAD_ORDER_SECOND};
+    int i = 0;
+    while (i < BEAD_ORDERS && strcmp(names[i], name) != 0)
+        i++;
+    return i;
+}
+
+double bead_spins_order(const char *digits, size_t count, int order)
+{
+    const size_t apart = order == 0 ? 1 : (size_t)order;
+    double sum = 0, domains = 1;
+    for (size_t i = apart; i < count; i++) {
+        sum += digits[i] == digits[i - apart] ? 1 : -1;
+        domains += digits[i] != digits[i - apart];
+    }
+    if (count == 0 || (order > 0 && count <= apart))
+        return NAN;
+    return order == 0 ? (double)count / domains : sum / (double)(count - apart);
 }

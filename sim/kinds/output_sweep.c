@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/chain/spins.h"
 #include "sim/kinds/outputs.h"
 #include "sim/statistics/statistics.h"
 
@@ -18,8 +19,11 @@ BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
                               output->plot.range[0]);
     for (size_t i = 0; i < reader->scene->sweep_count; i++) {
         const struct bead_sweep_spec *sweep = &reader->scene->sweeps[i];
-        if (!sweep->over.key_count && *output->sweep_curves.against)
-            return BEAD_WRONG_KEY(reader, at, "against", "is given, but the sweep is one over spins: there is magnetism only");
+        if (!sweep->over.key_count && *output->sweep_curves.against &&
+            !(output->kind == BEAD_OUTPUT_PLOT && !decay && bead_order_named(output->sweep_curves.against) < BEAD_ORDERS))
+            return BEAD_WRONG_KEY(reader, at, "against",
+                                  "is given, but the sweep is one over spins; plots of their peaks can be against `domain length`, "
+                                  "`spin correlation` or `spin correlation at 2`");
         if (!sweep->over.key_count && output->plot.scale != BEAD_SCALE_LINEAR)
             return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is one over spins, whose axes are linear");
         if (sweep->over.key_count && decay)
@@ -60,7 +64,8 @@ const struct bead_option bead_threshold_row[1] = {
 const struct bead_option bead_against_row[1] = {
     {"against", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(sweep_curves.against), .initial = "",
      .help = "of sweeps `over` keys: the key along the axis; else the first that is no seed. Seeds are averaged over, and each "
-             "combination of the others has a curve of its own",
+             "combination of the others has a curve of its own. Of plots over spins: `domain length`, `spin correlation` or `spin "
+             "correlation at 2` (--list measures), a point for each configuration, instead of magnetism",
      .example = "chain.striker.velocity"},
 };
 
