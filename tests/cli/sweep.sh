@@ -158,4 +158,11 @@ for i in $(seq 1 40); do
     [ $status -le 2 ] && [ "$(wc -l <"$T/err")" -eq $((status > 0)) ] || grep -q libhdf5 "$T/err" || odd=$((odd + 1))
 done
 ok "damaged files: one line of a message" [ $odd -eq 0 ]
+# Four spins each, from up down to all up: a point each, at domain lengths 1, 2 and 4.
+cat >"$T/order.yaml" <<'YAML'
+sweep: {cells: 4, spins: ["1010", "1100", "1111"]}
+outputs: [{plot: order.svg, against: domain length}]
+YAML
+ok "peaks against the order of spins" exits 0 "$beadreel" "$T/order.yaml" -o "$T"
+ok "... have its name at the axis" grep -q "domain length" "$T/order.svg"
 finish

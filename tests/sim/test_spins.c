@@ -15,13 +15,10 @@ static void orders_of_known_spins(void **state)
     static const struct {
         const char *spins;
         double domain, correlation, second;
-    } cases[] = {{"11111111", 8, 1, 1},
-                 {"00000000", 8, 1, 1},
+    } cases[] = {{"11111111", 8, 1, 1},        {"00000000", 8, 1, 1},
                  {"10101010", 1, -1, 1}, /* tetramers: M = 0, and as regular as M = 1 */
-                 {"11001100", 2, 1.0 / 7, -1},
-                 {"11110000", 4, 5.0 / 7, 1.0 / 3},
-                 {"10", 1, -1, NAN},
-                 {"1", 1, NAN, NAN}};
+                 {"11001100", 2, 1.0 / 7, -1}, {"11110000", 4, 5.0 / 7, 1.0 / 3},
+                 {"10", 1, -1, NAN},           {"1", 1, NAN, NAN}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double found[] = {cases[i].domain, cases[i].correlation, cases[i].second};
         for (int k = 0; k < BEAD_ORDERS; k++) {
