@@ -37,7 +37,7 @@ struct bead_composer_setup {
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
 /* The fields that they also need of the comparison run; 0 without trust. */
 unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain);
-/* Does an output need more samples than frames, because a view averages over time? */
+/* Does an output need more samples than frames, because a view averages over time or keeps the largest values? */
 bool bead_composer_averages(const struct bead_output *output);
 
 /* A note as drawn, px of the frame: its box, and where its tip is. */

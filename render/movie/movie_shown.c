@@ -34,7 +34,9 @@ unsigned bead_composer_comparison(const struct bead_output *output, const struct
 
 bool bead_composer_averages(const struct bead_output *output)
 {
-    return bead_views_any(&output->views, BEAD_SHOWS_ALL_TIMES);
+    /* Profiles below a stage keep the largest values so far, and those of cells the largest of a passage. */
+    const bool keeps = bead_views_any(&output->views, BEAD_ACTS) || output->movie.profile == BEAD_PROFILE_CELL;
+    return bead_views_any(&output->views, BEAD_SHOWS_ALL_TIMES) || (keeps && bead_views_any(&output->views, BEAD_OVERLAYS));
 }
 
 static struct bead_span within(struct bead_span span, size_t count)
@@ -99,7 +101,7 @@ static double shown(const struct bead_composer *c, double time)
     double zero = fmin(1, fmax(0, bead_colours_place(&c->colours, 0)));
     for (size_t i = 0; i < c->fed_room; i++)
         sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, c->fed[i]))) - zero);
-    return (bead_composer_averages(c->setup.output) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
+    return (bead_views_any(&c->setup.output->views, BEAD_SHOWS_ALL_TIMES) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
 }
 
 /* Does a value leave its panel, which reaches a little beyond the range? */

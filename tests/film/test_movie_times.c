@@ -136,7 +136,7 @@ static struct bead_film prepared(const char *text, double end, struct bead_scene
     if (bead_scene_parse("test", text, strlen(text), NULL, scene, &msg) || bead_chain_create(*scene, 0, chain, &msg))
         fail_msg("%s", msg.text);
     const struct bead_run_context context = {
-        .scene = *scene, .chains = (const struct bead_chain *const *)chain, .chain_count = 1, .end = end};
+        .scene = *scene, .chains = (const struct bead_chain *const *)chain, .chain_count = 1, .end = end, .resolution = 1e-6};
     if (bead_film_prepare(&(*scene)->outputs[0], &context, &film, &msg))
         fail_msg("%s", msg.text);
     return film;
@@ -185,12 +185,34 @@ static void strobes_have_their_own_samples(void **state)
     bead_scene_free(scene);
 }
 
+/* The largest values so far are those between frames, too: a film of few frames needs more samples for them. */
+static void few_frames_miss_no_peaks(void **state)
+{
+    (void)state;
+    double every[2];
+    for (int k = 0; k < 2; k++) {
+        char text[400];
+        struct bead_scene *scene;
+        struct bead_chain *chain;
+        snprintf(text, sizeof text,
+                 "simulate: {until: 1 ms}\nchain: {beads: [{bead: large-steel, count: 40}]}\n"
+                 "outputs: [{movie: film.mp4, views: [stage%s], duration: 1 s, fps: 10}]\n",
+                 k ? ", profile" : "");
+        const struct bead_film film = prepared(text, 1e-3, &scene, &chain);
+        every[k] = film.times.grid.every;
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+    assert_float_equal(every[0], 1e-3 / 9, 1e-9);
+    assert_true(every[1] < 0.2 * every[0]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_counted),         cmocka_unit_test(drafts_show_pictures_for_longer),
         cmocka_unit_test(waves_stay_in_sight),          cmocka_unit_test(strobes_have_their_own_samples),
-        cmocka_unit_test(plans_count_what_is_in_a_gif),
+        cmocka_unit_test(plans_count_what_is_in_a_gif), cmocka_unit_test(few_frames_miss_no_peaks),
     };
     return cmocka_run_group_tests_name("movie_times", tests, make_directory, remove_directory);
 }
