@@ -251,8 +251,10 @@ enum bead_sweep_show {
     BEAD_SWEEP_DECAY,
     BEAD_SWEEP_MAGNETISM,
     BEAD_SWEEP_CONFIGURATIONS,
-    BEAD_SWEEP_DEVIATION, /* of images */
-    BEAD_SWEEP_SPREADING  /* of sweeps over keys: runs the chains itself */
+    BEAD_SWEEP_DEVIATION, /* of images, and the next two */
+    BEAD_SWEEP_LOWER_QUARTILE,
+    BEAD_SWEEP_UPPER_QUARTILE,
+    BEAD_SWEEP_SPREADING /* of sweeps over keys: runs the chains itself */
 };
 enum bead_parts { BEAD_PARTS_BY_FORM, BEAD_PARTS_BY_PLACE };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };

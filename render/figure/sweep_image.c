@@ -91,7 +91,17 @@ static double statistic(const struct ensemble *e, size_t at, double *values)
         values[i] = e->films[i].values[at];
     bead_summary_of(values, e->count, &summary);
     const enum bead_sweep_show show = e->output->sweep_curves.show;
-    return show == BEAD_SWEEP_MEDIAN ? summary.median : show == BEAD_SWEEP_DEVIATION ? summary.deviation : summary.mean;
+    switch (show) {
+    case BEAD_SWEEP_MEDIAN:
+        return summary.median;
+    case BEAD_SWEEP_DEVIATION:
+        return summary.deviation;
+    case BEAD_SWEEP_LOWER_QUARTILE:
+    case BEAD_SWEEP_UPPER_QUARTILE:
+        return summary.quartile[show == BEAD_SWEEP_UPPER_QUARTILE];
+    default:
+        return summary.mean;
+    }
 }
 
 static enum bead_error reduce(struct ensemble *e, double *result, struct bead_range *range, struct bead_message *msg)
@@ -111,7 +121,12 @@ static enum bead_error reduce(struct ensemble *e, double *result, struct bead_ra
 static const char *statistic_name(const struct ensemble *e)
 {
     const enum bead_sweep_show show = e->output->sweep_curves.show;
-    return show == BEAD_SWEEP_MEDIAN ? "median" : show == BEAD_SWEEP_DEVIATION ? "standard deviation" : "mean";
+    static const char *const names[] = {[BEAD_SWEEP_MEDIAN] = "median",
+                                        [BEAD_SWEEP_MEAN] = "mean",
+                                        [BEAD_SWEEP_DEVIATION] = "standard deviation",
+                                        [BEAD_SWEEP_LOWER_QUARTILE] = "lower quartile",
+                                        [BEAD_SWEEP_UPPER_QUARTILE] = "upper quartile"};
+    return names[show];
 }
 
 /* The image of a run whose samples these are. */
@@ -180,8 +195,9 @@ static enum bead_error write_image(const struct bead_output *output, const struc
 
 static const char *image_why(const struct bead_output *output)
 {
-    return output->sweep_curves.show == BEAD_SWEEP_DEVIATION ? "standard deviation of a field over all chains, in space and time"
-                                                             : "mean or median of a field over all chains, in space and time";
+    return output->sweep_curves.show == BEAD_SWEEP_DEVIATION
+               ? "standard deviation of a field over all chains, in space and time"
+               : "mean, median or quartile of a field over all chains, in space and time";
 }
 
 const struct bead_sink_type bead_sweep_image_sink = {.name = "image",

@@ -16,12 +16,15 @@ static const struct bead_options image_options = {"image", "a field over the cha
                                                   BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
 /* ---- of sweeps ---- */
 
-static const char *const sweep_shows[] = {"mean", "median", "deviation", NULL};
-static const unsigned sweep_values[] = {BEAD_SWEEP_MEAN, BEAD_SWEEP_MEDIAN, BEAD_SWEEP_DEVIATION};
+static const char *const sweep_shows[] = {"mean", "median", "deviation", "lower-quartile", "upper-quartile", NULL};
+static const unsigned sweep_values[] = {BEAD_SWEEP_MEAN, BEAD_SWEEP_MEDIAN, BEAD_SWEEP_DEVIATION, BEAD_SWEEP_LOWER_QUARTILE,
+                                        BEAD_SWEEP_UPPER_QUARTILE};
 static const struct bead_option sweep_image_rows[] = {
     BEAD_FILE_ROW("image", "FILE.png, .pdf or .svg", "mean.png"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "mean", .choices = sweep_shows,
-     .values = sweep_values, .help = "what of all chains is shown at each bead and time; deviation: the standard deviation"},
+     .values = sweep_values,
+     .help = "what of all chains is shown at each bead and time; deviation: the standard deviation; quartiles: what a quarter, or "
+             "three quarters, of the chains are below"},
 };
 static const struct bead_option_rows sweep_image_shared[] = {
     {BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(bead_beads_row)},

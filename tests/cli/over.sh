@@ -59,6 +59,14 @@ ok "mean images" exits 0 "$beadreel" m.yaml -o .
 ok "... on one thread the same bytes" eval '"$beadreel" m.yaml -o single --threads 1 >"$T/out" && cmp single/mean.png mean.png'
 ok "... of equal chains that of one" exits 0 "$beadreel" m.yaml -o equal --set 'sweep.over={chain.beads.0.seed: [1, 1, 1]}' --set 'outputs=[{image: mean.png, axes: false, size: [60, 40]}]'
 ok "... pixel by pixel" eval '"$beadreel" m.yaml -o first --set "sweep.over={chain.beads.0.seed: [1]}" --set "outputs=[{image: mean.png, axes: false, size: [60, 40]}]" >"$T/out" && cmp <(tail -c 400 first/mean.png) <(tail -c 400 equal/mean.png)'
+# One chain of two hardly moves: the lower quartile on a third of the range looks like the upper.
+quartile() { # WHICH RANGE
+    "$beadreel" m.yaml -o "$1" --set 'sweep.over={chain.striker.velocity: [1e-6 m/s, 0.4 m/s]}' --set simulate.until=0.15ms \
+        --set "outputs=[{image: q.png, show: $1-quartile, axes: false, size: [60, 40], range: [0, $2 N], scale: linear}]" >"$T/out" 2>&1
+}
+pixels() { python3 -c 'import re, sys; print(re.search(b"IDAT(.*?)(IEND|.{4}[it].Xt)", open(sys.argv[1], "rb").read(), re.S).group(1)[:-4].hex())' "$1"; }
+ok "quartiles between nothing and a wave are 1 and 3 quarters of it" eval 'quartile lower 10 && quartile upper 30 && is "$(pixels lower/q.png)" "$(pixels upper/q.png)"'
+ok "... and not each other" eval 'quartile upper 10 && [ "$(pixels lower/q.png)" != "$(pixels upper/q.png)" ]'
 
 refused() { # SETTING MESSAGE
     fails 2 "$beadsim" v.yaml --plan --set "$1" && says "$2"
