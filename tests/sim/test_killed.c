@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <sys/syscall.h>
 
+#include "sim/base/h5.h"
 #include "sim/output/trajectory_sink.h"
 
 /* What the program did to its file: bytes written at an offset, or (with no bytes) its new length; or it waited for the disk. */
@@ -209,6 +210,7 @@ static void a_disk_without_power_keeps_a_readable_file(void **state)
 
 int main(void)
 {
+    bead_h5_stay_in_process(); /* thousands of files: a process for each would take most of the time */
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_write_leaves_a_readable_file),
                                        cmocka_unit_test(a_disk_without_power_keeps_a_readable_file)};
     return cmocka_run_group_tests(tests, NULL, NULL);
