@@ -458,6 +458,7 @@ struct bead_plot_asked {
     enum bead_scale scale;         /* axis of the peaks */
     double range[2];               /* ends of the axis of forces; NaN: automatic */
     enum bead_normalise normalise; /* of sensors */
+    bool theory;                   /* of profiles: the solitary wave of long waves beside them */
     size_t contact;     /* `show: contact`: which; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
     double compression; /* the same: of the smaller bead, as a part of its radius */
 };

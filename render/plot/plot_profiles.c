@@ -7,6 +7,7 @@
 #include "render/draw/quantity.h"
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/output/compacton.h"
 #include "sim/output/profile_times.h"
 
 /* One unit and number of decimals for all times: as many as they need, up to five digits for the last. */
@@ -52,12 +53,51 @@ static void plot_profiles_make_axes(struct bead_plot_data *data)
     }
 }
 
+/* Points of a theory's curve. */
+enum { POINTS = 121 };
+
+static enum bead_error check_theory(const struct bead_plot_data *data, struct bead_message *msg)
+{
+    for (size_t p = 0; p < data->count && data->output->plot.theory; p++) {
+        if (data->output->shown.field != BEAD_FIELD_CONTACT_FORCE ||
+            !bead_compacton_is_of(data->context.chains[data->parts[p].chain]))
+            return bead_output_wrong(
+                data->output, msg,
+                "theory: there is one for `field: contact-force` of equal Hertzian beads, without precompression or tilt");
+    }
+    return BEAD_OK;
+}
+
+/* Over the pulse of moment `m`. */
+static void add_theory(struct bead_plot_data *data, struct plot_panel *part, size_t m)
+{
+    const size_t moments = data->output->curves.profile_time_count, series = moments + m;
+    const struct bead_chain *chain = data->context.chains[part->chain];
+    const double *places = bead_profile_times_places(data->moments, part->chain);
+    double *x = part->values + 2 * POINTS * m;
+    struct bead_compacton wave;
+    if (!bead_compacton_find(chain, bead_profile_times_profile(data->moments, part->chain, m),
+                             bead_profile_times_values(data->moments, part->chain), &wave))
+        return;
+    for (int i = 0; i < POINTS; i++) {
+        const double n = wave.centre + 6. * i / (POINTS - 1) - 3;
+        x[i] = places[0] + n * (places[1] - places[0]);
+        x[POINTS + i] = bead_compacton_at(&wave, n);
+    }
+    char *label = part->labels[series];
+    snprintf(label, sizeof *part->labels, "long waves, %.0f\u00a0beads/s", wave.speed);
+    part->series[series] = (struct bead_series){
+        .x = x, .y = x + POINTS, .count = POINTS, .mark = BEAD_MARK_LINE, .colour = 5, .label = m == 0 ? label : NULL};
+    part->series[series].dash = BEAD_DASH_DOTTED;
+}
+
 static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     char time[48];
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
-        err = plot_reserve_chains(data, data->output->curves.profile_time_count, 0, msg);
+        err = plot_reserve_chains(data, (data->output->plot.theory ? 2 : 1) * data->output->curves.profile_time_count,
+                                  data->output->plot.theory ? 2 * POINTS * data->output->curves.profile_time_count : 0, msg);
     const struct time_words words = words_for(data->output->curves.profile_times, data->output->curves.profile_time_count,
                                               bead_chain_time_unit(data->context.chains[0]));
     for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
@@ -79,9 +119,10 @@ static enum bead_error plot_profiles_feed(struct bead_plot_data *data, const str
     return bead_profile_times_feed(data->moments, sample, msg);
 }
 
-static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *)
+static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
 {
     const struct bead_output *output = data->output;
+    BEAD_TRY(check_theory(data, msg));
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
         const double *places = bead_profile_times_places(data->moments, part->chain);
@@ -93,6 +134,8 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
                                                    .mark = BEAD_MARK_LINE,
                                                    .label = p == 0 ? part->labels[m] : NULL};
             plot_tell_apart(&part->series[m], m);
+            if (output->plot.theory)
+                add_theory(data, part, m);
         }
     }
     return BEAD_OK;

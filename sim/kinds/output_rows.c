@@ -183,7 +183,7 @@ const struct bead_option bead_curves_rows[9] = {
      .example = "[0 Hz, 20 kHz]"},
 };
 /* Keys of plots and of panels that are plots. */
-const struct bead_option bead_plot_rows[5] = {
+const struct bead_option bead_plot_rows[6] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "sensors", .choices = plot_shows, .values = plot_values,
      .help =
          "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
@@ -198,6 +198,9 @@ const struct bead_option bead_plot_rows[5] = {
      .help = "scale of the axis of peaks"},
     {"overlay", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.overlay), .initial = "false",
      .help = "one panel for the curves of all chains, instead of one each; peaks always have one"},
+    {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(plot.theory), .initial = "false",
+     .help = "with `show: profiles` of `field: contact-force`: Nesterenko's solitary wave beside the highest pulse of each time, "
+             "in chains of equal Hertzian beads without precompression, with the speed that it has by its force"},
     {"normalise", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.normalise), .initial = "none", .choices = normalisings,
      .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
              "largest force at the same sensor"},

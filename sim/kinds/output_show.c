@@ -32,7 +32,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
     [BEAD_SHOW_MODES] = {.keys = KEYS("every", "time", "modes", "scale"),
                          .why_not = "modes have energies over time",
                          .modes = true},
-    [BEAD_SHOW_PROFILES] = {.keys = KEYS("field", "at", "overlay"),
+    [BEAD_SHOW_PROFILES] = {.keys = KEYS("field", "at", "overlay", "theory"),
                             .why_not = "profiles have the times `at`",
                             .ends = PLOT | TABLE,
                             .of_field = true},
@@ -99,8 +99,8 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
-    static const char *const keys[] = {"every",     "time",     "modes", "field",   "at",    "scale",
-                                       "normalise", "contacts", "beads", "overlay", "parts", SPECTRA};
+    static const char *const keys[] = {"every",    "time",  "modes",   "field", "at",     "scale", "normalise",
+                                       "contacts", "beads", "overlay", "parts", "theory", SPECTRA};
     const struct bead_show_type *show = &shows[output->curves.show];
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         char homes[120] = "";

@@ -124,6 +124,7 @@ needs() { # SECTION KEY
     'outputs (plot): contact' | 'outputs (plot): compression') before+=(outputs.0.show=contact) ;;
     'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: i.${extension[$kind]}, show: modes}]") ;;
     'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (plot): theory') before=("outputs=[{plot: i.png, show: profiles, at: [0], field: contact-force}]") ;;
     'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
     'outputs (plot): window' | 'outputs (plot): segment' | 'outputs (plot): frequencies' | 'outputs (table): window' | 'outputs (table): segment' | 'outputs (table): frequencies')
         before=("outputs=[{$kind: i.${extension[$kind]}, show: spectrum, beads: 1}]") ;;

@@ -110,6 +110,28 @@ ok "a plot has the spectrum of the table" python3 "$top/tests/curves.py" spectru
 ok "inside the gap less than a thousandth passes" awk -v t="$(between 5100 7700)" 'BEGIN {exit !(t > 0 && t < 1e-3)}'
 ok "in the bands most of it" awk -v a="$(between 500 4600)" -v b="$(between 8200 9300)" 'BEGIN {exit !(a > 0.5 && b > 0.5)}'
 
+# Chirps over the edges of the bands, which 20 cells on are where a tenth of the wave is left: there exp(-20 k) = 1/10, and cosh k
+# is 1.0066, .1 % from the edge at most.
+cat >edge.yaml <<'YAML'
+materials:
+  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
+  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{cell: [heavy, light], count: 100}]
+  drive: {displacement: chirp, amplitude: 100 pm, frequency: 1 kHz, to: 2 kHz}
+simulate: {until: 80 ms, accuracy: 1e-8}
+outputs: [{table: edge.csv, show: transfer, beads: 40, every: 20 us}]
+YAML
+edge() { # FROM TO first|last : the first, or the last frequency of which a tenth arrives, away from where the window is small
+    "$beadsim" edge.yaml -q -o . --set chain.drive.frequency="$1 Hz" --set chain.drive.to="$2 Hz" >log 2>&1 || return 1
+    awk -F, -v a="$1" -v b="$2" -v w="$3" '$1 > a + 150 && $1 < b - 150 && $2 > 0.1 && (w == "last" || at == "") {at = $1} END {print at}' edge.csv
+}
+ok "a chirp finds the top of the lower band" near "$(edge 4200 5200 last)" 4710.94 5e-3
+ok "... the bottom of the upper one" near "$(edge 7300 8900 first)" 8102.20 5e-3
+ok "... and its top" near "$(edge 8700 10000 last)" 9372.22 5e-3
+
 # A chirp from 1 to 21 kHz in 20 ms: at time t it is at 1 kHz + t * 1 MHz/s.
 cat >chirp.yaml <<'YAML'
 chain:
