@@ -103,7 +103,7 @@ static double least_part(const struct bead_view_setup *setup)
 
 const char *bead_along_axis(struct bead_axis *axis, const struct bead_view_setup *setup, double length, double em, bool horizontal)
 {
-    const bool uneven = bead_along_uneven(setup, length), fixed = bead_along_fixed(setup);
+    const bool fixed = bead_along_fixed(setup), uneven = !fixed && bead_along_uneven(setup, length); /* outlines have no beads */
     const char *title = bead_axis_along_chain(axis, setup->chain, of_contacts(setup), setup->beads.first, setup->beads.last,
                                               uneven ? fmax(4 * em, length * least_part(setup)) : length, em, horizontal);
     const double span = axis->high - axis->low;
