@@ -29,7 +29,7 @@ ok "a sensor without a name" refused 'a.mp4, sound: sensor' 'must be off, wall, 
 ok "a negative contact" refused 'a.mp4, sound: contact -1' 'must be off, wall, contact NUMBER or sensor NAME'
 ok "a film of hours" refused 'a.mp4, sound: wall, fps: 1, duration: 4000 s' 'sound: a movie with sound lasts at most 3600 s'
 ok "the last contact may be heard" exits 0 "$beadreel" scene.yaml --plan --set 'outputs=[{movie: a.mp4, sound: contact 12}]'
-ok "a transparent mp4 is refused" refused 'a.mp4, background: none' 'mp4 files cannot be transparent (`background: none`); mov, webm, apng and png files can'
+ok "a transparent mp4 is refused" refused 'a.mp4, background: none' 'mp4 files cannot be transparent (`background: none`); mov, webm, webp, apng and png files can'
 
 ok "a film with sound" exits 0 "$beadreel" scene.yaml -o .
 for name in film.mov film.mkv film.webm; do
