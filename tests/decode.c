@@ -92,6 +92,18 @@ static void take_subtitle(const AVStream *stream, AVPacket *packet, struct decod
     avcodec_free_context(&codec);
 }
 
+/* The film's stream. FFmpeg from 6.1 on has the first picture of an AVIF loop as a stream of its own. */
+static unsigned stream_of_film(const AVFormatContext *format)
+{
+    unsigned film = 0;
+    for (unsigned i = 1; i < format->nb_streams; i++) {
+        if (format->streams[i]->codecpar->codec_id == AV_CODEC_ID_AV1 &&
+            format->streams[i]->nb_frames > format->streams[film]->nb_frames)
+            film = i;
+    }
+    return film;
+}
+
 void decode(const char *path, struct decoded *movie)
 {
     memset(movie, 0, sizeof *movie);
@@ -99,7 +111,14 @@ void decode(const char *path, struct decoded *movie)
     assert_int_equal(avformat_open_input(&format, path, NULL, NULL), 0);
     assert_true(avformat_find_stream_info(format, NULL) >= 0);
     unsigned lists = 0;
-    for (unsigned i = 1; i < format->nb_streams; i++) {
+    const unsigned film = stream_of_film(format);
+    for (unsigned i = 0; i < format->nb_streams; i++) {
+        if (i == film)
+            continue;
+        if (strstr(path, ".avif")) {
+            lists++;
+            continue;
+        }
         if (format->streams[i]->codecpar->codec_type == AVMEDIA_TYPE_DATA) { /* the chapters of an mp4 file */
             lists++;
             continue;
@@ -113,7 +132,7 @@ void decode(const char *path, struct decoded *movie)
         movie->cover_bytes = (size_t)format->streams[i]->attached_pic.size;
     }
     assert_int_equal(format->nb_streams, 1 + lists + movie->covers);
-    const AVStream *stream = format->streams[0];
+    const AVStream *stream = format->streams[film];
     const AVCodec *decoder = avcodec_find_decoder(stream->codecpar->codec_id);
     if (av_dict_get(stream->metadata, "alpha_mode", NULL, 0)) /* libavcodec's own does not know it */
         decoder = avcodec_find_decoder_by_name("libvpx-vp9");
@@ -127,7 +146,7 @@ void decode(const char *path, struct decoded *movie)
     AVPacket *packet = av_packet_alloc();
     assert_non_null(packet);
     while (av_read_frame(format, packet) >= 0) {
-        if (packet->stream_index != 0) {
+        if (packet->stream_index != (int)film) {
             if (is_subtitle(format->streams[packet->stream_index]))
                 take_subtitle(format->streams[packet->stream_index], packet, movie);
             av_packet_unref(packet);
