@@ -58,6 +58,8 @@ void bead_table_numbers(FILE *file, size_t count, const double *numbers);
 
 /* The name of a chain and a comma, if there are several chains. */
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain);
+/* Ends a line, and counts it as a row. */
+void bead_table_end_row(struct bead_sink *sink);
 /* "time_s", or "time" if times have no unit. */
 void bead_table_time_header(const struct bead_sink *sink);
 

@@ -18,8 +18,7 @@ static void write_range(struct bead_sink *sink, size_t chain, const struct bead_
     bead_table_chain_name(sink, chain);
     fprintf(sink->file, "%zu,%zu,%s,%zu", medium->first, medium->last, kind, number);
     bead_table_numbers(sink->file, 2, ends);
-    fputc('\n', sink->file);
-    sink->rows++;
+    bead_table_end_row(sink);
 }
 
 static void write_medium(struct bead_sink *sink, size_t chain, const struct bead_medium *medium)

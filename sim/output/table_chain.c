@@ -34,8 +34,7 @@ static void write_bead(struct bead_sink *sink, size_t index, size_t bead)
                            (const double[]){bead_chain_stiffness(chain)[bead], bead_chain_static_force(chain)[bead]});
     else
         fputs(",,", sink->file);
-    fputc('\n', sink->file);
-    sink->rows++;
+    bead_table_end_row(sink);
 }
 
 static void chain_end(struct bead_sink *sink, const struct bead_outcome *)

@@ -60,8 +60,7 @@ static enum bead_error extremes_sample(struct bead_sink *sink, const struct bead
         const double part = *largest > 0 ? fabs(values[at]) / *largest : fabs(values[at]) > 0 ? INFINITY : 0;
         bead_table_numbers(sink->file, 1, &part);
     }
-    fputc('\n', sink->file);
-    sink->rows++;
+    bead_table_end_row(sink);
     return BEAD_OK;
 }
 

@@ -45,8 +45,7 @@ static void profiles_end(struct bead_sink *sink, const struct bead_outcome *)
                 bead_table_chain_name(sink, c);
                 bead_write_number(sink->file, sink->output->curves.profile_times[m]);
                 bead_table_numbers(sink->file, 2, (const double[]){places[i], values[i]});
-                fputc('\n', sink->file);
-                sink->rows++;
+                bead_table_end_row(sink);
             }
         }
     }

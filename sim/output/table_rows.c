@@ -50,6 +50,12 @@ void bead_table_chain_name(const struct bead_sink *sink, size_t chain)
     fputc(',', sink->file);
 }
 
+void bead_table_end_row(struct bead_sink *sink)
+{
+    fputc('\n', sink->file);
+    sink->rows++;
+}
+
 /* ---- numbers against time ---- */
 
 enum bead_error bead_table_add_column(struct bead_sink *sink, size_t chain, size_t bead, const char *what, struct bead_message *msg)
@@ -97,6 +103,5 @@ void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sam
     bead_write_number(sink->file, sample->time);
     for (size_t i = 0; i < sink->column_count; i++)
         bead_table_numbers(sink->file, 1, &sink->columns[i].value);
-    fputc('\n', sink->file);
-    sink->rows++;
+    bead_table_end_row(sink);
 }

@@ -35,8 +35,7 @@ static void write_contact(struct bead_sink *sink, size_t chain, const struct bea
             bead_table_numbers(sink->file, 1, &s->velocity);
         else
             fputc(',', sink->file);
-        fputc('\n', sink->file);
-        sink->rows++;
+        bead_table_end_row(sink);
     }
 }
 

@@ -79,8 +79,7 @@ static void write_spectrum(struct bead_sink *sink, const struct bead_spectral *f
             for (size_t p = 0; p < found[c].columns; p++)
                 bead_table_numbers(sink->file, 1, &found[c].values[p * found[c].rows + k]);
         }
-        fputc('\n', sink->file);
-        sink->rows++;
+        bead_table_end_row(sink);
     }
 }
 
@@ -137,8 +136,7 @@ static void write_spectrogram(struct bead_sink *sink, size_t chain, const struct
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / found->rows) * found->between);
         bead_table_numbers(sink->file, 2, (const double[]){at, found->values[i]});
-        fputc('\n', sink->file);
-        sink->rows++;
+        bead_table_end_row(sink);
     }
 }
 
@@ -171,8 +169,7 @@ static void write_dispersion(struct bead_sink *sink, size_t chain, const struct 
         bead_write_number(sink->file, found->first + (double)(i / bands) * found->between);
         fprintf(sink->file, ",%zu", i % bands + 1);
         bead_table_numbers(sink->file, 3, (const double[]){line.exact, line.found, line.amplitude});
-        fputc('\n', sink->file);
-        sink->rows++;
+        bead_table_end_row(sink);
     }
 }
 

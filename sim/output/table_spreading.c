@@ -62,8 +62,7 @@ static enum bead_error spreading_sample(struct bead_sink *sink, const struct bea
         if (isfinite(numbers[i]))
             bead_write_number(sink->file, numbers[i]);
     }
-    fputc('\n', sink->file);
-    sink->rows++;
+    bead_table_end_row(sink);
     return BEAD_OK;
 }
 
