@@ -54,14 +54,18 @@ ok "waves above the band fade from bead to bead" fades 2 1
 ok "... by the same factor" fades 3 5
 
 # A dimer under 20 N: bands end at 4710.94, 8102.20 and 9372.22 Hz.
-cat >dimer.yaml <<'YAML'
+dimers() { # CELLS
+    cat <<YAML
 materials:
   heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
   light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
 chain:
   precompression: 20 N
   wall: rigid
-  beads: [{cell: [heavy, light], count: 400}]
+  beads: [{cell: [heavy, light], count: $1}]
+YAML
+}
+{ dimers 400; cat; } >dimer.yaml <<'YAML'
   start: [{bead: [400, 401], velocity: 1 um/s}]
 simulate: {until: 20 ms}
 outputs: [{table: dispersion.csv, show: dispersion}, {plot: dispersion.svg, show: dispersion}]
@@ -81,14 +85,7 @@ awk 'BEGIN { pi = atan2(0, -1); print "part,Hz"
                  printf "%.9g,%.9g\n", q, sqrt((f1 + f2) / 2 + b * sqrt((f1 + f2) ^ 2 / 4 - f1 * f2 * sin(pi * q / 2) ^ 2)) } }' >closed.csv
 sort -t, -k1g,1 closed.csv >bands.csv
 ok "a plot has the exact bands over it" python3 "$top/tests/curves.py" dispersion.svg bands.csv 1 1e3
-cat >gap.yaml <<'YAML'
-materials:
-  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
-  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
-chain:
-  precompression: 20 N
-  wall: rigid
-  beads: [{cell: [heavy, light], count: 30}]
+{ dimers 30; cat; } >gap.yaml <<'YAML'
   drive: {displacement: noise, amplitude: 10 pm, frequency: 12 kHz} # more would make waves in the gap from two in the bands
 simulate: {until: 40 ms, accuracy: 1e-8}
 outputs:
@@ -112,14 +109,7 @@ ok "in the bands most of it" awk -v a="$(between 500 4600)" -v b="$(between 8200
 
 # Chirps over the edges of the bands, which 20 cells on are where a tenth of the wave is left: there exp(-20 k) = 1/10, and cosh k
 # is 1.0066, .1 % from the edge at most.
-cat >edge.yaml <<'YAML'
-materials:
-  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
-  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
-chain:
-  precompression: 20 N
-  wall: rigid
-  beads: [{cell: [heavy, light], count: 100}]
+{ dimers 100; cat; } >edge.yaml <<'YAML'
   drive: {displacement: chirp, amplitude: 100 pm, frequency: 1 kHz, to: 2 kHz}
 simulate: {until: 80 ms, accuracy: 1e-8}
 outputs: [{table: edge.csv, show: transfer, beads: 40, every: 20 us}]

@@ -49,6 +49,8 @@ static void it_is_near_that_of_beads(void **state)
         for (int n = 0; n < 119; n++)
             assert_near(forces[n], bead_compacton_at(&found[i], n), 0.04 * found[i].height);
     }
+    /* Empirical: off by 2.5e-3. A height found of three samples depends on where the wave is between beads, by 1.4 % from the one
+     * time to the other, and the speed is that of its sixth root: .23 %. Other times have other phases. */
     assert_near((found[1].centre - found[0].centre) / 40 / found[1].speed, 0.905516 / sqrt(0.8), 3e-3);
     bead_run_destroy(run);
     release(&b);
