@@ -326,7 +326,7 @@ coverage: ## lines and branches of sim and render that the tests reach, by room 
 counted: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC)
 
 properties: all ## properties of every scene, CASES=1000 random scenes each (by hand; a quarter of an hour)
-	@$(python) tests/properties.py $(BUILD)/beadsim $(CASES)
+	@$(python) -B tests/properties.py $(BUILD)/beadsim $(CASES)
 
 mutants: ## small faults in sim and render that no test notices: MUTANTS=100 SEED=1 ROOMS="sim render" (by hand; 5 s a fault, and 20 minutes first)
 	@tests/mutants.py --count $(MUTANTS) --seed $(SEED) --work $(BUILD)-mutants -- $(ROOMS)

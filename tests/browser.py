@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Open pictures and movies in a headless Chromium: browser.py CHROMIUM DIRECTORY FILE...
 
-A server on localhost gives the files to a page that plays and draws them, and takes its findings, one line of TAP a finding.
+A server on localhost gives the files to a page that plays and draws them, and takes its findings. Prints TAP.
 """
 import http.server
 import json
@@ -11,10 +11,12 @@ import sys
 import tempfile
 import threading
 
+from tap import finish, ok
+
 PAGE = r"""<!DOCTYPE html><meta charset="utf-8"><body><script>
 const files = %s, found = [];
 const wait = s => new Promise(done => setTimeout(done, 1000 * s));
-const tell = (good, what) => found.push((good ? 'ok - ' : 'not ok - ') + what);
+const tell = (good, what) => found.push([good, what]);
 /* Pixels of what is shown: colours (to 32 levels), and all of them, for comparison. */
 function look(source, width, height) {
     const canvas = document.createElement('canvas');
@@ -113,7 +115,7 @@ async function still(name) {
             tell(false, `${name}: ${e}`);
         }
     }
-    await fetch('/found', {method: 'POST', body: found.join('\n')});
+    await fetch('/found', {method: 'POST', body: JSON.stringify(found)});
 })();
 </script>"""
 
@@ -159,11 +161,10 @@ def main():
         os.killpg(browser.pid, 15)
         browser.wait()
     if not came:
-        print("not ok - the browser said nothing in 180 s")
-        return
-    lines = findings[0].splitlines()
-    print("\n".join(lines))
-    print("1..%d" % len(lines))
+        ok(False, "the browser said something in 180 s")
+    for good, what in json.loads(findings[0]) if came else ():
+        ok(good, what)
+    finish()
 
 
 main()

@@ -15,20 +15,12 @@ import h5py
 import numpy as np
 
 from devtools import Browser
+from tap import finish, ok
 
-count = 0
-failed = 0
 PAGE = b"""<!DOCTYPE html>
 <meta charset="utf-8"><link rel="icon" href="data:,"><link rel="stylesheet" href="main.css">
 <style>html, body, #root { height: 100%; margin: 0 }</style>
 <body><div id="root"></div><script type="module" src="main.js"></script></body>"""
-
-
-def ok(good, what):
-    global count, failed
-    count += 1
-    failed += not good
-    print(("ok" if good else "not ok"), count, "-", what)
 
 
 class Server(http.server.SimpleHTTPRequestHandler):
@@ -113,8 +105,7 @@ def main():
     finally:
         page.close()
         server.shutdown()
-    print(f"1..{count}")
-    sys.exit(failed > 0)
+    finish()
 
 
 main()

@@ -12,17 +12,10 @@ import h5py
 import numpy as np
 
 import beadreel
+from tap import finish, ok, skip
 
 folder = pathlib.Path(sys.argv[1])
 STEEL = {"chain": {"beads": [{"bead": "large-steel", "count": 20}]}}
-count = failed = 0
-
-
-def ok(good, what):
-    global count, failed
-    count += 1
-    failed += not good
-    print("ok" if good else "not ok", count, "-", what)
 
 
 def refused(kind, words, function, *arguments, **settings):
@@ -53,17 +46,10 @@ def demo():
     return run
 
 
-def skipped(missing, what):
-    global count
-    count += 1
-    print("# missing:", missing)
-    print("ok", count, "-", what, "# SKIP")
-
-
 def trajectories(run):
     """Chains are a dimension; what is read is what the file has, wherever one cuts."""
     if not has_xarray():
-        return skipped("python3-xarray", "the trajectory in xarray")
+        return skip("python3-xarray", "the trajectory in xarray")
     data = run.trajectory
     with h5py.File(run.outputs["run.h5"]) as file:
         stored = file["particles/chain/bead_force/value"][:]
@@ -88,7 +74,7 @@ def trajectories(run):
     try:
         import matplotlib
     except ImportError:
-        return skipped("python3-matplotlib", "xarray plots it")
+        return skip("python3-matplotlib", "xarray plots it")
     matplotlib.use("Agg")
     image = clean.bead_force.plot()
     ok(image.axes.get_xlabel() == "bead" and image.axes.get_ylabel() == "time [s]" and image.get_array().size == clean.bead_force.size
@@ -206,5 +192,4 @@ errors()
 many()
 sweeps()
 documented()
-print(f"1..{count}")
-sys.exit(failed > 0)
+finish()

@@ -14,6 +14,8 @@ import time
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
+from tap import finish, ok
+
 BEADSIM = sys.argv[1]
 CASES = int(sys.argv[2]) if len(sys.argv) > 2 else 20
 WORK = tempfile.TemporaryDirectory(prefix="beadreel-properties-", dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None)
@@ -307,20 +309,16 @@ def main():
              energy_and_momentum_are_kept, measures_scale_with_the_strike]
     how = settings(max_examples=CASES, derandomize=CASES <= 20, database=None, deadline=None,
                    suppress_health_check=list(HealthCheck))
-    failures = 0
-    for number, test in enumerate(tests, 1):
+    for test in tests:
         began = time.time()
         try:
             how(test)()
-            print(f"ok {number} - {test.__name__}", flush=True)
+            ok(True, test.__name__)
             if CASES > 20:
                 print(f"# {time.time() - began:.1f} s", flush=True)
         except Exception as error:  # pylint: disable=broad-except
-            failures += 1
-            notes = "\n".join(getattr(error, "__notes__", []))
-            print(f"not ok {number} - {test.__name__}\n# " + f"{type(error).__name__}: {error}\n{notes}".replace("\n", "\n# "), flush=True)
-    print(f"1..{len(tests)}")
-    sys.exit(failures > 0)
+            ok(False, test.__name__, f"{type(error).__name__}: {error}", *getattr(error, "__notes__", []))
+    finish()
 
 
 main()

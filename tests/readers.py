@@ -13,22 +13,7 @@ import sys
 import h5py
 import numpy as np
 
-count = 0
-failed = 0
-
-
-def ok(good, what):
-    global count, failed
-    count += 1
-    failed += not good
-    print(("ok" if good else "not ok"), count, "-", what)
-
-
-def skip(missing, what):
-    global count
-    count += 1
-    print("# missing:", missing)
-    print("ok", count, "-", what, "# SKIP")
+from tap import finish, ok, skip
 
 
 def has(module):
@@ -263,8 +248,7 @@ def main():
         check_xdmf(sys.argv[1], file)
         check_xarray(sys.argv[1], file)
         check_mdanalysis(sys.argv[1], file)
-    print(f"1..{count}")
-    sys.exit(failed > 0)
+    finish()
 
 
 main()

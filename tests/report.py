@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read reports as people do, in a headless Chromium: report.py CHROMIUM ASSETS DIRECTORY; one line of TAP a finding.
+"""Read reports as people do, in a headless Chromium: report.py CHROMIUM ASSETS DIRECTORY. Prints TAP.
 
 DIRECTORY has run.html with force.csv, the forces at its sensors at the same times; and sweep.html with force of configurations.csv and
 image.png, the pixels of configuration 3 in inferno."""
@@ -10,16 +10,7 @@ import re
 import sys
 
 from devtools import Browser
-
-found = 0
-
-
-def tell(good, what, said=""):
-    global found
-    found += 1
-    print("%s - %s" % ("ok" if good else "not ok", what))
-    if not good and said != "":
-        print("# %s" % said)
+from tap import finish, ok
 
 
 def load_map(assets, name):
@@ -74,9 +65,9 @@ def check_pixels(page, assets, scheme, rows):
             worst["image"] = max(worst["image"], far(pixel(page, 0, spot["x"], spot["y"]), map_colour(colours, value, high)))
             page.run("report.setZoom(null)")
             strongest = max(strongest, value)
-    tell(strongest > 0.2 * high, "%s: forces that show, up to %.3g of %.3g N" % (scheme, strongest, high))
-    tell(worst["bead"] <= 6, "%s: beads have the colours of their forces in the table" % scheme, "off by %g levels" % worst["bead"])
-    tell(worst["image"] <= 14, "%s: so has the space-time image" % scheme, "off by %g levels" % worst["image"])
+    ok(strongest > 0.2 * high, "%s: forces that show, up to %.3g of %.3g N" % (scheme, strongest, high))
+    ok(worst["bead"] <= 6, "%s: beads have the colours of their forces in the table" % scheme, "off by %g levels" % worst["bead"])
+    ok(worst["image"] <= 14, "%s: so has the space-time image" % scheme, "off by %g levels" % worst["image"])
 
 
 def check_reading(page):
@@ -87,9 +78,9 @@ def check_reading(page):
         role = node.get("role", {}).get("value")
         roles.setdefault(role, []).append(node.get("name", {}).get("value", ""))
     for role in ("button", "slider", "combobox", "spinbutton", "application"):
-        tell(roles.get(role) and all(roles[role]), "every %s has a name" % role, roles.get(role))
+        ok(roles.get(role) and all(roles[role]), "every %s has a name" % role, roles.get(role))
     images = roles.get("image", []) + roles.get("img", []) + roles.get("graphics-document", [])
-    tell(len(images) >= 3 and all(images), "pictures have their texts", images)
+    ok(len(images) >= 3 and all(images), "pictures have their texts", images)
     for scheme in ("dark", "light"):
         page.prefer(scheme)
         ratio = page.run("""(() => {
@@ -99,7 +90,7 @@ def check_reading(page):
                 return .2126 * v[0] + .7152 * v[1] + .0722 * v[2]; };
             const contrast = (a, b) => (Math.max(a, b) + .05) / (Math.min(a, b) + .05);
             return Math.min(...['ink', 'faint', 'accent'].flatMap(t => ['background', 'panel'].map(b => contrast(level(t), level(b))))); })()""")
-        tell(ratio >= 4.5, "%s: text has contrast, %.2f at least" % (scheme, ratio))
+        ok(ratio >= 4.5, "%s: text has contrast, %.2f at least" % (scheme, ratio))
 
 
 def check_playing(page):
@@ -109,20 +100,20 @@ def check_playing(page):
     page.run("new Promise(done => setTimeout(done, 300))")
     first = page.run("report.state.sample")
     page.press(" ", " ")
-    tell(first > 0 and not page.run("report.state.playing"), "space plays and stops")
+    ok(first > 0 and not page.run("report.state.playing"), "space plays and stops")
     before = page.run("report.state.sample")
     page.press(".", ".")
     page.press(".", ".")
     page.press(",", ",")
-    tell(page.run("report.state.sample") == round(before) + 1, "full stop and comma step", before)
+    ok(page.run("report.state.sample") == round(before) + 1, "full stop and comma step", before)
     page.press("+", "+")
-    tell(page.run("report.state.zoom !== null"), "+ zooms")
+    ok(page.run("report.state.zoom !== null"), "+ zooms")
     page.press("0", "0")
-    tell(page.run("report.state.zoom === null"), "0 shows all")
+    ok(page.run("report.state.zoom === null"), "0 shows all")
     page.run("report.canvases[0].focus(); report.state.bead = 3")
     page.press("ArrowRight")
-    tell(page.run("report.state.bead") == 4 and page.run("document.getElementById('bead').value") == "4", "arrows choose a bead")
-    tell("bead 4" in page.run("document.getElementById('said').textContent"), "and what it is is said")
+    ok(page.run("report.state.bead") == 4 and page.run("document.getElementById('bead').value") == "4", "arrows choose a bead")
+    ok("bead 4" in page.run("document.getElementById('said').textContent"), "and what it is is said")
 
 
 def check_pointer(page, rows):
@@ -136,20 +127,20 @@ def check_pointer(page, rows):
     page.mouse("mouseMoved", spot["x"], spot["y"])
     tip = page.run("document.getElementById('tip').textContent")
     shown = page.run("document.getElementById('tip').style.visibility")
-    tell(shown == "visible" and re.search(r"bead %d\b" % bead, tip) and " N" in tip, "the pointer shows values", tip)
+    ok(shown == "visible" and re.search(r"bead %d\b" % bead, tip) and " N" in tip, "the pointer shows values", tip)
     page.click(spot["x"], spot["y"])
     page.settle()
-    tell(page.run("report.state.bead") == bead, "a click chooses the bead under it", page.run("report.state.bead"))
+    ok(page.run("report.state.bead") == bead, "a click chooses the bead under it", page.run("report.state.bead"))
     label = page.run("document.getElementById('one-chart').getAttribute('aria-label')")
     largest = max(float(row[name]) for row in rows)
     said = re.search(r"largest ([0-9.]+) (m?)N", label)
     value = float(said.group(1)) * (1e-3 if said.group(2) else 1) if said else 0
-    tell(abs(value - largest) < 2e-3 * largest, "its chart has the largest force of the table, %.4g N" % largest, label)
+    ok(abs(value - largest) < 2e-3 * largest, "its chart has the largest force of the table, %.4g N" % largest, label)
     page.run("scrollTo(0, 0)")
     page.settle()
     page.drag(spot["left"] + 0.25 * spot["w"], spot["top"] + 0.25 * spot["h"], spot["left"] + 0.5 * spot["w"], spot["top"] + 0.5 * spot["h"])
     zoom = page.run("report.state.zoom")
-    tell(zoom and zoom["places"][1] - zoom["places"][0] < 0.35 * page.run("report.chains[0].values"), "dragging zooms", zoom)
+    ok(zoom and zoom["places"][1] - zoom["places"][0] < 0.35 * page.run("report.chains[0].values"), "dragging zooms", zoom)
 
 
 def check_touch(page, directory):
@@ -166,25 +157,25 @@ def check_touch(page, directory):
         page.touch("touchMove", (x - far_out, y), (x + far_out, y))
     page.touch("touchEnd")
     page.settle()
-    tell(page.run("report.state.zoom !== null && report.state.bead === null"), "two fingers zoom, and choose nothing")
+    ok(page.run("report.state.zoom !== null && report.state.bead === null"), "two fingers zoom, and choose nothing")
     page.run("report.setZoom(null)")
     page.touch("touchStart", (x, y))
     page.touch("touchEnd")
     page.settle()
-    tell(page.run("report.state.bead !== null"), "one finger chooses a bead")
+    ok(page.run("report.state.bead !== null"), "one finger chooses a bead")
     page.call("Emulation.setTouchEmulationEnabled", enabled=False)
 
 
 def check_text(page, scene):
-    tell(page.run("document.title") == scene["title"], "the title is the scene's, whatever it contains", page.run("document.title"))
-    tell(page.run("document.querySelectorAll('h1 *, #scene-text *').length") == 0, "no element comes from the scene")
-    tell("title:" in page.run("document.getElementById('scene-text').textContent"), "the scene is there")
+    ok(page.run("document.title") == scene["title"], "the title is the scene's, whatever it contains", page.run("document.title"))
+    ok(page.run("document.querySelectorAll('h1 *, #scene-text *').length") == 0, "no element comes from the scene")
+    ok("title:" in page.run("document.getElementById('scene-text').textContent"), "the scene is there")
     page.run("navigator.clipboard.writeText = async text => { window.copied = text; }")
     page.run("document.getElementById('copy').click()")
     page.settle()
-    tell(page.run("window.copied === document.getElementById('scene-text').textContent"), "its button copies it")
+    ok(page.run("window.copied === document.getElementById('scene-text').textContent"), "its button copies it")
     table = page.run("document.getElementById('numbers-table').textContent")
-    tell(re.search(r"\d ± 0\.0*\d", table), "numbers have their uncertainty", table)
+    ok(re.search(r"\d ± 0\.0*\d", table), "numbers have their uncertainty", table)
 
 
 def check_sweep(page, directory):
@@ -197,13 +188,13 @@ def check_sweep(page, directory):
         forces = {int(row["configuration"]): float(row["peak_force_N"]) for row in csv.DictReader(file) if row["configuration"]}
     shown = page.run("Object.fromEntries(report.data.panels[0].places[0].indices.map((index, i) => "
                      "[index, report.data.panels[0].places[0].values[i] * report.data.panels[0].places[0].clean]))")
-    tell(len(shown) == len(forces) and all(abs(shown[str(i)] - f) < 1e-9 * f for i, f in forces.items()), "points have the forces of the table", shown)
+    ok(len(shown) == len(forces) and all(abs(shown[str(i)] - f) < 1e-9 * f for i, f in forces.items()), "points have the forces of the table", shown)
     for number in (3, 0):
         spot = page.run("(() => { const b = document.querySelector('#force-chart [data-index=\"%d\"]').getBoundingClientRect();"
                         "return {x: b.x + b.width / 2, y: b.y + b.height / 2}; })()" % number)
         page.click(spot["x"], spot["y"])
         page.settle()
-        tell(page.run("report.state.image.index") == number, "a click on the point of configuration %d shows it" % number)
+        ok(page.run("report.state.image.index") == number, "a click on the point of configuration %d shows it" % number)
     page.run("report.choose(3)")
     with open(directory + "/image.png", "rb") as file:
         picture = base64.b64encode(file.read()).decode()
@@ -218,13 +209,13 @@ def check_sweep(page, directory):
         context.drawImage(image, 0, 0);
         const other = context.getImageData(0, 0, image.width, image.height).data;
         return other.reduce((sum, v, i) => sum + Math.abs(v - mine.data[i]), 0) / other.length; })()""" % picture)
-    tell(mean < 1.5, "its pixels are those of the run itself", "%s levels apart" % mean)
+    ok(mean < 1.5, "its pixels are those of the run itself", "%s levels apart" % mean)
     page.press("ArrowRight")
-    tell(page.run("report.state.image.index") != 3 and page.run("document.getElementById('said').textContent") != "", "arrows go to the next")
+    ok(page.run("report.state.image.index") != 3 and page.run("document.getElementById('said').textContent") != "", "arrows go to the next")
     page.resize(390, 844, mobile=True)
     page.open("file://%s/sweep.html" % directory)
     page.settle()
-    tell(page.run("document.documentElement.scrollWidth <= innerWidth"), "a sweep fits a phone")
+    ok(page.run("document.documentElement.scrollWidth <= innerWidth"), "a sweep fits a phone")
 
 
 def main():
@@ -246,15 +237,15 @@ def main():
             page.open("file://%s/run.html" % directory)
             page.settle()
             fits = page.run("document.documentElement.scrollWidth <= innerWidth && document.getElementById('controls').getBoundingClientRect().bottom <= innerHeight + 1")
-            tell(fits, "%d x %d: nothing is wider than the window, and the controls are in it" % (width, height))
+            ok(fits, "%d x %d: nothing is wider than the window, and the controls are in it" % (width, height))
         check_touch(page, directory)
         check_sweep(page, directory)
-        tell(not page.errors, "no error in the console", page.errors)
-        tell(all(r.startswith("file://%s/" % directory) and r.endswith(".html") for r in page.requests), "nothing is asked for but the page",
+        ok(not page.errors, "no error in the console", page.errors)
+        ok(all(r.startswith("file://%s/" % directory) and r.endswith(".html") for r in page.requests), "nothing is asked for but the page",
              page.requests)
     finally:
         page.close()
-    print("1..%d" % found)
+    finish()
 
 
 main()

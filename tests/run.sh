@@ -27,15 +27,13 @@ for t in "$build"/tests/test_* tests/test_*.sh tests/cli/*.sh; do
 done
 
 one() {
-    log=$1/log/$(basename "$2")
-    start=$(date +%s.%N)
+    log=$1/log/$(basename "$2") TIMEFORMAT='%R %U %S'
     # The check for leaks at the end may crash itself, seldom, and has found nothing then: again. Scripts print what they caught of it.
     for _ in 1 2 3; do
-        timeout -k 10 "${TEST_TIMEOUT:-600}" "$2" >"$log.out" 2>"$log.err" </dev/null
+        { time timeout -k 10 "${TEST_TIMEOUT:-600}" "$2" >"$log.out" 2>"$log.err" </dev/null; } 2>"$log.times"
         echo $? >"$log.status"
         grep -qs 'LeakSanitizer has encountered a fatal error' "$log.err" "$log.out" || break
     done
-    echo "$(date +%s.%N) - $start" | awk '{printf "%.1f\n", $1 - $3}' >"$log.seconds"
 }
 export -f one
 printf '%s\0' "${names[@]}" | xargs -0 -r -P "${JOBS:-$(nproc)}" -I{} bash -c 'one "$1" "$2"' - "$work" {}
@@ -63,8 +61,8 @@ for t in "${names[@]}"; do
         echo "not ok - ended with status $status after $((good + left)) of $planned tests" >>"$log.out"
     fi
     passed=$((passed + good)) failed=$((failed + bad)) skipped=$((skipped + left))
-    printf '%-28s %4d passed %11s %12s %6s s\n' "$(basename "$t")" "$good" "$([ "$bad" -eq 0 ] || echo "$bad failed")" \
-        "$([ "$left" -eq 0 ] || echo "$left skipped")" "$(cat "$log.seconds" 2>/dev/null)"
+    printf '%-28s %4d passed %11s %12s %s\n' "$(basename "$t")" "$good" "$([ "$bad" -eq 0 ] || echo "$bad failed")" \
+        "$([ "$left" -eq 0 ] || echo "$left skipped")" "$(awk '{printf "%6.1f s, %5.1f s of CPU", $1, $2 + $3}' "$log.times" 2>/dev/null)"
     if [ "$bad" -ne 0 ]; then
         grep -A 12 -E '^not ok |# SKIP' "$log.out" | sed 's/^/    /' | head -60
         tail -n 30 "$log.err" | sed 's/^/    | /'

@@ -16,6 +16,8 @@ import sys
 import jsonschema
 import yaml
 
+from tap import finish, ok
+
 # What messages about the structure say.
 STRUCTURE = re.compile(
     r"unknown key|is a key of|is a map|is a list;|must be a map|must be a list|is an empty list|must be true or false|is not whole"
@@ -23,16 +25,6 @@ STRUCTURE = re.compile(
 # Structure that depends on the value of another key (which equation, what is shown), or on units.
 UNSEEN = {"equation-start-of-another", "panels-beside-field", "profiles-without-times", "table-of-profiles-without-times",
           "sensitivities-of-half-a-contact"}
-count = failed = 0
-
-
-def ok(good, what, *details):
-    global count, failed
-    count += 1
-    failed += not good
-    for detail in details if not good else ():
-        print("#", detail)
-    print("ok" if good else "not ok", count, "-", what)
 
 
 def wrong(validator, path):
@@ -78,8 +70,7 @@ def main():
             missed.append(f"{path} {expected.strip()}")
     ok(len(bad) > 200 and not missed, "wrong structures are refused", *missed)
     ok(refused >= 80, f"{refused} of {len(bad)} wrong scenes are refused")
-    print(f"1..{count}")
-    sys.exit(failed > 0)
+    finish()
 
 
 main()

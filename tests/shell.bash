@@ -8,6 +8,7 @@ beadreel=$BUILD/beadreel
 beadsim=$BUILD/beadsim
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel.XXXXXX") || exit 1
 trap 'rm -rf "$T"' EXIT
+export PYTHONDONTWRITEBYTECODE=1
 export XDG_CONFIG_HOME=$T/.config XDG_CONFIG_DIRS=/nowhere # not the settings of who runs the tests
 tests=0 failures=0
 
@@ -68,6 +69,11 @@ relay() {
         esac
     done <"$T/out"
     ok "${1:-}the checks came to their end" eval 'grep -q "^1\.\." "$T/out" || { cat "$T/err"; false; }'
+}
+# find_browser : $browser is a Chromium that runs here.
+find_browser() {
+    browser=$(command -v chromium || command -v google-chrome) &&
+        timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1
 }
 # await COMMAND... : until the command succeeds, at most a minute.
 await() {

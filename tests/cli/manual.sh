@@ -5,7 +5,7 @@ source "$(dirname "$0")/../shell.bash"
 manual=$top/assets/manual
 # Debian's Python has h5py.
 mkdir "$T/bin" && ln -s /usr/bin/python3 "$T/bin/python3"
-export top PATH=$T/bin:$BUILD:$PATH PYTHONPATH=$top/assets/python PYTHONDONTWRITEBYTECODE=1 BEADREEL=$beadreel
+export top PATH=$T/bin:$BUILD:$PATH PYTHONPATH=$top/assets/python BEADREEL=$beadreel
 # Slurm's command, for one machine: the tasks of the array, one after the other.
 sbatch() {
     local task tasks

@@ -3,7 +3,7 @@
 # The Python module, and the notebook that uses it.
 source "$(dirname "$0")/../shell.bash"
 python=/usr/bin/python3
-export PYTHONPATH=$top/assets/python PYTHONDONTWRITEBYTECODE=1 BEADREEL=$beadreel
+export PYTHONPATH=$top/assets/python BEADREEL=$beadreel
 if ! "$python" -c 'import h5py, numpy' 2>/dev/null; then
     skip "python3-h5py" "the Python module"
     finish

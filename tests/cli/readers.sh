@@ -49,14 +49,13 @@ still() { fails 2 "$beadsim" "$T/two.yaml" -o "$T" --set 'outputs.0.fields=[velo
 ok "... nor without places" still
 
 # H5Web is run as it is, in a browser: of one chain the axis is that of its beads, of two there is none.
-browser=$(command -v chromium || command -v google-chrome)
 if ! [ -d "$NODE_PATH/@h5web/h5wasm" ]; then
     skip "H5Web (npm for make deps-ci)" "H5Web shows trajectories"
-elif ! timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
+elif ! find_browser; then
     skip "a Chromium that runs here (chromium)" "H5Web shows trajectories"
 else
     ok "H5Web is bundled" "$NODE_PATH/.bin/esbuild" "$top/tests/h5web.jsx" --bundle --format=esm --jsx=automatic --outfile="$T/main.js"
-    PYTHONDONTWRITEBYTECODE=1 run timeout 240 "$python" "$top/tests/h5web.py" "$browser" "$T" one.h5 run.h5
+    run timeout 240 "$python" "$top/tests/h5web.py" "$browser" "$T" one.h5 run.h5
     relay ""
 fi
 

@@ -103,18 +103,9 @@ ok "... the same" same_data
 no_peaks() { fails 2 "$beadreel" sweep.yaml -o made --set 'outputs=[{report: r.html}]' --set 'sweep.measure={peak: none, decay: true}' && says 'measures none'; }
 ok "peaks that are not measured are missed" no_peaks
 
-# Lines of TAP from a program, as tests of this script.
-browser=$(command -v chromium || command -v google-chrome)
-if [ -n "$browser" ] && timeout 60 "$browser" --headless --no-sandbox --disable-gpu --dump-dom about:blank >/dev/null 2>&1; then
-    PYTHONDONTWRITEBYTECODE=1 timeout 240 /usr/bin/python3 "$top/tests/report.py" "$browser" "$top/assets" "$T" >found 2>&1
-    while read -r line; do
-        case $line in
-        "ok - "*) ok "${line#ok - }" true ;;
-        "not ok - "*) ok "${line#not ok - }" false ;;
-        "# "*) echo "$line" ;;
-        esac
-    done <found
-    ok "the browser's checks came to their end" grep -q '^1\.\.' found
+if find_browser; then
+    run timeout 240 /usr/bin/python3 "$top/tests/report.py" "$browser" "$top/assets" "$T"
+    relay
 else
     skip "a Chromium that runs here (chromium)" "a browser reads a report"
 fi

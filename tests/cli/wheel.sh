@@ -7,7 +7,6 @@ for need in "python3-pip:$python -m pip --version" "python3-venv:$python -m venv
     ${need#*:} >/dev/null 2>&1 || { skip "${need%%:*}" "the wheel"; finish; }
 done
 unset MAKEFLAGS MAKELEVEL MFLAGS PYTHONPATH BEADREEL BEADREEL_ASSETS
-export PYTHONDONTWRITEBYTECODE=1
 
 ok "pip makes a wheel of the source tree" exits 0 env BUILD="$BUILD" "$python" -m pip wheel -q --no-index --no-deps \
     --config-settings level=1 --wheel-dir "$T" "$top"
