@@ -4,6 +4,7 @@
 #include "beadreel/movie.h"
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
+#include "render/colour/colour_table.h"
 #include "render/draw/png_source.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_internal.h"

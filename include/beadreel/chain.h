@@ -70,8 +70,8 @@ BEAD_API const double *bead_chain_radius(const struct bead_chain *chain);   /* m
 BEAD_API const double *bead_chain_position(const struct bead_chain *chain); /* m: centre, from bead 1's, unloaded */
 BEAD_API const size_t *bead_chain_material(const struct bead_chain *chain); /* index into scene->materials */
 /* Arrays of length contacts. */
-BEAD_API const double *bead_chain_stiffness(const struct bead_chain *chain);    /* A_k, N/m^power, physics of Hertz: see law.h */
-BEAD_API const double *bead_chain_static_force(const struct bead_chain *chain); /* N: precompression and weight */
+BEAD_API const double *bead_chain_stiffness(const struct bead_chain *chain); /* A_k, N/m^power, for Hertz's law 4/3 E* sqrt(R*) */
+BEAD_API const double *bead_chain_static_force(const struct bead_chain *chain);       /* N: precompression and weight */
 BEAD_API const double *bead_chain_static_compression(const struct bead_chain *chain); /* m; below 0: a gap */
 
 /* Spins of all segments with cells of two or more beads, left to right, as '0' and '1'; "" where there are none. */

@@ -50,14 +50,6 @@ struct bead_law {
 
 /* NULL: there is no such law. */
 BEAD_API const struct bead_law *bead_law_find(const char *name);
-/* Row `index`, NULL behind the last. */
-BEAD_API const struct bead_law *bead_law_info(size_t index);
-
-/* Stiffness A of a contact of two spheres (thesis Eq. 13):
- * A = 4 E1 E2 sqrt(R1 R2 / (R1 + R2)) / (3 [E2 (1 - nu1^2) + E1 (1 - nu2^2)]), N/m^{3/2}. */
-BEAD_API double bead_hertz_spheres(const struct bead_material *a, const struct bead_material *b);
-/* Stiffness of a contact of a sphere and a flat wall, with sqrt(R) instead; wall NULL: rigid. */
-BEAD_API double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall);
 
 BEAD_END
 

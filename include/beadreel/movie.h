@@ -6,8 +6,7 @@
  *   bead_movie_check(path, &settings, &msg);          long before, where there is time to say no
  *   bead_movie_open(path, &settings, &movie, &msg);   writes path.part
  *   bead_movie_add(movie, &frame, &changes, &msg);    once a frame, in order
- *   bead_movie_close(movie, &bytes, &msg);            finishes, fsyncs, renames; or bead_movie_stop(movie, &bytes, &msg),
- *                                                     which leaves path.part as far as it goes; or bead_movie_abort(movie)
+ *   bead_movie_close(movie, &bytes, &msg);            finishes, fsyncs, renames; or bead_movie_abort(movie)
  *
  * path.part plays while it grows, also where the program is killed: an mp4 file grows by fragments, which close copies into a plain
  * file with its index in front, a gif as an animated PNG, of which close makes the GIF, and an avif as mp4. Only of webp nothing is

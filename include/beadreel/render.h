@@ -41,8 +41,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_frame_create(int width, int height, str
 BEAD_API void bead_frame_free(struct bead_frame *frame);
 /* Copy a rectangle (clipped) between frames of the same size. */
 BEAD_API void bead_frame_copy(struct bead_frame *to, const struct bead_frame *from, struct bead_rect rect);
-/* FNV-1a over the visible bytes (B, G, R of every pixel, and alpha). */
-BEAD_API uint64_t bead_frame_hash(const struct bead_frame *frame);
 BEAD_API void bead_changes_add(struct bead_changes *changes, struct bead_rect rect);
 
 /* ---- colour maps: from numbers to palette indices to colours ---- */
@@ -52,11 +50,6 @@ struct bead_colormap {
     uint8_t rgb[256][3]; /* sRGB */
 };
 
-/* NULL-terminated names with a line about each. */
-struct bead_colormap_info {
-    const char *name, *description;
-};
-BEAD_API const struct bead_colormap_info *bead_colormap_list(void);
 /* From assets/colormaps/NAME.txt, reversed for NAME_r, or of colours: "#000000 #ff8000 #ffffff", equally far apart. Errors: SCENE
  * (no such map; says which there are), IO, FORMAT, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg);
@@ -67,9 +60,6 @@ struct bead_colours {
     enum bead_scale scale;
     double low, high;
 };
-/* 0..1 along the colour bar, not clamped: below 0 or above 1 where the value is out of range. A square-root scale takes the
- * root of both signs; values that a logarithm has not are -infinity. */
-BEAD_API double bead_colours_place(const struct bead_colours *colours, double value);
 /* The map's 256 colours are equal bands along the bar. */
 BEAD_API uint8_t bead_colours_index(const struct bead_colours *colours, double value);
 

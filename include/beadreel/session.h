@@ -72,11 +72,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_session_open(const struct bead_job *job
                                                       struct bead_message *msg);
 /* Writes the plan, lines of text, to `out`: the work that will be done, the work that is skipped, and why. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_plan(const struct bead_session *session, FILE *out, struct bead_message *msg);
-/* Output number `index` of those that the session knows; false behind the last. Strings are the session's. */
-struct bead_planned {
-    const char *name, *path, *kind; /* as in bead_result; path NULL: not made */
-    bool made;                      /* not left out by --only, and a kind that the program makes */
-};
 /* Once: whatever came of it, another run is refused with USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_session_run(struct bead_session *session, struct bead_message *msg);
 
@@ -102,14 +97,10 @@ struct bead_counts {
 BEAD_API const struct bead_counts *bead_session_counts(const struct bead_session *session);
 /* After a run, what its user should know before believing it: sentences, the `index`-th; NULL behind the last. */
 BEAD_API const char *bead_session_warning(const struct bead_session *session, size_t index);
-/* False where `simulate: {verify: true}` asked for more than could be had; a warning says what. */
-BEAD_API bool bead_session_verified(const struct bead_session *session);
 BEAD_API const struct bead_chain *const *bead_session_chains(const struct bead_session *session, size_t *count);
 BEAD_API const struct bead_outcome *bead_session_outcomes(const struct bead_session *session, size_t *chain_count);
 /* The sweep of a scene or file that has one, else NULL. */
 BEAD_API const struct bead_sweep *bead_session_sweep(const struct bead_session *session);
-/* Removes unfinished files. For the handlers of signals that end the program at once: nothing else may be called after it. */
-BEAD_API void bead_session_abandon(const struct bead_session *session);
 BEAD_API void bead_session_close(struct bead_session *session);
 
 BEAD_END

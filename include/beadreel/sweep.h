@@ -53,15 +53,6 @@ struct bead_threshold {
     double low, high;                /* M that the law was fitted to */
 };
 
-/* Decay along a chain of what is 1 without disorder, y at places (beads) 0, 1, ...: exponential near the striker, y ~ exp(-x /
- * length), a power law farther on, y ~ x^exponent. */
-struct bead_decay {
-    double length, length_error;           /* beads; INFINITY where it does not decay */
-    double exponent, exponent_error;       /* NaN where the places do not reach to eight times `last` */
-    double length_offset, exponent_offset; /* ln y at place 0, and at place 1, of the two lines */
-    size_t first, last;                    /* places that the exponential was fitted over; the power law: from `last` on */
-};
-
 struct bead_sweep;
 
 struct bead_sweep_panel {
@@ -108,8 +99,6 @@ BEAD_API size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, s
  * or there is no such configuration. Borrowed from the sweep. */
 BEAD_API bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size_t index,
                                        struct bead_sweep_configuration *configuration);
-/* How well the forces of a place are known, as a part of themselves: as the worst of those that were measured; NaN: none was. */
-BEAD_API double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 /* Number of configurations (and reference chains), and of those that are known. */
 BEAD_API size_t bead_sweep_count(const struct bead_sweep *sweep, size_t *known);
 
@@ -161,21 +150,6 @@ BEAD_API BEAD_CHECK enum bead_error bead_sweep_statistics(const struct bead_swee
                                                           const char *threshold, struct bead_sweep_statistics *statistics,
                                                           struct bead_message *msg);
 BEAD_API void bead_sweep_statistics_free(struct bead_sweep_statistics *statistics);
-
-/* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
- * chain's. */
-struct bead_sweep_decay {
-    double magnetism;
-    size_t count;           /* configurations */
-    double *force, *energy; /* [beads] N, J: geometric means of the peaks */
-    /* From bead 10, where the wave has formed, to where it has fallen to 1/e, or to the last random bead. */
-    struct bead_decay of_force, of_energy;
-    double force_participation, energy_participation; /* of last_force, last_energy: means of the ratios, beads */
-};
-/* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
-BEAD_API BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
-                                                      struct bead_sweep_decay **decays, size_t *count, struct bead_message *msg);
-BEAD_API void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);
 
 BEAD_END
 

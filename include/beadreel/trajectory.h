@@ -32,8 +32,6 @@ BEAD_BEGIN
 
 struct bead_trajectory;
 
-/* True where the file looks like HDF5, whatever it is called. */
-BEAD_API bool bead_trajectory_is(const char *path);
 /* HDF5 reads the file in a process of its own, a child of the calling one, until the trajectory is closed: there it has no files,
  * no network and little memory, and a file that makes it fail is an error here. Overrides change the stored scene's outputs (not
  * its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY, SCENE. */
@@ -47,7 +45,6 @@ BEAD_API const struct bead_grid *bead_trajectory_grid(const struct bead_trajecto
 BEAD_API unsigned bead_trajectory_fields(const struct bead_trajectory *trajectory); /* BEAD_FIELD_BITs stored or derivable */
 BEAD_API struct bead_span bead_trajectory_beads(const struct bead_trajectory *trajectory);
 BEAD_API bool bead_trajectory_complete(const struct bead_trajectory *trajectory); /* false: its run was stopped or killed */
-BEAD_API double bead_trajectory_end(const struct bead_trajectory *trajectory); /* s: end of the run that wrote it (planned end) */
 /* Outcome of chain `chain` as stored (peaks NULL; NaN and method "" where the run was killed). */
 BEAD_API BEAD_CHECK enum bead_error bead_trajectory_outcome(const struct bead_trajectory *trajectory, size_t chain,
                                                             struct bead_outcome *outcome, struct bead_message *msg);

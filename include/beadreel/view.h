@@ -39,9 +39,6 @@ struct bead_look {
     struct bead_rgb axis; /* lines and ticks */
 };
 
-/* Paint all of the page, or a rectangle of a panel, in the look's colours; nothing where it is clear. */
-BEAD_API void bead_look_paint(const struct bead_look *look, cairo_t *cr);
-
 /* Colour of the curve of this number, from 0; six, then again. */
 BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);
 
@@ -174,9 +171,6 @@ static inline bool bead_view_has(const struct bead_view_type *type, unsigned tra
 {
     return (type->info->traits & trait) != 0;
 }
-
-/* Never NULL for a kind below BEAD_VIEW_KINDS. */
-BEAD_API const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
 
 BEAD_END
 

@@ -18,3 +18,12 @@ void bead_colour_table_find(const struct bead_colour_table *table, size_t n, con
 
 /* 0..1 of `value` between low and high, not clamped; what axes and colours share. */
 double bead_scale_place(enum bead_scale scale, double low, double high, double value);
+/* 0..1 along the colour bar, not clamped: below 0 or above 1 for values out of range. A square-root scale takes the root of both
+ * signs; values that have no logarithm are at -infinity. */
+double bead_colours_place(const struct bead_colours *colours, double value);
+
+/* NULL-terminated names with a line about each. */
+struct bead_colormap_info {
+    const char *name, *description;
+};
+const struct bead_colormap_info *bead_colormap_list(void);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/draw/picture.h"
 #include "sim/base/memory.h"
 
 static int least(int a, int b)

@@ -22,6 +22,8 @@ struct bead_dashes {
 const struct bead_dashes *bead_look_dashes(size_t index);
 /* Another family for all letters; NULL, "auto": as it is. */
 void bead_look_font(struct bead_look *look, const char *family);
+/* Paint the whole page, or a rectangle of a panel, in the look's colours; nothing if it is clear. */
+void bead_look_paint(const struct bead_look *look, cairo_t *cr);
 void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, double y, double width, double height);
 /* Is there any font to write with? Errors: GRAPHICS. */
 BEAD_CHECK enum bead_error bead_text_check(struct bead_message *msg);

@@ -18,6 +18,9 @@ struct bead_picture_notes {
     bool outlines;                                       /* letters of SVG are outlines, not text */
 };
 
+/* FNV-1a over the visible bytes (B, G, R of every pixel, and alpha). */
+uint64_t bead_frame_hash(const struct bead_frame *frame);
+
 /* PNG, with a palette where the frame has at most 256 colours (then exact and small), else RGB. Writes
  * path.part and renames. Errors: IO, MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,

@@ -2,6 +2,7 @@
 /* The table of codecs: the container of each movie format, and the encoder and options of each quality. */
 #include "render/encode/movie_private.h"
 
+#include "render/draw/picture.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_internal.h"
 #include "render/encode/tracks.h"

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/raster.h"
 #include "render/figure/panels_private.h"
 #include "render/paint/canvas.h"

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "render/draw/quantity.h"
 #include "render/draw/words.h"

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "render/colour/colour_table.h"
 #include "render/movie/composer_private.h"
 #include "render/view/views.h"
 #include "sim/kinds/view_kinds.h"

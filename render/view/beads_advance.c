@@ -2,6 +2,7 @@
 /* The state of the beads at one time: positions, colours, loads, place of the lens. First step of every draw of the beads view. */
 #include <math.h>
 
+#include "render/colour/colour_table.h"
 #include "render/view/beads.h"
 #include "sim/chain/chain_internal.h"
 

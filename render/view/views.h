@@ -8,6 +8,9 @@
 BEAD_VIEWS(BEAD_VIEW_TYPE)
 #undef BEAD_VIEW_TYPE
 
+/* Never NULL for a kind below BEAD_VIEW_KINDS. */
+const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
+
 /* Room, px, that the key of a stage takes at the right of its headroom. */
 double bead_stage_key_room(const struct bead_view_setup *setup);
 

@@ -40,9 +40,7 @@ struct bead_chain_axis {
 };
 BEAD_INTERNAL struct bead_chain_axis bead_chain_axis(const struct bead_chain *chain, bool of_contacts);
 
+/* Law `index`; NULL behind the last. */
+const struct bead_law *bead_law_info(size_t index);
 /* Has the row what every row needs? Errors: USAGE, with the name of what is missing. */
 BEAD_CHECK enum bead_error bead_law_check(const struct bead_law *law, struct bead_message *msg);
-/* Both as the program of the thesis's Appendix 4 has them, operation by operation; between spheres it takes
- * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2), N/m^{3/2}. */
-double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b);
-double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall);

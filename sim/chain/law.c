@@ -35,16 +35,30 @@ static double fpu_coefficient(const struct bead_law_spec *spec, const struct bea
     return spec->stiffness;
 }
 
-static double hertz_coefficient(const struct bead_law_spec *, const struct bead_material *left, const struct bead_material *right,
+/* Contact of two spheres (thesis Eq. 13): A = 4 E1 E2 sqrt(R1 R2 / (R1 + R2)) / (3 [E2 (1 - nu1^2) + E1 (1 - nu2^2)]), N/m^{3/2};
+ * with sqrt(R) instead of a sphere and a flat wall. */
+static double hertz_coefficient(const struct bead_law_spec *, const struct bead_material *a, const struct bead_material *b,
                                 bool wall)
 {
-    return wall ? bead_hertz_wall(left, right) : bead_hertz_spheres(left, right);
+    const double flat_a = 1 - a->poisson * a->poisson, flat_b = b ? 1 - b->poisson * b->poisson : 0;
+    const double radius = wall || !b ? a->radius : a->radius * b->radius / (a->radius + b->radius);
+    const double elastic =
+        b ? 4 * a->modulus * b->modulus / (3 * (b->modulus * flat_a + a->modulus * flat_b)) : 4 * a->modulus / (3 * flat_a);
+    return elastic * sqrt(radius);
 }
 
-static double printed_coefficient(const struct bead_law_spec *, const struct bead_material *left, const struct bead_material *right,
+/* The same as the program of the thesis's Appendix 4 has it, operation by operation; between spheres it takes
+ * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2). */
+static double printed_coefficient(const struct bead_law_spec *spec, const struct bead_material *a, const struct bead_material *b,
                                   bool wall)
 {
-    return wall ? bead_printed_wall(left, right) : bead_printed_spheres(left, right);
+    if (!b)
+        return hertz_coefficient(spec, a, NULL, true);
+    const double flat_a = 1 - a->poisson * a->poisson, flat_b = 1 - b->poisson * b->poisson;
+    if (wall)
+        return 4 * a->modulus * b->modulus * sqrt(a->radius) / (3 * b->modulus * flat_a + 3 * a->modulus * flat_b);
+    return 4 * sqrt(a->radius * b->radius) / (a->radius + b->radius) * a->modulus * b->modulus /
+           (3 * b->modulus * flat_a + 3 * a->modulus * flat_b);
 }
 
 /* Logarithmic derivatives of 4 / 3 / (c1 + c2), c = (1 - nu^2) / E, times sqrt(R1 R2) / (R1 + R2)^sum_part; sqrt(R1) if it is 0. */
@@ -247,38 +261,4 @@ const struct bead_law *bead_law_find(const char *name)
             return &laws[i];
     }
     return NULL;
-}
-
-/* Elastic part of A: 4 E1 E2 / (3 [E2 (1 - nu1^2) + E1 (1 - nu2^2)]). */
-static double elastic(const struct bead_material *a, const struct bead_material *b)
-{
-    double flat_a = 1 - a->poisson * a->poisson, flat_b = 1 - b->poisson * b->poisson;
-    return 4 * a->modulus * b->modulus / (3 * (b->modulus * flat_a + a->modulus * flat_b));
-}
-
-double bead_hertz_spheres(const struct bead_material *a, const struct bead_material *b)
-{
-    return elastic(a, b) * sqrt(a->radius * b->radius / (a->radius + b->radius));
-}
-
-double bead_hertz_wall(const struct bead_material *bead, const struct bead_material *wall)
-{
-    if (wall)
-        return elastic(bead, wall) * sqrt(bead->radius);
-    return 4 * bead->modulus / (3 * (1 - bead->poisson * bead->poisson)) * sqrt(bead->radius);
-}
-
-double bead_printed_spheres(const struct bead_material *a, const struct bead_material *b)
-{
-    double flat_a = 1 - a->poisson * a->poisson, flat_b = 1 - b->poisson * b->poisson;
-    return 4 * sqrt(a->radius * b->radius) / (a->radius + b->radius) * a->modulus * b->modulus /
-           (3 * b->modulus * flat_a + 3 * a->modulus * flat_b);
-}
-
-double bead_printed_wall(const struct bead_material *bead, const struct bead_material *wall)
-{
-    if (!wall)
-        return bead_hertz_wall(bead, NULL);
-    double flat_bead = 1 - bead->poisson * bead->poisson, flat_wall = 1 - wall->poisson * wall->poisson;
-    return 4 * bead->modulus * wall->modulus * sqrt(bead->radius) / (3 * wall->modulus * flat_bead + 3 * bead->modulus * flat_wall);
 }

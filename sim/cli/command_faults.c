@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "sim/cli/command_line.h"
+#include "sim/session/session_internal.h"
 
 /* The run that a fault would end. */
 static struct bead_session *volatile running;

@@ -20,6 +20,7 @@
 #include "sim/chain/validity.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/output/measure.h"
+#include "sim/output/trajectory_data.h"
 #include "sim/sweep/sweep_internal.h"
 
 enum { MOST_STARTS = 8 };

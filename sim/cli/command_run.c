@@ -11,6 +11,7 @@
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
 #include "sim/session/session_internal.h"
+#include "sim/sweep/sweep_internal.h"
 
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {

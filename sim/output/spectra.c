@@ -447,10 +447,11 @@ static double band_at(const struct bead_spectral *d, const struct bead_medium *m
     return bead_jacobi_frequency(&medium->cell, band, bead_sin((0.5 - q) * pi));
 }
 
-struct bead_line bead_spectral_line(const struct bead_spectral *d, const struct bead_medium *medium, size_t column, size_t band)
+struct bead_spectral_line bead_spectral_line(const struct bead_spectral *d, const struct bead_medium *medium, size_t column,
+                                             size_t band)
 {
     const double *a = d->values + column * d->rows, top = (double)(d->rows - 1) * d->step;
-    struct bead_line line = {NAN, NAN, 0};
+    struct bead_spectral_line line = {NAN, NAN, 0};
     double low = 0, high = top;
     if (medium) {
         line.exact = band_at(d, medium, column, band);

@@ -40,9 +40,9 @@ BEAD_INTERNAL const struct bead_medium *bead_spectra_medium(const struct bead_sp
 
 /* A line of a dispersion: the strongest at this wave number, within a band's share of the frequencies (halfway to its neighbours).
  */
-struct bead_line {
+struct bead_spectral_line {
     double exact, found, amplitude; /* Hz; exact NaN: no band. `found` lies between rows, by a parabola through the logarithms of
                                      * three (of a line in Hann's window 2 % of a step off at most) */
 };
-struct bead_line bead_spectral_line(const struct bead_spectral *dispersion, const struct bead_medium *medium, size_t column,
-                                    size_t band);
+struct bead_spectral_line bead_spectral_line(const struct bead_spectral *dispersion, const struct bead_medium *medium,
+                                             size_t column, size_t band);

@@ -162,7 +162,7 @@ static void write_dispersion(struct bead_sink *sink, size_t chain, const struct 
     const struct bead_medium *medium = bead_spectra_medium(sink->spectra, chain);
     const size_t bands = medium ? medium->cell.count : 1;
     for (size_t i = 0; i < found->columns * bands; i++) {
-        const struct bead_line line = bead_spectral_line(found, medium, i / bands, i % bands);
+        const struct bead_spectral_line line = bead_spectral_line(found, medium, i / bands, i % bands);
         if (!is_shown(sink, line.found))
             continue;
         bead_table_chain_name(sink, chain);

@@ -49,3 +49,5 @@ BEAD_CHECK enum bead_error bead_trajectory_begin(const char *path, const struct 
                                                  struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, struct bead_scene *changed,
                                                   struct bead_message *msg);
+/* True if the file looks like HDF5, whatever it is called. */
+bool bead_trajectory_is(const char *path);

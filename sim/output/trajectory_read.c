@@ -41,11 +41,6 @@ bool bead_trajectory_complete(const struct bead_trajectory *t)
     return t->complete;
 }
 
-double bead_trajectory_end(const struct bead_trajectory *t)
-{
-    return t->end;
-}
-
 enum bead_error bead_trajectory_outcome(const struct bead_trajectory *t, size_t chain, struct bead_outcome *outcome,
                                         struct bead_message *msg)
 {

@@ -5,6 +5,7 @@
 
 #include "beadreel/law.h"
 #include "sim/base/suggest.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 #include "sim/scene/scene_private.h"
 

@@ -124,7 +124,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
         return err;
     s->source = bead_trajectory_scene(s->trajectory);
     s->chains = bead_trajectory_chains(s->trajectory, &s->chain_count);
-    s->end = s->needed = bead_trajectory_end(s->trajectory);
+    s->end = s->needed = s->trajectory->end;
     s->native = *bead_trajectory_grid(s->trajectory);
     s->stored = stored_samples(s->trajectory);
     BEAD_TRY(bead_session_join(s, msg));

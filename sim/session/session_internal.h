@@ -4,8 +4,17 @@
 
 #include "beadreel/session.h"
 
+/* Output number `index` of those that the session knows; false behind the last. Strings are the session's. */
+struct bead_planned {
+    const char *name, *path, *kind; /* as in bead_result; path NULL: not made */
+    bool made;                      /* not left out by --only, and a kind that the program makes */
+};
 bool bead_session_planned(const struct bead_session *session, size_t index, struct bead_planned *planned);
 /* Name of the `index`-th output that none of the job's sinks can make (pictures in beadsim); NULL behind the last. */
 const char *bead_session_skipped(const struct bead_session *session, size_t index);
 /* Unit of the session's times: "s", or "" (bead_chain_time_unit). */
 const char *bead_session_time_unit(const struct bead_session *session);
+/* False if `simulate: {verify: true}` asked for more than the run reached; a warning says what. */
+bool bead_session_verified(const struct bead_session *session);
+/* Removes unfinished files. For handlers of signals that end the program at once: call nothing else after it. */
+void bead_session_abandon(const struct bead_session *session);

@@ -133,7 +133,7 @@ static enum bead_error add_file(struct bead_session *s, struct bead_joined *j, s
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of an equation, and the other of beads; their axes differ", t->path);
     for (size_t i = 0; i < t->chain_count; i++)
         j->of[(*used)++] = (struct joined_chain){t, i};
-    s->end = fmin(s->end, bead_trajectory_end(t));
+    s->end = fmin(s->end, t->end);
     s->stored.last = fmin(s->stored.last, bead_trajectory_grid(t)->end);
     return BEAD_OK;
 }

@@ -6,6 +6,7 @@
 
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
+#include "sim/output/trajectory_data.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_internal.h"

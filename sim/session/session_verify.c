@@ -5,6 +5,7 @@
 
 #include "sim/run/run.h"
 #include "sim/session/session_data.h"
+#include "sim/session/session_internal.h"
 
 /* Each round has a tenth of the tolerance of the one before; below the least, rounding is all that differs. */
 static const double tenth = 0.1, least = 1e-13;

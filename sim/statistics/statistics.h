@@ -47,6 +47,15 @@ struct bead_line {
 };
 BEAD_INTERNAL void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line);
 
+/* Decay along a chain of what is 1 without disorder, y at places (beads) 0, 1, ...: exponential near the striker, y ~ exp(-x /
+ * length), a power law farther on, y ~ x^exponent. */
+struct bead_decay {
+    double length, length_error;           /* beads; INFINITY where it does not decay */
+    double exponent, exponent_error;       /* NaN where the places do not reach to eight times `last` */
+    double length_offset, exponent_offset; /* ln y at place 0, and at place 1, of the two lines */
+    size_t first, last;                    /* places that the exponential was fitted over; the power law: from `last` on */
+};
+
 /* The place from `first` on at which the mean of ln y over `cell` places has fallen to -1, or the last one of all. */
 BEAD_INTERNAL size_t bead_decay_reach(const double *logs, size_t places, size_t first, size_t cell);
 /* Lines by least squares through ln y, given; places where it is not finite are left out. The errors are NaN. */

@@ -4,6 +4,7 @@
 
 #include "beadreel/sweep.h"
 #include "sim/base/internal.h"
+#include "sim/statistics/statistics.h"
 
 BEAD_INTERNAL const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
 /* With `accuracy: statistical`, the smallest that a panel needed; 0: as asked. */
@@ -54,3 +55,21 @@ const char *bead_sweep_version(const struct bead_sweep *sweep);
  * of which *count are filled. */
 BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means,
                                      size_t *count);
+/* How well the forces of a place are known, as a part of themselves: as the worst of those that were measured; NaN: none was. */
+double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
+
+/* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
+ * chain's. */
+struct bead_sweep_decay {
+    double magnetism;
+    size_t count;           /* configurations */
+    double *force, *energy; /* [beads] N, J: geometric means of the peaks */
+    /* From bead 10, where the wave has formed, to where it has fallen to 1/e, or to the last random bead. */
+    struct bead_decay of_force, of_energy;
+    double force_participation, energy_participation; /* of last_force, last_energy: means of the ratios, beads */
+};
+/* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
+                                                           struct bead_sweep_decay **decays, size_t *count,
+                                                           struct bead_message *msg);
+BEAD_INTERNAL void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count);

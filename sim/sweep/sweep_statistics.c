@@ -7,6 +7,7 @@
 #include "sim/base/memory.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 
 enum { RESAMPLES = 1000 };
 /* Magnetisms closer than this are equal: they are ratios of whole numbers. */

@@ -9,6 +9,7 @@
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_spreading.h"
 
 /* A table that is being written. */

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "decode.h"
+#include "render/draw/picture.h"
 #include "render/encode/movie_private.h"
 #include "sim/base/memory.h"
 

@@ -13,6 +13,7 @@
 #include "render/draw/looks.h"
 #include "render/movie/movie_cells.h"
 #include "render/movie/movie_layout.h"
+#include "render/view/views.h"
 
 enum { MOST_RECTS = 128 };
 

@@ -4,6 +4,7 @@
 
 #include "beadreel/sweep.h"
 #include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_internal.h"
 #include "tests/fuzz/fuzz.h"
 
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned seed)

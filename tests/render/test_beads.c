@@ -17,6 +17,7 @@
 
 #include "beadreel/view.h"
 #include "render/draw/looks.h"
+#include "render/draw/picture.h"
 #include "render/movie/composer.h"
 #include "render/movie/film.h"
 #include "render/paint/canvas.h"

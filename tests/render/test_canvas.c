@@ -18,6 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "render/draw/picture.h"
 #include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "tests/missing.h"

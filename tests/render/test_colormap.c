@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "beadreel/view.h"
+#include "render/colour/colour_table.h"
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "tests/eyes.h"

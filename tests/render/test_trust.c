@@ -8,7 +8,9 @@
 #include "beadreel/session.h"
 #include "beadreel/view.h"
 #include "render/draw/looks.h"
+#include "render/draw/picture.h"
 #include "render/view/horizon.h"
+#include "render/view/views.h"
 
 /* ---- two runs ---- */
 

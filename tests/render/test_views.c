@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "beadreel/view.h"
+#include "render/view/views.h"
 #include "sim/kinds/view_kinds.h"
 
 static void test_rows_are_complete(void **state)

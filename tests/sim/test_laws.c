@@ -2,6 +2,7 @@
 /* Pair forces: every row of the table is whole and agrees with itself, and a row that no other file knows works like any. */
 #include "chains.h"
 
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/law_beginning.h"
 #include "sim/run/method_choice.h"
 #include "sim/scene/scene_internal.h"

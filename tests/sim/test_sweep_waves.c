@@ -4,6 +4,7 @@
 
 #include "beadreel/sweep.h"
 #include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_internal.h"
 #include "sweeps.h"
 
 /* Forces that an independent program found (velocity-extended Forest-Ruth, steps of 20 ns), N to 8 digits and us. */

@@ -6,6 +6,7 @@
 
 #include "sim/base/file.h"
 #include "sim/output/sink_grid.h"
+#include "sim/output/trajectory_data.h"
 #include "sim/output/trajectory_sink.h"
 
 #define ALL_FIELDS "fields: [displacement, velocity, force, contact-force, energy]"
@@ -58,7 +59,7 @@ static void what_is_written_is_read(void **state)
     struct bead_trajectory *t = open_file(s.path);
     struct bead_message msg = {""};
     struct bead_outcome found, wanted = made_outcome(0);
-    assert_true(bead_trajectory_is(s.path) && bead_trajectory_complete(t) && bead_trajectory_end(t) == 0.6e-3);
+    assert_true(bead_trajectory_is(s.path) && bead_trajectory_complete(t) && t->end == 0.6e-3);
     assert_int_equal(bead_trajectory_outcome(t, 0, &found, &msg), BEAD_OK);
     assert_string_equal(found.method, wanted.method);
     found.method = wanted.method;
@@ -204,7 +205,7 @@ static void killed_runs_open_at_the_last_flush(void **state)
     struct bead_message msg = {""};
     struct bead_outcome outcome;
     assert_false(bead_trajectory_complete(t));
-    assert_true(bead_trajectory_end(t) == 0.6e-3);
+    assert_true(t->end == 0.6e-3);
     assert_int_equal(bead_trajectory_outcome(t, 1, &outcome, &msg), BEAD_OK);
     assert_true(isnan(outcome.end) && outcome.method && outcome.steps == 0);
     bead_trajectory_close(t);
