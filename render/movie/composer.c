@@ -285,7 +285,7 @@ static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
         struct bead_text_style style = bead_words_style(look, look->label, look->ink, BEAD_ALIGN_MIDDLE);
         style.bold = true;
         style.across = layout->words_left ? BEAD_ALIGN_START : BEAD_ALIGN_END;
-        bead_line_draw(cr, style, c->setup.title, layout->title);
+        bead_lines_draw(cr, style, c->setup.title, layout->title);
     }
     if (layout->facts.width > 0)
         bead_facts_draw(cr, look, &c->facts, layout->facts, layout->words_left);

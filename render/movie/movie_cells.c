@@ -10,6 +10,8 @@ static const double title_line = 1.35, between_columns = 1.2, between_numbers = 
 static const double overlay_part = 0.3, overlay_least[] = {1.6, 3.4};
 /* Part of a cell's width for images at the right of other views. */
 static const double images_part = 0.64;
+/* Part of the margin that numbers may take. */
+static const double edge = 0.5;
 /* Most chains whose images have a share. */
 enum { PROMISED = 4 };
 
@@ -114,30 +116,32 @@ static void choose_beyond(struct bead_cells *c, double width)
     c->beyond[1] = bead_cells_whole(w->wall ? fmax(right, fmax(4, w->look->gap)) : right);
 }
 
-/* px by which the numbers of an axis of time reach beyond the sides of a plot. */
-static double time_ends(const struct bead_cells *c, size_t plot)
+/* px by which numbers reach beyond the left or the right of a plot: of times at both, of places along the chain at the right. */
+static double number_ends(const struct bead_cells *c, size_t plot, bool right)
 {
     struct column column = column_of(c, plot % halves(c));
-    for (size_t i = 0; c->axes && i < column.count; i++) {
-        if (bead_movie_across(c->wants, column.view[i]) == BEAD_ACROSS_TIME)
-            return c->wants->time_end;
+    double along = right ? fmax(0, c->wants->along_end - c->beyond[1]) : 0,
+           most = bead_cells_overlay(c) < c->wants->view_count ? along : 0;
+    for (size_t i = 0; i < column.count; i++) {
+        const enum bead_view_across across = bead_movie_across(c->wants, column.view[i]);
+        most = fmax(most, across == BEAD_ACROSS_TIME ? c->wants->time_end : across == BEAD_ACROSS_CHAIN ? along : 0);
     }
-    return 0;
+    return c->axes ? most : 0;
 }
 
 /* Left of a plot, for labels; the first has the frame's margin besides. */
 static int room_left(const struct bead_cells *c, size_t plot)
 {
-    double ends = time_ends(c, plot) - (plot == 0 ? c->wants->look->gap : 0);
+    double ends = number_ends(c, plot, false) - (plot == 0 ? c->wants->look->gap : 0);
     return bead_cells_whole(fmax(labelled_column(c, plot) ? c->wants->left : 0, ends));
 }
 
 /* Right of a plot, before the room of the next; the last has the margin, which may be too small for its numbers. */
 static int room_right(const struct bead_cells *c, size_t plot)
 {
-    double ends = time_ends(c, plot), em = c->wants->look->tick;
+    double ends = number_ends(c, plot, true), em = c->wants->look->tick;
     if (plot + 1 == c->columns * halves(c))
-        return bead_cells_whole(fmax(0, ends - c->wants->look->gap));
+        return bead_cells_whole(fmax(0, ends - edge * c->wants->look->gap));
     return c->level->words ? bead_cells_whole(fmax(between_columns * em, ends > 0 ? ends + between_numbers * em : 0)) : 0;
 }
 

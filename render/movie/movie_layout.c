@@ -55,9 +55,9 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
     f->badge_beside = w->badge_width > 0 && w->badge_width + least_bar <= beside;
     beside -= f->badge_beside ? w->badge_width + 2 * look->gap : 0;
     f->title_beside = title && !f->lying && w->title_width <= beside;
-    f->row[CLOCK].least = f->lying ? bead_cells_whole(fmax(clock, f->bar_width + w->bar_below + 0.2 * look->tick)) : clock;
+    f->row[CLOCK].least = f->lying ? bead_cells_whole(fmax(clock, 0.5 * (clock + f->bar_width) + w->bar_below)) : clock;
     f->row[BADGE].least = w->badge_width > 0 && !f->badge_beside ? bead_cells_whole(1.5 * look->label) : 0;
-    f->row[TITLE].least = title && !f->title_beside ? line : 0;
+    f->row[TITLE].least = title && !f->title_beside ? (w->title_width > room ? 2 : 1) * line : 0;
     f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
     f->row[TRUST].least = w->trust ? line : 0;
     f->row[CELLS].gap = level->titles && !w->headings ? bead_cells_whole(0.5 * look->gap) : 0;
@@ -150,7 +150,7 @@ static void place_standing_bar(const struct bead_movie_wants *w, const struct fr
         layout->bar_title = (struct bead_rect){0};
 }
 
-/* Right of the clock, as far as there is room. */
+/* Right of the clock, level with it, as far as there is room. */
 static void place_lying_bar(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
 {
     int pad = bead_cells_whole(1.2 * w->look->tick), title = bead_cells_whole(w->bar_title + 0.5 * w->look->gap),
@@ -163,7 +163,7 @@ static void place_lying_bar(const struct bead_movie_wants *w, const struct frame
     length = length < most ? length : most;
     if (length < 4 * w->look->tick)
         return;
-    layout->bar = (struct bead_rect){right - length, f->margin + bead_cells_whole(0.2 * w->look->tick), f->bar_width, 0};
+    layout->bar = (struct bead_rect){right - length, f->margin + (layout->time.height - f->bar_width) / 2, f->bar_width, 0};
     layout->bar.height = layout->bar.width;
     layout->bar.width = length;
     layout->bar_title = (struct bead_rect){layout->bar.x - pad - title, f->margin, title, layout->time.height};

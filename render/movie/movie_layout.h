@@ -52,6 +52,7 @@ struct bead_movie_wants {
     double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
     double against;                                /* the title of both axes of an image whose time is to the right */
     double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
+    double along_end;                              /* and those at the right of an axis along the chain */
     double bar, bar_below, bar_title;              /* ticks and labels beside the bar, below it; the width of its title */
 };
 

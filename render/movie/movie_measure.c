@@ -160,10 +160,28 @@ static void measure_beads(struct bead_composer *c)
     }
 }
 
+/* Of the frame's width: plots of such widths are measured. */
+static const double parts[] = {0.9, 0.4, 0.2};
+
+/* px by which numbers reach beyond the right end of an axis along a chain. */
+static double measure_along_end(const struct bead_composer *c, size_t chain)
+{
+    struct bead_axis axis;
+    struct bead_text_style style = bead_words_style(&c->look, c->look.tick, c->look.ink, BEAD_ALIGN_MIDDLE);
+    const struct bead_span span = bead_composer_span(c, chain);
+    double most = 0;
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        const double length = parts[i] * c->wants.width;
+        bead_axis_along_chain(&axis, c->setup.chains[chain], false, span.first, span.last, length, c->look.tick, true);
+        for (size_t k = 0; k < axis.count; k++)
+            most = fmax(most, (axis.ticks[k].place - 1) * length + 0.5 * bead_words_width(NULL, &style, axis.ticks[k].label));
+    }
+    return most;
+}
+
 /* Half of the longest number at an axis of time, in plots of several widths. */
 static double measure_time_end(const struct bead_composer *c)
 {
-    static const double parts[] = {0.9, 0.4, 0.2};
     struct bead_axis axis;
     struct bead_text_style style = bead_words_style(&c->look, c->look.tick, c->look.ink, BEAD_ALIGN_MIDDLE);
     double most = 0;
@@ -199,6 +217,7 @@ static void measure_axes(struct bead_composer *c)
         reserve_name(c, "mode");
     for (size_t i = 0; i < w->chain_count; i++) {
         w->below_beads = fmax(w->below_beads, reach_along(c, i, length));
+        w->along_end = fmax(w->along_end, measure_along_end(c, i));
         numbers[1] = fmax(numbers[1], (double)bead_composer_span(c, i).last);
     }
     w->below_numbers = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);

@@ -241,14 +241,44 @@ void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bea
     }
 }
 
-void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect)
+enum { HEADING_MARKUP = 32 * 1024 + 1 };
+
+static double plain_width(cairo_t *cr, const struct bead_text_style *style, const char *plain, size_t length)
 {
-    char markup[2048];
-    bead_words_fit(cr, &style, plain, false, rect.width, markup, sizeof markup);
-    bead_text_draw(cr, &style, style.across == BEAD_ALIGN_END ? rect.x + rect.width : rect.x, rect.y + 0.5 * rect.height, markup);
+    char part[1024], markup[HEADING_MARKUP];
+    snprintf(part, sizeof part, "%.*s", (int)length, plain);
+    bead_text_escape(part, markup, sizeof markup);
+    return bead_words_width(cr, style, markup);
 }
 
-enum { HEADING_MARKUP = 32 * 1024 + 1 };
+/* Bytes of the first of two lines of similar width; 0: the text is one word. */
+static size_t first_line(cairo_t *cr, const struct bead_text_style *style, const char *plain)
+{
+    double least = INFINITY;
+    size_t found = 0;
+    for (const char *end = strchr(plain, ' '); end; end = strchr(end + 1, ' ')) {
+        const size_t bytes = (size_t)(end - plain);
+        const double widest = fmax(plain_width(cr, style, plain, bytes), plain_width(cr, style, end + 1, strlen(end + 1)));
+        found = widest < least ? bytes : found;
+        least = fmin(least, widest);
+    }
+    return found;
+}
+
+void bead_lines_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect)
+{
+    char first[1024], markup[2048];
+    const bool two = rect.height >= 2 * style.size && plain_width(cr, &style, plain, strlen(plain)) > rect.width;
+    const size_t broken = two ? first_line(cr, &style, plain) : 0;
+    const double x = style.across == BEAD_ALIGN_END ? rect.x + rect.width : rect.x, step = rect.height / (broken ? 2.0 : 1.0);
+    if (broken) {
+        snprintf(first, sizeof first, "%.*s", (int)broken, plain);
+        bead_words_fit(cr, &style, first, false, rect.width, markup, sizeof markup);
+        bead_text_draw(cr, &style, x, rect.y + 0.5 * step, markup);
+    }
+    bead_words_fit(cr, &style, broken ? plain + broken + 1 : plain, false, rect.width, markup, sizeof markup);
+    bead_text_draw(cr, &style, x, rect.y + rect.height - 0.5 * step, markup);
+}
 
 bool bead_heading_has(const struct bead_chain *chain)
 {

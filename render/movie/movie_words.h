@@ -47,8 +47,8 @@ void bead_badge_text(const struct bead_facts *facts, double time, char *out, siz
 double bead_badge_width(const struct bead_look *look, const struct bead_facts *facts);
 /* At the left of `rect`. */
 void bead_badge_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
-/* A line of text, cut with an ellipsis; the style's `down` is BEAD_ALIGN_MIDDLE. */
-void bead_line_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
+/* Text in one line, or in two where `rect` is as high; cut with an ellipsis. The style's `down` is BEAD_ALIGN_MIDDLE. */
+void bead_lines_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
 /* Name, M and label of a chain. */
 struct bead_heading {
     const struct bead_chain *chain;

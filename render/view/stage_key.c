@@ -48,15 +48,16 @@ static void add_word(struct key *key, const char *plain)
     key->right -= width;
 }
 
-static void add_ball(struct key *key, const double colour[3])
+/* `size`: its radius, of the largest. */
+static void add_ball(struct key *key, const double colour[3], double size)
 {
-    const double r = ball * key->style.size, x = key->right - to_word * key->style.size - r;
+    const double r = ball * key->style.size * fmax(0.5, size), x = key->right - to_word * key->style.size - r;
     key->right = x - r;
     if (!key->cr)
         return;
     cairo_pattern_t *shades = cairo_pattern_create_radial(x - 0.3 * r, key->middle - 0.4 * r, 0.1 * r, x, key->middle, r);
-    cairo_pattern_add_color_stop_rgb(shades, 0, fmin(1, 1.25 * colour[0]), fmin(1, 1.25 * colour[1]), fmin(1, 1.25 * colour[2]));
-    cairo_pattern_add_color_stop_rgb(shades, 1, 0.6 * colour[0], 0.6 * colour[1], 0.6 * colour[2]);
+    cairo_pattern_add_color_stop_rgb(shades, 0, fmin(1, 1.15 * colour[0]), fmin(1, 1.15 * colour[1]), fmin(1, 1.15 * colour[2]));
+    cairo_pattern_add_color_stop_rgb(shades, 1, 0.75 * colour[0], 0.75 * colour[1], 0.75 * colour[2]);
     cairo_set_source(key->cr, shades);
     cairo_arc(key->cr, x, key->middle, r, 0, 2 * M_PI);
     cairo_fill(key->cr);
@@ -69,6 +70,7 @@ static void add_materials(struct key *key, const struct bead_view_setup *setup)
     const struct bead_scene *scene = bead_chain_scene(setup->chain);
     const size_t *material = bead_chain_material(setup->chain);
     size_t found[MOST_MATERIALS], count = 0;
+    double largest = 0;
     for (size_t i = setup->beads.first; material && i <= setup->beads.last && i < bead_chain_beads(setup->chain); i++) {
         const size_t own = scene->materials[material[i]].of;
         size_t k = 0;
@@ -78,12 +80,13 @@ static void add_materials(struct key *key, const struct bead_view_setup *setup)
             return; /* too many to be told apart by their colours */
         found[k] = own;
         count += k == count;
+        largest = fmax(largest, scene->materials[own].radius);
     }
     while (count-- > 0) {
         key->right -= key->used ? between * key->style.size : 0;
         key->used = true;
         add_word(key, scene->materials[found[count]].label);
-        add_ball(key, scene->materials[found[count]].colour);
+        add_ball(key, scene->materials[found[count]].colour, scene->materials[found[count]].radius / largest);
     }
 }
 

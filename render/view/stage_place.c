@@ -37,7 +37,8 @@ static double largest_radius(double height)
     return height / (least_above + least_below);
 }
 
-/* All beads are on the stage where they can be nearly as large as a few, and where there is no wave to follow. */
+/* All beads are on the stage where they can be nearly as large as a few above a row of all, and where there is no wave to follow.
+ */
 static bool shows_all(const struct bead_view *v, double width, double height, double length)
 {
     const double wanted = fmin(largest_radius(height), width / (2 * best_across));
@@ -87,7 +88,7 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
     const double head = film ? v->setup.head : v->setup.axes && tall ? headroom(v) : 0;
     const double numbers = v->setup.axes && v->setup.bead_labels && (film || tall) ? ceil(BEAD_STAGE_NUMBERS * em) : 0;
     const double row = v->setup.axes ? ceil(fmax(6, 0.8 * em)) : 0;
-    const bool all = shows_all(v, width, v->plot.height - head - numbers, length);
+    const bool all = shows_all(v, width, v->plot.height - head - numbers - row, length);
     double below = numbers + (all ? 0 : row);
     const double r = choose_radius(v, width, v->plot.height - head - below, length, all);
     const bool rowless =

@@ -302,6 +302,30 @@ static void test_headings_show_equations(void **state)
     close_stage(&s);
 }
 
+/* Axes that end on a number, and long titles, are whole on phones and on old projectors, too. */
+static void test_numbers_at_the_end_are_whole(void **state)
+{
+    static const int sizes[][2] = {{390, 844}, {390, 218}, {1024, 768}};
+    (void)state;
+    for (size_t i = 0; i < 2 * sizeof sizes / sizeof *sizes; i++) {
+        static struct stage s;
+        const int *size = sizes[i / 2];
+        char text[1024], what[80];
+        snprintf(text, sizeof text,
+                 "title: Zabusky's and Kruskal's solitons cross a line of two lengths\nsimulate: {until: 1}\n"
+                 "chain: {equation: kdv, length: 2, points: 640, dispersion: 4.84e-4, start: {cosine: 1, amplitude: 1}}\n"
+                 "outputs: [{movie: m.mp4, views: [%s], size: [%d, %d]}]\n",
+                 i % 2 ? "profile" : "profile, spacetime", size[0], size[1]);
+        snprintf(what, sizeof what, "equation-%zu-%dx%d", i % 2, size[0], size[1]);
+        open_stage(&s, text, size);
+        show(&s, what);
+        assert_legible(&s.seen, size, what);
+        assert_true(wrote(&s.seen, "2.0"));
+        assert_true(wrote(&s.seen, "Zabusky") && wrote(&s.seen, "lengths"));
+        close_stage(&s);
+    }
+}
+
 /* ---- notes ---- */
 
 /* px: left, right and top of what is red within rows from..to. */
@@ -418,6 +442,7 @@ int main(void)
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),
+        cmocka_unit_test(test_numbers_at_the_end_are_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
