@@ -239,6 +239,7 @@ enum bead_show {
     BEAD_SHOW_SPECTROGRAM,
     BEAD_SHOW_TRANSFER,
     BEAD_SHOW_DISPERSION,
+    BEAD_SHOW_FIT,
     BEAD_SHOW_COUNT
 };
 enum bead_taper { BEAD_WINDOW_HANN, BEAD_WINDOW_NONE };
@@ -354,6 +355,12 @@ struct bead_listed {
     size_t count;
 };
 
+/* What was measured at one place: times that rise, s, and values, in the unit of the output's field. */
+struct bead_measured {
+    struct bead_wave_point *points;
+    size_t count;
+};
+
 /* Curves and their numbers: plot, table. */
 struct bead_curves_asked {
     enum bead_show show;
@@ -369,6 +376,8 @@ struct bead_curves_asked {
     enum bead_taper window;      /* of spectra */
     double segment;              /* s: length of what is transformed; NaN: automatic */
     double frequencies[2];       /* Hz, that are shown; NaN: automatic */
+    struct bead_measured *measured; /* [measured_count], beside the curves of the first places */
+    size_t measured_count;
 };
 
 /* Contents of plots and tables of sweeps. */
@@ -501,6 +510,20 @@ struct bead_own {
     const struct bead_sink_type *const *sinks; /* sink.h: of outputs whose key is the sink's name */
 };
 
+/* A number of the scene that is to be found from what was measured. */
+struct bead_fit_key {
+    char *path, *unit;   /* "chain.striker.velocity", "m/s" */
+    double first, value; /* as in the scene; as found */
+    double error;        /* standard error of that */
+};
+enum { BEAD_FIT_KEYS = 8 };
+struct bead_fit {
+    struct bead_fit_key *keys;
+    size_t count;
+    size_t points; /* that were compared; 0: not yet */
+    double rms;    /* of their residuals, in the unit of the field */
+};
+
 struct bead_scene {
     char *file;             /* name for messages */
     struct bead_own own;    /* as given when it was loaded */
@@ -518,6 +541,7 @@ struct bead_scene {
     struct bead_simulate simulate;
     struct bead_output *outputs;
     size_t output_count;
+    struct bead_fit fit;
     char *doubts; /* numbers without a unit that can hardly be meant, a line each, for warnings; NULL: none */
 };
 

@@ -84,6 +84,7 @@ struct bead_graph {
     size_t panel_count;
     bool letters;          /* (a), (b), ... if there are two panels or more */
     bool share_x, share_y; /* one range for all panels; labels at the outer axes only */
+    bool residuals;        /* the second half of the panels are below the first, and half as high */
 };
 
 /* Draw into 0..width, 0..height px of `cr`, on the look's background. Errors: SCENE (too small for that many panels), MEMORY. */

@@ -149,6 +149,8 @@ static enum bead_error make_grid(struct graph_layout *l, struct bead_message *ms
     rows[l->rows + 2].least = l->page.below;
     bead_lanes_want(columns, l->columns, (struct bead_lane){.gap = between_columns * em, .least = smallest_plot, .share = 1});
     bead_lanes_want(rows + 1, l->rows, (struct bead_lane){.gap = between_rows * em, .least = smallest_plot, .share = 1});
+    if (l->graph->residuals)
+        rows[l->rows].share = 0.5;
     columns[0].keep[0] = least->left;
     columns[l->columns - 1].keep[1] = least->right;
     rows[1].keep[0] = least->top;
@@ -340,7 +342,7 @@ static void choose_columns(struct graph_layout *l)
 {
     size_t count = l->graph->panel_count;
     const struct bead_layout_area area = {.width = l->width, .height = l->height, .shape = wanted_shape, .empty = 1.5};
-    l->columns = bead_layout_columns(count, &area);
+    l->columns = l->graph->residuals ? count / 2 : bead_layout_columns(count, &area);
     l->rows = (count + l->columns - 1) / l->columns;
 }
 

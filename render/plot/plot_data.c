@@ -44,8 +44,9 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
 {
     if (!data)
         return;
-    for (size_t p = 0; p < data->count; p++) {
+    for (size_t p = 0; p < data->count << data->residuals; p++) {
         bead_curves_free(&data->parts[p].curves);
+        bead_recorded_free(&data->parts[p].recorded);
         bead_curves_free(&data->parts[p].differences);
         free(data->parts[p].series);
         free(data->parts[p].values);
@@ -78,30 +79,41 @@ enum bead_error bead_plot_data_feed(struct bead_plot_data *data, const struct be
     return kind->feed ? kind->feed(data, sample, msg) : BEAD_OK;
 }
 
-/* Moves the series of all panels into the first, under the names of their chains. */
+/* Moves the series of panels `first` and so on, all chains, into panel `into`, under the names of their chains. */
+static void overlay_row(struct bead_plot_data *data, size_t first, size_t into, size_t *used)
+{
+    struct bead_panel *row = &data->panels[first];
+    const size_t from = *used;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_panel *panel = &row[p];
+        for (size_t k = 0; k < panel->series_count; k++, ++*used) {
+            const struct bead_panel *labelled = panel->series[k].label ? panel : row; /* else as in the first */
+            const char *own = k < labelled->series_count && labelled->series[k].label ? labelled->series[k].label : "";
+            const char *name = data->panels[p].title ? data->panels[p].title : "";
+            const bool ours = panel->series[k].mark != BEAD_MARK_POINTS; /* what was measured is no chain's */
+            const bool both = ours && *own && *name && panel->series_count > 1;
+            data->overlaid[*used] = panel->series[k];
+            snprintf(data->overlaid_labels[*used], sizeof *data->overlaid_labels, "%.140s%s%.140s", ours ? name : "",
+                     both ? ": " : "", both || !ours || !*name ? own : "");
+            data->overlaid[*used].label = data->overlaid_labels[*used];
+            plot_tell_apart(&data->overlaid[*used], *used - from);
+        }
+    }
+    data->panels[into] = *row;
+    data->panels[into].series = data->overlaid + from;
+    data->panels[into].series_count = *used - from;
+}
+
 static enum bead_error overlay(struct bead_plot_data *data, struct bead_message *msg)
 {
     size_t all = 0, used = 0;
-    for (size_t p = 0; p < data->count; p++)
+    for (size_t p = 0; p < data->count << data->residuals; p++)
         all += data->panels[p].series_count;
     BEAD_TRY(bead_new(&data->overlaid, all + 1, msg, "a plot"));
     BEAD_TRY(bead_new(&data->overlaid_labels, all + 1, msg, "a plot"));
-    for (size_t p = 0; p < data->count; p++) {
-        const struct bead_panel *panel = &data->panels[p];
-        for (size_t k = 0; k < panel->series_count; k++, used++) {
-            const struct bead_panel *labelled = panel->series[k].label ? panel : data->panels; /* else as in the first */
-            const char *own = k < labelled->series_count && labelled->series[k].label ? labelled->series[k].label : "";
-            const char *name = panel->title ? panel->title : "";
-            const bool both = *own && *name && panel->series_count > 1;
-            data->overlaid[used] = panel->series[k];
-            snprintf(data->overlaid_labels[used], sizeof *data->overlaid_labels, "%.140s%s%.140s", name, both ? ": " : "",
-                     both || !*name ? own : "");
-            data->overlaid[used].label = data->overlaid_labels[used];
-            plot_tell_apart(&data->overlaid[used], used);
-        }
-    }
-    data->panels[0].series = data->overlaid;
-    data->panels[0].series_count = all;
+    overlay_row(data, 0, 0, &used);
+    if (data->residuals)
+        overlay_row(data, data->count, 1, &used);
     data->panels[0].title = data->count > 1 ? NULL : data->panels[0].title;
     return BEAD_OK;
 }
@@ -119,7 +131,7 @@ enum bead_error bead_plot_data_finish(struct bead_plot_data *data, const struct 
 
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count)
 {
-    *count = is_overlay(data) ? 1 : data->count;
+    *count = (is_overlay(data) ? 1 : data->count) << data->residuals;
     return data->panels;
 }
 
@@ -128,10 +140,8 @@ enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct b
 {
     const struct plot_kind *kind = plot_kind_of(data);
     BEAD_TRY(bead_plot_data_finish(data, outcomes, msg));
-    struct bead_graph graph = {.panels = data->panels,
-                               .panel_count = is_overlay(data) ? 1 : data->count,
-                               .letters = true,
-                               .share_x = kind->share_x,
-                               .share_y = true};
+    struct bead_graph graph = {
+        .letters = true, .share_x = kind->share_x, .share_y = !data->residuals, .residuals = data->residuals};
+    graph.panels = bead_plot_data_panels(data, &graph.panel_count);
     return bead_graph_write(&graph, data->output, data->context.scene, path, bytes, msg);
 }

@@ -4,6 +4,7 @@
 
 #include "render/plot/plot_data.h"
 #include "render/view/sensor_curves.h"
+#include "sim/output/recorded.h"
 #include "sim/output/spectra.h"
 #include "sim/output/spreading.h"
 
@@ -11,6 +12,7 @@
 struct plot_panel {
     size_t chain;
     struct bead_curves curves, differences; /* of sensors; differences from the comparison run if requested */
+    struct bead_recorded recorded;          /* of sensors beside which something was measured */
     struct bead_series *series;
     double *values;
     char (*labels)[256];
@@ -38,6 +40,7 @@ struct bead_plot_data {
     struct bead_series *overlaid; /* of all panels, in the first; NULL: each has its own */
     char (*overlaid_labels)[300];
     size_t count;
+    bool residuals; /* panels and parts are twice as many: the second half has differences from what was measured */
     char why[96], axis_title[384];
 };
 
@@ -70,6 +73,13 @@ BEAD_CHECK enum bead_error plot_times_create(struct bead_plot_data *data, size_t
 struct plot_panel *plot_times_take(struct bead_plot_data *data, const struct bead_sample *sample);
 /* Adds the numbers of that sample. */
 void plot_times_add(const struct bead_plot_data *data, struct plot_panel *part, const double *numbers);
+/* How many measured curves are beside those of a panel: with an overlay, beside the first chain's. */
+size_t plot_measured_count(const struct bead_plot_data *data, const struct plot_panel *part);
+/* Fills the last series of panel `p`, and those of the panel below, with them and their differences from the computed ones. Errors:
+ * MEMORY. */
+BEAD_CHECK enum bead_error plot_measured_fill(struct bead_plot_data *data, size_t p, double *values, struct bead_message *msg);
+/* Adds the points of a curve, and gives the series the memory that they take. Returns what is left. */
+double *plot_sensors_points(const struct bead_curves *curves, size_t k, double factor, double *at, struct bead_series *series);
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
 /* Name and magnetism of chain `number`, in the markup of graphs. */
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);

@@ -60,11 +60,16 @@ static void plot_sensors_make_axes(struct bead_plot_data *data)
     const double *range = data->output->plot.range;
     const char *unit = data->output->plot.normalise == BEAD_NORMALISE_NONE ? plot_sensors_field_of(data)->unit : "";
     for (size_t p = 0; p < data->count; p++) {
-        struct plot_panel *part = &data->parts[p];
+        const struct plot_panel *part = &data->parts[p];
         const char *seconds = bead_chain_time_unit(data->context.chains[part->chain]);
         data->panels[p].x = (struct bead_graph_axis){"time", seconds, data->time[0], data->time[1], BEAD_SCALE_LINEAR, false};
         data->panels[p].y = (struct bead_graph_axis){data->axis_title, unit, range[0], range[1], BEAD_SCALE_LINEAR, true};
-        plot_heading(data, part->chain, part->title, sizeof part->title);
+        plot_heading(data, part->chain, data->parts[p].title, sizeof part->title);
+        if (!data->residuals)
+            continue;
+        struct bead_panel *below = &data->panels[data->count + p];
+        below->x = data->panels[p].x;
+        below->y = (struct bead_graph_axis){"residual", unit, NAN, NAN, BEAD_SCALE_LINEAR, false};
     }
 }
 
@@ -74,13 +79,14 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
     size_t most = 0;
     enum bead_error err = bead_picture_times(output, &data->context, data->time, msg);
     if (!err)
-        err = plot_reserve(data, data->context.chain_count, msg);
+        err = plot_reserve(data, 2 * data->context.chain_count, msg);
     for (size_t c = 0; !err && c < data->context.chain_count; c++) {
         const size_t sensors = bead_places_count(output, data->context.chains[c]);
         if (sensors == 0 || !plot_shows(data, c))
             continue;
         struct plot_panel *part = &data->parts[data->count++];
         part->chain = c;
+        part->recorded.curves = sensors;
         bead_curves_init(&part->curves, sensors, data->time);
         bead_curves_init(&part->differences, sensors, data->time);
         most = sensors > most ? sensors : most;
@@ -92,6 +98,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     if (err)
         return err;
+    data->residuals = output->curves.measured_count > 0;
     data->grid = bead_picture_grid(&data->context, &output->shown, data->time, moments);
     name_axis(data);
     plot_sensors_make_axes(data);
@@ -119,6 +126,8 @@ static enum bead_error plot_sensors_add(struct bead_plot_data *data, struct plot
                              difference ? " of a comparison run" : "");
         data->sample[k] = value[place.index] - (difference ? comparison[place.index] : 0);
     }
+    if (data->residuals && !difference)
+        BEAD_TRY(bead_recorded_add(&part->recorded, sample->time, data->sample, msg));
     BEAD_TRY(bead_curves_reserve(curves, msg));
     bead_curves_add(curves, sample->time, data->sample);
     return BEAD_OK;
@@ -155,29 +164,42 @@ static double plot_sensors_factor_of(const struct bead_plot_data *data, const st
     return peak > 0 ? 1 / peak : NAN;
 }
 
+double *plot_sensors_points(const struct bead_curves *curves, size_t k, double factor, double *x, struct bead_series *series)
+{
+    double *y = x + 4 * curves->count;
+    size_t used = 0;
+    for (size_t s = 0; s < curves->count; s++) {
+        struct bead_point points[4];
+        const size_t more = bead_curves_points(curves, s, k, points);
+        for (size_t i = 0; i < more; i++) {
+            x[used] = points[i].time;
+            y[used++] = factor * points[i].value;
+        }
+    }
+    series->x = x;
+    series->y = y;
+    series->count = used;
+    return y + 4 * curves->count;
+}
+
 static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, struct bead_message *msg)
 {
     struct plot_panel *part = &data->parts[p];
     const struct bead_curves *curves = &part->curves;
-    const size_t sensors = curves->curves, room = 4 * curves->count;
-    BEAD_TRY(plot_reserve_series(data, p, sensors, 2 * room * sensors, msg));
+    const size_t sensors = curves->curves, measured = plot_measured_count(data, part);
+    size_t room = 8 * curves->count * sensors;
+    for (size_t k = 0; k < measured; k++)
+        room += 8 * data->output->curves.measured[k].count;
+    BEAD_TRY(plot_reserve_series(data, p, sensors + measured, room, msg));
+    double *at = part->values;
     for (size_t k = 0; k < sensors; k++) {
-        double *x = part->values + 2 * k * room, *y = x + room, factor = plot_sensors_factor_of(data, part, k);
-        size_t used = 0;
-        for (size_t s = 0; s < curves->count; s++) {
-            struct bead_point points[4];
-            size_t more = bead_curves_points(curves, s, k, points);
-            for (size_t i = 0; i < more; i++) {
-                x[used] = points[i].time;
-                y[used++] = factor * points[i].value;
-            }
-        }
         bead_markup_quote(bead_place_shown(data->output, data->context.chains[part->chain], k).name, part->labels[k],
                           sizeof part->labels[k]);
-        part->series[k] = (struct bead_series){.x = x, .y = y, .count = used, .mark = BEAD_MARK_LINE, .label = part->labels[k]};
+        part->series[k] = (struct bead_series){.mark = BEAD_MARK_LINE, .label = part->labels[k]};
+        at = plot_sensors_points(curves, k, plot_sensors_factor_of(data, part, k), at, &part->series[k]);
         plot_tell_apart(&part->series[k], k);
     }
-    return BEAD_OK;
+    return data->residuals ? plot_measured_fill(data, p, at, msg) : BEAD_OK;
 }
 
 static double axis_length(const struct bead_plot_data *data)

@@ -51,6 +51,10 @@ BEAD_CHECK enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *t
  * `naming` (NULL after the last). Errors: SCENE (`--set:number:column: ...`), MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct bead_override *override, const char *const *naming,
                                          struct bead_message *msg);
+/* The node at the end of a path like that of an override; an empty map where there is none, which is then a part of the document.
+ * Errors: as above. */
+BEAD_CHECK enum bead_error bead_yaml_find(struct bead_yaml *yaml, const char *path, const char *const *naming,
+                                          const struct bead_node **node, struct bead_message *msg);
 /* A document with a copy of the tree. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_duplicate(const struct bead_yaml *yaml, struct bead_yaml **made, struct bead_message *msg);
 /* Write a node of the document as text, to be freed with free(). Errors: MEMORY. */

@@ -185,3 +185,16 @@ enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct bead_override
     yaml->origin = NULL;
     return err;
 }
+
+enum bead_error bead_yaml_find(struct bead_yaml *yaml, const char *path, const char *const *naming, const struct bead_node **node,
+                               struct bead_message *msg)
+{
+    const struct bead_override asked = {.origin = "", .path = path, .place = {1, 1}};
+    const struct edit e = {yaml, &asked, naming, msg};
+    struct bead_node **slot = &yaml->root;
+    yaml->origin = "";
+    enum bead_error err = follow(&e, path, &slot);
+    yaml->origin = NULL;
+    *node = *slot;
+    return err;
+}

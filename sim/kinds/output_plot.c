@@ -21,11 +21,17 @@ static const struct bead_option plot_file[] = {
      .open = BEAD_OPEN_LOW, .help = "with `show: contact`: how far the smaller bead is flattened, as a fraction of its radius",
      .example = "0.1"},
 };
-static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(bead_curves_rows)}, {BEAD_OPTIONS(bead_plot_rows)},
-                                                      {BEAD_OPTIONS(bead_time_row)},    {BEAD_OPTIONS(bead_every_row)},
-                                                      {BEAD_OPTIONS(bead_trust_row)},   {BEAD_OPTIONS(bead_page_rows)},
-                                                      {BEAD_OPTIONS(bead_theme_rows)},  {BEAD_OPTIONS(bead_caption_row)},
-                                                      {BEAD_OPTIONS(bead_panels_rows)}, {NULL, 0}};
+static const struct bead_option_rows plot_shared[] = {{BEAD_OPTIONS(bead_curves_rows)},
+                                                      {BEAD_OPTIONS(bead_plot_rows)},
+                                                      {BEAD_OPTIONS(bead_measured_row)},
+                                                      {BEAD_OPTIONS(bead_time_row)},
+                                                      {BEAD_OPTIONS(bead_every_row)},
+                                                      {BEAD_OPTIONS(bead_trust_row)},
+                                                      {BEAD_OPTIONS(bead_page_rows)},
+                                                      {BEAD_OPTIONS(bead_theme_rows)},
+                                                      {BEAD_OPTIONS(bead_caption_row)},
+                                                      {BEAD_OPTIONS(bead_panels_rows)},
+                                                      {NULL, 0}};
 static const struct bead_options plot_options = {
     "plot", "curves of sensors against time, or of peaks along the chain; or a schematic drawing", BEAD_OPTIONS(plot_file),
     plot_shared, &bead_output_family};

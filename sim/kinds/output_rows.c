@@ -209,3 +209,10 @@ const struct bead_option bead_plot_rows[6] = {
      .like = "auto|[2 number]", .read = bead_output_read_plot_range,
      .help = "ends of the axis of forces; auto: the range of the data", .example = "[0, 45 N]"},
 };
+const struct bead_option bead_measured_row[1] = {
+    {"measured", BEAD_OPTION_CUSTOM, .shape = "a file of comma-separated values, or a list of some; see outputs.measured",
+     .like = "text|outputs.measured|[outputs.measured]", .read = bead_output_read_measured,
+     .help = "with `show: sensors`: curves that were measured, in the order of what is shown, beside the computed ones, and in a "
+             "panel below the differences, measured - computed",
+     .example = "{file: scope.csv, columns: [time, force], time: 1 us, gain: 25 N}"},
+};

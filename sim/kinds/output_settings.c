@@ -127,6 +127,9 @@ void bead_output_free(struct bead_output *output)
     free(output->sweep_curves.against);
     free(output->sheet.magnetism);
     free(output->trajectory.xdmf);
+    for (size_t i = 0; i < output->curves.measured_count; i++)
+        free(output->curves.measured[i].points);
+    free(output->curves.measured);
     free(output->curves.beads.all);
     free(output->curves.contacts.all);
     bead_output_free_movie(output);

@@ -18,7 +18,7 @@ static const char no_contacts[] = "peaks are those of contacts between beads, wh
         __VA_ARGS__, NULL \
     }
 static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
-    [BEAD_SHOW_SENSORS] = {.keys = KEYS("every", "time", "normalise", "field", "beads", "contacts", "overlay"),
+    [BEAD_SHOW_SENSORS] = {.keys = KEYS("every", "time", "normalise", "field", "beads", "contacts", "overlay", "measured"),
                            .why_not = "sensors have curves over time, on a linear axis",
                            .ends = PLOT | TABLE,
                            .of_field = true,
@@ -85,6 +85,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                               .ends = PLOT | TABLE,
                               .of_field = true,
                               .of_motion = true},
+    [BEAD_SHOW_FIT] = {.keys = KEYS(NULL), .why_not = "a fit has numbers, not curves"},
     [BEAD_SHOW_SETUP] = {.drawing = true},
     [BEAD_SHOW_CONTACT] = {.drawing = true},
     [BEAD_SHOW_CELL] = {.drawing = true},
@@ -99,8 +100,8 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
-    static const char *const keys[] = {"every",    "time",  "modes",   "field", "at",     "scale", "normalise",
-                                       "contacts", "beads", "overlay", "parts", "theory", SPECTRA};
+    static const char *const keys[] = {"every",    "time",  "modes",   "field", "at",     "scale",    "normalise",
+                                       "contacts", "beads", "overlay", "parts", "theory", "measured", SPECTRA};
     const struct bead_show_type *show = &shows[output->curves.show];
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         char homes[120] = "";
@@ -205,6 +206,8 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
         !bead_scene_has_sensors(reader->scene, SIZE_MAX))
         return BEAD_WRONG_KEY(reader, at, "show",
                               "shows sensors, but no bead of the chain has a `sensor`; give one, or say which `beads`");
+    if (!err && output->curves.show == BEAD_SHOW_FIT && !bead_given(at->up->up, "fit"))
+        err = BEAD_WRONG_KEY(reader, at, "show", "lists what a fit has found, but there is no `fit`: the keys to find");
     if (!err && show->vibrations)
         err = check_vibrations(reader, at, output->curves.show);
     if (!err)

@@ -3,13 +3,13 @@
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/scene_facts.h"
 
-static const char *const table_shows[] = {"sensors",   "peaks", "bead-peaks", "measures",         "modes",
-                                          "profiles",  "chain", "energy",     "sensitivities",    "extremes",
-                                          "spreading", "bands", "eigenmodes", BEAD_SPECTRA_SHOWS, NULL};
-static const unsigned table_values[] = {BEAD_SHOW_SENSORS,       BEAD_SHOW_PEAKS,    BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
-                                        BEAD_SHOW_MODES,         BEAD_SHOW_PROFILES, BEAD_SHOW_CHAIN,      BEAD_SHOW_ENERGY,
-                                        BEAD_SHOW_SENSITIVITIES, BEAD_SHOW_EXTREMES, BEAD_SHOW_SPREADING,  BEAD_SHOW_BANDS,
-                                        BEAD_SHOW_EIGENMODES,    BEAD_SPECTRA_VALUES};
+static const char *const table_shows[] = {
+    "sensors",       "peaks",    "bead-peaks", "measures", "modes",      "profiles",         "chain", "energy",
+    "sensitivities", "extremes", "spreading",  "bands",    "eigenmodes", BEAD_SPECTRA_SHOWS, "fit",   NULL};
+static const unsigned table_values[] = {BEAD_SHOW_SENSORS,       BEAD_SHOW_PEAKS,     BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
+                                        BEAD_SHOW_MODES,         BEAD_SHOW_PROFILES,  BEAD_SHOW_CHAIN,      BEAD_SHOW_ENERGY,
+                                        BEAD_SHOW_SENSITIVITIES, BEAD_SHOW_EXTREMES,  BEAD_SHOW_SPREADING,  BEAD_SHOW_BANDS,
+                                        BEAD_SHOW_EIGENMODES,    BEAD_SPECTRA_VALUES, BEAD_SHOW_FIT};
 static const char *const sweep_table_shows[] = {"magnetism", "statistics", "configurations", "decay", "spreading", NULL};
 static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS,
                                               BEAD_SWEEP_DECAY, BEAD_SWEEP_SPREADING};
@@ -28,6 +28,7 @@ static const struct bead_option table_rows[] = {
          "and participation of the energies with their exponents; bands, those of each repeated cell under its precompression, and "
          "the gaps between them; eigenmodes, frequency, participation and localisation length of each small vibration of the "
          "chain; " BEAD_SPECTRA_HELP ", and the strongest line of each; "
+         "fit, the numbers that `fit` has found, with their standard errors; "
          "or sensitivities, the "
          "derivatives of the peaks of `contacts` by the mass (N/kg), radius "
          "(N/m) and modulus (N/Pa) of every bead, the two others kept, and by the velocity of the striker (N s/m)"},

@@ -32,7 +32,8 @@
 /* Rows that kinds share. What of the chains: */
 extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1];
 /* Curves and tables of their numbers; sweeps: */
-extern const struct bead_option bead_curves_rows[9], bead_plot_rows[6], bead_threshold_row[1], bead_against_row[1];
+extern const struct bead_option bead_curves_rows[9], bead_plot_rows[6], bead_threshold_row[1], bead_against_row[1],
+    bead_measured_row[1];
 /* Images and panels that are images; pictures with panels: */
 extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];
 /* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */
@@ -46,6 +47,7 @@ BEAD_OPTION_READER(bead_output_read_path);
 BEAD_OPTION_READER(bead_output_read_fields);
 BEAD_OPTION_READER(bead_output_read_beads);
 BEAD_OPTION_READER(bead_output_read_listed);
+BEAD_OPTION_READER(bead_output_read_measured);
 BEAD_OPTION_READER(bead_output_read_size);
 BEAD_OPTION_READER(bead_output_read_colormap);
 BEAD_OPTION_READER(bead_output_read_frame_size);

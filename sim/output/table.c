@@ -29,6 +29,7 @@ static const struct table *const tables[] = {
     [BEAD_SHOW_SPECTROGRAM] = &bead_table_spectrogram,
     [BEAD_SHOW_TRANSFER] = &bead_table_spectrum,
     [BEAD_SHOW_DISPERSION] = &bead_table_dispersion,
+    [BEAD_SHOW_FIT] = &bead_table_fit,
 };
 
 static void table_destroy(struct bead_sink *sink)

@@ -6,45 +6,13 @@
 
 #include "sim/base/memory.h"
 #include "sim/chain/drive.h"
+#include "sim/kinds/waves.h"
 #include "sim/scene/scene_private.h"
 
 #define DRIVE(member) offsetof(struct bead_drive, member)
 
-enum { MOST_POINTS = 100000 };
-
 static const char wave_shape[] =
     "sine, chirp, noise, a file such as {file: scope.csv, columns: [1, 2]}, or points `time value, ...`";
-
-static bool read_two(const char **text, struct bead_wave_point *p)
-{
-    char *end = NULL, *last = NULL;
-    p->time = strtod(*text, &end);
-    p->value = strtod(end, &last);
-    const bool good = end != *text && last != end && isfinite(p->time) && isfinite(p->value);
-    *text = last + strspn(last, " ");
-    return good;
-}
-
-/* "0 0, 1e-6 0.25, ...": seconds and values. */
-static enum bead_error read_points(const struct bead_reader *reader, const struct bead_at *at, struct bead_drive *drive)
-{
-    const char *text = at->node->text;
-    size_t most = 1;
-    for (const char *c = text; *c; c++)
-        most += *c == ',';
-    if (most < 2 || most > MOST_POINTS)
-        return bead_wrong(reader, at, "has %zu points; must be %s, of 2 to %d", most, wave_shape, MOST_POINTS);
-    BEAD_TRY(bead_new(&drive->points, most, reader->msg, "a wave"));
-    while (drive->point_count < most) {
-        struct bead_wave_point *p = &drive->points[drive->point_count];
-        if (!read_two(&text, p) || *text != (drive->point_count + 1 < most ? ',' : '\0'))
-            return bead_wrong(reader, at, "point %zu is not `time value`; must be %s", drive->point_count + 1, wave_shape);
-        if (drive->point_count++ > 0 && !(p->time > p[-1].time))
-            return bead_wrong(reader, at, "point %zu, at %g s, is not later than the one before", drive->point_count, p->time);
-        text++;
-    }
-    return BEAD_OK;
-}
 
 static enum bead_error read_wave(struct bead_reader *reader, const struct bead_at *at, struct bead_drive *drive,
                                  enum bead_wave *wave)
@@ -55,7 +23,9 @@ static enum bead_error read_wave(struct bead_reader *reader, const struct bead_a
     *wave = BEAD_WAVE_POINTS;
     for (enum bead_wave w = BEAD_WAVE_SINE; w <= BEAD_WAVE_NOISE; w++)
         *wave = strcmp(words[w], text) == 0 ? w : *wave;
-    return *wave == BEAD_WAVE_POINTS && !drive->points ? read_points(reader, at, drive) : BEAD_OK;
+    return *wave == BEAD_WAVE_POINTS && !drive->points
+               ? bead_wave_points_read(reader, at, wave_shape, &drive->points, &drive->point_count)
+               : BEAD_OK;
 }
 
 static BEAD_OPTION_READER(read_displacement)

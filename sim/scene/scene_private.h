@@ -17,8 +17,8 @@ enum { BEAD_SCENE_CHAINS = 64 };
 
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
     bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_cradle_options,
-    bead_drive_options, bead_drive_file_options, bead_simulate_options, bead_soliton_options, bead_sweep_options,
-    bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
+    bead_drive_options, bead_simulate_options, bead_soliton_options, bead_sweep_options, bead_sweep_measure_options,
+    bead_taper_options, bead_disorder_options;
 /* The laws that have settings, the equations, and their starts: NULL behind the last. */
 const struct bead_options *bead_law_options(size_t index);
 const struct bead_options *bead_equation_options(size_t index);
@@ -104,8 +104,12 @@ struct bead_variation {
 };
 extern const struct bead_variation bead_variation_none;
 
-/* Before the document is read: puts the points of waves in the place of their files. Errors: SCENE, MEMORY. */
-BEAD_CHECK enum bead_error bead_scene_take_waves(struct bead_reader *reader, const struct bead_at *at, bool *changed);
+/* The node of a key of the scene, "chain.striker.velocity". Errors: SCENE (there is no such place), MEMORY. */
+BEAD_CHECK enum bead_error bead_scene_find_node(const struct bead_reader *reader, const char *path, const struct bead_node **node);
+/* The SI unit of a number with one; "" where it has none, or is no number. */
+const char *bead_scene_unit_of(const struct bead_reader *reader, const char *text);
+BEAD_OPTION_READER(bead_scene_read_fit); /* behind `outputs` */
+void bead_scene_free_fit(struct bead_fit *fit);
 BEAD_OPTION_READER(bead_scene_read_drive); /* a key of chains, behind `beads` and `start` */
 
 /* A key of entries of `beads`, at the variation's place in their structure. */

@@ -10,8 +10,7 @@
 
 enum { MOST_KEYS = 8, MOST_VALUES = 100000, MOST_POINTS = 1000000 };
 
-/* The SI unit of a number with one, so that axes have its prefixes; "" where it has none, or is no number. */
-static const char *unit_of(const struct bead_reader *reader, const char *text)
+const char *bead_scene_unit_of(const struct bead_reader *reader, const char *text)
 {
     static const char *const units[] = {"m/s", "m", "N", "Pa", "s", "kg", "kg/m3", "N/m", "1/m", "rad", "1"};
     double value;
@@ -30,7 +29,7 @@ static enum bead_error add_value(const struct bead_reader *reader, struct bead_o
     char why[200];
     if (!text)
         return bead_no_memory(reader);
-    if (key->count == 0 && !(key->unit = strdup(unit_of(reader, text)))) {
+    if (key->count == 0 && !(key->unit = strdup(bead_scene_unit_of(reader, text)))) {
         free(text);
         return bead_no_memory(reader);
     }

@@ -89,6 +89,8 @@ static void find_accuracy(struct bead_session *s)
 static enum bead_error open_scene(struct bead_session *s, struct bead_message *msg)
 {
     BEAD_TRY(bead_session_load(s, msg));
+    if (s->scene->fit.count > 0)
+        BEAD_TRY(bead_session_fit(s, msg));
     s->source = s->scene;
     if (s->scene->sweep_count > 0)
         return bead_session_open_sweep(s, msg);

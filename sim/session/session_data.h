@@ -104,6 +104,9 @@ void bead_session_release_output(struct bead_made *made);
 /* Gives up all claims and removes unfinished files, except the parts that a stopped run keeps. */
 void bead_session_release(struct bead_session *session);
 
+/* session_fit.c: the scene with the values that its `fit` finds. Errors: those of scenes, runs and bead_least_squares. */
+BEAD_CHECK enum bead_error bead_session_fit(struct bead_session *session, struct bead_message *msg);
+
 /* session_sinks.c */
 /* The session's chains and settings, and no consumers yet. */
 struct bead_play bead_session_play(const struct bead_session *session, const char *what);

@@ -211,6 +211,11 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
             return err;
         plan_chain(s, i, &pace, out);
     }
+    for (size_t k = 0; k < s->source->fit.count; k++) {
+        const struct bead_fit_key *key = &s->source->fit.keys[k];
+        fprintf(out, "fit: %s = %.6g +- %.2g%s%s, from %zu measured values\n", key->path, key->value, key->error,
+                *key->unit ? " " : "", key->unit, s->source->fit.points);
+    }
     plan_memory(s, out);
     plan_time(s, out);
     if (s->exacting)

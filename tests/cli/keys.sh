@@ -83,6 +83,7 @@ base() {
     'outputs (movie)') prefix=outputs.0. before=('outputs=[{movie: m.mp4}]') ;;
     'outputs (image)' | 'outputs (plot)') prefix=outputs.0. before=("outputs=[{$kind: i.png}]") ;;
     'outputs (table)') prefix=outputs.0. ;;
+    outputs.measured) prefix=outputs.0.measured. before=('outputs=[{plot: p.svg, beads: 3, measured: {points: "0 0, 1 1"}}]') ;;
     outputs.panels) prefix=outputs.0.panels.0.0. ;;
     *) prefix='?' ;;
     esac
@@ -93,6 +94,9 @@ needs() { # SECTION KEY
     'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against') scene=over ;;
     'sweep: over' | 'sweep: combine') scene=over ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
+    'outputs.measured: file' | 'outputs.measured: columns' | 'outputs.measured: time') before=('outputs=[{plot: p.svg, beads: 3, measured: {file: scope.csv}}]') ;;
+    'outputs (plot): measured') before+=(outputs.0.beads=3) ;;
+    'scene: fit') before=('outputs=[{plot: p.svg, beads: 3, measured: {points: "0 0, 5e-5 20, 7e-5 30, 2e-4 0"}}]' chain.striker.velocity=0.5m/s) ;;
     'chain: start' | 'chain: drive' | 'chain: cradle' | chain.cradle:* | 'chain.beads: spring' | 'chain.beads.disorder: spring' | 'chain.striker: spring')
         before=(simulate.until=1ms) ;;
     'chain.drive: displacement') before=('chain.drive={amplitude: 1 um, frequency: 1 kHz}' simulate.until=1ms) ;;

@@ -32,7 +32,7 @@ short() { # FILE... : scenes of the chapters, none longer than fifteen lines
 }
 ok "scenes for common tasks have at most fifteen lines" short figure/figure.yaml lecture/lecture.yaml lecture/loop.yaml recipes/three.yaml \
     recipes/defect.yaml recipes/cells.yaml sweep/sweep.yaml ask/glass.yaml ask/velocity.yaml ask/mean.yaml \
-    ask/two.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml
+    ask/two.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml ask/pulse.yaml
 
 # The job of the cluster's chapter, with a smaller sweep.
 slurm_works() {

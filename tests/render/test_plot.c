@@ -68,7 +68,7 @@ static struct run plot(const char *settings)
     }
     assert_int_equal(bead_plot_data_finish(run.data, NULL, &msg), BEAD_OK);
     run.panels = bead_plot_data_panels(run.data, &run.count);
-    assert_int_equal(run.count, CHAINS);
+    assert_int_equal(run.count, CHAINS << (strstr(settings, "measured") != NULL));
     return run;
 }
 
@@ -152,12 +152,37 @@ static void test_horizons_are_marked(void **state)
     release(&run);
 }
 
+/* Of the first sensor, a straight line was measured, 1 N at 0.2 ms and 4 N at 0.8 ms, by volts, microseconds and a late trigger: it
+ * is drawn where it was, and below is what the computed curve leaves of it. */
+static void test_differences_are_below(void **state)
+{
+    (void)state;
+    struct run run = plot(", measured: {points: '0 2, 1e-4 1.8, 3e-4 1.4, 6e-4 0.8', gain: -2.5 N, offset: 6 N, start: 0.2 ms}");
+    for (size_t c = 0; c < CHAINS; c++) {
+        const struct bead_series *measured = &run.panels[c].series[SENSORS], *rest = &run.panels[CHAINS + c].series[0];
+        assert_int_equal(run.panels[c].series_count, SENSORS + 1);
+        assert_int_equal(run.panels[CHAINS + c].series_count, 1);
+        assert_true(measured->count == 4 && rest->count == 4);
+        for (size_t i = 0; i < 4; i++) {
+            const double t = measured->x[i];
+            assert_true(fabs(measured->y[i] - (1 + 5e3 * (t - 0.2e-3))) < 1e-12);
+            assert_true(rest->x[i] == t && fabs(rest->y[i] - (measured->y[i] - force(c, 0, t, false))) < 1e-3);
+        }
+        assert_true(measured->x[0] == 0.2e-3 && fabs(measured->x[3] - 0.8e-3) < 1e-18);
+    }
+    release(&run);
+    run = plot(", measured: {points: '0 2, 1e-4 1.8'}, time: [0.05 ms, 1 ms]");
+    assert_int_equal(run.panels[0].series[SENSORS].count, 1);
+    release(&run);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_forces_are_divided_as_asked),
         cmocka_unit_test(test_chains_share_one_axis),
         cmocka_unit_test(test_horizons_are_marked),
+        cmocka_unit_test(test_differences_are_below),
     };
     return cmocka_run_group_tests_name("plots", tests, NULL, NULL);
 }

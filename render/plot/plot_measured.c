@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What was measured, beside the curves of sensors, and the differences in a panel below. */
+#include <math.h>
+#include <stdio.h>
+
+#include "render/plot/plot_private.h"
+
+static size_t count_of(const struct bead_plot_data *data, const struct plot_panel *part)
+{
+    const size_t given = data->output->curves.measured_count;
+    return given < part->curves.curves ? given : part->curves.curves;
+}
+
+size_t plot_measured_count(const struct bead_plot_data *data, const struct plot_panel *part)
+{
+    return data->output->curves.overlay && part != data->parts ? 0 : count_of(data, part);
+}
+
+/* A curve of no more points than can be seen: what was measured at place `k`, or what is left of it without what was computed. */
+static enum bead_error reduce(const struct bead_plot_data *data, const struct plot_panel *part, size_t k, bool difference,
+                              struct bead_curves *curves, struct bead_message *msg)
+{
+    const struct bead_measured *measured = &data->output->curves.measured[k];
+    bead_curves_init(curves, 1, data->time);
+    for (size_t i = 0; i < measured->count; i++) {
+        const struct bead_wave_point *p = &measured->points[i];
+        const double value = p->value - (difference ? bead_recorded_at(&part->recorded, k, p->time) : 0);
+        if (p->time < data->time[0] || p->time > data->time[1])
+            continue;
+        BEAD_TRY(bead_curves_reserve(curves, msg));
+        bead_curves_add(curves, p->time, &value);
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error add(const struct bead_plot_data *data, const struct plot_panel *part, size_t k, bool difference, double **at,
+                           struct bead_series *series, struct bead_message *msg)
+{
+    struct bead_curves curves;
+    enum bead_error err = reduce(data, part, k, difference, &curves, msg);
+    if (!err)
+        *at = plot_sensors_points(&curves, 0, 1, *at, series);
+    bead_curves_free(&curves);
+    return err;
+}
+
+enum bead_error plot_measured_fill(struct bead_plot_data *data, size_t p, double *values, struct bead_message *msg)
+{
+    const struct plot_panel *part = &data->parts[p];
+    const size_t count = count_of(data, part), sensors = part->curves.curves;
+    struct plot_panel *below = &data->parts[data->count + p];
+    size_t room = 0;
+    for (size_t k = 0; k < count; k++)
+        room += 8 * data->output->curves.measured[k].count;
+    BEAD_TRY(plot_reserve_series(data, data->count + p, count, room, msg));
+    double *at = below->values;
+    for (size_t k = 0; k < plot_measured_count(data, part); k++) {
+        char *label = part->labels[sensors + k];
+        snprintf(label, sizeof part->labels[k], "%.200s%smeasured", sensors > 1 ? part->labels[k] : "", sensors > 1 ? ", " : "");
+        part->series[sensors + k] = (struct bead_series){.mark = BEAD_MARK_POINTS, .label = label};
+        plot_tell_apart(&part->series[sensors + k], sensors + k);
+        BEAD_TRY(add(data, part, k, false, &values, &part->series[sensors + k], msg));
+    }
+    for (size_t k = 0; k < count; k++) {
+        below->series[k] = (struct bead_series){.mark = BEAD_MARK_LINE};
+        plot_tell_apart(&below->series[k], sensors + k);
+        below->series[k].dash = k % BEAD_DASHES;
+        BEAD_TRY(add(data, part, k, true, &at, &below->series[k], msg));
+    }
+    return BEAD_OK;
+}
