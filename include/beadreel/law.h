@@ -3,7 +3,7 @@
  *
  * Everything that depends on the law is asked of its row. Every row has a name, a description and all functions but `exponent` and
  * `coefficient_rates`. A law of your own is such a row: hand it to a chain (bead_chain_settings.law) or to a session
- * (bead_job.laws), whose scenes then find it by its name. It must outlive them. Functions of rows are called by several threads at
+ * (bead_job.own), whose scenes then find it by its name. It must outlive them. Functions of rows are called by several threads at
  * once, and return the same for the same arguments.
  *
  * To add a law to the library: a row in sim/chain/law.c and, if it has settings, its keys in sim/scene/scene_chain.c. */

@@ -424,7 +424,7 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
     return err ? err : close_part(movie, msg);
 }
 
-/* SVT-AV1 1.4 waits for ever where it is closed before its end, or had no picture. */
+/* SVT-AV1 1.4 hangs if it is closed before its end, or without a picture. */
 static void exhaust(const struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;

@@ -65,7 +65,7 @@ BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, st
 /* Brings the frame to `time`; adds the changes (the first time: everything). */
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
-/* Replaces the draw of a frame that nobody will see: later frames are as if it had been drawn. */
+/* Called instead of draw for a frame that is not shown: later frames look as if it had been drawn. */
 void bead_composer_pass(struct bead_composer *composer, double time);
 /* The interest of the frame at `time`: of several chains, the difference of their values; of one, the mean distance of its values
  * from zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */

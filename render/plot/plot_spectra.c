@@ -201,7 +201,7 @@ static enum bead_error finish_image(struct bead_plot_data *data, const struct be
     to_decibels(data);
     for (size_t p = 0; p < data->count; p++) {
         if (data->parts[p].spectral.columns < 2)
-            return bead_output_wrong(data->output, msg, "show: there is but one column of amplitudes; a picture needs two");
+            return bead_output_wrong(data->output, msg, "show: there is only one column of amplitudes; a picture needs two");
         fill_image(&data->parts[p]);
         time[0] = isnan(asked[0]) ? data->parts[p].image.x[0] : asked[0];
         time[1] = isnan(asked[1]) ? fmax(time[1], data->parts[p].image.x[1]) : asked[1];

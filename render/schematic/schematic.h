@@ -7,7 +7,7 @@
 #include "render/draw/page.h"
 #include "render/schematic/schematic_sketch.h"
 
-/* Whether `show` is one of these drawings. */
+/* Is `show` one of these drawings? */
 bool bead_schematic_is(enum bead_show show);
 
 /* Draws into 0..width, 0..height px of the sketch's context, on the look's background. Errors: SCENE (with the output's place: no

@@ -3,10 +3,11 @@
 
 #include <math.h>
 
-/* A contact is part of the wave from this part of the largest load on; the head are so many contacts behind the first of them. */
+/* A contact belongs to the wave if its load is at least this part of the largest; the head is this many contacts behind the first.
+ */
 static const double part_of_wave = 0.05, least_load = 1e-3;
 enum { HEAD = 9 };
-/* Each frame the speed goes this part of the way to that of the head. */
+/* In each frame, the speed moves this part of the way towards that of the head. */
 static const double steadiness = 0.1;
 
 double bead_pan_eased(double t)
@@ -87,7 +88,7 @@ void bead_step_camera_advance(struct bead_step_camera *c, double place)
             c->pans[left++] = *pan;
     }
     c->pan_count = left;
-    /* A wave that takes only a few frames is faster than pans. */
+    /* A wave that is in view for only a few frames is faster than pans. */
     const double most = fmax(0, 0.5 * c->width - c->margin);
     c->middle = within(c, fmin(place + most, fmax(place - most, c->middle)));
 }

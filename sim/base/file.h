@@ -61,25 +61,23 @@ struct bead_claim;
 
 /* Errors: USAGE (another run is writing it), IO, MEMORY. On failure *claim is NULL and nothing has changed. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_claim(const char *path, struct bead_claim **claim, struct bead_message *msg);
-/* Unlock; an unfinished file that this claim made and nobody has renamed is removed, unless it is to be kept. NULL: nothing
- * happens.
- */
+/* Unlocks. If this claim created an unfinished file and it still has that name, removes it unless `keep`. NULL is allowed. */
 BEAD_INTERNAL void bead_file_release(struct bead_claim *claim, bool keep);
-/* The file that stands for the claim where there are no locks; NULL: there are, or claim is NULL. */
+/* The file that replaces the lock on file systems without locks; NULL: they have locks, or claim is NULL. */
 BEAD_INTERNAL const char *bead_file_claimed_by(const struct bead_claim *claim);
-/* Remove the unfinished file and what stands for the claim, as bead_file_release does; may be called in handlers of signals. NULL:
- * nothing happens. */
+/* Removes the unfinished file and the file that replaces a lock, as bead_file_release does; safe in signal handlers. NULL is
+ * allowed. */
 BEAD_INTERNAL void bead_file_abandon(const struct bead_claim *claim);
 
 /* Remove `part` (NULL, or not there: nothing happens). */
 BEAD_INTERNAL void bead_file_discard(const char *part);
-/* A directory for files, with those on the way; NULL or "": nothing to do. Errors: IO. */
+/* Creates a directory and its parents; NULL or "": nothing to do. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
-/* The directory of the file `path`, with those on the way. Errors: IO. */
+/* Creates the directory of the file `path` and its parents. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
-/* Bytes that are free for a file of this name; infinite where nobody knows. */
+/* Free bytes on the file system of `path`; infinite if unknown. */
 BEAD_INTERNAL double bead_file_room(const char *path);
-/* Bytes in the file, 0 where there is none. */
+/* Size of the file in bytes; 0: there is none. */
 BEAD_INTERNAL uint64_t bead_file_bytes(const char *path);
 
 /* Open a regular file for reading; anything else is not even touched, as opening a pipe would wake its writer. -1: errno says why,

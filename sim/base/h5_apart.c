@@ -109,11 +109,11 @@ static enum bead_error end_process(struct bead_h5_apart *apart, int *status)
     kill(apart->process, SIGKILL);
     while (waitpid(apart->process, status, 0) < 0)
         if (errno != EINTR)
-            return BEAD_ERROR_IO; /* somebody else has waited for it */
+            return BEAD_ERROR_IO; /* another part of the program has waited for it */
     return BEAD_OK;
 }
 
-/* It has ended although nobody asked it to. */
+/* It ended without being asked to. */
 static void tell_end(struct bead_h5 *h5)
 {
     int status = 0;

@@ -28,7 +28,7 @@ void bead_h5_release(hid_t *id);
 /* An identifier of any kind, closed at the end of the block. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
 
-/* The failure of a call of the system, which left `error` in errno. `done`: "read" or "written". */
+/* Reports a failed system call that left `error` in errno. `done`: "read" or "written". */
 enum bead_error bead_h5_fail_by(struct bead_h5 *h5, const char *done, int error);
 /* False if HDF5 is missing. */
 bool bead_h5_load_for(struct bead_h5 *h5);

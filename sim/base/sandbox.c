@@ -29,7 +29,7 @@ enum { LIMITS_MEMORY = 1 };
 #endif
 
 static const rlim_t most_memory = 512u << 20; /* bytes, beyond what the process has */
-static const rlim_t most_time = 3600;         /* s of a processor, so that nothing goes on for ever */
+static const rlim_t most_time = 3600;         /* s of processor time: no file keeps it busy for ever */
 
 #if defined __x86_64__
 static const uint32_t architecture = AUDIT_ARCH_X86_64;
@@ -54,7 +54,7 @@ bool bead_sandbox_is_there(void)
     return architecture && syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &action) == 0;
 }
 
-/* All else fails with EPERM. */
+/* Everything else fails with EPERM. */
 static void filter_calls(void)
 {
     struct sock_filter filter[4 + ALLOWED + 2];
@@ -90,7 +90,7 @@ static void lock_files(void)
 #endif
 }
 
-/* Bytes of data that the process has; 0: not known. */
+/* Bytes of data in the process; 0: unknown. */
 static rlim_t data_bytes(void)
 {
     char text[160];
@@ -101,7 +101,7 @@ static rlim_t data_bytes(void)
         close(file);
     text[length > 0 ? length : 0] = '\0';
     char *at = text;
-    for (int i = 0; i < 6; i++) /* the sixth number */
+    for (int i = 0; i < 6; i++) /* the sixth number is that of pages of data */
         pages = strtoull(at, &at, 10);
     return pages * (rlim_t)sysconf(_SC_PAGESIZE);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A process that only computes: for libraries that read what strangers made. */
+/* Confines a process to computing, for libraries that read untrusted files. */
 #pragma once
 
 #include <stdbool.h>

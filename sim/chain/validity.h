@@ -15,7 +15,7 @@
 #define BEAD_FASTEST 0.1
 #define BEAD_HARDEST (1.5 * 3)
 
-/* What is largest in a chain. 0: not known, as the law is not one of spheres, or no yield strength is given. */
+/* The largest values in a chain. 0: unknown, because the law is not one of spheres or no yield strength is given. */
 struct bead_validity {
     double strike;           /* speed of the striker / smaller bar speed sqrt(E / density), of its material and the first bead's */
     double compression;      /* of a contact / its smaller radius */
@@ -27,12 +27,12 @@ struct bead_validity {
 struct bead_validity bead_validity_begin(const struct bead_chain *chain);
 /* Bounds: each contact alone holds all the energy that is put in. */
 struct bead_validity bead_validity_bound(const struct bead_chain *chain);
-/* Take the compression d of a contact into account, m; or the largest forces of all contacts. */
+/* Include the compression d of a contact, m; or the largest forces of all contacts. */
 void bead_validity_add(struct bead_validity *validity, const struct bead_chain *chain, size_t contact, double d);
 void bead_validity_add_peaks(struct bead_validity *validity, const struct bead_chain *chain, const struct bead_peak *peaks);
 /* Is the force of this contact beyond Hertz's law: is it too deep, or the strike too fast? */
 bool bead_validity_beyond(const struct bead_chain *chain, size_t contact, double force);
 /* Does the model fail anywhere in the chain? */
 bool bead_validity_fails(const struct bead_validity *validity);
-/* Where it does, and by how much; "": nowhere. Returns text. */
+/* Writes where it fails and by how much, "" if nowhere. Returns text. */
 const char *bead_validity_words(const struct bead_validity *validity, char *text, size_t size);

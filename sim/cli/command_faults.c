@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Faults within libraries end the program: nothing half-written stays then. */
+/* Removes unfinished files if a fault in a library ends the program. */
 #include <signal.h>
 #include <unistd.h>
 
 #include "sim/cli/command_line.h"
 #include "sim/session/session_internal.h"
 
-/* The run that a fault would end. */
+/* The run whose files a fault would leave unfinished. */
 static struct bead_session *volatile running;
 
 void command_guard(struct bead_session *session)
@@ -14,15 +14,15 @@ void command_guard(struct bead_session *session)
     running = session;
 }
 
-/* A library has given up: GLib aborts where it can make no thread. Nothing half-written stays. */
+/* A library gives up: GLib, for example, aborts if it cannot start a thread. */
 static void on_fault(int number, siginfo_t *info, void *)
 {
     static const char said[] =
-        "ended by a fault within a library, for want of memory or threads perhaps; no unfinished file is left\n";
+        "stopped by a fault in a library, perhaps for lack of memory or threads; no unfinished file is left\n";
     static volatile sig_atomic_t faults;
     if (__atomic_add_fetch(&faults, 1, __ATOMIC_RELAXED) > 1)
         pause();                    /* the first thread ends the program */
-    if (info->si_code != SI_USER) { /* else another process has sent it: no fault, and the program ends as if killed */
+    if (info->si_code != SI_USER) { /* else another process has sent the signal: the program ends as if killed */
         if (running)
             bead_session_abandon(running);
         (void)!write(STDERR_FILENO, said, sizeof said - 1);
@@ -33,7 +33,7 @@ static void on_fault(int number, siginfo_t *info, void *)
     (void)raise(number);
 }
 
-/* Where no debugger or sanitizer has its own way. */
+/* Signals that a debugger or sanitizer handles are left to it. */
 bool command_catch_faults(void)
 {
     static const int faults[] = {SIGTRAP, SIGABRT, SIGSEGV, SIGBUS};

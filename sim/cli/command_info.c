@@ -387,7 +387,7 @@ static enum bead_error print_info(const struct command *command, FILE *out, stru
     return err;
 }
 
-/* Names and texts may be a stranger's. */
+/* The file may come from anybody: its texts go through command_show. */
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     char *text = NULL;

@@ -67,7 +67,7 @@ struct command {
     enum command_progress progress;
 };
 
-/* All of it: returns the exit status (0 done, 1 failed while running, 2 wrong command line or scene, 128+n signal n). */
+/* The whole program: returns the exit status (0 done, 1 failed while running, 2 wrong command line or scene, 128+n signal n). */
 int command_main(const struct command_program *program, int argc, char **argv);
 
 /* Options and the input of a command line into `command`, whose arrays have room for argc strings. Errors: USAGE. */
@@ -98,7 +98,7 @@ struct command_option {
 const struct command_option *command_option(size_t i);
 /* Does this program have the option? One that does not draw has none for drawing. */
 bool command_offers(const struct command_program *program, const struct command_option *row);
-/* The only values that an option takes, at most COMMAND_MOST_WORDS of them; returns how many: 0 where any may be tried. */
+/* The only values that an option takes, at most COMMAND_MOST_WORDS of them; returns their number, 0 if any value may be tried. */
 enum { COMMAND_MOST_WORDS = 16 };
 size_t command_words(const struct command_program *program, const struct command_option *row,
                      const char *words[COMMAND_MOST_WORDS]);
@@ -111,15 +111,15 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_verify(const struct command *command, struct bead_message *msg);
 enum bead_error command_merge(const struct command *command, struct bead_message *msg);
-/* Makes the file `job.input` again, from the scene that it was made of, in a directory of its own or in -o, and says whether all
- * bytes are the same. Errors: those of command_run; NUMBERS: they are not; FORMAT: there is no scene. */
+/* Makes the file `job.input` again from the scene stored in it, in a new directory or in -o, and says whether all bytes agree.
+ * Errors: those of command_run; NUMBERS: they do not; FORMAT: the file has no scene. */
 enum bead_error command_reproduce(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
-/* What a file says of its making. */
+/* What a file says about how it was made. */
 struct command_origin {
     char *scene;      /* owned; NULL: nothing */
     char version[32]; /* of the program; "": not said */
     char file[4096];  /* the name of the scene's file; "": not said */
-    char beside[256]; /* the file that has said it instead; "": itself */
+    char beside[256]; /* another file that says so; "": the file itself */
 };
 /* Errors: IO, FORMAT, MEMORY. */
 enum bead_error command_find_origin(const struct command *command, const char *path, struct command_origin *origin,
@@ -131,7 +131,7 @@ COMMAND_LISTS(command_list_scenes);
 COMMAND_LISTS(command_list_materials);
 COMMAND_LISTS(command_list_methods);
 COMMAND_LISTS(command_list_laws);
-COMMAND_LISTS(command_list_equations); /* that a chain may be instead of beads */
+COMMAND_LISTS(command_list_equations); /* that a chain can solve instead of having beads */
 COMMAND_LISTS(command_list_measures);
 COMMAND_LISTS(command_list_thresholds);
 COMMAND_LISTS(command_list_libraries); /* that are opened at run time */
@@ -143,11 +143,12 @@ COMMAND_LISTS(command_list_schema); /* of the same: a JSON Schema, for editors *
  * command_run; USAGE, IO. */
 enum bead_error command_watch(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_new(const struct command *command, struct bead_message *msg);
-/* The session whose unfinished files go where a fault ends the program; NULL: none. */
+/* Sets the session whose unfinished files are removed if a fault ends the program; NULL: none. */
 void command_guard(struct bead_session *session);
-/* From now on. Returns false on failure. */
+/* Installs the handlers. Returns false on failure. */
 bool command_catch_faults(void);
-/* Text with words of strangers, without what a terminal would obey; after the end of a line `line` (NULL: there is but one). */
+/* Prints text that may come from anybody, without control characters; starts each further line with `line` (NULL: there is only
+ * one line). */
 void command_show(FILE *out, const char *text, const char *line);
 /* The message on stderr. */
 void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);

@@ -99,7 +99,7 @@ static size_t line_of(const char *bytes, size_t at)
     return line;
 }
 
-/* Says whether `made` has the bytes of the file, or where not. Errors: NUMBERS: it has not. */
+/* Says whether `made` has the bytes of the file, or where they differ. Errors: NUMBERS: they differ. */
 static enum bead_error compare(const struct command *command, const struct command_origin *origin, const char *made,
                                struct bead_message *msg)
 {

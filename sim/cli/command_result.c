@@ -52,7 +52,7 @@ bool command_is_json(const struct command *command)
     return command->json || command->progress == COMMAND_PROGRESS_JSON;
 }
 
-/* "scene.yaml:3:5: what is wrong" in parts; a message without a place has none. */
+/* "scene.yaml:3:5: what is wrong" in parts; in a message without a place only the text. */
 static void write_error(struct json *json, const char *text)
 {
     unsigned place[2];

@@ -25,7 +25,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_times)
     return BEAD_OK;
 }
 
-/* Keys of views that show a moment, in pictures without one. */
+/* Keys of views that show one moment, given for a picture without such a view. */
 BEAD_OUTPUT_CHECK(bead_output_check_moment)
 {
     const struct bead_views_asked *views = &output->views;

@@ -216,7 +216,7 @@ static BEAD_OUTPUT_CHECK(check_layout)
     if (output->movie.layout == BEAD_LAYOUT_OVERLAY && output->movie.follow == BEAD_FOLLOW_FRONT)
         return BEAD_WRONG_KEY(reader, at, "layout", "is overlay, but with `follow: front` each profile has a window of its own");
     if (output->movie.layout == BEAD_LAYOUT_BESIDE && (!image || output->views.count < 2))
-        return BEAD_WRONG_KEY(reader, at, "layout", "is beside, but `views` has not spacetime and another view");
+        return BEAD_WRONG_KEY(reader, at, "layout", "is beside, but `views` does not list spacetime and another view");
     return BEAD_OK;
 }
 

@@ -25,7 +25,7 @@ static BEAD_OUTPUT_CHECK(check_sweep_report)
 {
     for (size_t i = 0; i < reader->scene->sweep_count; i++) {
         if (reader->scene->sweeps[i].over.key_count)
-            return BEAD_WRONG_KEY(reader, at, "report", "has points by magnetism, which a sweep over keys has not");
+            return BEAD_WRONG_KEY(reader, at, "report", "shows points by magnetism, which a sweep over keys does not have");
         if (!reader->scene->sweeps[i].measures.peak)
             return BEAD_WRONG_KEY(reader, at, "report", "shows peaks, and a sweep here measures none (measure: {peak: none})");
     }

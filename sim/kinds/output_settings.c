@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The settings of one output, or of a panel: read by the table of its kind, completed, and checked. */
+/* Reads the settings of an output or a panel by the table of its kind, completes and checks them. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@ const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MA
                                                   .curves = {.segment = NAN, .frequencies = {NAN, NAN}},
                                                   .plot = {.range = {NAN, NAN}}};
 
-/* Defaults are those of contacts: where the output does not say otherwise, systems without them have their own. */
+/* The defaults in the tables are for contacts; systems without contacts have their own. */
 static void fit_without_contacts(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
     const struct bead_scene *scene = reader->scene;
@@ -63,14 +63,14 @@ static void fit_stage(const struct bead_reader *reader, const struct bead_at *at
     }
 }
 
-/* Chains have panels of their own, but for plots of peaks. */
+/* Each chain has its own panel, except in plots of peaks. */
 static bool side_by_side(const struct bead_reader *reader, const struct bead_output *output)
 {
     const bool peaks = output->kind == BEAD_OUTPUT_PLOT && output->curves.show == BEAD_SHOW_PEAKS;
     return reader->scene->chain_count > 1 && !peaks;
 }
 
-/* The size of the style, of panels, or of the kind of file, where the output asks for none. */
+/* An output without `size` has that of its style, its panels or its kind of file. */
 static enum bead_error settle_size(const struct bead_reader *reader, const struct bead_at *at, bool draws,
                                    struct bead_output *output)
 {

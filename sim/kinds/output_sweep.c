@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sweeps: the kinds of output that only they have, their results as a file and the contact sheet; and what plots, tables and
- * reports share where they show one. */
+/* The kinds of output that only sweeps have, results and contact sheets, and what plots, tables and reports of sweeps share. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,12 +21,12 @@ BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
         if (!sweep->over.key_count && *output->sweep_curves.against &&
             !(output->kind == BEAD_OUTPUT_PLOT && !decay && bead_order_named(output->sweep_curves.against) < BEAD_ORDERS))
             return BEAD_WRONG_KEY(reader, at, "against",
-                                  "is given, but the sweep is one over spins; plots of their peaks can be against `domain length`, "
+                                  "is given, but the sweep is over spins; plots of their peaks can be against `domain length`, "
                                   "`spin correlation` or `spin correlation at 2`");
         if (!sweep->over.key_count && output->plot.scale != BEAD_SCALE_LINEAR)
-            return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is one over spins, whose axes are linear");
+            return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is over spins, whose axes are linear");
         if (sweep->over.key_count && decay)
-            return BEAD_WRONG_KEY(reader, at, "show", "decay is one by magnetism, which a sweep over keys has not");
+            return BEAD_WRONG_KEY(reader, at, "show", "decay is fitted for each magnetism, which a sweep over keys does not have");
         if (spreading && !(sweep->over.key_count && reader->scene->sweep_count == 1))
             return BEAD_WRONG_KEY(reader, at, "show",
                                   "spreading is averaged over the seeds of one sweep over keys: `sweep: {over: ...}`");
@@ -126,7 +125,7 @@ static const struct bead_options sheet_options = {
 static BEAD_OUTPUT_CHECK(check_sheet)
 {
     if (reader->scene->sweeps[0].over.key_count)
-        return BEAD_WRONG_KEY(reader, at, "sheet", "has rows by magnetism, which a sweep over keys has not");
+        return BEAD_WRONG_KEY(reader, at, "sheet", "has a row for each magnetism, which a sweep over keys does not have");
     BEAD_TRY(bead_output_check_field(reader, at, output));
     struct bead_at list = bead_at_key(at, "magnetism");
     for (size_t i = 0; i < output->sheet.magnetism_count; i++) {

@@ -50,7 +50,7 @@ struct bead_reader {
     struct bead_scene *scene; /* being filled, by the tables' own readers */
     struct bead_message *msg;
     struct bead_faults *faults; /* NULL: the first is the only one */
-    struct bead_faults *doubts; /* numbers without a unit that can hardly be meant; NULL: nobody asks */
+    struct bead_faults *doubts; /* numbers without a unit that can hardly be meant; NULL: they are not collected */
     bool unsound;               /* the chains are wrong: nothing can be checked against them */
     bool without_units;         /* what moves has none: see bead_option.of_motion */
 };

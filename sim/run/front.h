@@ -12,8 +12,8 @@ struct bead_front {
     size_t strongest;     /* contact with the largest force at the end of the last step */
 };
 
-/* Can it arrive no more? Of the energy of the beads that have not parted for good from those before them, the last contact would
- * get too little even if it got all of it. Never true of springs, precompression or a tilt. */
+/* Is it too late for it to arrive? Of the energy of the beads that have not parted for good from those before them, the last
+ * contact would get too little even if it got all of it. Never true of springs, precompression or a tilt. */
 bool bead_front_is_lost(const struct bead_front *front, const struct bead_stepper *stepper);
 /* Follows the last step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *stepper, struct bead_message *msg);
