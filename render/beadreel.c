@@ -5,7 +5,7 @@
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "render/colour/colour_table.h"
-#include "render/draw/png_source.h"
+#include "render/draw/picture.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_internal.h"
 #include "render/paint/canvas.h"

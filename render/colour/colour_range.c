@@ -4,7 +4,6 @@
 #include "sim/chain/chain_internal.h"
 
 #include <math.h>
-#include <string.h>
 
 /* A logarithmic scale without a given lower end begins at this part of the largest value. */
 static const double log_span = 1e-4;

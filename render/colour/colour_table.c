@@ -3,7 +3,6 @@
 #include "render/colour/colour_table.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Maps numbers to integers in the same order; negative numbers count down from -1. */
 static double number(int64_t rank)

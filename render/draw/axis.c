@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the ticks and labels of axes; axis_draw.c draws them. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/render.h"
 #include "render/colour/colour_table.h"
 #include "render/draw/axis.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 
 enum {
     MOST_TICKS = sizeof((struct bead_axis *)0)->ticks / sizeof(struct bead_tick),

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds fonts: those of the system, and those that come with the program where it brings its own libraries. */
-#include "render/draw/fonts.h"
 
 #include <fcntl.h>
 #include <fontconfig/fontconfig.h>

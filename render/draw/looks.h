@@ -32,3 +32,9 @@ BEAD_CHECK enum bead_error bead_text_check(struct bead_message *msg);
 void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y, const char *markup);
 void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
                           double *height);
+
+/* Fonts that come with the program. */
+
+/* Where the assets have fonts/fonts.conf, fontconfig reads that instead of the system's configuration, unless FONTCONFIG_FILE names
+ * another. To be called before Pango first looks for a font; only the first call does anything. */
+void bead_fonts_use_own(void);

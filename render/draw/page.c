@@ -3,8 +3,6 @@
 #include "render/draw/page.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 #include <strings.h>
 
 #include "render/draw/looks.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Appends an update to a PDF file, whose objects cairo writes in clear: "3 0 obj\n<< ... >>\nendobj". */
-#include "render/draw/pdf.h"
+#include "render/draw/vector.h"
 
 #include <stdbool.h>
 #include <stdlib.h>

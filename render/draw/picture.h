@@ -9,6 +9,7 @@
 #include "beadreel/error.h"
 #include "beadreel/view.h"
 #include "sim/base/internal.h"
+#include "sim/base/settings.h"
 
 struct bead_picture_notes {
     size_t size;                                         /* of this structure: BEAD_DEFAULT */
@@ -37,3 +38,21 @@ typedef enum bead_error (*bead_draw)(void *context, cairo_t *cr, struct bead_mes
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_vector_write(const char *path, int width, int height, bead_draw draw, void *context,
                                                            const struct bead_picture_notes *notes, uint64_t *bytes,
                                                            struct bead_message *msg);
+
+/* The notes of a picture as its caller gives them; NULL: none. */
+
+BEAD_CHECK static inline enum bead_error bead_notes_take(struct bead_picture_notes *own, const struct bead_picture_notes *given,
+                                                         struct bead_message *msg)
+{
+    *own = (struct bead_picture_notes){0};
+    return !given ? BEAD_OK
+                  : bead_settings_take(own, sizeof *own, BEAD_SETTINGS_UP_TO(struct bead_picture_notes, dpi), given,
+                                       "bead_picture_notes", msg);
+}
+
+/* What a picture's file says of its scene. */
+
+/* The scene that a PNG file has (its text "Source"), to be freed by the caller; NULL: none. `version`: of the program that wrote
+ * it,
+ * "" where the file does not say. Errors: IO, FORMAT, MEMORY. */
+BEAD_CHECK enum bead_error bead_png_source(const char *path, char **source, char *version, size_t size, struct bead_message *msg);

@@ -10,7 +10,6 @@
 #include <string.h>
 #include <zlib.h>
 
-#include "render/draw/notes.h"
 #include "render/draw/picture.h"
 #include "render/draw/raster.h"
 #include "sim/base/file.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the scene of a PNG file, which stands before its pixels. */
-#include "render/draw/png_source.h"
+#include "render/draw/picture.h"
 
 #include <errno.h>
 #include <png.h>

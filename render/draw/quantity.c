@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "render/draw/axis.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 
 #define THIN_SPACE "\u2009"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Additions to cairo's SVG files: words of a page as <text> elements that name their fonts; title and description; names
  * renumbered, so that one picture always has the same bytes. text.c gives the lines, vector.c writes the file. */
-#include "render/draw/svg.h"
+#include "render/draw/vector.h"
 
 #include <ctype.h>
 #include <hb.h>

@@ -9,9 +9,8 @@
 #include <string.h>
 
 #include "render/draw/axis.h"
-#include "render/draw/fonts.h"
 #include "render/draw/looks.h"
-#include "render/draw/svg.h"
+#include "render/draw/vector.h"
 
 /* Middle of digits and capitals above the baseline, in units of the font size (STIX 0.34, Lato 0.36). */
 static const double digit_middle = 0.35;

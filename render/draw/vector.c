@@ -3,17 +3,12 @@
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <errno.h>
-#include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 #include <time.h>
 
-#include "render/draw/notes.h"
-#include "render/draw/pdf.h"
 #include "render/draw/picture.h"
-#include "render/draw/svg.h"
+#include "render/draw/vector.h"
 #include "render/draw/warnings.h"
 #include "sim/base/file.h"
 

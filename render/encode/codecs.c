@@ -4,17 +4,12 @@
 
 #include "render/draw/picture.h"
 #include "render/encode/libav.h"
-#include "render/encode/movie_internal.h"
 #include "render/encode/tracks.h"
 #include "sim/base/file.h"
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdbool.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>

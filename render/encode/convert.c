@@ -2,10 +2,6 @@
 /* Converts changed rectangles of a frame to the pixel formats of encoders: YUV and RGB, with and without alpha. */
 #include "render/encode/convert.h"
 
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
 #include "render/draw/raster.h"
 #include "render/paint/pixel_kernels.h"
 

@@ -2,7 +2,6 @@
 /* FFmpeg's libraries, opened for the first movie; hints for encoders. */
 #include "render/encode/libav.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 
 #define TEXT(x)                TEXT_OF(x)

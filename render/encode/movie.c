@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Movies: checks, and the steps from open to close. The functions of the format are in encoder.c and codecs.c. */
-#include "beadreel/movie.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/encode/libav.h"
-#include "render/encode/movie_internal.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/tracks.h"
 #include "sim/base/file.h"

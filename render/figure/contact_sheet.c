@@ -6,10 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "beadreel/render.h"
 #include "render/view/orientation.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/sweep/sweep_internal.h"
 
 /* Samples per column of pixels along time; values are linear in time between samples. */
 enum { SAMPLES_A_PIXEL = 4 };

@@ -71,5 +71,3 @@ double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, doubl
 void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);
 /* `spin` of a cell: 1 up, 0 reversed, -1 none. */
 struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int spin);
-
-extern const struct bead_sink_type bead_contact_sheet_sink;

@@ -7,8 +7,6 @@
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"
-#include "render/draw/names.h"
-#include "render/draw/quantity.h"
 #include "render/draw/raster.h"
 #include "render/draw/words.h"
 #include "render/figure/contact_sheet.h"

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Creates a figure and feeds it samples; figure_write.c finishes it. */
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/picture_times.h"
 #include "render/figure/figure.h"

@@ -5,8 +5,6 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
-#include "render/draw/names.h"
-#include "render/draw/quantity.h"
 #include "render/draw/words.h"
 #include "render/figure/figure.h"
 #include "render/view/panel.h"

@@ -3,10 +3,7 @@
  * last. */
 #include "render/figure/panels_private.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/markup.h"
 #include "sim/base/memory.h"

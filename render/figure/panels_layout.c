@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The layout of panels: each measures how far its axes reach out of its plots; then the plots of a row get one width and height,
  * and those of a column one left border. */
-#include <math.h>
-#include <string.h>
 
 #include "render/figure/panels_private.h"
 

@@ -1,12 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finishes a still of several panels: the ranges are known now, and everything is drawn. */
-#include <stdio.h>
-#include <string.h>
 
-#include "render/draw/looks.h"
 #include "render/draw/raster.h"
 #include "render/figure/panels_private.h"
-#include "render/paint/canvas.h"
 
 /* Panels of one group have one range. */
 static void set_ranges(struct bead_still *s)

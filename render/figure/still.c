@@ -2,7 +2,6 @@
 /* Sinks for `image:` and `plot:` outputs: each is a still of the first kind that wants it. */
 #include "render/figure/still.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/draw/page.h"

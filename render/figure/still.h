@@ -27,4 +27,4 @@ struct bead_still_kind {
 };
 
 extern const struct bead_still_kind bead_panels, bead_bare_image;
-extern const struct bead_sink_type bead_image_sink, bead_plot_sink;
+extern const struct bead_sink_type bead_image_sink; /* which images of sweeps draw with */

@@ -6,7 +6,6 @@
 
 #include "beadreel/render.h"
 #include "render/figure/still.h"
-#include "render/figure/sweep_image.h"
 #include "sim/base/memory.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_internal.h"

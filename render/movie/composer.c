@@ -4,12 +4,10 @@
 #include "render/movie/composer_private.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/colour/colour_range.h"
 #include "render/draw/looks.h"
-#include "render/draw/names.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
 #include "render/draw/words.h"

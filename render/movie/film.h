@@ -140,5 +140,3 @@ BEAD_CHECK enum bead_error bead_poster_file(const char *path, const struct bead_
  * CODEC. */
 BEAD_CHECK enum bead_error bead_poster_write(const struct bead_poster *poster, const char *path, const struct bead_scene *scene,
                                              struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);
-
-extern const struct bead_sink_type bead_movie_sink, bead_frame_sink;

@@ -5,7 +5,6 @@
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"
-#include "render/draw/quantity.h"
 #include "render/draw/words.h"
 #include "render/movie/movie_words.h"
 #include "render/view/views.h"

@@ -2,8 +2,6 @@
 /* The cells of a movie's frame as a grid: columns of plots, a stack of views in each row. Images get their share first. */
 #include "render/movie/movie_cells.h"
 
-#include <math.h>
-
 /* In units of the label's font size. */
 static const double title_line = 1.35, between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
 /* An overlaid profile's part of the height of all, and the least, with titles and without. */

@@ -8,7 +8,6 @@
 #include "render/movie/composer_private.h"
 #include "render/movie/movie_stage.h"
 #include "render/view/camera.h"
-#include "render/view/orientation.h"
 #include "render/view/panel.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"

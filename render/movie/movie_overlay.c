@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Everything around the views: the colour bar and, updated after the views, time, line about the horizon and caption. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include "render/draw/names.h"
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
 #include "render/view/panel.h"

@@ -2,9 +2,7 @@
 /* The fields, beads and values that a film shows of its chains; and the interest of a frame, by which sinks choose the poster. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "render/colour/colour_table.h"
 #include "render/movie/composer_private.h"
 #include "render/view/views.h"
 #include "sim/kinds/view_kinds.h"

@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words of movies: clock, headings, facts. The composer puts them on the frame. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/markup.h"
-#include "render/draw/names.h"
-#include "render/draw/quantity.h"
 #include "render/draw/words.h"
 #include "render/movie/movie_words.h"
 #include "sim/chain/chain_internal.h"

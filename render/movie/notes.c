@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Notes on the stage, each with a tip to what it is about. The stage is painted anew for each frame, and with it notes vanish. */
 #include <math.h>
-#include <stdio.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"

@@ -3,7 +3,6 @@
 #include "render/paint/canvas.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "render/paint/canvas_private.h"

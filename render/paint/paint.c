@@ -2,7 +2,6 @@
 /* Checks the arguments of painting functions; the back end of the canvas paints (paint_gl.c, paint_plain.c). */
 #include "render/paint/paint.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "render/paint/canvas_private.h"

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painting with OpenGL: the shaders of assets/shaders draw into the canvas's framebuffer, which is read back. */
-#include <stdbool.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/gl.h"

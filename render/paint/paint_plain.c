@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Painting without OpenGL, straight into the frame. It has no state of its own. */
-#include <stdio.h>
-#include <string.h>
 
 #include "render/paint/canvas_private.h"
-#include "render/paint/pixel_kernels.h"
 
 static enum bead_error plain_open(struct bead_canvas *canvas, struct bead_message *)
 {

@@ -2,9 +2,7 @@
 #include "render/paint/stage_gl.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Entry to graphs: draws one into a picture, or writes it to a file. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "render/draw/markup.h"
-#include "render/draw/page.h"
 #include "render/plot/graph_private.h"
 
 enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,

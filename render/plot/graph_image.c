@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "beadreel/render.h"
 #include "render/draw/raster.h"
 #include "render/plot/graph_private.h"
 #include "sim/base/memory.h"

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "render/plot/graph_private.h"
 #include "sim/base/memory.h"

@@ -2,7 +2,6 @@
 /* Legends: grids of entries that identify curves. The layout measures and places them, graph_draw.c draws them. */
 #include <math.h>
 
-#include "render/draw/looks.h"
 #include "render/plot/graph_private.h"
 
 /* In units of the label's font size. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Assigns entries to legends, and sizes the legend outside the panels. */
 #include <math.h>
-#include <string.h>
 
 #include "render/plot/graph_private.h"
 

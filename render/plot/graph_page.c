@@ -2,7 +2,6 @@
 /* Title and caption of a page with plots: their room, and drawing them. */
 #include <math.h>
 
-#include "render/draw/looks.h"
 #include "render/plot/graph_private.h"
 
 static const double title_size = 1.2;                   /* of the look's */

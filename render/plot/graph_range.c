@@ -2,7 +2,6 @@
 /* Ranges of a graph's axes: as requested, else from data and rulers, widened so that nothing touches the frame. First step of the
  * layout. */
 #include <math.h>
-#include <string.h>
 
 #include "render/plot/graph_private.h"
 

@@ -2,13 +2,10 @@
 /* Plots of sweeps over keys: force against a key, averaged over seeds, a curve for each combination of the other keys. */
 #include <ctype.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/render.h"
 #include "render/draw/markup.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"

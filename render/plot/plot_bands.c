@@ -2,13 +2,11 @@
 /* Small vibrations, a panel for each chain: frequency against wave number of the cells that it repeats, with the gaps shaded; or
  * how many beads take part in each of its modes, against their frequencies. They need no run. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
-#include "sim/frequency/bands.h"
 
 static void no_samples(const struct bead_plot_data *data, struct bead_needs *needs)
 {

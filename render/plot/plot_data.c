@@ -2,18 +2,21 @@
 /* Plots: gathers their data from samples, by the functions of their kind, and makes panels of graphs. */
 #include "render/plot/plot_data.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
 #include "sim/output/profile_times.h"
 
-/* The first is the default. */
-static const struct plot_kind *const kinds[] = {&bead_plot_sensors,    &bead_plot_peaks,    &bead_plot_modes,
-                                                &bead_plot_profiles,   &bead_plot_bands,    &bead_plot_eigenmodes,
-                                                &bead_plot_spectrum,   &bead_plot_transfer, &bead_plot_spectrogram,
-                                                &bead_plot_dispersion, &bead_plot_energy,   &bead_plot_spreading};
+/* `const struct plot_kind bead_plot_NAME`; the first is the default. */
+#define PLOTS(PLOT)                                                                                                         \
+    PLOT(sensors), PLOT(peaks), PLOT(modes), PLOT(profiles), PLOT(bands), PLOT(eigenmodes), PLOT(spectrum), PLOT(transfer), \
+        PLOT(spectrogram), PLOT(dispersion), PLOT(energy), PLOT(spreading)
+
+#define PLOT_NAME(name) bead_plot_##name
+extern const struct plot_kind PLOTS(PLOT_NAME);
+#define PLOT_AT(name) &bead_plot_##name
+static const struct plot_kind *const kinds[] = {PLOTS(PLOT_AT)};
 
 static const struct plot_kind *plot_kind_of(const struct bead_plot_data *data)
 {

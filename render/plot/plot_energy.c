@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the energy against time, stacked: a panel for each chain. Dotted above them is what was put in, and lines are the
  * energies past the beads listed. */
-#include <stdio.h>
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"

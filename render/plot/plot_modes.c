@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The energies of the first few modes against time: a panel for each chain. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Common to the kinds of plots: panels, their headings, and curves that can be told apart. */
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/draw/markup.h"
-#include "render/draw/names.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
 

@@ -2,7 +2,6 @@
 /* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end,
  * or where the run went on to a larger one. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "render/plot/plot_private.h"

@@ -52,9 +52,6 @@ struct plot_kind {
     enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg); /* or NULL */
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
-extern const struct plot_kind bead_plot_sensors, bead_plot_peaks, bead_plot_modes, bead_plot_profiles, bead_plot_bands,
-    bead_plot_eigenmodes, bead_plot_spectrum, bead_plot_transfer, bead_plot_spectrogram, bead_plot_dispersion, bead_plot_energy,
-    bead_plot_spreading;
 
 /* Allocates panels, with their titles. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg);

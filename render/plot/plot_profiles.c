@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field along the chain at several times: a panel for each chain. */
 #include <math.h>
-#include <stdio.h>
 
-#include "render/draw/axis.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/output/compacton.h"

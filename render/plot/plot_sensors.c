@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Force of sensors against time: a panel for each chain with sensors, all with one axis of forces. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/picture_times.h"

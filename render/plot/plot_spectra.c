@@ -2,8 +2,6 @@
 /* Spectra, a panel for each chain: amplitudes, or ratios to the driven bead, against frequency; and amplitudes as colours, against
  * time, or against wave number with the exact bands over them. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "render/draw/markup.h"
 #include "render/plot/plot_private.h"

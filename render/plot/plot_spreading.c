@@ -2,10 +2,9 @@
 /* How far energy has spread against time, on logarithmic axes, with the power laws that fit: of each chain of a run, a panel each,
  * or the means of a sweep, a panel for each curve. */
 #include <math.h>
-#include <stdio.h>
 
 #include "render/draw/markup.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"

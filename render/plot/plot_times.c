@@ -2,7 +2,6 @@
 /* Numbers of a chain against time, a panel for each chain: what plots of modes, energies and spreading share. Times are in
  * data->sample, numbers in the parts' values, [numbers][times]. */
 #include <math.h>
-#include <stdio.h>
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"

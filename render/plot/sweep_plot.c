@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of sweeps: peak force against magnetism, with its two regimes; or the decay of peaks along the chain. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
-#include "beadreel/render.h"
-#include "beadreel/sweep.h"
-#include "render/draw/names.h"
 #include "render/draw/page.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"

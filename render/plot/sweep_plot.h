@@ -4,8 +4,6 @@
 
 #include "beadreel/sweep.h"
 
-extern const struct bead_sink_type bead_sweep_plot_sink;
-
 /* The plot of a sweep over keys. Errors: USAGE, MEMORY, those of bead_graph_write. */
 BEAD_CHECK enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
                                                 uint64_t *bytes, struct bead_message *msg);

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The contents of a run's page: its pictures as HTML, and all numbers as JSON. */
 #include <math.h>
-#include <string.h>
 #include <strings.h>
 
-#include "render/draw/names.h"
+#include "render/draw/words.h"
 #include "render/report/report_private.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
@@ -72,181 +71,187 @@ static enum bead_error write_pictures(const void *context, FILE *file, struct be
 
 /* ---- numbers ---- */
 
-static void write_colour(FILE *file, const double colour[3])
+static void write_colour(struct bead_json *json, const double colour[3])
 {
     double levels[3];
     for (int c = 0; c < 3; c++)
         levels[c] = round(255 * fmin(1, fmax(0, colour[c])));
-    report_numbers(file, levels, 3);
+    bead_json_numbers(json, "colour", levels, 3);
 }
 
-static void write_materials(const struct bead_scene *scene, FILE *file)
+static void write_materials(struct bead_json *json, const struct bead_scene *scene)
 {
-    fputc('[', file);
+    bead_json_open(json, "materials", '[');
     for (size_t i = 0; i < scene->material_count; i++) {
-        fputs(i ? ",{\"name\":" : "{\"name\":", file);
-        report_string(file, scene->materials[i].label);
-        report_key(file, "colour");
-        write_colour(file, scene->materials[i].colour);
-        fputc('}', file);
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", scene->materials[i].label);
+        write_colour(json, scene->materials[i].colour);
+        bead_json_close(json, "}");
     }
-    fputc(']', file);
+    bead_json_close(json, "]");
 }
 
-static void write_sensors(const struct bead_chain *chain, FILE *file)
+static void write_sensors(struct bead_json *json, const struct bead_chain *chain)
 {
     size_t count = 0;
     const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
-    fputc('[', file);
+    bead_json_open(json, "sensors", '[');
     for (size_t i = 0; i < count; i++) {
-        fputs(i ? ",{\"name\":" : "{\"name\":", file);
-        report_string(file, sensors[i].name);
-        fprintf(file, ",\"bead\":%zu}", sensors[i].bead);
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", sensors[i].name);
+        bead_json_number(json, "bead", (double)sensors[i].bead);
+        bead_json_close(json, "}");
     }
-    fputc(']', file);
+    bead_json_close(json, "]");
+}
+
+static void write_wall(struct bead_json *json, const struct bead_chain *chain)
+{
+    static const double grey[3] = {0.5, 0.5, 0.5};
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    char name[96];
+    bead_wall_name(chain, name, sizeof name);
+    bead_json_open(json, "wall", '{');
+    bead_json_text(json, "name", name);
+    write_colour(json, spec->wall == BEAD_WALL_MATERIAL ? bead_chain_scene(chain)->materials[spec->wall_material].colour : grey);
+    bead_json_close(json, "}");
 }
 
 /* Materials, sizes and places of the beads. */
-static void write_beads(const struct report_chain *c, FILE *file)
+static void write_beads(struct bead_json *json, const struct report_chain *c)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(c->chain);
     const size_t *material = bead_chain_material(c->chain);
-    char name[96];
-    report_key(file, "radius");
-    report_numbers(file, bead_chain_radius(c->chain) + c->bead.first, c->beads_shown);
-    report_key(file, "position");
-    report_numbers(file, bead_chain_position(c->chain) + c->bead.first, c->beads_shown);
-    report_key(file, "material");
+    bead_json_numbers(json, "radius", bead_chain_radius(c->chain) + c->bead.first, c->beads_shown);
+    bead_json_numbers(json, "position", bead_chain_position(c->chain) + c->bead.first, c->beads_shown);
+    bead_json_open(json, "material", '[');
     for (size_t i = c->bead.first; i <= c->bead.last; i++)
-        fprintf(file, "%c%zu", i == c->bead.first ? '[' : ',', material[i]);
-    fputs("],\"sensors\":", file);
-    write_sensors(c->chain, file);
-    report_named_number(file, "striker", spec->striker_velocity);
+        bead_json_number(json, NULL, (double)material[i]);
+    bead_json_close(json, "]");
+    write_sensors(json, c->chain);
+    bead_json_number(json, "striker", spec->striker_velocity);
     if (*bead_chain_spins(c->chain))
-        report_named_number(file, "magnetism", bead_chain_magnetism(c->chain));
-    if (spec->wall != BEAD_WALL_NONE && c->bead.last + 1 == bead_chain_beads(c->chain)) {
-        static const double grey[3] = {0.5, 0.5, 0.5};
-        bead_wall_name(c->chain, name, sizeof name);
-        fputs(",\"wall\":{\"name\":", file);
-        report_string(file, name);
-        report_key(file, "colour");
-        write_colour(file,
-                     spec->wall == BEAD_WALL_MATERIAL ? bead_chain_scene(c->chain)->materials[spec->wall_material].colour : grey);
-        fputc('}', file);
-    }
+        bead_json_number(json, "magnetism", bead_chain_magnetism(c->chain));
+    if (spec->wall != BEAD_WALL_NONE && c->bead.last + 1 == bead_chain_beads(c->chain))
+        write_wall(json, c->chain);
 }
 
-static void write_axis(const struct report_chain *c, bool of_contacts, FILE *file)
+static void write_axis(struct bead_json *json, const struct report_chain *c, bool of_contacts)
 {
     const struct bead_chain_axis axis = bead_chain_axis(c->chain, of_contacts);
-    report_key(file, "axis");
-    fputs("{\"title\":", file);
-    report_string(file, axis.title);
-    fprintf(file, ",\"counts\":%s,\"first\":", *axis.unit ? "true" : "false");
-    report_number(file, axis.first + (double)c->value.first * axis.spacing);
-    report_named_number(file, "spacing", axis.spacing);
-    fputc('}', file);
+    bead_json_open(json, "axis", '{');
+    bead_json_text(json, "title", axis.title);
+    bead_json_flag(json, "counts", *axis.unit);
+    bead_json_number(json, "first", axis.first + (double)c->value.first * axis.spacing);
+    bead_json_number(json, "spacing", axis.spacing);
+    bead_json_close(json, "}");
 }
 
 /* Writes the peak forces of all contacts, with uncertainty. */
-static void write_peaks(const struct report_chain *c, const struct bead_outcome *outcome, FILE *file)
+static void write_peaks(struct bead_json *json, const struct report_chain *c, const struct bead_outcome *outcome)
 {
     const size_t count = bead_chain_contacts(c->chain);
     const struct bead_peak *peaks = outcome->contact_peaks;
-    fputs(",\"peaks\":{\"force\":[", file);
+    bead_json_open(json, "peaks", '{');
+    bead_json_open(json, "force", '[');
+    for (size_t i = 0; i < count; i++)
+        bead_json_number(json, NULL, isnan(peaks[i].time) && peaks[i].value == 0 ? NAN : peaks[i].value);
+    bead_json_close(json, "]");
+    bead_json_open(json, "time", '[');
+    for (size_t i = 0; i < count; i++)
+        bead_json_number(json, NULL, peaks[i].time);
+    bead_json_close(json, "]");
+    bead_json_open(json, "open", '[');
     for (size_t i = 0; i < count; i++) {
-        fputs(i ? "," : "", file);
-        report_number(file, isnan(peaks[i].time) && peaks[i].value == 0 ? NAN : peaks[i].value);
-    }
-    fputs("],\"time\":[", file);
-    for (size_t i = 0; i < count; i++) {
-        fputs(i ? "," : "", file);
-        report_number(file, peaks[i].time);
-    }
-    fputs("],\"open\":[", file);
-    for (size_t i = 0, listed = 0; i < count; i++) {
         if (peaks[i].open)
-            fprintf(file, "%s%zu", listed++ ? "," : "", i);
+            bead_json_number(json, NULL, (double)i);
     }
-    fputs("],\"uncertainty\":", file);
-    report_numbers(file, outcome->contact_uncertainty, outcome->contact_uncertainty ? count : 0);
-    fputc('}', file);
+    bead_json_close(json, "]");
+    bead_json_numbers(json, "uncertainty", outcome->contact_uncertainty, outcome->contact_uncertainty ? count : 0);
+    bead_json_close(json, "}");
 }
 
-static void write_outcome(const struct bead_outcome *o, FILE *file)
+struct named {
+    const char *name;
+    double value;
+};
+
+static void write_named(struct bead_json *json, const struct named *numbers, size_t count)
 {
-    const struct {
-        const char *name;
-        double value;
-    } numbers[] = {{"end", o->end},
-                   {"arrival", o->front_arrival},
-                   {"step", o->step},
-                   {"steps", (double)o->steps},
-                   {"energyStart", o->energy_start},
-                   {"energyEnd", o->energy_end},
-                   {"energyError", o->energy_error},
-                   {"embeddedError", o->embedded_error},
-                   {"eventError", o->event_error}};
-    fputs(",\"run\":{\"method\":", file);
-    report_string(file, o->method ? o->method : "");
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        report_named_number(file, numbers[i].name, numbers[i].value);
-    fputc('}', file);
+    for (size_t i = 0; i < count; i++)
+        bead_json_number(json, numbers[i].name, numbers[i].value);
 }
 
-static void write_measure(const struct bead_measure *measure, bool first, FILE *file)
+static void write_outcome(struct bead_json *json, const struct bead_outcome *o)
 {
-    fputs(first ? "{\"name\":" : ",\n{\"name\":", file);
-    report_string(file, measure->name);
-    report_named_string(file, "unit", measure->unit);
-    report_named_number(file, "value", measure->value);
-    report_named_string(file, "note", measure->note);
-    fputc('}', file);
+    const struct named numbers[] = {{"end", o->end},
+                                    {"arrival", o->front_arrival},
+                                    {"step", o->step},
+                                    {"steps", (double)o->steps},
+                                    {"energyStart", o->energy_start},
+                                    {"energyEnd", o->energy_end},
+                                    {"energyError", o->energy_error},
+                                    {"embeddedError", o->embedded_error},
+                                    {"eventError", o->event_error}};
+    bead_json_open(json, "run", '{');
+    bead_json_text(json, "method", o->method ? o->method : "");
+    write_named(json, numbers, sizeof numbers / sizeof *numbers);
+    bead_json_close(json, "}");
+}
+
+static void write_listed(struct bead_json *json, const struct bead_measure *measures, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", measures[i].name);
+        bead_json_text(json, "unit", measures[i].unit);
+        bead_json_number(json, "value", measures[i].value);
+        bead_json_text(json, "note", measures[i].note);
+        bead_json_close(json, "}");
+    }
 }
 
 /* Writes the measures of beads, or of an equation. */
-static void write_measures(const struct report_chain *c, const struct bead_outcome *o, FILE *file)
+static void write_measures(struct bead_json *json, const struct report_chain *c, const struct bead_outcome *o)
 {
     struct bead_measure found[MOST_MEASURES];
     size_t count = c->measures ? bead_measures_read(c->measures, o, found, MOST_MEASURES) : 0;
-    count = count < MOST_MEASURES ? count : MOST_MEASURES;
-    fputs(",\"measures\":[", file);
-    for (size_t i = 0; i < count; i++)
-        write_measure(&found[i], i == 0, file);
-    for (size_t i = 0; o->measures && i < o->measure_count; i++)
-        write_measure(&o->measures[i], count + i == 0, file);
-    fputc(']', file);
+    bead_json_open(json, "measures", '[');
+    write_listed(json, found, count < MOST_MEASURES ? count : MOST_MEASURES);
+    write_listed(json, o->measures, o->measures ? o->measure_count : 0);
+    bead_json_close(json, "]");
 }
 
-static enum bead_error write_chain(const struct bead_sink *s, size_t index, FILE *file, struct bead_message *msg)
+static enum bead_error write_chain(const struct bead_sink *s, size_t index, struct bead_json *json, struct bead_message *msg)
 {
     char tale[BEAD_TALE_WORDS];
     const struct report_chain *c = &s->chains[index];
     const struct bead_chain_spec *spec = bead_chain_spec(c->chain);
-    fputs(index ? ",\n{\"name\":" : "{\"name\":", file);
-    report_string(file, spec->title && *spec->title ? spec->title : bead_chain_name(c->chain));
-    report_named_string(file, "label", spec->label ? spec->label : "");
+    const struct named numbers[] = {{"first", (double)c->value.first},
+                                    {"values", (double)c->values},
+                                    {"firstBead", (double)c->bead.first},
+                                    {"beads", (double)c->beads_shown},
+                                    {"total", (double)bead_chain_beads(c->chain)}};
     bead_tale_of_chain(s->tale, index, tale, sizeof tale);
-    report_named_string(file, "tale", tale);
-    fprintf(file, ",\"first\":%zu,\"values\":%zu,\"firstBead\":%zu,\"beads\":%zu,\"total\":%zu", c->value.first, c->values,
-            c->bead.first, c->beads_shown, bead_chain_beads(c->chain));
-    write_axis(c, bead_field_info(s->output->shown.field)->of_contacts, file);
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "name", spec->title && *spec->title ? spec->title : bead_chain_name(c->chain));
+    bead_json_text(json, "label", spec->label ? spec->label : "");
+    bead_json_text(json, "tale", tale);
+    write_named(json, numbers, sizeof numbers / sizeof *numbers);
+    write_axis(json, c, bead_field_info(s->output->shown.field)->of_contacts);
     if (c->beads)
-        write_beads(c, file);
+        write_beads(json, c);
     if (s->outcomes) {
-        write_outcome(&s->outcomes[index], file);
-        write_measures(c, &s->outcomes[index], file);
+        write_outcome(json, &s->outcomes[index]);
+        write_measures(json, c, &s->outcomes[index]);
         if (c->beads && s->peaks && s->outcomes[index].contact_peaks)
-            write_peaks(c, &s->outcomes[index], file);
+            write_peaks(json, c, &s->outcomes[index]);
     }
-    report_key(file, "field");
-    enum bead_error err = report_samples(file, c->field, c->kept * c->values, msg);
-    if (!err && c->beads) {
-        report_key(file, "displacement");
-        err = report_samples(file, c->displacement, c->kept * c->beads_shown, msg);
-    }
-    fputc('}', file);
-    return err;
+    BEAD_TRY(report_samples(json, "field", c->field, c->kept * c->values, msg));
+    if (c->beads)
+        BEAD_TRY(report_samples(json, "displacement", c->displacement, c->kept * c->beads_shown, msg));
+    bead_json_close(json, "}");
+    return BEAD_OK;
 }
 
 static enum bead_error write_data(const void *context, FILE *file, struct bead_message *msg)
@@ -254,26 +259,24 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     const struct bead_sink *s = context;
     const enum bead_field field = s->output->shown.field;
     const struct bead_field_info *own = bead_chain_field(s->context.chains[0], field);
-    size_t samples = s->chains[0].kept;
-    enum bead_error err = BEAD_OK;
-    report_open(file, "run", s->context.scene);
-    fputs(",\"time\":{\"start\":", file);
-    report_number(file, s->grid.start);
-    report_named_number(file, "every", s->grid.every);
-    fprintf(file, ",\"count\":%zu", samples);
-    report_named_string(file, "unit", bead_chain_time_unit(s->context.chains[0]));
-    fputc('}', file);
-    report_field(file, own ? own : bead_field_info(field), field);
-    report_range(file, &s->range, s->output->colours.scale);
-    report_maps(file, s->maps);
-    report_named_number(file, "magnify", s->magnify);
-    fputs(",\"materials\":", file);
-    write_materials(s->context.scene, file);
-    fputs(",\n\"chains\":[", file);
-    for (size_t i = 0; i < s->chain_count && !err; i++)
-        err = write_chain(s, i, file, msg);
-    fputs("]}", file);
-    return err;
+    struct bead_json json = REPORT_JSON(file);
+    report_open(&json, "run", s->context.scene);
+    bead_json_open(&json, "time", '{');
+    bead_json_number(&json, "start", s->grid.start);
+    bead_json_number(&json, "every", s->grid.every);
+    bead_json_number(&json, "count", (double)s->chains[0].kept);
+    bead_json_text(&json, "unit", bead_chain_time_unit(s->context.chains[0]));
+    bead_json_close(&json, "}");
+    report_field(&json, own ? own : bead_field_info(field), field);
+    report_range(&json, &s->range, s->output->colours.scale);
+    report_maps(&json, s->maps);
+    bead_json_number(&json, "magnify", s->magnify);
+    write_materials(&json, s->context.scene);
+    bead_json_open(&json, "chains", '[');
+    for (size_t i = 0; i < s->chain_count; i++)
+        BEAD_TRY(write_chain(s, i, &json, msg));
+    bead_json_close(&json, "]}");
+    return BEAD_OK;
 }
 
 static const char *const scripts[] = {"data.js", "axes.js", "chain.js", "chart.js", "page.js", "run.js", "start.js", NULL};

@@ -6,7 +6,6 @@
 #include "beadreel/sweep.h"
 #include "render/colour/colour_range.h"
 #include "render/colour/colour_table.h"
-#include "render/report/report.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 #include "sim/base/memory.h"
@@ -165,7 +164,7 @@ static void find_range(struct sweep_report *r)
 
 /* Writes indices of colours, a row for each time: the number of places up to the last that differs from the colour of 0 (two
  * bytes), then their indices. */
-static enum bead_error write_image(const struct sweep_report *r, const struct sweep_image *image, FILE *file,
+static enum bead_error write_image(const struct sweep_report *r, const struct sweep_image *image, struct bead_json *json,
                                    struct bead_message *msg)
 {
     const struct bead_colours colours = {&r->maps[0], r->output->colours.scale, r->range.low, r->range.high};
@@ -186,113 +185,111 @@ static enum bead_error write_image(const struct sweep_report *r, const struct sw
         for (size_t i = 0; i < reached; i++)
             bytes[used++] = bead_colours_index(&colours, means[i]);
     }
-    report_base64(file, bytes, used);
+    report_bytes(json, "data", bytes, used);
     return BEAD_OK;
 }
 
-static void write_spins(const char *spins, size_t cells, FILE *file)
+static void write_spins(const char *spins, size_t cells, struct bead_json *json)
 {
+    FILE *file = bead_json_key(json, "spins");
+    fputc('"', file);
     for (size_t i = 0; i < cells; i++)
         fputc(spins[i] == '1' ? '1' : '0', file);
+    fputc('"', file);
 }
 
-static enum bead_error write_configurations(const struct sweep_report *r, size_t panel, FILE *file, struct bead_message *msg)
+static enum bead_error write_configurations(const struct sweep_report *r, size_t panel, struct bead_json *json,
+                                            struct bead_message *msg)
 {
-    const size_t cells = bead_sweep_panel(r->sweep, panel)->spec->cells;
-    const char *comma = "";
-    enum bead_error err = BEAD_OK;
-    fputs(",\n\"images\":[", file);
-    for (size_t i = 0; i < r->count && !err; i++) {
+    bead_json_open(json, "images", '[');
+    for (size_t i = 0; i < r->count; i++) {
         const struct sweep_image *image = &r->images[i];
         struct bead_sweep_configuration found;
         if (image->panel != panel)
             continue;
         (void)bead_sweep_configuration(r->sweep, panel, image->index, &found);
-        fprintf(file, "%s{\"index\":", comma);
-        comma = ",\n";
-        report_number(file, image->index == BEAD_SWEEP_CLEAN ? NAN : (double)image->index);
-        report_named_number(file, "magnetism", found.magnetism);
-        fputs(",\"spins\":\"", file);
-        write_spins(found.spins, cells, file);
-        fprintf(file, "\",\"places\":%zu,\"values\":%zu,\"data\":\"", bead_area_places(image->area), image->values);
-        err = write_image(r, image, file, msg);
-        fputs("\"}", file);
+        bead_json_open(json, NULL, '{');
+        bead_json_number(json, "index", image->index == BEAD_SWEEP_CLEAN ? NAN : (double)image->index);
+        bead_json_number(json, "magnetism", found.magnetism);
+        write_spins(found.spins, bead_sweep_panel(r->sweep, panel)->spec->cells, json);
+        bead_json_number(json, "places", (double)bead_area_places(image->area));
+        bead_json_number(json, "values", (double)image->values);
+        BEAD_TRY(write_image(r, image, json, msg));
+        bead_json_close(json, "}");
     }
-    fputc(']', file);
-    return err;
+    bead_json_close(json, "]");
+    return BEAD_OK;
 }
 
-static void write_rows(const struct bead_sweep_statistics *s, FILE *file)
+static void write_rows(const struct bead_sweep_statistics *s, struct bead_json *json)
 {
-    fputs("\"rows\":[", file);
+    size_t count = 0;
+    bead_json_open(json, "rows", '[');
     for (size_t i = 0; i < s->row_count; i++) {
         const struct bead_sweep_row *row = &s->rows[i];
         const double numbers[] = {row->magnetism, (double)row->count, row->summary.mean, row->summary.standard_error,
                                   row->summary.median};
-        fputs(i ? "," : "", file);
-        report_numbers(file, numbers, sizeof numbers / sizeof *numbers);
+        bead_json_numbers(json, NULL, numbers, sizeof numbers / sizeof *numbers);
+        count = row->first + row->count;
     }
-    fputs("],\"values\":", file);
-    report_numbers(file, s->values, s->row_count ? s->rows[s->row_count - 1].first + s->rows[s->row_count - 1].count : 0);
-    fputs(",\"indices\":[", file);
-    for (size_t i = 0, first = 1; i < s->row_count; i++) {
-        for (size_t k = 0; k < s->rows[i].count; k++, first = 0)
-            fprintf(file, "%s%zu", first ? "" : ",", s->indices[s->rows[i].first + k]);
-    }
-    fputc(']', file);
+    bead_json_close(json, "]");
+    bead_json_numbers(json, "values", s->values, count);
+    bead_json_open(json, "indices", '[');
+    for (size_t i = 0; i < count; i++)
+        bead_json_number(json, NULL, (double)s->indices[i]);
+    bead_json_close(json, "]");
 }
 
-static enum bead_error write_place(const struct sweep_report *r, size_t panel, size_t place, FILE *file, struct bead_message *msg)
+static enum bead_error write_place(const struct sweep_report *r, size_t panel, size_t place, struct bead_json *json,
+                                   struct bead_message *msg)
 {
     struct bead_sweep_statistics s = {0};
     BEAD_TRY(bead_sweep_statistics(r->sweep, panel, place, r->output->sweep_curves.threshold, &s, msg));
-    fputs(place ? ",\n{\"name\":" : "{\"name\":", file);
-    report_string(file, bead_sweep_place(r->sweep, panel, place));
-    report_named_number(file, "clean", s.clean);
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "name", bead_sweep_place(r->sweep, panel, place));
+    bead_json_number(json, "clean", s.clean);
     if (s.has_threshold) {
         const double numbers[] = {s.threshold.plateau, s.threshold.plateau_error, s.threshold.critical, s.threshold.critical_error};
-        report_key(file, "threshold");
-        report_numbers(file, numbers, sizeof numbers / sizeof *numbers);
+        bead_json_numbers(json, "threshold", numbers, sizeof numbers / sizeof *numbers);
     }
-    fputc(',', file);
-    write_rows(&s, file);
-    fputc('}', file);
+    write_rows(&s, json);
+    bead_json_close(json, "}");
     bead_sweep_statistics_free(&s);
     return BEAD_OK;
 }
 
-static enum bead_error write_panel(const struct sweep_report *r, size_t index, FILE *file, struct bead_message *msg)
+static enum bead_error write_panel(const struct sweep_report *r, size_t index, struct bead_json *json, struct bead_message *msg)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(r->sweep, index);
-    enum bead_error err = BEAD_OK;
-    fputs(index ? ",\n{\"name\":" : "{\"name\":", file);
-    report_string(file, panel->spec->title && *panel->spec->title ? panel->spec->title : panel->name);
-    fprintf(file, ",\"configurations\":%zu,\"beads\":%zu,\"cells\":%zu,\"places\":[", panel->configurations, panel->beads,
-            panel->spec->cells);
-    for (size_t p = 0; p < panel->places && !err; p++)
-        err = write_place(r, index, p, file, msg);
-    fputc(']', file);
-    if (!err)
-        err = write_configurations(r, index, file, msg);
-    fputc('}', file);
-    return err;
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "name", panel->spec->title && *panel->spec->title ? panel->spec->title : panel->name);
+    bead_json_number(json, "configurations", (double)panel->configurations);
+    bead_json_number(json, "beads", (double)panel->beads);
+    bead_json_number(json, "cells", (double)panel->spec->cells);
+    bead_json_open(json, "places", '[');
+    for (size_t p = 0; p < panel->places; p++)
+        BEAD_TRY(write_place(r, index, p, json, msg));
+    bead_json_close(json, "]");
+    BEAD_TRY(write_configurations(r, index, json, msg));
+    bead_json_close(json, "}");
+    return BEAD_OK;
 }
 
 static enum bead_error sweep_data(const void *context, FILE *file, struct bead_message *msg)
 {
     const struct sweep_report *r = context;
-    enum bead_error err = BEAD_OK;
-    report_open(file, "sweep", bead_sweep_scene(r->sweep));
-    report_named_number(file, "end", r->end);
-    fprintf(file, ",\"times\":%d", r->times);
-    report_field(file, &r->field, r->output->shown.field);
-    report_range(file, &r->range, r->output->colours.scale);
-    report_maps(file, r->maps);
-    fputs(",\"panels\":[", file);
-    for (size_t p = 0; p < bead_sweep_panels(r->sweep) && !err; p++)
-        err = write_panel(r, p, file, msg);
-    fputs("]}", file);
-    return err;
+    struct bead_json json = REPORT_JSON(file);
+    report_open(&json, "sweep", bead_sweep_scene(r->sweep));
+    bead_json_number(&json, "end", r->end);
+    bead_json_number(&json, "times", r->times);
+    report_field(&json, &r->field, r->output->shown.field);
+    report_range(&json, &r->range, r->output->colours.scale);
+    report_maps(&json, r->maps);
+    bead_json_open(&json, "panels", '[');
+    for (size_t p = 0; p < bead_sweep_panels(r->sweep); p++)
+        BEAD_TRY(write_panel(r, p, &json, msg));
+    bead_json_close(&json, "]}");
+    return BEAD_OK;
 }
 
 static enum bead_error write_report(const struct bead_output *output, const struct bead_run_context *context, const char *path,

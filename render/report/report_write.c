@@ -5,9 +5,7 @@
 #include <locale.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/api.h"
 #include "sim/base/assets.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
@@ -31,38 +29,6 @@ void report_html(FILE *file, const char *text)
     }
 }
 
-void report_string(FILE *file, const char *text)
-{
-    fputc('"', file);
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c < 32 || c == '"' || c == '\\' || c == '<' || c == '>' || c == '&')
-            fprintf(file, "\\u%04x", c);
-        else
-            fputc(c, file);
-    }
-    fputc('"', file);
-}
-
-void report_number(FILE *file, double value)
-{
-    if (isfinite(value))
-        fprintf(file, "%.12g", value);
-    else
-        fputs("null", file);
-}
-
-void report_numbers(FILE *file, const double *values, size_t count)
-{
-    fputc('[', file);
-    for (size_t i = 0; i < count; i++) {
-        if (i > 0)
-            fputc(',', file);
-        report_number(file, values[i]);
-    }
-    fputc(']', file);
-}
-
 void report_base64(FILE *file, const unsigned char *bytes, size_t count)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -76,58 +42,53 @@ void report_base64(FILE *file, const unsigned char *bytes, size_t count)
     }
 }
 
-void report_key(FILE *file, const char *name)
+void report_open(struct bead_json *json, const char *kind, const struct bead_scene *scene)
 {
-    fprintf(file, ",\"%s\":", name);
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "kind", kind);
+    bead_json_text(json, "program", "beadreel " BEADREEL_VERSION);
+    bead_json_text(json, "title", scene->title ? scene->title : "");
 }
 
-void report_named_number(FILE *file, const char *name, double value)
+void report_field(struct bead_json *json, const struct bead_field_info *info, enum bead_field field)
 {
-    report_key(file, name);
-    report_number(file, value);
+    bead_json_open(json, "field", '{');
+    bead_json_text(json, "title", info->title);
+    bead_json_text(json, "name", bead_field_info(field)->name);
+    bead_json_text(json, "unit", info->unit);
+    bead_json_flag(json, "contacts", info->of_contacts);
+    bead_json_close(json, "}");
 }
 
-void report_named_string(FILE *file, const char *name, const char *text)
-{
-    report_key(file, name);
-    report_string(file, text);
-}
-
-void report_open(FILE *file, const char *kind, const struct bead_scene *scene)
-{
-    fprintf(file, "{\"kind\":\"%s\",\"program\":\"beadreel " BEADREEL_VERSION "\"", kind);
-    report_named_string(file, "title", scene->title ? scene->title : "");
-}
-
-void report_field(FILE *file, const struct bead_field_info *info, enum bead_field field)
-{
-    fputs(",\"field\":{\"title\":", file);
-    report_string(file, info->title);
-    report_named_string(file, "name", bead_field_info(field)->name);
-    report_named_string(file, "unit", info->unit);
-    fprintf(file, ",\"contacts\":%s}", info->of_contacts ? "true" : "false");
-}
-
-void report_range(FILE *file, const struct bead_colour_range *range, enum bead_scale scale)
+void report_range(struct bead_json *json, const struct bead_colour_range *range, enum bead_scale scale)
 {
     static const char *const scales[] = {[BEAD_SCALE_LINEAR] = "linear", [BEAD_SCALE_SQRT] = "sqrt", [BEAD_SCALE_LOG] = "log"};
-    fputs(",\"range\":{\"low\":", file);
-    report_number(file, range->low);
-    report_named_number(file, "high", range->high);
-    fprintf(file, ",\"scale\":\"%s\",\"over\":%s,\"under\":%s}", scales[scale], range->over ? "true" : "false",
-            range->under ? "true" : "false");
+    bead_json_open(json, "range", '{');
+    bead_json_number(json, "low", range->low);
+    bead_json_number(json, "high", range->high);
+    bead_json_text(json, "scale", scales[scale]);
+    bead_json_flag(json, "over", range->over);
+    bead_json_flag(json, "under", range->under);
+    bead_json_close(json, "}");
 }
 
-void report_maps(FILE *file, const struct bead_colormap maps[2])
+void report_bytes(struct bead_json *json, const char *key, const unsigned char *bytes, size_t count)
 {
-    fputs(",\"maps\":{\"light\":\"", file);
-    report_base64(file, maps[0].rgb[0], sizeof maps[0].rgb);
-    fputs("\",\"dark\":\"", file);
-    report_base64(file, maps[1].rgb[0], sizeof maps[1].rgb);
-    fputs("\"}", file);
+    FILE *file = bead_json_key(json, key);
+    fputc('"', file);
+    report_base64(file, bytes, count);
+    fputc('"', file);
 }
 
-enum bead_error report_samples(FILE *file, const float *values, size_t count, struct bead_message *msg)
+void report_maps(struct bead_json *json, const struct bead_colormap maps[2])
+{
+    bead_json_open(json, "maps", '{');
+    report_bytes(json, "light", maps[0].rgb[0], sizeof maps[0].rgb);
+    report_bytes(json, "dark", maps[1].rgb[0], sizeof maps[1].rgb);
+    bead_json_close(json, "}");
+}
+
+enum bead_error report_samples(struct bead_json *json, const char *key, const float *values, size_t count, struct bead_message *msg)
 {
     double low = 0, high = 0;
     for (size_t i = 0; i < count; i++) {
@@ -144,11 +105,11 @@ enum bead_error report_samples(FILE *file, const float *values, size_t count, st
         bytes[2 * i] = (unsigned char)(whole & 255);
         bytes[2 * i + 1] = (unsigned char)(whole >> 8);
     }
-    fputs("{\"step\":", file);
-    report_number(file, step);
-    fprintf(file, ",\"signed\":%s,\"data\":\"", has_sign ? "true" : "false");
-    report_base64(file, bytes, 2 * count);
-    fputs("\"}", file);
+    bead_json_open(json, key, '{');
+    bead_json_number(json, "step", step);
+    bead_json_flag(json, "signed", has_sign);
+    report_bytes(json, "data", bytes, 2 * count);
+    bead_json_close(json, "}");
     return BEAD_OK;
 }
 

@@ -11,6 +11,13 @@
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 #include "render/colour/colour_range.h"
+#include "sim/base/json.h"
+
+/* Within <script>, with numbers of 12 digits. */
+#define REPORT_JSON(file)                         \
+    {                                             \
+        .out = (file), .html = true, .digits = 12 \
+    }
 
 /* Replaces {{name}} in a template, unless that is a file of assets/report. */
 struct report_part {
@@ -33,21 +40,15 @@ BEAD_CHECK enum bead_error report_write_page(const struct report_page *page, con
 
 /* Text of an element or a quoted attribute, without characters that XML forbids. */
 void report_html(FILE *file, const char *text);
-/* A string of JSON, safe within <script>: it has no `<` that could end the script. */
-void report_string(FILE *file, const char *text);
-/* A number of JSON; null if it is not finite. */
-void report_number(FILE *file, double value);
-void report_numbers(FILE *file, const double *values, size_t count);
 void report_base64(FILE *file, const unsigned char *bytes, size_t count);
-/* A comma and the key of a member; a whole member. */
-void report_key(FILE *file, const char *name);
-void report_named_number(FILE *file, const char *name, double value);
-void report_named_string(FILE *file, const char *name, const char *text);
+/* A member: a text of base64. */
+void report_bytes(struct bead_json *json, const char *key, const unsigned char *bytes, size_t count);
 /* The beginning of the object of all data, and members of it: the field shown, its range, its colours (light, dark). */
-void report_open(FILE *file, const char *kind, const struct bead_scene *scene);
-void report_field(FILE *file, const struct bead_field_info *info, enum bead_field field);
-void report_range(FILE *file, const struct bead_colour_range *range, enum bead_scale scale);
-void report_maps(FILE *file, const struct bead_colormap maps[2]);
+void report_open(struct bead_json *json, const char *kind, const struct bead_scene *scene);
+void report_field(struct bead_json *json, const struct bead_field_info *info, enum bead_field field);
+void report_range(struct bead_json *json, const struct bead_colour_range *range, enum bead_scale scale);
+void report_maps(struct bead_json *json, const struct bead_colormap maps[2]);
 /* An object {step, signed, data}: value = step times a whole number of 16 bits, low byte first. Zero is exact, the error at most
  * half a step. Errors: MEMORY. */
-BEAD_CHECK enum bead_error report_samples(FILE *file, const float *values, size_t count, struct bead_message *msg);
+BEAD_CHECK enum bead_error report_samples(struct bead_json *json, const char *key, const float *values, size_t count,
+                                          struct bead_message *msg);

@@ -6,7 +6,6 @@
 
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"
-#include "render/draw/picture.h"
 #include "sim/base/memory.h"
 
 static const struct drawing {

@@ -8,7 +8,7 @@
 
 #include "beadreel/law.h"
 #include "render/draw/markup.h"
-#include "render/draw/names.h"
+#include "render/draw/words.h"
 #include "render/schematic/schematic.h"
 #include "render/schematic/schematic_words.h"
 

@@ -6,8 +6,7 @@
 #include <string.h>
 
 #include "render/draw/markup.h"
-#include "render/draw/names.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/schematic/schematic_plan.h"
 #include "render/schematic/schematic_words.h"
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Areas: add each sample to sums of pixels, and read columns back. Used by the space-time view, bare images and contact sheets. */
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/view/area.h"
 #include "render/view/area_kernels.h"

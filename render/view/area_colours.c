@@ -4,7 +4,6 @@
 #include "render/view/area_colours.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { BLOCK = 16 };
 /* BLOCK pixels of a row, at any address. Not memcpy: GCC (12 to 14 at least) makes aligned stores of 16 bytes where it vectorises a

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "render/draw/looks.h"
-#include "render/draw/names.h"
+#include "render/draw/words.h"
 #include "render/view/along.h"
 #include "render/view/beads.h"
 #include "render/view/panel.h"

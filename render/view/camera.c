@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/view/latest.h"
 #include "render/view/magnify.h"

@@ -3,7 +3,6 @@
 #include "render/view/moving_labels.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "sim/base/memory.h"

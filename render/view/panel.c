@@ -2,12 +2,10 @@
 /* Draws panels and their axes. The title of a vertical axis is beside it in figures, and above the panel in movies, where it is
  * horizontal and never breaks. */
 #include "render/view/panel.h"
-#include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "sim/chain/chain_internal.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* From a panel's top to the baseline of its title, in units of the label's font size. */
 static const double title_rise = 0.38;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "render/draw/names.h"
+#include "render/draw/words.h"
 #include "render/view/panel.h"
 #include "render/view/stage_view.h"
 #include "sim/chain/chain_internal.h"

@@ -6,11 +6,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "render/draw/axis.h"
-#include "render/draw/names.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
 

@@ -4,10 +4,8 @@
 #include "render/view/trust_words.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/view/horizon.h"
 
 /* In units of the label's size: the piece of line before the words. */

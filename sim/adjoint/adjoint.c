@@ -2,9 +2,7 @@
 /* Sweeps back over the steps of a run for the derivatives of contact forces: see adjoint.h. */
 #include "sim/adjoint/adjoint.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/adjoint/adjoint_nodes.h"
 #include "sim/base/memory.h"

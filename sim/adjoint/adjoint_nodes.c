@@ -2,9 +2,7 @@
 /* Finds stiffnesses and derivatives of forces at the nodes of a step: see adjoint_nodes.h. */
 #include "sim/adjoint/adjoint_nodes.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/integrate/events_patch.h"

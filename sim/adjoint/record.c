@@ -3,7 +3,6 @@
 #include "sim/adjoint/record.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 

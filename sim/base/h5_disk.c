@@ -4,13 +4,10 @@
 #include "sim/base/h5_disk.h"
 
 #include <errno.h>
-#include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "sim/base/h5_private.h"
-#include "sim/base/h5_seal.h"
 
 /* Bytes that are not in the file yet. */
 struct kept {

@@ -4,7 +4,6 @@
 #include "sim/base/h5_private.h"
 
 #include <errno.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -4,7 +4,6 @@
 #include "sim/base/h5_private.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* Bytes: a chunk of a trajectory has 8 MiB at most, or one row of a million columns. */
 static const uint64_t largest_chunk = 8 << 20;

@@ -4,10 +4,8 @@
 
 #include <locale.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <udunits2.h>
 
 #include "sim/base/yaml.h"

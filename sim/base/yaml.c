@@ -3,7 +3,6 @@
 #include "sim/base/yaml.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <yaml.h>
 
 #include "sim/base/yaml_private.h"

@@ -2,7 +2,6 @@
 /* Writes a tree as YAML text, with libyaml's emitter: the scene with its overrides, which trajectories store. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <yaml.h>
 
 #include "sim/base/yaml_private.h"

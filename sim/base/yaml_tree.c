@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees of nodes: memory, look-ups, and their text in messages. Parser, editor and scene reader share these. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/yaml_private.h"
 

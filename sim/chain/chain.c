@@ -1,19 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes a chain from its part of the scene: first the outline, which is enough for plans, then the arrays of its beads and
  * contacts. Runs do not change it. */
-#include "beadreel/chain.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
 #include "sim/base/yaml.h"
 #include "sim/chain/chain_data.h"
-#include "sim/chain/chain_internal.h"
 #include "sim/chain/contact_walk.h"
 #include "sim/chain/drive.h"
 #include "sim/chain/spins.h"

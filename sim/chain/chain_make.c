@@ -6,7 +6,6 @@
 
 #include "sim/base/settings.h"
 #include "sim/chain/chain_data.h"
-#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 
 static const size_t most_beads = 100000000;

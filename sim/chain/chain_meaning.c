@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The meaning of a chain's numbers, for all systems: fields, units, times and places. Tables and views ask here. */
 #include "sim/chain/chain_data.h"
-#include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 
 unsigned bead_system_fields(const struct bead_chain_spec *spec)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Converts derivatives by stiffnesses and static forces into derivatives by the masses, radii and moduli of beads. */
-#include <string.h>
 
 #include "sim/chain/chain_data.h"
 

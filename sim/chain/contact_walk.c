@@ -3,7 +3,6 @@
 #include "sim/chain/contact_walk.h"
 
 #include <math.h>
-#include <stdint.h>
 
 /* The walk visits at least this many equal cells at each end of their segment: no caller needs more than four neighbours. */
 static const size_t enough = 4;

@@ -3,7 +3,6 @@
 #include "sim/chain/spins.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "sim/base/random.h"
 

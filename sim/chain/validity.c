@@ -3,8 +3,6 @@
 #include "sim/chain/validity.h"
 
 #include <math.h>
-#include <stdint.h>
-#include <stdio.h>
 
 #include "sim/base/suggest.h"
 #include "sim/chain/contact_walk.h"

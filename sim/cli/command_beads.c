@@ -7,10 +7,10 @@
 #include "beadreel/chain.h"
 #include "beadreel/law.h"
 #include "beadreel/scene.h"
+#include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/chain/contact_walk.h"
 #include "sim/cli/command_line.h"
-#include "sim/cli/json.h"
 
 /* Least and most; begins as zeros. */
 struct span {
@@ -96,35 +96,35 @@ void command_print_beads(FILE *out, const struct bead_chain *chain)
     fprintf(out, " N/m^%.4g\n", law->row->coefficient_power(law));
 }
 
-static void write_span(struct json *json, const char *name, struct span span)
+static void write_span(struct bead_json *json, const char *name, struct span span)
 {
-    json_open(json, name, '[');
-    json_number(json, NULL, span.low);
-    json_number(json, NULL, span.high);
-    json_close(json, "]");
+    bead_json_open(json, name, '[');
+    bead_json_number(json, NULL, span.low);
+    bead_json_number(json, NULL, span.high);
+    bead_json_close(json, "]");
 }
 
-void command_write_beads(struct json *json, const struct bead_chain *chain)
+void command_write_beads(struct bead_json *json, const struct bead_chain *chain)
 {
     const struct bead_scene *scene = bead_chain_scene(chain);
     BEAD_FREED struct kind *kinds = kinds_of(chain);
-    json_open(json, "kinds", '[');
+    bead_json_open(json, "kinds", '[');
     for (size_t i = 0; kinds && i < scene->material_count; i++) {
         if (kinds[i].count == 0)
             continue;
-        json_open(json, NULL, '{');
-        json_text(json, "material", scene->materials[i].name);
-        json_flag(json, "own", scene->materials[i].own);
-        json_number(json, "beads", (double)kinds[i].count);
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "material", scene->materials[i].name);
+        bead_json_flag(json, "own", scene->materials[i].own);
+        bead_json_number(json, "beads", (double)kinds[i].count);
         write_span(json, "radius_m", kinds[i].radius);
         write_span(json, "mass_kg", kinds[i].mass);
         write_span(json, "modulus_Pa", kinds[i].modulus);
-        json_number(json, "poisson", scene->materials[i].poisson);
-        json_close(json, "}");
+        bead_json_number(json, "poisson", scene->materials[i].poisson);
+        bead_json_close(json, "}");
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
     const struct bead_law_spec *law = &bead_chain_spec(chain)->law;
-    json_text(json, "law", law->row->name);
+    bead_json_text(json, "law", law->row->name);
     write_span(json, "coefficient", stiffness_of(chain)); /* N/m^power */
-    json_number(json, "coefficient_power", law->row->coefficient_power(law));
+    bead_json_number(json, "coefficient_power", law->row->coefficient_power(law));
 }

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/json.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
-#include "sim/cli/json.h"
 #include "sim/scene/scene_internal.h"
 
 /* Only a program that draws checks the canvas. */
@@ -67,17 +67,17 @@ void command_print_config(FILE *out, const struct bead_config *c)
         fprintf(out, "  colour map %s: %s\n", c->colormaps[i].name, c->colormaps[i].file);
 }
 
-void command_write_config(struct json *json, const struct bead_config *c)
+void command_write_config(struct bead_json *json, const struct bead_config *c)
 {
     const char *key = NULL;
     if (!c)
         return;
-    json_open(json, "config", '{');
-    json_text(json, "path", c->path);
+    bead_json_open(json, "config", '{');
+    bead_json_text(json, "path", c->path);
     for (size_t i = 0; value_of(c, i, &key) || key; i++)
-        json_text(json, key, value_of(c, i, &key));
-    json_open(json, "colormaps", '{');
+        bead_json_text(json, key, value_of(c, i, &key));
+    bead_json_open(json, "colormaps", '{');
     for (size_t i = 0; i < c->colormap_count; i++)
-        json_text(json, c->colormaps[i].name, c->colormaps[i].file);
-    json_close(json, "}}");
+        bead_json_text(json, c->colormaps[i].name, c->colormaps[i].file);
+    bead_json_close(json, "}}");
 }

@@ -7,101 +7,101 @@
 #include "beadreel/chain.h"
 #include "beadreel/scene.h"
 #include "beadreel/sweep.h"
+#include "sim/base/json.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/system.h"
 #include "sim/chain/validity.h"
 #include "sim/cli/command_line.h"
-#include "sim/cli/json.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_internal.h"
 #include "sim/sweep/sweep_internal.h"
 
-static void write_sensors(struct json *json, const struct bead_chain *chain)
+static void write_sensors(struct bead_json *json, const struct bead_chain *chain)
 {
     size_t count = 0;
     const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
-    json_open(json, "sensors", '[');
+    bead_json_open(json, "sensors", '[');
     for (size_t i = 0; i < count; i++) {
-        json_open(json, NULL, '{');
-        json_text(json, "name", sensors[i].name);
-        json_number(json, "bead", (double)sensors[i].bead);
-        json_close(json, "}");
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", sensors[i].name);
+        bead_json_number(json, "bead", (double)sensors[i].bead);
+        bead_json_close(json, "}");
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
-static void write_chain(struct json *json, const struct bead_chain *chain)
+static void write_chain(struct bead_json *json, const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
     const struct bead_system *system = spec->system;
     const struct bead_material *materials = bead_chain_scene(chain)->materials;
-    json_open(json, NULL, '{');
-    json_text(json, "name", bead_chain_name(chain));
-    json_text(json, "equation", *system->label ? system->label : NULL);
-    json_number(json, system->points, (double)bead_chain_beads(chain));
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "name", bead_chain_name(chain));
+    bead_json_text(json, "equation", *system->label ? system->label : NULL);
+    bead_json_number(json, system->points, (double)bead_chain_beads(chain));
     if (system->has_contacts) {
-        json_number(json, "contacts", (double)bead_chain_contacts(chain));
-        json_text(json, "striker", materials[spec->striker_material].name);
-        json_number(json, "velocity_m_s", spec->striker_velocity);
+        bead_json_number(json, "contacts", (double)bead_chain_contacts(chain));
+        bead_json_text(json, "striker", materials[spec->striker_material].name);
+        bead_json_number(json, "velocity_m_s", spec->striker_velocity);
         command_write_beads(json, chain);
         const struct bead_validity most = bead_validity_bound(chain);
-        json_number(json, "energy_J", bead_chain_energy(chain));
-        json_number(json, "strike_bar_speed", most.strike > 0 ? most.strike : NAN);
-        json_number(json, "compression_radius_most", most.compression > 0 ? most.compression : NAN);
-        json_number(json, "pressure_yield_most", most.pressure > 0 ? most.pressure : NAN);
-        json_text(json, "wall",
-                  spec->wall == BEAD_WALL_NONE    ? "none"
-                  : spec->wall == BEAD_WALL_RIGID ? "rigid"
-                                                  : materials[spec->wall_material].name);
-        json_text(json, "spins", bead_chain_spins(chain));
-        json_number(json, "magnetism", *bead_chain_spins(chain) ? bead_chain_magnetism(chain) : NAN);
+        bead_json_number(json, "energy_J", bead_chain_energy(chain));
+        bead_json_number(json, "strike_bar_speed", most.strike > 0 ? most.strike : NAN);
+        bead_json_number(json, "compression_radius_most", most.compression > 0 ? most.compression : NAN);
+        bead_json_number(json, "pressure_yield_most", most.pressure > 0 ? most.pressure : NAN);
+        bead_json_text(json, "wall",
+                       spec->wall == BEAD_WALL_NONE    ? "none"
+                       : spec->wall == BEAD_WALL_RIGID ? "rigid"
+                                                       : materials[spec->wall_material].name);
+        bead_json_text(json, "spins", bead_chain_spins(chain));
+        bead_json_number(json, "magnetism", *bead_chain_spins(chain) ? bead_chain_magnetism(chain) : NAN);
         write_sensors(json, chain);
     }
-    json_close(json, "}");
+    bead_json_close(json, "}");
 }
 
-static void write_chains(struct json *json, const struct bead_chain *const *chains, size_t count)
+static void write_chains(struct bead_json *json, const struct bead_chain *const *chains, size_t count)
 {
-    json_open(json, "chains", '[');
+    bead_json_open(json, "chains", '[');
     for (size_t i = 0; i < count; i++)
         write_chain(json, chains[i]);
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
-static void write_outputs(struct json *json, const struct bead_scene *scene)
+static void write_outputs(struct bead_json *json, const struct bead_scene *scene)
 {
-    json_open(json, "outputs", '[');
+    bead_json_open(json, "outputs", '[');
     for (size_t i = 0; i < scene->output_count; i++) {
-        json_open(json, NULL, '{');
-        json_text(json, "name", scene->outputs[i].path);
-        json_text(json, "kind", bead_output_kind_name(&scene->outputs[i]));
-        json_close(json, "}");
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", scene->outputs[i].path);
+        bead_json_text(json, "kind", bead_output_kind_name(&scene->outputs[i]));
+        bead_json_close(json, "}");
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
-static void describe_begin(struct json *json, const char *file, const char *kind, const struct bead_scene *scene)
+static void describe_begin(struct bead_json *json, const char *file, const char *kind, const struct bead_scene *scene)
 {
-    json_open(json, NULL, '{');
-    json_text(json, "file", file);
-    json_text(json, "kind", kind);
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "file", file);
+    bead_json_text(json, "kind", kind);
     if (!scene)
         return;
-    json_text(json, "title", scene->title);
-    json_number(json, "until_s", scene->simulate.until);
-    json_number(json, "accuracy", scene->simulate.accuracy);
+    bead_json_text(json, "title", scene->title);
+    bead_json_number(json, "until_s", scene->simulate.until);
+    bead_json_number(json, "accuracy", scene->simulate.accuracy);
     write_outputs(json, scene);
 }
 
-static void end(struct json *json)
+static void end(struct bead_json *json)
 {
-    json_close(json, "}");
+    bead_json_close(json, "}");
     fputc('\n', json->out);
 }
 
 /* With the user's own settings, where there are some. */
-static void end_with(struct json *json, const struct bead_config *config)
+static void end_with(struct bead_json *json, const struct bead_config *config)
 {
     command_write_config(json, config);
     end(json);
@@ -110,10 +110,10 @@ static void end_with(struct json *json, const struct bead_config *config)
 static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, const struct bead_config *config,
                                    struct bead_message *msg)
 {
-    struct json json = {.out = out};
+    struct bead_json json = {.out = out};
     enum bead_error err = BEAD_OK;
     describe_begin(&json, scene->file, scene->sweep_count > 0 ? "scene of a sweep" : "scene", scene);
-    json_open(&json, "chains", '[');
+    bead_json_open(&json, "chains", '[');
     for (size_t i = 0; i < scene->chain_count && !err; i++) {
         struct bead_chain *chain = NULL;
         err = bead_chain_outline(scene, &scene->chains[i], &chain, msg);
@@ -121,7 +121,7 @@ static enum bead_error write_scene(FILE *out, const struct bead_scene *scene, co
             write_chain(&json, chain);
         bead_chain_destroy(chain);
     }
-    json_close(&json, "]");
+    bead_json_close(&json, "]");
     end_with(&json, config);
     return err;
 }
@@ -144,19 +144,19 @@ enum bead_error command_describe_scene(FILE *out, const struct bead_scene *scene
 
 void command_describe_journal(FILE *out, const char *file, const struct bead_sweep_progress *progress)
 {
-    struct json json = {.out = out};
+    struct bead_json json = {.out = out};
     describe_begin(&json, file, "journal of a sweep", NULL);
-    json_number(&json, "chains", (double)progress->chains);
-    json_number(&json, "known", (double)progress->done);
-    json_number(&json, "part", (double)progress->part);
-    json_number(&json, "parts", (double)progress->parts);
+    bead_json_number(&json, "chains", (double)progress->chains);
+    bead_json_number(&json, "known", (double)progress->done);
+    bead_json_number(&json, "part", (double)progress->part);
+    bead_json_number(&json, "parts", (double)progress->parts);
     end(&json);
 }
 
 enum bead_error command_describe_trajectory(FILE *out, const char *file, struct bead_trajectory *trajectory,
                                             const struct bead_config *config, struct bead_message *msg)
 {
-    struct json json = {.out = out};
+    struct bead_json json = {.out = out};
     size_t count = 0, samples = bead_grid_count(bead_trajectory_grid(trajectory));
     const struct bead_chain *const *chains = bead_trajectory_chains(trajectory, &count);
     const struct bead_grid *grid = bead_trajectory_grid(trajectory);
@@ -168,19 +168,19 @@ enum bead_error command_describe_trajectory(FILE *out, const char *file, struct 
     describe_begin(&json, file, bead_trajectory_complete(trajectory) ? "trajectory" : "part of a trajectory",
                    bead_trajectory_scene(trajectory));
     write_chains(&json, chains, count);
-    json_open(&json, "samples", '{');
-    json_number(&json, "count", (double)samples);
-    json_number(&json, "start_s", samples ? grid->start : NAN);
-    json_number(&json, "every_s", samples ? grid->every : NAN);
-    json_number(&json, "end_s", samples ? bead_grid_time(grid, samples - 1) : NAN);
-    json_number(&json, "first_bead", (double)beads.first);
-    json_number(&json, "last_bead", beads.last == SIZE_MAX ? NAN : (double)beads.last);
-    json_open(&json, "fields", '[');
+    bead_json_open(&json, "samples", '{');
+    bead_json_number(&json, "count", (double)samples);
+    bead_json_number(&json, "start_s", samples ? grid->start : NAN);
+    bead_json_number(&json, "every_s", samples ? grid->every : NAN);
+    bead_json_number(&json, "end_s", samples ? bead_grid_time(grid, samples - 1) : NAN);
+    bead_json_number(&json, "first_bead", (double)beads.first);
+    bead_json_number(&json, "last_bead", beads.last == SIZE_MAX ? NAN : (double)beads.last);
+    bead_json_open(&json, "fields", '[');
     for (int field = 0; field < BEAD_FIELD_COUNT; field++) {
         if (bead_trajectory_fields(trajectory) & BEAD_FIELD_BIT(field))
-            json_text(&json, NULL, bead_field_info((enum bead_field)field)->name);
+            bead_json_text(&json, NULL, bead_field_info((enum bead_field)field)->name);
     }
-    json_close(&json, "]}");
+    bead_json_close(&json, "]}");
     command_write_runs(&json, chains, outcomes, count);
     end_with(&json, config);
     return BEAD_OK;
@@ -188,31 +188,31 @@ enum bead_error command_describe_trajectory(FILE *out, const char *file, struct 
 
 void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep, const struct bead_config *config)
 {
-    struct json json = {.out = out};
+    struct bead_json json = {.out = out};
     size_t known = 0, all = bead_sweep_count(sweep, &known), part = 0, parts = 0;
     bead_sweep_part(sweep, &part, &parts);
     describe_begin(&json, file, "sweep", bead_sweep_scene(sweep));
-    json_number(&json, "chains", (double)all);
-    json_number(&json, "known", (double)known);
-    json_number(&json, "part", (double)part);
-    json_number(&json, "parts", (double)parts);
-    json_text(&json, "version", bead_sweep_version(sweep));
+    bead_json_number(&json, "chains", (double)all);
+    bead_json_number(&json, "known", (double)known);
+    bead_json_number(&json, "part", (double)part);
+    bead_json_number(&json, "parts", (double)parts);
+    bead_json_text(&json, "version", bead_sweep_version(sweep));
     end_with(&json, config);
 }
 
 /* The lines of the plan, which are for people, as they are. */
-static void write_lines(struct json *json, char *text)
+static void write_lines(struct bead_json *json, char *text)
 {
     char *rest = NULL;
-    json_open(json, "lines", '[');
+    bead_json_open(json, "lines", '[');
     for (char *line = strtok_r(text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest))
-        json_text(json, NULL, line);
-    json_close(json, "]");
+        bead_json_text(json, NULL, line);
+    bead_json_close(json, "]");
 }
 
 enum bead_error command_describe_plan(FILE *out, const struct bead_session *session, struct bead_message *msg)
 {
-    struct json json = {.out = out};
+    struct bead_json json = {.out = out};
     BEAD_FREED char *text = NULL;
     size_t size = 0, count = 0;
     FILE *lines = open_memstream(&text, &size);
@@ -224,18 +224,18 @@ enum bead_error command_describe_plan(FILE *out, const struct bead_session *sess
     const struct bead_chain *const *chains = bead_session_chains(session, &count);
     struct bead_planned planned;
     if (!err) {
-        json_open(&json, NULL, '{');
+        bead_json_open(&json, NULL, '{');
         write_chains(&json, chains, count);
-        json_open(&json, "outputs", '[');
+        bead_json_open(&json, "outputs", '[');
         for (size_t i = 0; bead_session_planned(session, i, &planned); i++) {
-            json_open(&json, NULL, '{');
-            json_text(&json, "name", planned.name);
-            json_text(&json, "path", planned.path);
-            json_text(&json, "kind", planned.kind);
-            json_flag(&json, "made", planned.made);
-            json_close(&json, "}");
+            bead_json_open(&json, NULL, '{');
+            bead_json_text(&json, "name", planned.name);
+            bead_json_text(&json, "path", planned.path);
+            bead_json_text(&json, "kind", planned.kind);
+            bead_json_flag(&json, "made", planned.made);
+            bead_json_close(&json, "}");
         }
-        json_close(&json, "]");
+        bead_json_close(&json, "]");
         write_lines(&json, text);
         end(&json);
     }

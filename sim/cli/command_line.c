@@ -5,9 +5,7 @@
 #include <errno.h>
 #include <getopt.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/scene.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 

@@ -77,8 +77,8 @@ enum bead_error command_load_config(struct command *command, struct bead_message
 /* Changes of scenes: --set, and the user's own settings. */
 struct bead_overrides command_overrides(const struct command *command);
 void command_print_config(FILE *out, const struct bead_config *config);
-struct json;
-void command_write_config(struct json *json, const struct bead_config *config);
+struct bead_json;
+void command_write_config(struct bead_json *json, const struct bead_config *config);
 /* A row of the table of options. */
 struct command_option {
     const char *name;
@@ -168,7 +168,7 @@ enum bead_error command_describe_trajectory(FILE *out, const char *file, struct 
 void command_describe_journal(FILE *out, const char *file, const struct bead_sweep_progress *progress);
 void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep *sweep, const struct bead_config *config);
 /* "runs": an object for each chain, with its outcome. */
-void command_write_runs(struct json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
+void command_write_runs(struct bead_json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
                         size_t count);
 
 /* Progress on stderr. */
@@ -190,7 +190,7 @@ void command_meter_clear(struct command_meter *meter);
 
 /* The beads of a chain by materials, and the stiffness of its contacts: how the scene was understood. */
 void command_print_beads(FILE *out, const struct bead_chain *chain);
-void command_write_beads(struct json *json, const struct bead_chain *chain);
+void command_write_beads(struct bead_json *json, const struct bead_chain *chain);
 
 /* "4.76 mm", "470 kB": number with an SI prefix and unit into `text`; returns text. */
 const char *command_quantity(double value, const char *unit, char *text, size_t size);

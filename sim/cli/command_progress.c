@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "sim/base/clock.h"
-#include "sim/cli/json.h"
+#include "sim/base/json.h"
 
 #define REDRAW    0.1 /* s between redraws of a terminal's line */
 #define SAY_EVERY 3   /* s between plain lines */
@@ -70,18 +70,18 @@ static void write_plain(const struct command_meter *meter, double done, double l
 static void write_json(const struct command_meter *meter, double done, double left, double elapsed,
                        const struct bead_progress *progress)
 {
-    struct json json = {.out = stderr};
-    json_open(&json, NULL, '{');
-    json_text(&json, "what", meter->what);
-    json_number(&json, "done", round(1e4 * done) / 1e4);
-    json_number(&json, "elapsed_s", round(1e3 * elapsed) / 1e3);
+    struct bead_json json = {.out = stderr};
+    bead_json_open(&json, NULL, '{');
+    bead_json_text(&json, "what", meter->what);
+    bead_json_number(&json, "done", round(1e4 * done) / 1e4);
+    bead_json_number(&json, "elapsed_s", round(1e3 * elapsed) / 1e3);
     if (left >= 0)
-        json_number(&json, "left_s", round(1e3 * left) / 1e3);
+        bead_json_number(&json, "left_s", round(1e3 * left) / 1e3);
     if (progress->item)
-        json_number(&json, progress->item, round(progress->items));
+        bead_json_number(&json, progress->item, round(progress->items));
     if (isfinite(progress->time))
-        json_number(&json, "time_s", progress->time);
-    json_close(&json, "}");
+        bead_json_number(&json, "time_s", progress->time);
+    bead_json_close(&json, "}");
     fputc('\n', stderr);
 }
 

@@ -6,9 +6,9 @@
 
 #include "beadreel/chain.h"
 #include "beadreel/sweep.h"
+#include "sim/base/json.h"
 #include "sim/base/yaml.h"
 #include "sim/cli/command_line.h"
-#include "sim/cli/json.h"
 #include "sim/session/session_internal.h"
 
 int command_status(enum bead_error err, int signal)
@@ -53,7 +53,7 @@ bool command_is_json(const struct command *command)
 }
 
 /* "scene.yaml:3:5: what is wrong" in parts; in a message without a place only the text. */
-static void write_error(struct json *json, const char *text)
+static void write_error(struct bead_json *json, const char *text)
 {
     unsigned place[2];
     int length = 0;
@@ -63,18 +63,18 @@ static void write_error(struct json *json, const char *text)
         colon = strchr(colon + 1, ':'); /* one in the file's name, or in the words */
     if (colon)
         snprintf(file, sizeof file, "%.*s", (int)(colon - text), text);
-    json_open(json, NULL, '{');
-    json_text(json, "file", colon ? file : NULL);
-    json_number(json, "line", colon ? place[0] : NAN);
-    json_number(json, "column", colon ? place[1] : NAN);
-    json_text(json, "message", colon ? colon + length : text);
-    json_close(json, "}");
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "file", colon ? file : NULL);
+    bead_json_number(json, "line", colon ? place[0] : NAN);
+    bead_json_number(json, "column", colon ? place[1] : NAN);
+    bead_json_text(json, "message", colon ? colon + length : text);
+    bead_json_close(json, "}");
 }
 
 /* One a line of the message. */
-static void write_errors(struct json *json, const char *text)
+static void write_errors(struct bead_json *json, const char *text)
 {
-    json_open(json, "errors", '[');
+    bead_json_open(json, "errors", '[');
     while (*text) {
         char line[sizeof((struct bead_message *)0)->text];
         const size_t length = strcspn(text, "\n");
@@ -82,103 +82,103 @@ static void write_errors(struct json *json, const char *text)
         write_error(json, line);
         text += length + (text[length] == '\n');
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
 /* The least certain peak, as in the last line of text output. */
-static void write_worst(struct json *json, const struct bead_outcome *o)
+static void write_worst(struct bead_json *json, const struct bead_outcome *o)
 {
     if (!(o->worst_force > 0)) {
-        json_null(json, "worst_peak");
+        bead_json_null(json, "worst_peak");
         return;
     }
     const bool bead = !isnan(o->worst_bead);
-    json_open(json, "worst_peak", '{');
-    json_number(json, bead ? "bead" : "contact", bead ? o->worst_bead : o->worst_contact);
-    json_number(json, "force_N", o->worst_force);
-    json_number(json, "uncertainty_N", o->worst_uncertainty);
-    json_close(json, "}");
+    bead_json_open(json, "worst_peak", '{');
+    bead_json_number(json, bead ? "bead" : "contact", bead ? o->worst_bead : o->worst_contact);
+    bead_json_number(json, "force_N", o->worst_force);
+    bead_json_number(json, "uncertainty_N", o->worst_uncertainty);
+    bead_json_close(json, "}");
 }
 
-void command_write_runs(struct json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
+void command_write_runs(struct bead_json *json, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
                         size_t count)
 {
-    json_open(json, "runs", '[');
+    bead_json_open(json, "runs", '[');
     for (size_t i = 0; i < count; i++) {
         const struct bead_outcome *o = &outcomes[i];
-        json_open(json, NULL, '{');
-        json_text(json, "chain", bead_chain_name(chains[i]));
-        json_text(json, "method", o->method);
-        json_number(json, "step_s", o->step);
-        json_number(json, "steps", (double)o->steps);
-        json_number(json, "end_s", o->end);
-        json_number(json, "front_arrival_s", o->front_arrival);
-        json_number(json, "energy_error", o->energy_error);
-        json_number(json, "embedded_error", o->embedded_error);
-        json_number(json, "event_error", o->event_error);
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "chain", bead_chain_name(chains[i]));
+        bead_json_text(json, "method", o->method);
+        bead_json_number(json, "step_s", o->step);
+        bead_json_number(json, "steps", (double)o->steps);
+        bead_json_number(json, "end_s", o->end);
+        bead_json_number(json, "front_arrival_s", o->front_arrival);
+        bead_json_number(json, "energy_error", o->energy_error);
+        bead_json_number(json, "embedded_error", o->embedded_error);
+        bead_json_number(json, "event_error", o->event_error);
         write_worst(json, o);
-        json_close(json, "}");
+        bead_json_close(json, "}");
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
-static void write_outputs(struct json *json, const struct bead_session *session)
+static void write_outputs(struct bead_json *json, const struct bead_session *session)
 {
     const struct bead_result *results = NULL;
     const size_t count = session ? bead_session_results(session, &results) : 0;
-    json_open(json, "outputs", '[');
+    bead_json_open(json, "outputs", '[');
     for (size_t i = 0; i < count; i++) {
-        json_open(json, NULL, '{');
-        json_text(json, "name", results[i].name);
-        json_text(json, "path", results[i].path);
-        json_text(json, "kind", results[i].kind);
-        json_number(json, "bytes", (double)results[i].bytes);
-        json_close(json, "}");
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", results[i].name);
+        bead_json_text(json, "path", results[i].path);
+        bead_json_text(json, "kind", results[i].kind);
+        bead_json_number(json, "bytes", (double)results[i].bytes);
+        bead_json_close(json, "}");
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
-static void write_sweep(struct json *json, const struct bead_session *session)
+static void write_sweep(struct bead_json *json, const struct bead_session *session)
 {
     const struct bead_sweep *sweep = session ? bead_session_sweep(session) : NULL;
     if (!sweep) {
-        json_null(json, "sweep");
+        bead_json_null(json, "sweep");
         return;
     }
     size_t known = 0, all = bead_sweep_count(sweep, &known);
-    json_open(json, "sweep", '{');
-    json_number(json, "computed", (double)bead_session_counts(session)->chains);
-    json_number(json, "known", (double)known);
-    json_number(json, "chains", (double)all);
-    json_close(json, "}");
+    bead_json_open(json, "sweep", '{');
+    bead_json_number(json, "computed", (double)bead_session_counts(session)->chains);
+    bead_json_number(json, "known", (double)known);
+    bead_json_number(json, "chains", (double)all);
+    bead_json_close(json, "}");
 }
 
-static void write_texts(struct json *json, const char *key, const struct bead_session *session,
+static void write_texts(struct bead_json *json, const char *key, const struct bead_session *session,
                         const char *(*text)(const struct bead_session *session, size_t index))
 {
     const char *found;
-    json_open(json, key, '[');
+    bead_json_open(json, key, '[');
     for (size_t i = 0; session && (found = text(session, i)); i++)
-        json_text(json, NULL, found);
-    json_close(json, "]");
+        bead_json_text(json, NULL, found);
+    bead_json_close(json, "]");
 }
 
 void command_print_result(const struct bead_session *session, enum bead_error err, int status, double seconds,
                           const struct bead_message *msg)
 {
-    struct json json = {.out = stdout};
+    struct bead_json json = {.out = stdout};
     size_t chains = 0, count = 0;
     const struct bead_outcome *outcomes = session ? bead_session_outcomes(session, &count) : NULL;
-    json_open(&json, NULL, '{');
-    json_text(&json, "status", !err ? "done" : err == BEAD_ERROR_STOPPED ? "stopped" : "failed");
-    json_number(&json, "exit", status);
-    json_number(&json, "seconds", round(1e3 * seconds) / 1e3);
+    bead_json_open(&json, NULL, '{');
+    bead_json_text(&json, "status", !err ? "done" : err == BEAD_ERROR_STOPPED ? "stopped" : "failed");
+    bead_json_number(&json, "exit", status);
+    bead_json_number(&json, "seconds", round(1e3 * seconds) / 1e3);
     write_outputs(&json, session);
     write_texts(&json, "skipped", session, bead_session_skipped);
     command_write_runs(&json, session ? bead_session_chains(session, &chains) : NULL, outcomes, count);
     write_sweep(&json, session);
     write_texts(&json, "warnings", session, bead_session_warning);
     write_errors(&json, !err ? "" : *msg->text ? msg->text : bead_error_text(err));
-    json_close(&json, "}");
+    bead_json_close(&json, "}");
     fputc('\n', stdout);
 }

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "sim/cli/json.h"
+#include "sim/base/json.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/scene/scene_private.h"
 
@@ -12,15 +12,15 @@
 #define NUMBER_TEXT "[-+.0-9].*"
 
 /* {"KEY": TEXT} inside of an object. */
-static void put_only(struct json *json, const char *key, const char *inner, const char *text)
+static void put_only(struct bead_json *json, const char *key, const char *inner, const char *text)
 {
-    json_open(json, key, '{');
-    json_text(json, inner, text);
-    json_close(json, "}");
+    bead_json_open(json, key, '{');
+    bead_json_text(json, inner, text);
+    bead_json_close(json, "}");
 }
 
 /* The definition called `name`. Headings are names of definitions but for blanks and brackets: "outputs (movie)", outputs:movie. */
-static void put_reference(struct json *json, const char *key, const char *name)
+static void put_reference(struct bead_json *json, const char *key, const char *name)
 {
     char path[120];
     snprintf(path, sizeof path, "#/definitions/%s", name);
@@ -66,20 +66,20 @@ static bool is_definition(const char *name, size_t length)
     return false;
 }
 
-static void put_alternatives(struct json *json, const char *like, size_t length);
+static void put_alternatives(struct bead_json *json, const char *like, size_t length);
 
 /* Limits the number of elements of the list [of] or [2 of]. Returns the length of this prefix. */
-static size_t put_item_count(struct json *json, const char *list)
+static size_t put_item_count(struct bead_json *json, const char *list)
 {
     bool pair = strncmp(list, "[2 ", 3) == 0;
-    json_number(json, "minItems", pair ? 2 : 1);
+    bead_json_number(json, "minItems", pair ? 2 : 1);
     if (pair)
-        json_number(json, "maxItems", 2);
+        bead_json_number(json, "maxItems", 2);
     return pair ? 3 : 1;
 }
 
 /* One alternative of bead_option.like, as an element of a list. */
-static void put_alternative(struct json *json, const char *like, size_t length)
+static void put_alternative(struct bead_json *json, const char *like, size_t length)
 {
     char word[100];
     snprintf(word, sizeof word, "%.*s", (int)length, like);
@@ -90,55 +90,55 @@ static void put_alternative(struct json *json, const char *like, size_t length)
             put_only(json, NULL, "const", word);
         return;
     }
-    json_open(json, NULL, '{');
-    json_text(json, "type", *like == '[' ? "array" : "object");
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "type", *like == '[' ? "array" : "object");
     size_t from = *like == '[' ? put_item_count(json, like) : 1;
-    json_open(json, *like == '[' ? "items" : "additionalProperties", '{');
+    bead_json_open(json, *like == '[' ? "items" : "additionalProperties", '{');
     put_alternatives(json, like + from, length - from - 1);
-    json_close(json, "}}");
+    bead_json_close(json, "}}");
 }
 
-static void put_alternatives(struct json *json, const char *like, size_t length)
+static void put_alternatives(struct bead_json *json, const char *like, size_t length)
 {
-    json_open(json, "anyOf", '[');
+    bead_json_open(json, "anyOf", '[');
     for (size_t at = 0; at < length;) {
         size_t end = first_of(like + at);
         end = at + end > length ? length - at : end;
         put_alternative(json, like + at, end);
         at += end + 1;
     }
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
 /* Limits count for plain numbers, which are in SI units. */
-static void put_number(struct json *json, const struct bead_option *row)
+static void put_number(struct bead_json *json, const struct bead_option *row)
 {
     char pattern[80];
     snprintf(pattern, sizeof pattern, row->word ? "^(" NUMBER_TEXT "|%s)$" : "^" NUMBER_TEXT "$", row->word);
     const bool whole = row->type == BEAD_OPTION_COUNT || row->type == BEAD_OPTION_SEED;
-    json_texts(json, "type", (const char *const[]){whole ? "integer" : "number", "string", NULL});
-    json_text(json, "pattern", pattern);
+    bead_json_texts(json, "type", (const char *const[]){whole ? "integer" : "number", "string", NULL});
+    bead_json_text(json, "pattern", pattern);
     if (row->low == 0 && row->high == 0 && !row->open)
         return;
-    json_number(json, row->open & BEAD_OPEN_LOW ? "exclusiveMinimum" : "minimum", row->low);
-    json_number(json, row->open & BEAD_OPEN_HIGH ? "exclusiveMaximum" : "maximum", row->high);
+    bead_json_number(json, row->open & BEAD_OPEN_LOW ? "exclusiveMinimum" : "minimum", row->low);
+    bead_json_number(json, row->open & BEAD_OPEN_HIGH ? "exclusiveMaximum" : "maximum", row->high);
 }
 
-static void put_pair(struct json *json, const struct bead_option *row)
+static void put_pair(struct bead_json *json, const struct bead_option *row)
 {
-    json_open(json, "anyOf", '[');
+    bead_json_open(json, "anyOf", '[');
     if (row->word)
         put_only(json, NULL, "const", row->word);
-    json_open(json, NULL, '{');
-    json_text(json, "type", "array");
-    json_number(json, "minItems", 2);
-    json_number(json, "maxItems", 2);
-    json_open(json, "items", '{');
+    bead_json_open(json, NULL, '{');
+    bead_json_text(json, "type", "array");
+    bead_json_number(json, "minItems", 2);
+    bead_json_number(json, "maxItems", 2);
+    bead_json_open(json, "items", '{');
     put_number(json, row);
-    json_close(json, "}}]");
+    bead_json_close(json, "}}]");
 }
 
-static void put_value(struct json *json, const struct bead_option *row)
+static void put_value(struct bead_json *json, const struct bead_option *row)
 {
     switch (row->type) {
     case BEAD_OPTION_NUMBER:
@@ -156,7 +156,7 @@ static void put_value(struct json *json, const struct bead_option *row)
         put_alternatives(json, "text", 4);
         break;
     case BEAD_OPTION_CHOICE:
-        json_texts(json, "enum", row->choices);
+        bead_json_texts(json, "enum", row->choices);
         break;
     case BEAD_OPTION_MAP:
         put_alternatives(json, row->map->name, strlen(row->map->name));
@@ -170,7 +170,7 @@ static void put_value(struct json *json, const struct bead_option *row)
 
 /* ---- tables ---- */
 
-static void put_description(struct json *json, const struct bead_option *row)
+static void put_description(struct bead_json *json, const struct bead_option *row)
 {
     char text[1200], allowed[400];
     int used = snprintf(text, sizeof text, "%s (%s", row->help, bead_option_allowed(row, allowed, sizeof allowed));
@@ -178,78 +178,78 @@ static void put_description(struct json *json, const struct bead_option *row)
         used += snprintf(text + used, sizeof text - (size_t)used, "; default %s", row->initial);
     if (used > 0 && (size_t)used < sizeof text)
         snprintf(text + used, sizeof text - (size_t)used, ")");
-    json_text(json, "description", text);
+    bead_json_text(json, "description", text);
 }
 
-static void put_rows(struct json *json, const struct bead_options *options)
+static void put_rows(struct bead_json *json, const struct bead_options *options)
 {
     const struct bead_option *row;
-    json_open(json, "properties", '{');
+    bead_json_open(json, "properties", '{');
     for (size_t i = 0; (row = bead_options_row(options, i)); i++) {
-        json_open(json, row->key, '{');
+        bead_json_open(json, row->key, '{');
         put_description(json, row);
         put_value(json, row);
-        json_close(json, "}");
+        bead_json_close(json, "}");
     }
-    json_close(json, "}");
+    bead_json_close(json, "}");
 }
 
-static void put_required(struct json *json, const struct bead_options *options)
+static void put_required(struct bead_json *json, const struct bead_options *options)
 {
     const struct bead_option *row;
-    json_open(json, "required", '[');
+    bead_json_open(json, "required", '[');
     for (size_t i = 0; (row = bead_options_row(options, i)); i++)
         if (row->required)
-            json_text(json, NULL, row->key);
-    json_close(json, "]");
+            bead_json_text(json, NULL, row->key);
+    bead_json_close(json, "]");
 }
 
-static void put_map(struct json *json, const struct bead_options *options)
+static void put_map(struct bead_json *json, const struct bead_options *options)
 {
-    json_text(json, "description", options->help);
-    json_text(json, "type", "object");
+    bead_json_text(json, "description", options->help);
+    bead_json_text(json, "type", "object");
     put_rows(json, options);
     put_required(json, options);
-    json_flag(json, "additionalProperties", false);
+    bead_json_flag(json, "additionalProperties", false);
 }
 
-static void put_definition(struct json *json, const char *name, const struct bead_options *options)
+static void put_definition(struct bead_json *json, const char *name, const struct bead_options *options)
 {
-    json_open(json, name, '{');
+    bead_json_open(json, name, '{');
     put_map(json, options);
-    json_close(json, "}");
+    bead_json_close(json, "}");
 }
 
 /* ---- maps of several kinds ---- */
 
-static void put_has_key(struct json *json, const char *name, const char *key)
+static void put_has_key(struct bead_json *json, const char *name, const char *key)
 {
-    json_open(json, name, '{');
-    json_texts(json, "required", (const char *const[]){key, NULL});
-    json_close(json, "}");
+    bead_json_open(json, name, '{');
+    bead_json_texts(json, "required", (const char *const[]){key, NULL});
+    bead_json_close(json, "}");
 }
 
 /* Kinds of which each is told by its first key, which no other has. `next` gives the tables; NULL behind the last. */
 typedef const struct bead_options *(*next_kind)(size_t index);
 
-static void put_kinds(struct json *json, const char *name, next_kind next)
+static void put_kinds(struct bead_json *json, const char *name, next_kind next)
 {
     const struct bead_options *options;
     char text[100];
-    json_open(json, name, '{');
-    json_text(json, "type", "object");
-    json_open(json, "anyOf", '[');
+    bead_json_open(json, name, '{');
+    bead_json_text(json, "type", "object");
+    bead_json_open(json, "anyOf", '[');
     for (size_t i = 0; (options = next(i)); i++)
         put_has_key(json, NULL, bead_options_row(options, 0)->key);
-    json_close(json, "]");
-    json_open(json, "allOf", '[');
+    bead_json_close(json, "]");
+    bead_json_open(json, "allOf", '[');
     for (size_t i = 0; (options = next(i)); i++) {
-        json_open(json, NULL, '{');
+        bead_json_open(json, NULL, '{');
         put_has_key(json, "if", bead_options_row(options, 0)->key);
         put_reference(json, "then", definition(options, text, sizeof text));
-        json_close(json, "}");
+        bead_json_close(json, "}");
     }
-    json_close(json, "]}");
+    bead_json_close(json, "]}");
 }
 
 /* Kinds of outputs of scenes that are run once, and of those with sweeps. */
@@ -269,59 +269,59 @@ static const struct bead_options *kind_of_sweep_output(size_t index)
 }
 
 /* Which equation, its name says. */
-static void put_equations(struct json *json)
+static void put_equations(struct bead_json *json)
 {
     const struct bead_options *options;
     char text[100];
-    json_open(json, "chain.equation", '{');
+    bead_json_open(json, "chain.equation", '{');
     put_has_key(json, "if", "equation");
-    json_open(json, "then", '{');
-    json_open(json, "oneOf", '[');
+    bead_json_open(json, "then", '{');
+    bead_json_open(json, "oneOf", '[');
     for (size_t i = 0; (options = bead_equation_options(i)); i++) {
-        json_open(json, NULL, '{');
-        json_open(json, "allOf", '[');
+        bead_json_open(json, NULL, '{');
+        bead_json_open(json, "allOf", '[');
         put_reference(json, NULL, definition(options, text, sizeof text));
-        json_open(json, NULL, '{');
-        json_open(json, "properties", '{');
+        bead_json_open(json, NULL, '{');
+        bead_json_open(json, "properties", '{');
         put_only(json, "equation", "const", options->name);
-        json_close(json, "}}]}");
+        bead_json_close(json, "}}]}");
     }
-    json_close(json, "]}");
-    json_open(json, "else", '{');
-    json_flag(json, "not", true);
-    json_close(json, "}}");
+    bead_json_close(json, "]}");
+    bead_json_open(json, "else", '{');
+    bead_json_flag(json, "not", true);
+    bead_json_close(json, "}}");
 }
 
 /* With `show` a panel is a plot. */
-static void put_panels(struct json *json)
+static void put_panels(struct bead_json *json)
 {
     put_definition(json, "panel.image", &bead_image_panel_options);
     put_definition(json, "panel.plot", &bead_plot_panel_options);
-    json_open(json, "outputs.panel", '{');
+    bead_json_open(json, "outputs.panel", '{');
     put_has_key(json, "if", "show");
     put_reference(json, "then", "panel.plot");
     put_reference(json, "else", "panel.image");
-    json_close(json, "}");
+    bead_json_close(json, "}");
 }
 
-static void put_values(struct json *json)
+static void put_values(struct bead_json *json)
 {
     static const char *const scalars[] = {"string", "number", "boolean", NULL};
     const struct bead_option number = {.type = BEAD_OPTION_NUMBER};
-    json_open(json, "number", '{');
+    bead_json_open(json, "number", '{');
     put_number(json, &number);
-    json_close(json, "}");
+    bead_json_close(json, "}");
     put_only(json, "flag", "type", "boolean");
-    json_open(json, "text", '{');
-    json_texts(json, "type", scalars);
-    json_close(json, "}");
+    bead_json_open(json, "text", '{');
+    bead_json_texts(json, "type", scalars);
+    bead_json_close(json, "}");
 }
 
-static void put_definitions(struct json *json)
+static void put_definitions(struct bead_json *json)
 {
     const struct bead_options *options;
     char name[100];
-    json_open(json, "definitions", '{');
+    bead_json_open(json, "definitions", '{');
     put_values(json);
     for (size_t i = 0; (options = bead_scene_section(i)); i++)
         if (options != &bead_scene_options)
@@ -332,46 +332,46 @@ static void put_definitions(struct json *json)
     put_kinds(json, "outputs-of-a-sweep", kind_of_sweep_output);
     put_equations(json);
     put_panels(json);
-    json_close(json, "}");
+    bead_json_close(json, "}");
 }
 
 /* ---- the scene ---- */
 
-static void put_one_of(struct json *json, const char *name, const char *const *keys)
+static void put_one_of(struct bead_json *json, const char *name, const char *const *keys)
 {
-    json_open(json, name, '[');
+    bead_json_open(json, name, '[');
     for (; *keys; keys++)
         put_has_key(json, NULL, *keys);
-    json_close(json, "]");
+    bead_json_close(json, "]");
 }
 
-static void put_outputs(struct json *json, const char *name, const char *kinds)
+static void put_outputs(struct bead_json *json, const char *name, const char *kinds)
 {
-    json_open(json, name, '{');
-    json_open(json, "properties", '{');
-    json_open(json, "outputs", '{');
-    json_text(json, "type", "array");
-    json_number(json, "minItems", 1);
+    bead_json_open(json, name, '{');
+    bead_json_open(json, "properties", '{');
+    bead_json_open(json, "outputs", '{');
+    bead_json_text(json, "type", "array");
+    bead_json_number(json, "minItems", 1);
     put_reference(json, "items", kinds);
-    json_close(json, "}}}");
+    bead_json_close(json, "}}}");
 }
 
 COMMAND_LISTS(command_list_schema)
 {
     static const char *const systems[] = {"chain", "chains", "sweep", "sweeps", NULL};
-    struct json json = {.out = out, .lines = true};
-    json_open(&json, NULL, '{');
-    json_text(&json, "$schema", "http://json-schema.org/draft-07/schema#");
-    json_text(&json, "title", "beadreel scene");
+    struct bead_json json = {.out = out, .lines = true};
+    bead_json_open(&json, NULL, '{');
+    bead_json_text(&json, "$schema", "http://json-schema.org/draft-07/schema#");
+    bead_json_text(&json, "title", "beadreel scene");
     put_map(&json, &bead_scene_options);
     put_one_of(&json, "anyOf", systems);
-    json_open(&json, "if", '{');
+    bead_json_open(&json, "if", '{');
     put_one_of(&json, "anyOf", systems + 2);
-    json_close(&json, "}");
+    bead_json_close(&json, "}");
     put_outputs(&json, "then", "outputs-of-a-sweep");
     put_outputs(&json, "else", "outputs");
     put_definitions(&json);
-    json_close(&json, "}");
+    bead_json_close(&json, "}");
     fputc('\n', out);
     return BEAD_OK;
 }

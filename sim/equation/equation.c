@@ -2,8 +2,6 @@
 /* Functions that several equations share. */
 #include "sim/equation/equation.h"
 
-#include <stdio.h>
-
 /* Pulses and solitons keep the sign of their amplitude until they break up. */
 bool bead_equation_field_signed(const struct bead_chain_spec *spec, enum bead_field field)
 {

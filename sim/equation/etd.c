@@ -2,8 +2,6 @@
 /* Exponential time differencing, see etd.h: the coefficients of a step, and the step. */
 #include "sim/equation/etd.h"
 
-#include <math.h>
-
 static struct bead_turn over(struct bead_turn a, struct bead_turn b)
 {
     bead_wide norm = b.re * b.re + b.im * b.im;

@@ -5,7 +5,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/instruction_set.h"
 #include "sim/base/wide.h"

@@ -3,9 +3,7 @@
  * it. */
 #include "sim/equation/fput_string.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/wide.h"
 #include "sim/integrate/dense.h"

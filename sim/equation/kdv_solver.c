@@ -2,9 +2,7 @@
 /* The Korteweg-de Vries equation on a ring: its start, number of points and steps. kdv.c makes a row of systems.c from it. */
 #include "sim/equation/kdv_solver.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/elementary.h"
 

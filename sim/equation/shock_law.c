@@ -2,8 +2,6 @@
 /* The breaking wave on a grid: its start, and its rates of change. */
 #include "sim/equation/shock_law.h"
 
-#include <string.h>
-
 #include "sim/base/wide.h"
 
 /* ---- the start ---- */

@@ -3,7 +3,6 @@
 #include "sim/equation/spectral.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"

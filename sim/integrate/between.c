@@ -3,7 +3,6 @@
 #include "sim/integrate/between.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/integrate/events_private.h"

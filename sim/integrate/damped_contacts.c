@@ -2,8 +2,6 @@
 /* Finds the times at which contacts with damping open and close, where the stepper ends its steps: see damped_contacts.h. */
 #include "sim/integrate/damped_contacts.h"
 
-#include <math.h>
-
 #include "sim/integrate/dense.h"
 
 /* A contact this near to closing, in units of its motion in a step, counts as closed. */

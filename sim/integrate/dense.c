@@ -2,10 +2,8 @@
 /* Dense output: interpolates states, compressions and forces between the ends of a step, for samples, peaks and the front. */
 #include "sim/integrate/dense.h"
 #include "sim/base/memory.h"
-#include "sim/chain/drive.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* Times this close to an end of the step, in units of its length, count as that end. */
 static const double same_time = 1e-9;

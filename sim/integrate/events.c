@@ -2,11 +2,8 @@
 /* Corrects a step near contacts that open or close: see events.h. The stepper calls it after every step. */
 #include "sim/integrate/events.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "sim/chain/drive.h"
 #include "sim/chain/law_beginning.h"
 #include "sim/integrate/events_private.h"
 #include "sim/integrate/tableau.h"

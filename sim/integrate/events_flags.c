@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the contacts of a step that need a correction, which events.c then makes. */
-#include <math.h>
 
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Integrates a few contacts again over the last step, from branch point to branch point: items 2 to 4 of events.h. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/integrate/events_private.h"
 

@@ -3,7 +3,6 @@
 #include "sim/integrate/methods.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "sim/integrate/events.h"
 #include "sim/integrate/stepper.h"

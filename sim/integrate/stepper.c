@@ -2,12 +2,9 @@
 /* Holds the state of one chain and advances it by a method: forces, window, events. Runs drive it. */
 #include "sim/integrate/stepper.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
-#include "sim/chain/drive.h"
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/subnormals.h"

@@ -2,8 +2,6 @@
 /* The kinds of outputs, in the order of their enum, and what everybody asks of them. */
 #include "sim/kinds/output_kinds.h"
 
-#include <string.h>
-
 #include "beadreel/sink.h"
 #include "sim/kinds/outputs.h"
 

@@ -2,8 +2,6 @@
 /* Facts about the chains of a scene, before they are made. */
 #include "sim/kinds/scene_facts.h"
 
-#include <string.h>
-
 size_t bead_scene_count_beads(const struct bead_chain_spec *chain)
 {
     return bead_system_beads.count(chain, 0) - 1;

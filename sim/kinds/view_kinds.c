@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of views as scenes know them: names and traits, without any drawing. Scene parsing and render both ask it. */
 #include "sim/kinds/view_kinds.h"
-#include "beadreel/scene.h"
 
 const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS] = {
 #define VIEW(ID, view, ...) [BEAD_VIEW_##ID] = {.name = #view, __VA_ARGS__},

@@ -3,7 +3,6 @@
 #include "sim/output/energy_parts.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* A pulse ends where the force falls to this part of its maximum; what is below this part of what it had is another. */
 static const double valley = 0.1;

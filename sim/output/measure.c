@@ -4,7 +4,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/output/measure_private.h"
 #include "sim/output/participation.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of measures: one row each, with name, unit and function. Tables, --info and sweeps read it. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "beadreel/law.h"
 #include "sim/base/wide.h"

@@ -2,7 +2,6 @@
 /* Records the motion at the probe and at the striker, sample by sample, for measure_rows.c. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "beadreel/law.h"
 #include "sim/output/measure_private.h"

@@ -2,8 +2,6 @@
 /* Finds the places of curves over time: see places.h. */
 #include "sim/output/places.h"
 
-#include <stdio.h>
-
 static size_t below(const struct bead_listed *listed, size_t limit)
 {
     size_t count = 0;

@@ -6,7 +6,6 @@
 #include "sim/output/sink_grid.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 struct profile {

@@ -3,7 +3,6 @@
 #include "sim/output/sink_grid.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 double bead_round_down(double x)

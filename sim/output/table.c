@@ -1,36 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sink of `table:` outputs: comma-separated values as in RFC 4180, numbers with the fewest digits that read back as the same
  * double. */
-#include <locale.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
-#include "sim/output/data_sinks.h"
 #include "sim/output/spectra.h"
 #include "sim/output/table.h"
 
-static const struct table *const tables[] = {
-    [BEAD_SHOW_SENSORS] = &bead_table_sensors,
-    [BEAD_SHOW_PEAKS] = &bead_table_contact_peaks,
-    [BEAD_SHOW_BEAD_PEAKS] = &bead_table_bead_peaks,
-    [BEAD_SHOW_MEASURES] = &bead_table_measures,
-    [BEAD_SHOW_MODES] = &bead_table_modes,
-    [BEAD_SHOW_PROFILES] = &bead_table_profiles,
-    [BEAD_SHOW_CHAIN] = &bead_table_chain,
-    [BEAD_SHOW_ENERGY] = &bead_table_energy,
-    [BEAD_SHOW_SENSITIVITIES] = &bead_table_sensitivities,
-    [BEAD_SHOW_EXTREMES] = &bead_table_extremes,
-    [BEAD_SHOW_SPREADING] = &bead_table_spreading,
-    [BEAD_SHOW_BANDS] = &bead_table_bands,
-    [BEAD_SHOW_EIGENMODES] = &bead_table_eigenmodes,
-    [BEAD_SHOW_SPECTRUM] = &bead_table_spectrum,
-    [BEAD_SHOW_SPECTROGRAM] = &bead_table_spectrogram,
-    [BEAD_SHOW_TRANSFER] = &bead_table_spectrum,
-    [BEAD_SHOW_DISPERSION] = &bead_table_dispersion,
-    [BEAD_SHOW_FIT] = &bead_table_fit,
-};
+/* Word of `show` and `const struct table bead_table_NAME`. */
+#define TABLES(TABLE)                                                                                                         \
+    TABLE(SENSORS, sensors), TABLE(PEAKS, contact_peaks), TABLE(BEAD_PEAKS, bead_peaks), TABLE(MEASURES, measures),           \
+        TABLE(MODES, modes), TABLE(PROFILES, profiles), TABLE(CHAIN, chain), TABLE(ENERGY, energy),                           \
+        TABLE(SENSITIVITIES, sensitivities), TABLE(EXTREMES, extremes), TABLE(SPREADING, spreading), TABLE(BANDS, bands),     \
+        TABLE(EIGENMODES, eigenmodes), TABLE(SPECTRUM, spectrum), TABLE(SPECTROGRAM, spectrogram), TABLE(TRANSFER, spectrum), \
+        TABLE(DISPERSION, dispersion), TABLE(FIT, fit)
+
+#define TABLE_NAME(SHOW, name) bead_table_##name
+extern const struct table TABLES(TABLE_NAME);
+#define TABLE_AT(SHOW, name) [BEAD_SHOW_##SHOW] = &bead_table_##name
+static const struct table *const tables[] = {TABLES(TABLE_AT)};
 
 static void table_destroy(struct bead_sink *sink)
 {

@@ -75,9 +75,4 @@ void bead_table_columns_header(struct bead_sink *sink);
  * incomplete row. */
 void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample);
 
-/* One for each word of `show`. */
-extern const struct table bead_table_sensors, bead_table_contact_peaks, bead_table_bead_peaks, bead_table_measures,
-    bead_table_energy, bead_table_modes, bead_table_profiles, bead_table_chain, bead_table_sensitivities, bead_table_extremes,
-    bead_table_spreading, bead_table_bands, bead_table_eigenmodes, bead_table_spectrum, bead_table_spectrogram,
-    bead_table_dispersion, bead_table_fit;
 void bead_table_spreading_free(struct bead_sink *sink);

@@ -3,9 +3,7 @@
 #include "sim/output/trajectory_data.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

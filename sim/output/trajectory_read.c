@@ -3,9 +3,7 @@
 #include "sim/output/trajectory_data.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"

@@ -14,7 +14,6 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
-#include "sim/output/data_sinks.h"
 #include "sim/output/sink_grid.h"
 
 /* A flush waits for the disk: it comes every second, or less often where it would take more than a fiftieth of the time. */

@@ -2,10 +2,7 @@
 /* Drops beads far behind the front, and follows what that may have changed: see behind.h. */
 #include "sim/run/behind.h"
 
-#include <math.h>
-
 #include "sim/chain/contact_walk.h"
-#include "sim/chain/drive.h"
 
 /* Steps between cuts; beads dropped at once at least; beads kept besides, and at least. */
 enum { EVERY = 8, FEWEST = 8, SPARE = 20, LEAST = 24 };

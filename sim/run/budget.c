@@ -7,12 +7,7 @@
  * compressions within it are the polynomials used for samples. */
 #include "sim/run/budget.h"
 
-#include <math.h>
-#include <string.h>
-
-#include "sim/chain/drive.h"
 #include "sim/integrate/damped_contacts.h"
-#include "sim/integrate/dense.h"
 
 /* Gauss-Legendre quadrature on 0..1, exact up to degree 11. */
 enum { NODES = 6 };

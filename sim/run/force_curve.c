@@ -2,8 +2,6 @@
 /* Forces between the ends of a step, from the compressions' polynomials: see force_curve.h. */
 #include "sim/run/force_curve.h"
 
-#include <math.h>
-
 #include "sim/integrate/damped_contacts.h"
 
 struct bead_force_curve bead_force_curve_of(const struct bead_stepper *s, size_t index, bool of_bead)

@@ -2,8 +2,6 @@
 /* Follows the front of the wave and finds the time when it reaches the end of the chain. */
 #include "sim/run/front.h"
 
-#include <math.h>
-
 #include "sim/base/wide.h"
 #include "sim/run/force_curve.h"
 

@@ -3,7 +3,6 @@
 #include "sim/run/method_choice.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "sim/base/wide.h"
 #include "sim/chain/contact_walk.h"

@@ -2,9 +2,6 @@
 /* Finds when the first pulse is over at the last contact and at the last sensor. */
 #include "sim/run/passing.h"
 
-#include <math.h>
-
-#include "sim/chain/chain_internal.h"
 #include "sim/run/force_curve.h"
 
 /* A pulse is over below the first part of its maximum, or at a minimum below the second. */

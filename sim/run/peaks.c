@@ -2,9 +2,7 @@
 /* Finds the largest force of every contact or bead during a run: see peaks.h. */
 #include "sim/run/peaks.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/integrate/dense.h"

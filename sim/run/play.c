@@ -2,10 +2,8 @@
 /* Plays chains into consumers: advances their runs from sample to sample, then to their ends. */
 #include "sim/run/play.h"
 
-#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/clock.h"
 #include "sim/base/memory.h"

@@ -2,9 +2,7 @@
 /* Runs one chain: steps under control of energy and accuracy, samples, peaks and front. play.c steps it. */
 #include "sim/run/run.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/adjoint/record.h"
 #include "sim/base/memory.h"

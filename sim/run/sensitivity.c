@@ -2,9 +2,7 @@
 /* Finds the derivatives of peak forces: see sensitivity.h. */
 #include "sim/run/sensitivity.h"
 
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/adjoint/adjoint.h"
 #include "sim/base/memory.h"

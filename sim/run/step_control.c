@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Chooses the length of the next step from the stiffest contacts: see step_control.h. */
 #include "sim/run/step_control.h"
-#include "sim/chain/chain_internal.h"
-
-#include <math.h>
 
 /* Steps between estimates of omega, each of which looks this far ahead. */
 enum { EVERY = 4 };

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The keys at the top of a scene. Every structure has a file of its own, scene_*.c, with its table of keys. */
-#include "beadreel/scene.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_private.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `beads`: the segments of a chain, left to right. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/scene/scene_private.h"
 #include "sim/scene/sweep_yaml.h"

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `chain`: its beads, its striker, and its forces. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "beadreel/law.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/chain/system.h"
 #include "sim/scene/scene_private.h"
 
 #define CHAIN(member) offsetof(struct bead_chain_spec, member)

@@ -3,7 +3,6 @@
 #include "sim/scene/scene_private.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "sim/base/file.h"

@@ -2,7 +2,6 @@
 /* `drive`: a force on a bead, or its displacement, as a function of time. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/drive.h"

@@ -2,7 +2,6 @@
 /* A chain that is an equation: its keys, which of them belong to which equation, and how it starts. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/suggest.h"
 #include "sim/equation/equation.h"

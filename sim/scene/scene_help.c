@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* All keys of scenes, or those of one section, from the tables that read them. */
-#include <string.h>
 
 #include "sim/base/suggest.h"
 #include "sim/kinds/output_kinds.h"

@@ -2,7 +2,6 @@
 /* `materials`: what beads and walls are made of. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/assets.h"
 #include "sim/base/memory.h"

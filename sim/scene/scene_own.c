@@ -3,7 +3,6 @@
  * complete: materials that it names, style and font of outputs that give none, the colours of files. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

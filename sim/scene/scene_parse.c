@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes from text to structures: the document with its settings, a user's own files, the tables; and the end of a scene. */
 #include "beadreel/law.h"
-#include "beadreel/scene.h"
 #include "sim/base/file.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/fingerprint.h"
 #include "sim/base/memory.h"

@@ -2,7 +2,6 @@
 /* `simulate`: until when and how well. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/suggest.h"
 #include "sim/equation/equation.h"

@@ -2,7 +2,6 @@
 /* `sweep`, `sweeps`: chains that differ in the spins of their random cells, and what is measured of them. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/chain/spins.h"
 #include "sim/scene/scene_private.h"

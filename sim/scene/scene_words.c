@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Names as people read them in pictures: a name that is an identifier becomes words. */
-#include <string.h>
 
 #include "sim/scene/scene_private.h"
 

@@ -3,7 +3,6 @@
 #include "sim/scene/sweep_yaml.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/fingerprint.h"
 #include "sim/base/memory.h"

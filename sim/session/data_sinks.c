@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of the sinks of the computing half, which both programs hand to sessions: one line for each. */
-#include "sim/output/data_sinks.h"
-
+/* The list of the sinks of the computing half, which both programs hand to sessions: one word for each. */
 #include <stddef.h>
 
-#include "sim/sweep/sweep_data.h"
+#include "beadreel/sink.h"
 
-static const struct bead_sink_type *const sinks[] = {
-    &bead_trajectory_sink, &bead_table_sink, &bead_sweep_table_sink, &bead_sweep_results_sink, NULL,
-};
+/* `const struct bead_sink_type bead_NAME_sink` of sim/output and sim/sweep */
+#define SINKS(SINK) SINK(trajectory), SINK(table), SINK(sweep_table), SINK(sweep_results)
+
+#define SINK_NAME(name) bead_##name##_sink
+extern const struct bead_sink_type SINKS(SINK_NAME);
+#define SINK_AT(name) &bead_##name##_sink
+static const struct bead_sink_type *const sinks[] = {SINKS(SINK_AT), NULL};
 
 const struct bead_sink_type *const *bead_data_sinks(void)
 {

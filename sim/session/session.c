@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A session's life. Opening goes from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks.
  */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-#include "beadreel/sweep.h"
 #include "sim/base/memory.h"
 #include "sim/base/settings.h"
 #include "sim/chain/chain_data.h"

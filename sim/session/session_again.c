@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens a trajectory as a session that draws it again. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/output/sink_grid.h"
 #include "sim/output/trajectory_data.h"

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several trajectories as one source of samples: their chains side by side, or the difference of two. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
-#include "sim/chain/system.h"
 #include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
 

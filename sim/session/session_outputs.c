@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The outputs of a session: those of its scene that are asked for, and where their files go. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/chain.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
-#include "sim/base/units.h"
-#include "sim/kinds/output_kinds.h"
 #include "sim/kinds/scene_facts.h"
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"

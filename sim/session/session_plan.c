@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --plan: what a session will compute, what it skips, and why. */
-#include <math.h>
 
-#include "beadreel/trajectory.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_data.h"
-#include "sim/kinds/output_kinds.h"
-#include "sim/run/run_kinds.h"
 #include "sim/session/session_data.h"
 
 /* Times as people write them: of beads in microseconds or milliseconds, of equations without a unit. */

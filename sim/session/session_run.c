@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a session: a scouting run if one is needed, the run itself, and the end of every sink. */
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
-#include "sim/kinds/output_kinds.h"
 #include "sim/run/behind.h"
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"

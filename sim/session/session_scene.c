@@ -2,10 +2,7 @@
 /* Loads the scene of a session, as the command line changes it: whole, with one output, as a sheet, or one chain of its sweep. */
 #include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "beadreel/sweep.h"
-#include "beadreel/trajectory.h"
 #include "sim/output/trajectory_data.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"

@@ -3,15 +3,12 @@
  * what makes a new one, and what the options change of it. */
 #include <ctype.h>
 #include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
 
-#include "beadreel/sink.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
-#include "sim/kinds/output_kinds.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the sinks of a session and decides whose samples each takes: its own, or those of the trajectory output. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/file.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/kinds/output_kinds.h"
 #include "sim/kinds/view_kinds.h"
-#include "sim/run/run_kinds.h"
 #include "sim/session/session_data.h"
 
 /* Pictures use the trajectory's samples if their spacing is at most this, in units of the spacing that shows every oscillation; the

@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sessions of sweeps: compute many chains, or read their results from a file, and write tables and plots of them. */
-#include <math.h>
 #include <stdlib.h>
 
-#include "beadreel/sweep.h"
 #include "sim/base/file.h"
 #include "sim/base/h5.h"
 #include "sim/base/memory.h"
 #include "sim/integrate/stepper.h"
-#include "sim/kinds/output_kinds.h"
-#include "sim/run/run.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verifies the accuracy before the run (`simulate: {verify: true}`), and warns of steps that are too long. */
-#include <math.h>
-#include <stdio.h>
 
-#include "sim/run/run.h"
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 

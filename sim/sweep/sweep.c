@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Creates a sweep from its scene: panels, configurations and their chains. The other files of this room run, store and read it. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"

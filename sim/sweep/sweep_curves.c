@@ -3,9 +3,7 @@
 #include "sim/sweep/sweep_curves.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/elementary.h"
 #include "sim/base/memory.h"

@@ -93,9 +93,6 @@ struct sweep_entry *bead_sweep_entries(const struct bead_sweep *sweep, size_t pa
 /* Number of entries from `first` on with equal magnetism. */
 size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t first);
 
-/* sweep_table.c, sweep_write.c */
-extern const struct bead_sink_type bead_sweep_table_sink, bead_sweep_results_sink;
-
 /* ---- journal: a sequence of records with checksums ---- */
 struct bead_sweep_journal;
 /* Begins a journal, or continues one and loads its results. Errors: IO, USAGE (of another scene, or in use), MEMORY. */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plays the chains of a sweep, each by itself, on all threads, and reports progress. */
-#include <math.h>
 #include <stdatomic.h>
 #include <unistd.h>
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Computes the statistics of a sweep from its results: groups of one magnetism, thresholds, plateaus. */
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/statistics/statistics.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes tables of sweeps: statistics of every magnetism, results of every configuration, decay along the chain. */
 #include <locale.h>
-#include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/file.h"

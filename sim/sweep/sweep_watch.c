@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs single configurations of a sweep for pictures: delivers samples during each run, and measures afterwards. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/memory.h"

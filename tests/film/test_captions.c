@@ -14,7 +14,7 @@
 
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
-#include "render/draw/quantity.h"
+#include "render/draw/words.h"
 #include "render/movie/movie_words.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"

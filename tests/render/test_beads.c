@@ -25,6 +25,8 @@
 #include "render/view/magnify.h"
 #include "render/view/views.h"
 
+extern const struct bead_sink_type bead_movie_sink;
+
 #define CHAIN(name, spins)                                                                    \
     "  - name: " name "\n    striker: {bead: large-steel, velocity: 0.443 m/s}\n    beads:\n" \
     "      - {cell: [large-steel, aluminium], count: 20, spins: " spins "}\n"                 \

@@ -21,6 +21,8 @@
 #include "tests/missing.h"
 #include "tests/pictures.h"
 
+extern const struct bead_sink_type bead_plot_sink;
+
 /* ---- presets ---- */
 
 struct styled {

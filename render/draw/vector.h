@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SVG files: what cairo lacks. It draws letters as outlines only, so the words of a page are kept while it is drawn and written
+/* Vector files: what cairo lacks. It draws letters as outlines only, so the words of a page are kept while it is drawn and written
  * last, run by run, each as wide as it was laid out. And it numbers surfaces through the life of a program, so one picture would
  * get different bytes each time. */
 #pragma once
@@ -32,3 +32,11 @@ struct bead_svg_parts {
  * "source-610" numbered from 1 in order of appearance. Write errors show when the file is closed. Errors: UNSUPPORTED (too many
  * names). */
 BEAD_CHECK enum bead_error bead_svg_write(const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg);
+
+/* PDF files: what cairo lacks, a text in place of the figure for those who do not see it, and the scene. */
+
+/* Writes a whole file of cairo's, in which a tag Figure holds all of the page, and after it an update (ISO 32000-1, 7.5.6) that
+ * gives the figure the document's subject as its text (/Alt, 14.9.3), and the document its language and a window with its title.
+ * `source` (NULL or "": none), the scene, is attached as scene.yaml. Files of other shape stay as they are. Write errors show when
+ * the file is closed. */
+void bead_pdf_write(const char *pdf, size_t length, const char *source, FILE *file);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* JSON as text: see json.h. */
-#include "sim/cli/json.h"
+#include "sim/base/json.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "sim/base/number.h"
 
@@ -28,12 +29,13 @@ static size_t character(const unsigned char *c)
     return 0;
 }
 
-static void quote(FILE *out, const char *text)
+static void quote(const struct bead_json *json, const char *text)
 {
+    FILE *out = json->out;
     fputc('"', out);
     for (const unsigned char *c = (const unsigned char *)text; *c;) {
         const size_t bytes = character(c);
-        if (*c < ' ' || *c == '"' || *c == '\\' || *c == 0x7F)
+        if (*c < ' ' || *c == '"' || *c == '\\' || *c == 0x7F || (json->html && strchr("<>&", *c)))
             fprintf(out, "\\u%04x", *c);
         else if (bytes == 0)
             fputs("\\ufffd", out);
@@ -44,13 +46,13 @@ static void quote(FILE *out, const char *text)
     fputc('"', out);
 }
 
-static void new_line(const struct json *json)
+static void new_line(const struct bead_json *json)
 {
     if (json->lines)
         fprintf(json->out, "\n%*s", json->depth, "");
 }
 
-static void begin(struct json *json, const char *key)
+FILE *bead_json_key(struct bead_json *json, const char *key)
 {
     if (json->more)
         fputs(json->lines ? "," : ", ", json->out);
@@ -58,20 +60,21 @@ static void begin(struct json *json, const char *key)
         new_line(json);
     json->more = true;
     if (key) {
-        quote(json->out, key);
+        quote(json, key);
         fputs(": ", json->out);
     }
+    return json->out;
 }
 
-void json_open(struct json *json, const char *key, char bracket)
+void bead_json_open(struct bead_json *json, const char *key, char bracket)
 {
-    begin(json, key);
+    bead_json_key(json, key);
     fputc(bracket, json->out);
     json->more = false;
     json->depth++;
 }
 
-void json_close(struct json *json, const char *brackets)
+void bead_json_close(struct bead_json *json, const char *brackets)
 {
     for (; *brackets; brackets++) {
         json->depth--;
@@ -82,42 +85,53 @@ void json_close(struct json *json, const char *brackets)
     }
 }
 
-void json_text(struct json *json, const char *key, const char *text)
+void bead_json_text(struct bead_json *json, const char *key, const char *text)
 {
     if (!text) {
-        json_null(json, key);
+        bead_json_null(json, key);
         return;
     }
-    begin(json, key);
-    quote(json->out, text);
+    bead_json_key(json, key);
+    quote(json, text);
 }
 
-void json_texts(struct json *json, const char *key, const char *const *texts)
+void bead_json_texts(struct bead_json *json, const char *key, const char *const *texts)
 {
-    json_open(json, key, '[');
+    bead_json_open(json, key, '[');
     for (; *texts; texts++)
-        json_text(json, NULL, *texts);
-    json_close(json, "]");
+        bead_json_text(json, NULL, *texts);
+    bead_json_close(json, "]");
 }
 
-void json_number(struct json *json, const char *key, double value)
+void bead_json_number(struct bead_json *json, const char *key, double value)
 {
     if (!isfinite(value)) {
-        json_null(json, key);
+        bead_json_null(json, key);
         return;
     }
-    begin(json, key);
-    bead_write_number(json->out, value);
+    bead_json_key(json, key);
+    if (json->digits)
+        fprintf(json->out, "%.*g", json->digits, value);
+    else
+        bead_write_number(json->out, value);
 }
 
-void json_flag(struct json *json, const char *key, bool value)
+void bead_json_numbers(struct bead_json *json, const char *key, const double *values, size_t count)
 {
-    begin(json, key);
+    bead_json_open(json, key, '[');
+    for (size_t i = 0; i < count; i++)
+        bead_json_number(json, NULL, values[i]);
+    bead_json_close(json, "]");
+}
+
+void bead_json_flag(struct bead_json *json, const char *key, bool value)
+{
+    bead_json_key(json, key);
     fputs(value ? "true" : "false", json->out);
 }
 
-void json_null(struct json *json, const char *key)
+void bead_json_null(struct bead_json *json, const char *key)
 {
-    begin(json, key);
+    bead_json_key(json, key);
     fputs("null", json->out);
 }
