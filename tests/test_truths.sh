@@ -27,7 +27,7 @@ words >"$T/words"
 sed -n 's/^\([^#|][^|]*[^ |]\) *| *\([^|]*[^ |]\) *|.*/\1|\2/p' tests/truths.txt >"$T/rows"
 ok "there are words" test "$(wc -l <"$T/words")" -gt 90
 each() { # LIST OTHER : those of LIST that OTHER has not
-    grep -vxFf "$2" "$1" | sed 's/^/no row for: /'
+    grep -vxFf "$2" "$1" | sed 's/^/tests\/truths.txt and the tables differ in: /'
 }
 ok "each has its test" eval '[ -z "$(each "$T/words" "$T/rows")" ] || { each "$T/words" "$T/rows"; false; }'
 ok "none is of a word that is gone" eval '[ -z "$(each "$T/rows" "$T/words")" ] || { each "$T/rows" "$T/words"; false; }'

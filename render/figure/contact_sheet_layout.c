@@ -30,7 +30,6 @@ static size_t group_first(const struct bead_sweep_spec *spec, size_t group)
     return first;
 }
 
-/* The group with the magnetism nearest to this. */
 static size_t nearest_group(const struct bead_sweep_spec *spec, double magnetism)
 {
     size_t nearest = 0;

@@ -286,7 +286,6 @@ static double most_height(const struct bead_cells *c, const struct column *colum
     return fmax(bead_cells_whole(most), least_height(c, view));
 }
 
-/* One view of all chains in a row of cells. */
 static void add_view(const struct bead_cells *c, const struct column *column, size_t row, size_t k,
                      struct bead_movie_layout *layout)
 {

@@ -11,6 +11,7 @@
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
+#include "sim/output/sink_grid.h"
 
 /* Bytes of samples: wanted, and at most. Base64 makes four of three. */
 static const double wanted_bytes = 1.2e6, most_bytes = 12e6;
@@ -35,23 +36,14 @@ static void report_destroy(struct bead_sink *s)
     free(s);
 }
 
-/* Number of beads or contacts of the span that exist, out of `count`. */
-static size_t rows_of(const struct bead_span *span, size_t count)
-{
-    if (span->first >= count || span->last < span->first)
-        return 0;
-    return (span->last < count ? span->last : count - 1) - span->first + 1;
-}
-
-/* Finds the beads and values of a chain that are shown. */
 static void find_spans(const struct bead_sink *s, struct report_chain *c)
 {
     const struct bead_span asked = s->output->shown.beads;
     size_t beads = bead_chain_beads(c->chain),
            values = bead_field_info(s->output->shown.field)->of_contacts ? bead_chain_contacts(c->chain) : beads;
     c->beads = bead_chain_spec(c->chain)->system->has_contacts;
-    c->beads_shown = rows_of(&asked, beads);
-    c->values = rows_of(&asked, values);
+    c->beads_shown = bead_span_rows(&asked, beads);
+    c->values = bead_span_rows(&asked, values);
     c->bead = (struct bead_span){asked.first, asked.first + c->beads_shown - 1};
     c->value = (struct bead_span){asked.first, asked.first + c->values - 1};
 }

@@ -41,7 +41,6 @@ static float y_at(const struct bead_curve *c, size_t segment, float x)
     return c->y[segment] + part * (c->y[segment + 1] - c->y[segment]);
 }
 
-/* The segment that holds x. */
 static size_t find_segment(const struct bead_curve *c, float x)
 {
     size_t low = 0, high = c->count - 1;

@@ -85,7 +85,6 @@ static enum bead_error allocate(struct bead_chain *chain, struct bead_message *m
     return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a chain");
 }
 
-/* Write the spins of a segment into `digits`. */
 static void write_spins(const struct bead_segment *segment, char *digits)
 {
     if (segment->spins == BEAD_SPINS_DIGITS)

@@ -67,8 +67,11 @@ double bead_step_extremum(double h, double e0, double r0, double e1, double r1, 
 /* For `measures`: add one without a unit, if there is room; returns count + 1. */
 size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room, const char *name, double value);
 
-/* For `field_signed` of their systems. */
 bool bead_equation_field_signed(const struct bead_chain_spec *spec, enum bead_field field);
+/* What the rows of all equations have in common: coordinates and numbers without units, fields with names of their own. */
+#define BEAD_EQUATION_WORDS                                                                  \
+    .points = "points", .axis = "x", .axis_unit = "", .time_unit = "", .names_fields = true, \
+    .field_signed = bead_equation_field_signed
 
 /* The table of systems: row `index`, NULL after the last. Row 0 is that of beads, for chains without the key `equation`. */
 const struct bead_system *bead_system_info(size_t index);

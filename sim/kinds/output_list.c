@@ -217,7 +217,6 @@ static struct bead_node *entry_of(const struct bead_reader *reader, struct bead_
     return single;
 }
 
-/* Counts the files of all entries. */
 static enum bead_error count_files(const struct bead_reader *reader, const struct bead_at *at, size_t *count)
 {
     *count = 0;

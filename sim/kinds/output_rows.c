@@ -4,12 +4,13 @@
 
 #include "sim/kinds/outputs.h"
 
-static const char *const plot_shows[] = {"sensors",  "peaks", "setup",      "contact", "cell",      "modes",
-                                         "profiles", "bands", "eigenmodes", "energy",  "spreading", BEAD_SPECTRA_SHOWS,
-                                         NULL};
-static const unsigned plot_values[] = {BEAD_SHOW_SENSORS,    BEAD_SHOW_PEAKS,  BEAD_SHOW_SETUP,     BEAD_SHOW_CONTACT,
-                                       BEAD_SHOW_CELL,       BEAD_SHOW_MODES,  BEAD_SHOW_PROFILES,  BEAD_SHOW_BANDS,
-                                       BEAD_SHOW_EIGENMODES, BEAD_SHOW_ENERGY, BEAD_SHOW_SPREADING, BEAD_SPECTRA_VALUES};
+#define PLOT_SHOWS(SHOW)                                                                                                \
+    SHOW("sensors", BEAD_SHOW_SENSORS), SHOW("peaks", BEAD_SHOW_PEAKS), SHOW("setup", BEAD_SHOW_SETUP),                 \
+        SHOW("contact", BEAD_SHOW_CONTACT), SHOW("cell", BEAD_SHOW_CELL), SHOW("modes", BEAD_SHOW_MODES),               \
+        SHOW("profiles", BEAD_SHOW_PROFILES), SHOW("bands", BEAD_SHOW_BANDS), SHOW("eigenmodes", BEAD_SHOW_EIGENMODES), \
+        SHOW("energy", BEAD_SHOW_ENERGY), SHOW("spreading", BEAD_SHOW_SPREADING), BEAD_SPECTRA_SHOWS(SHOW)
+static const char *const plot_shows[] = {PLOT_SHOWS(BEAD_WORD_OF), NULL};
+static const unsigned plot_values[] = {PLOT_SHOWS(BEAD_VALUE_OF)};
 static const char *const windows[] = {"hann", "none", NULL};
 static const char *const energy_parts[] = {"form", "place", NULL};
 static const char *const scales[] = {"linear", "sqrt", "log", NULL};

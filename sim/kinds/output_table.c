@@ -3,16 +3,20 @@
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/scene_facts.h"
 
-static const char *const table_shows[] = {
-    "sensors",       "peaks",    "bead-peaks", "measures", "modes",      "profiles",         "chain", "energy",
-    "sensitivities", "extremes", "spreading",  "bands",    "eigenmodes", BEAD_SPECTRA_SHOWS, "fit",   NULL};
-static const unsigned table_values[] = {BEAD_SHOW_SENSORS,       BEAD_SHOW_PEAKS,     BEAD_SHOW_BEAD_PEAKS, BEAD_SHOW_MEASURES,
-                                        BEAD_SHOW_MODES,         BEAD_SHOW_PROFILES,  BEAD_SHOW_CHAIN,      BEAD_SHOW_ENERGY,
-                                        BEAD_SHOW_SENSITIVITIES, BEAD_SHOW_EXTREMES,  BEAD_SHOW_SPREADING,  BEAD_SHOW_BANDS,
-                                        BEAD_SHOW_EIGENMODES,    BEAD_SPECTRA_VALUES, BEAD_SHOW_FIT};
-static const char *const sweep_table_shows[] = {"magnetism", "statistics", "configurations", "decay", "spreading", NULL};
-static const unsigned sweep_table_values[] = {BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_MAGNETISM, BEAD_SWEEP_CONFIGURATIONS,
-                                              BEAD_SWEEP_DECAY, BEAD_SWEEP_SPREADING};
+#define TABLE_SHOWS(SHOW)                                                                                                 \
+    SHOW("sensors", BEAD_SHOW_SENSORS), SHOW("peaks", BEAD_SHOW_PEAKS), SHOW("bead-peaks", BEAD_SHOW_BEAD_PEAKS),         \
+        SHOW("measures", BEAD_SHOW_MEASURES), SHOW("modes", BEAD_SHOW_MODES), SHOW("profiles", BEAD_SHOW_PROFILES),       \
+        SHOW("chain", BEAD_SHOW_CHAIN), SHOW("energy", BEAD_SHOW_ENERGY), SHOW("sensitivities", BEAD_SHOW_SENSITIVITIES), \
+        SHOW("extremes", BEAD_SHOW_EXTREMES), SHOW("spreading", BEAD_SHOW_SPREADING), SHOW("bands", BEAD_SHOW_BANDS),     \
+        SHOW("eigenmodes", BEAD_SHOW_EIGENMODES), BEAD_SPECTRA_SHOWS(SHOW), SHOW("fit", BEAD_SHOW_FIT)
+static const char *const table_shows[] = {TABLE_SHOWS(BEAD_WORD_OF), NULL};
+static const unsigned table_values[] = {TABLE_SHOWS(BEAD_VALUE_OF)};
+#define SWEEP_TABLE_SHOWS(SHOW)                                                             \
+    SHOW("magnetism", BEAD_SWEEP_MAGNETISM), SHOW("statistics", BEAD_SWEEP_MAGNETISM),      \
+        SHOW("configurations", BEAD_SWEEP_CONFIGURATIONS), SHOW("decay", BEAD_SWEEP_DECAY), \
+        SHOW("spreading", BEAD_SWEEP_SPREADING)
+static const char *const sweep_table_shows[] = {SWEEP_TABLE_SHOWS(BEAD_WORD_OF), NULL};
+static const unsigned sweep_table_values[] = {SWEEP_TABLE_SHOWS(BEAD_VALUE_OF)};
 
 static const struct bead_option table_rows[] = {
     BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),

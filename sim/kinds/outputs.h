@@ -16,9 +16,14 @@
         .help = "name of the file, or a list of names for the same contents", .like = "text|[text]", .read = bead_output_read_path \
     }
 
+/* The words of a choice with their values, in one list of pairs, from which follow its `choices` and `values`. */
+#define BEAD_WORD_OF(word, value)  word
+#define BEAD_VALUE_OF(word, value) value
+
 /* `show` of spectra, in plots and tables. */
-#define BEAD_SPECTRA_SHOWS  "spectrum", "spectrogram", "transfer", "dispersion"
-#define BEAD_SPECTRA_VALUES BEAD_SHOW_SPECTRUM, BEAD_SHOW_SPECTROGRAM, BEAD_SHOW_TRANSFER, BEAD_SHOW_DISPERSION
+#define BEAD_SPECTRA_SHOWS(SHOW)                                                                                            \
+    SHOW("spectrum", BEAD_SHOW_SPECTRUM), SHOW("spectrogram", BEAD_SHOW_SPECTROGRAM), SHOW("transfer", BEAD_SHOW_TRANSFER), \
+        SHOW("dispersion", BEAD_SHOW_DISPERSION)
 #define BEAD_SPECTRA_HELP                                                                                                          \
     "spectrum, amplitude against frequency of the curves that sensors have, whose squares add up to twice the mean square (times " \
     "3/2 with Hann's window); spectrogram, that of one curve over time; transfer, the ratio of each curve to that of the driven "  \

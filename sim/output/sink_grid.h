@@ -21,7 +21,7 @@ BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, cons
                                           struct bead_grid *grid, struct bead_message *msg);
 
 /* Number of beads (or contacts) of `span` in a chain of `count`. */
-size_t bead_span_rows(const struct bead_span *span, size_t count);
+BEAD_INTERNAL size_t bead_span_rows(const struct bead_span *span, size_t count);
 
 /* A time in a readable unit: "1.5 ms"; with `unit` "" just the number: "1500". */
 BEAD_INTERNAL void bead_time_text(double time, const char *unit, char *text, size_t size);

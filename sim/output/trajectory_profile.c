@@ -39,7 +39,6 @@ static void *take(struct bead_sink *sink, size_t count, size_t size)
     return taken;
 }
 
-/* Write numbers along the axis of beads, or contacts. */
 static void write_along(struct bead_sink *sink, const char *name, const char *units, enum bead_h5_type type, bool of_contacts,
                         const void *values)
 {

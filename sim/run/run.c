@@ -279,7 +279,6 @@ static enum bead_error note_errors(struct bead_run *run, struct bead_message *ms
     return check_energy(run, error, msg);
 }
 
-/* Length of the next step, s. */
 static double next_step(struct bead_run *run)
 {
     struct bead_stepper *s = run->stepper;

@@ -270,7 +270,6 @@ enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const st
     return err;
 }
 
-/* Radius of bead `k` of `beads`. */
 static double tapered(const struct bead_variation *v, size_t k, size_t beads, double first, double radius)
 {
     if (!isnan(v->ratio))

@@ -44,7 +44,6 @@ static enum bead_error check_time(const struct bead_session *s, const struct bea
                              ends);
 }
 
-/* Limits the output to the beads and times in the file. */
 static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
 {
     struct bead_span beads = bead_trajectory_beads(s->trajectory);

@@ -89,7 +89,6 @@ static unsigned kept_fields(const struct bead_session *s)
                : k->trajectory.fields;
 }
 
-/* The fields that an output reads. */
 static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
 {
     const struct bead_show_type *show = bead_output_show(output);

@@ -40,12 +40,12 @@ printf 'time,force\n0,0\n1e-4,2\n' >scope.csv
 # all_of SECTION : its keys with their examples, for a map that may need several of them.
 all_of() { awk -F'|' -v section="$1" '$1 == section { printf "%s%s: %s", n++ ? ", " : "", $2, $3 }' examples; }
 
-declare -A extension=([plot]=png [table]=csv)
 # base SECTION : into `scene`, `prefix` and `before`, where a section's keys belong, and what they need there.
 base() {
     scene=chain before=()
     kind=${1#outputs (}
-    kind=${kind%)}
+    kind=${kind%)} kind=${kind% of a sweep}
+    file=$(awk -F'|' -v section="$1" -v key="$kind" '$1 == section && $2 == key { print $3 }' examples)
     case $1 in
     scene) prefix= ;;
     chain | chain.striker | chain.damping | chain.cradle | simulate) prefix=$1. ;;
@@ -72,17 +72,9 @@ base() {
     outputs.card) prefix=outputs.0.card. before=('outputs=[{movie: m.mp4, card: {text: x}}]') ;;
     sweep) scene=sweep prefix=sweep. ;;
     sweep.measure) scene=sweep prefix=sweep.measure. before=('sweep.measure={peak: force}') ;;
-    'outputs (plot of a sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{plot: p.pdf}]') ;;
-    'outputs (table of a sweep)') scene=sweep prefix=outputs.0. ;;
-    'outputs (report of a sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{report: r.html}]') ;;
-    'outputs (sweep)') scene=sweep prefix=outputs.0. before=('outputs=[{sweep: s.h5}]') ;;
-    'outputs (image of a sweep)') scene=over prefix=outputs.0. before=('outputs=[{image: i.png}]') ;;
-    'outputs (sheet)') scene=sweep prefix=outputs.0. before=('outputs=[{sheet: s.png}]') ;;
-    'outputs (trajectory)') prefix=outputs.0. before=('outputs=[{trajectory: r.h5}]') ;;
-    'outputs (report)') prefix=outputs.0. before=('outputs=[{report: r.html}]') ;;
-    'outputs (movie)') prefix=outputs.0. before=('outputs=[{movie: m.mp4}]') ;;
-    'outputs (image)' | 'outputs (plot)') prefix=outputs.0. before=("outputs=[{$kind: i.png}]") ;;
-    'outputs (table)') prefix=outputs.0. ;;
+    'outputs (image of a sweep)') scene=over prefix=outputs.0. before=("outputs=[{$kind: $file}]") ;;
+    'outputs (sweep)' | 'outputs (sheet)' | 'outputs ('*' of a sweep)') scene=sweep prefix=outputs.0. before=("outputs=[{$kind: $file}]") ;;
+    'outputs ('*')') prefix=outputs.0. before=("outputs=[{$kind: $file}]") ;;
     outputs.measured) prefix=outputs.0.measured. before=('outputs=[{plot: p.svg, beads: 3, measured: {points: "0 0, 1 1"}}]') ;;
     outputs.panels) prefix=outputs.0.panels.0.0. ;;
     *) prefix='?' ;;
@@ -126,12 +118,12 @@ needs() { # SECTION KEY
     'outputs (plot): scale') before+=(outputs.0.show=peaks) ;;
     'outputs ('*'): parts') before+=(outputs.0.show=energy) ;;
     'outputs (plot): contact' | 'outputs (plot): compression') before+=(outputs.0.show=contact) ;;
-    'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: i.${extension[$kind]}, show: modes}]") ;;
-    'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: $file, show: modes}]") ;;
+    'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: $file, show: profiles, at: [0]}]") ;;
     'outputs (plot): theory') before=("outputs=[{plot: i.png, show: profiles, at: [0], field: contact-force}]") ;;
-    'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: i.${extension[$kind]}, show: profiles, at: [0]}]") ;;
+    'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: $file, show: profiles, at: [0]}]") ;;
     'outputs (plot): window' | 'outputs (plot): segment' | 'outputs (plot): frequencies' | 'outputs (table): window' | 'outputs (table): segment' | 'outputs (table): frequencies')
-        before=("outputs=[{$kind: i.${extension[$kind]}, show: spectrum, beads: 1}]") ;;
+        before=("outputs=[{$kind: $file, show: spectrum, beads: 1}]") ;;
     'outputs (table): contacts') before=('outputs=[{table: t.csv, show: sensitivities}]') ;;
     'outputs (table): time' | 'outputs (table): every') before+=(outputs.0.show=sensors) ;;
     esac
@@ -140,7 +132,7 @@ accepted() { # SECTION KEY VALUE
     local settings=()
     base "$1"
     needs "$1" "$2"
-    [ "$prefix" != '?' ] || { echo "unknown section"; return 1; }
+    [ "$prefix" != '?' ] || { echo "unknown section: say in base() of tests/cli/keys.sh where its keys belong"; return 1; }
     for setting in "${before[@]}" "$prefix$2=$3"; do settings+=(--set "$setting"); done
     "$beadreel" --plan "$scene.yaml" "${settings[@]}" >/dev/null
 }

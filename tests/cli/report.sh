@@ -91,7 +91,7 @@ YAML
 ok "a sweep has a report" exits 0 "$beadreel" sweep.yaml -o .
 ok "... with the clean chain's image and those of its configurations" json 'len(d["panels"][0]["images"]) == 8 and d["kind"] == "sweep"' sweep.html
 ok "... and its size is bounded" test "$(stat -c %s sweep.html)" -le 3000000
-size=$(grep -oE '"times":[0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
+size=$(grep -oE '"times": [0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
 wide=$(grep -oE '"places": [0-9]+' sweep.html | head -n 1 | tr -dc 0-9)
 ok "a run of a configuration" exits 0 "$beadreel" sweep.h5 --configuration 3 -o image.png --set outputs.0.axes=false --set outputs.0.orientation=time-down \
     --set "outputs.0.size=[$wide, $size]" --set 'outputs.0.range=[0, 30 N]' --set outputs.0.scale=sqrt --set outputs.0.colormap=inferno
