@@ -16,7 +16,7 @@ read -ra emulator <<<"${EMULATOR:-}"
 work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-bits.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 
-chain_outputs='{trajectory: run.h5}, {table: measures.csv, show: measures}'
+chain_outputs='{trajectory: run.h5}, {table: measures.csv, show: measures, uncertainty: false}'
 bead_outputs="$chain_outputs, {table: chain.csv, show: chain}, {table: peaks.csv, show: peaks}, {table: bead-peaks.csv, show: bead-peaks}"
 sweep_outputs='{sweep: sweep.h5}, {table: configurations.csv, show: configurations}'
 

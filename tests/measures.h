@@ -19,6 +19,7 @@
 
 static struct bead_measure found[256];
 static char units[256][16];
+static double uncertainties[256];
 static size_t found_count;
 
 /* Play a scene or draw a trajectory again; false: it failed, with a message in `msg`. */
@@ -43,10 +44,13 @@ static inline void read_measures(const char *name, const char *chain)
     FILE *file = fopen(path, "r");
     assert_non_null(file);
     assert_non_null(fgets(line, sizeof line, file));
-    assert_string_equal(line, chain ? "chain,name,value,unit,note\n" : "name,value,unit,note\n");
+    line[strcspn(line, "\n")] = '\0';
+    const bool is_checked = strstr(line, ",uncertainty");
+    line[strlen(line) - (is_checked ? strlen(",uncertainty") : 0)] = '\0';
+    assert_string_equal(line, chain ? "chain,name,value,unit,note" : "name,value,unit,note");
     for (found_count = 0; fgets(line, sizeof line, file);) {
         char *rest = line, *owner = chain ? strsep(&rest, ",") : NULL;
-        char *measure = strsep(&rest, ","), *value = strsep(&rest, ","), *unit = strsep(&rest, ","), *note = strsep(&rest, "\n");
+        char *measure = strsep(&rest, ","), *value = strsep(&rest, ","), *unit = strsep(&rest, ","), *note = strsep(&rest, ",\n");
         if (chain && strcmp(owner, chain) != 0)
             continue;
         assert_true(found_count < 256);
@@ -56,6 +60,7 @@ static inline void read_measures(const char *name, const char *chain)
         snprintf(f->note, sizeof f->note, "%s", note);
         f->unit = units[found_count++];
         f->value = strtod(value, NULL);
+        uncertainties[found_count - 1] = is_checked ? strtod(rest, NULL) : NAN;
     }
     fclose(file);
 }
@@ -68,6 +73,15 @@ static inline void measure(const char *scene)
     if (!play(path, directory, &msg))
         fail_msg("%s", msg.text);
     read_measures("m.csv", NULL);
+}
+
+/* NaN: no check run has told it. */
+static inline double uncertainty_of(const char *name)
+{
+    for (size_t i = 0; i < found_count; i++)
+        if (strcmp(found[i].name, name) == 0)
+            return uncertainties[i];
+    return NAN;
 }
 
 /* NaN: the run has none. */

@@ -79,6 +79,9 @@ struct bead_sample {
      * comparison_active are at rest. NULL where nobody asked. */
     const double *comparison[BEAD_FIELD_COUNT];
     size_t comparison_active;
+    /* The sample of a run with a hundredth of the tolerance, which tells the error of this one; NULL where nobody asked, in stored
+     * samples, and where no such run is possible. */
+    const struct bead_sample *check;
 };
 
 BEAD_END

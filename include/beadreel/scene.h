@@ -367,7 +367,7 @@ struct bead_curves_asked {
     size_t modes;                             /* how many, `show: modes` */
     double profile_times[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
     size_t profile_time_count;
-    bool uncertainty;            /* tables of peaks: with a column for it */
+    bool uncertainty;            /* tables: with columns for it */
     struct bead_listed beads;    /* that have curves or rows; none: the beads with sensors have curves, and all beads rows */
     struct bead_listed contacts; /* the same; `show: sensitivities`: none: those of the beads with sensors, or the last that has a
                                     maximum */

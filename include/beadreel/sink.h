@@ -45,6 +45,7 @@ struct bead_needs {
     enum bead_field range_field;
     unsigned comparison; /* BEAD_FIELD_BITs, of `fields`, that samples are to have of the comparison run as well: see bead_sample */
     bool uncertainty;    /* of these maxima: how well they are known, in the outcome (a comparison run) */
+    bool checked;        /* samples and outcomes with those of a finer run, `check` */
     bool deviation;      /* of these maxima: their standard deviations, from the tolerances of materials, in the outcome */
     bool sensitivities;  /* of maxima of contacts: in the outcome */
     const size_t *contacts; /* those, rising; NULL: see bead_sensitive_contacts (sim/run/sensitivity.h) */

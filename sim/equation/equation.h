@@ -38,6 +38,7 @@ struct bead_pace {
 
 struct bead_equation {
     const char *const *methods; /* allowed in `simulate.method` besides auto, NULL-terminated; NULL: none */
+    bool by_grid;               /* steps follow from the grid, which decides the errors */
     /* An error of the settings as a whole, and the key to blame; NULL: none. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
     /* Errors: MEMORY, NUMBERS. On failure *motion is NULL, or what `destroy` frees. */

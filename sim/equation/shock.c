@@ -303,6 +303,7 @@ static const struct bead_equation equation = {
     .destroy = shock_destroy,
     .pace = pace,
     .time = time_of,
+    .by_grid = true,
     .step = shock_step,
     .sample = shock_sample,
     .evaluations = evaluations,

@@ -8,6 +8,7 @@
 #include "sim/output/measure_private.h"
 #include "sim/output/participation.h"
 #include "sim/output/sink_grid.h"
+#include "sim/run/uncertainty.h"
 
 enum { NOTE = sizeof((struct bead_measure *)0)->note };
 
@@ -117,9 +118,26 @@ static void note_time(const struct reading *r, double time)
     bead_time_text(time, "s", r->note + snprintf(r->note, NOTE, "at "), NOTE - 3);
 }
 
+/* Notes that a motion is lost: velocities of the check run differ by more than what may be uncertain of a number that can be
+ * predicted. Two such motions say nothing about the error of what is measured of either. */
+static void note_lost(const struct reading *r, const struct bead_moment *moment, const struct bead_moment *check)
+{
+    const double *mass = bead_chain_mass(r->m->chain), *v = moment->velocity;
+    double moving = 0, apart = 0;
+    for (size_t j = 0; check->velocity && j < bead_chain_beads(r->m->chain); j++) {
+        const double difference = v[j] - check->velocity[j];
+        moving += mass[j] * v[j] * v[j];
+        apart += mass[j] * difference * difference;
+    }
+    if (bead_uncertainty_is_large(sqrt(moving), bead_uncertainty_measured(0, sqrt(apart), 0)))
+        snprintf(r->note, NOTE, "unpredictable");
+}
+
 /* The beads at the end. */
 static struct bead_moment final(const struct reading *r)
 {
+    if (r->outcome && r->outcome->check && r->outcome->final.displacement)
+        note_lost(r, &r->outcome->final, &r->outcome->check->final);
     if (r->outcome && r->outcome->final.displacement)
         return r->outcome->final;
     note_time(r, r->m->time);
@@ -160,6 +178,8 @@ static double clean_index(const struct reading *r, int)
     double found = arrived ? bead_chain_participation(m->chain, arrived->displacement, arrived->velocity) : m->arrived;
     if (!arrived)
         note_time(r, m->arrived_time);
+    else if (r->outcome->check)
+        note_lost(r, arrived, &r->outcome->check->arrived);
     /* In a run that ends at the front's arrival the last sample may be just before it. */
     if (isnan(found) && r->outcome && r->outcome->front_arrival <= m->time + 1.5 * m->pulses->spacing)
         found = energy_participation(r, 0);

@@ -25,6 +25,7 @@ static void table_destroy(struct bead_sink *sink)
 {
     if (!sink)
         return;
+    table_destroy(sink->check);
     if (sink->file)
         fclose(sink->file);
     if (sink->open && !sink->finished)
@@ -47,22 +48,32 @@ static void table_destroy(struct bead_sink *sink)
     free(sink);
 }
 
-static enum bead_error table_create(const struct bead_output *output, const struct bead_run_context *context,
+/* A table without a file. */
+static enum bead_error create_table(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **made, struct bead_message *msg)
 {
-    *made = NULL;
-    if ((size_t)output->curves.show >= sizeof tables / sizeof *tables || !tables[output->curves.show])
-        return bead_output_wrong(output, msg, "show: tables cannot show this");
     BEAD_TRY(bead_new(made, 1, msg, "a table"));
     struct bead_sink *sink = *made;
     sink->context = *context;
     sink->output = output;
     sink->table = tables[output->curves.show];
     snprintf(sink->why, sizeof sink->why, "%s", sink->table->why);
+    return sink->table->prepare ? sink->table->prepare(sink, msg) : BEAD_OK;
+}
+
+static enum bead_error table_create(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_sink **made, struct bead_message *msg)
+{
+    struct bead_sink *sink;
+    *made = NULL;
+    if ((size_t)output->curves.show >= sizeof tables / sizeof *tables || !tables[output->curves.show])
+        return bead_output_wrong(output, msg, "show: tables cannot show this");
+    BEAD_TRY(create_table(output, context, made, msg));
+    sink = *made;
+    if (sink->table->checked && output->curves.uncertainty && !context->replayed)
+        BEAD_TRY(create_table(output, context, &sink->check, msg));
     BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
     BEAD_TRY(bead_file_part_name(sink->path, &sink->part, msg));
-    if (sink->table->prepare)
-        BEAD_TRY(sink->table->prepare(sink, msg));
     sink->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     return sink->locale != (locale_t)0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
 }
@@ -72,11 +83,14 @@ static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)
     *needs = (struct bead_needs){.grid = sink->grid, .until = sink->grid.end, .beads = {0, 0}, .why = sink->why};
     if (sink->table->needs)
         sink->table->needs(sink, needs);
+    needs->checked = sink->check != NULL;
 }
 
 static enum bead_error table_begin(struct bead_sink *sink, struct bead_range, struct bead_message *msg)
 {
     enum bead_error error = sink->table->begin ? sink->table->begin(sink, msg) : BEAD_OK;
+    if (!error && sink->check && sink->table->begin)
+        error = sink->table->begin(sink->check, msg);
     if (!error)
         error = bead_file_create(sink->part, &sink->file, msg);
     if (error)
@@ -96,7 +110,9 @@ static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sa
     sink->next_chain = (sink->next_chain + 1) % sink->context.chain_count;
     sink->next_sample += sink->next_chain == 0;
     locale_t before = uselocale(sink->locale);
-    enum bead_error error = sink->table->sample(sink, sample, msg);
+    enum bead_error error = sink->check && sample->check ? sink->table->sample(sink->check, sample->check, msg) : BEAD_OK;
+    if (!error)
+        error = sink->table->sample(sink, sample, msg);
     uselocale(before);
     if (error)
         return error;

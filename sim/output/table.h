@@ -13,13 +13,15 @@ struct column {
     size_t chain, bead;    /* or contact */
     enum bead_field field; /* of sensors */
     char *name;            /* of the column */
-    double value;          /* N, of the row being collected */
+    double value;          /* of the row being collected */
+    double uncertainty;    /* of it, and of all before; NaN: unknown */
 };
 
 struct bead_sink {
     struct bead_run_context context;
     const struct bead_output *output;
     const struct table *table;
+    struct bead_sink *check; /* the same table of the check run, which is not written; NULL: there is no such run */
     struct bead_grid grid;
     char *path, *part;
     char why[128];
@@ -49,6 +51,7 @@ struct table {
     enum bead_error (*finish)(struct bead_sink *sink, struct bead_message *msg); /* instead of `end`, where it can fail */
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
+    bool checked; /* a check run tells how uncertain its numbers are, if `uncertainty` is asked for */
 };
 
 /* A text, in quotes if it contains a comma, a quote or a line break, and behind a ' if a spreadsheet would compute it. */
@@ -70,9 +73,11 @@ BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t 
 BEAD_CHECK enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg);
 /* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg);
+/* With a check run, each column has a second one behind the last: the largest uncertainty so far, since errors of single samples
+ * cross zero. */
 void bead_table_columns_header(struct bead_sink *sink);
 /* Call this once the columns have the values of a sample. The row is written after the last chain, so that a stopped run leaves no
- * incomplete row. */
+ * incomplete row; that of the check run is not written. */
 void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample);
 
 void bead_table_spreading_free(struct bead_sink *sink);

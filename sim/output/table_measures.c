@@ -2,10 +2,12 @@
 /* Tables of measures: a row for each number, a block for each chain. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/chain/system.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
+#include "sim/run/uncertainty.h"
 
 enum { MOST_MEASURES = 128 };
 
@@ -68,7 +70,8 @@ static enum bead_error measures_begin(struct bead_sink *sink, struct bead_messag
 
 static void measures_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%sname,value,unit,note\n", sink->context.chain_count > 1 ? "chain," : "");
+    fprintf(sink->file, "%sname,value,unit,note%s\n", sink->context.chain_count > 1 ? "chain," : "",
+            sink->check ? ",uncertainty" : "");
 }
 
 static enum bead_error measures_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -77,25 +80,44 @@ static enum bead_error measures_sample(struct bead_sink *sink, const struct bead
     return measures ? bead_measures_feed(measures, sample, msg) : BEAD_OK;
 }
 
-static void write_row(struct bead_sink *sink, size_t chain, const struct bead_measure *measure)
+/* The measures of a chain, an equation's own included. */
+static size_t read_all(struct bead_sink *sink, size_t chain, const struct bead_outcome *outcome,
+                       struct bead_measure found[MOST_MEASURES])
 {
-    bead_table_chain_name(sink, chain);
-    bead_table_text(sink->file, measure->name);
-    bead_table_numbers(sink->file, 1, &measure->value);
-    fprintf(sink->file, ",%s,%s\n", measure->unit, measure->note);
-    sink->rows++;
+    size_t count = sink->measures[chain] ? bead_measures_read(sink->measures[chain], outcome, found, MOST_MEASURES) : 0;
+    for (size_t i = 0; outcome && outcome->measures && i < outcome->measure_count && count < MOST_MEASURES; i++)
+        found[count++] = outcome->measures[i];
+    return count < MOST_MEASURES ? count : MOST_MEASURES;
+}
+
+/* The uncertainty of a measure, by those of the check run; NaN: the check run has no such measure. */
+static double uncertainty_of(const struct bead_measure *measure, const struct bead_measure *checks, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(checks[i].name, measure->name) == 0)
+            return bead_uncertainty_measured(0, measure->value, checks[i].value);
+    }
+    return NAN;
 }
 
 static void measures_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
-    struct bead_measure found[MOST_MEASURES];
+    struct bead_measure found[MOST_MEASURES], checks[MOST_MEASURES];
     for (size_t c = 0; c < sink->context.chain_count; c++) {
-        const struct bead_outcome *outcome = outcomes ? &outcomes[c] : NULL;
-        size_t count = sink->measures[c] ? bead_measures_read(sink->measures[c], outcome, found, MOST_MEASURES) : 0;
-        for (size_t i = 0; i < count && i < MOST_MEASURES; i++)
-            write_row(sink, c, &found[i]);
-        for (size_t i = 0; outcome && outcome->measures && i < outcome->measure_count; i++)
-            write_row(sink, c, &outcome->measures[i]);
+        const struct bead_outcome *outcome = outcomes ? &outcomes[c] : NULL, *check = outcome ? outcome->check : NULL;
+        const size_t count = read_all(sink, c, outcome, found);
+        const size_t checked = sink->check && check ? read_all(sink->check, c, check, checks) : 0;
+        for (size_t i = 0; i < count; i++) {
+            const struct bead_measure *m = &found[i];
+            const double uncertainty = uncertainty_of(m, checks, checked);
+            bead_table_chain_name(sink, c);
+            bead_table_text(sink->file, m->name);
+            bead_table_numbers(sink->file, 1, &m->value);
+            fprintf(sink->file, ",%s,%s", m->unit, m->note);
+            if (sink->check)
+                bead_table_numbers(sink->file, 1, &uncertainty);
+            bead_table_end_row(sink);
+        }
     }
 }
 
@@ -105,4 +127,5 @@ const struct table bead_table_measures = {.why = "measures of the run",
                                           .header = measures_header,
                                           .sample = measures_sample,
                                           .end = measures_end,
+                                          .checked = true,
                                           .begin = measures_begin};

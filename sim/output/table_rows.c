@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes the parts of tables, and the columns of tables with a row for each time. The FILE remembers failures until it is closed.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,7 @@
 #include "sim/base/number.h"
 #include "sim/output/sink_grid.h"
 #include "sim/output/table.h"
+#include "sim/run/uncertainty.h"
 
 /* Would a spreadsheet compute a cell that begins so? A number with a sign and a unit stays what it is. */
 static bool is_formula(const char *text)
@@ -18,11 +20,12 @@ static bool is_formula(const char *text)
     return rest == text + 1 || rest[strcspn(rest, "+-*/^&|=<>!(")];
 }
 
-void bead_table_text(FILE *file, const char *text)
+/* A text and an ending, which is plain. */
+static void write_text(FILE *file, const char *text, const char *ending)
 {
     const char *const mark = is_formula(text) ? "'" : "";
     if (!text[strcspn(text, ",\"\r\n")]) {
-        fprintf(file, "%s%s", mark, text);
+        fprintf(file, "%s%s%s", mark, text, ending);
         return;
     }
     fprintf(file, "\"%s", mark);
@@ -31,7 +34,12 @@ void bead_table_text(FILE *file, const char *text)
             fputc('"', file);
         fputc(*text, file);
     }
-    fputc('"', file);
+    fprintf(file, "%s\"", ending);
+}
+
+void bead_table_text(FILE *file, const char *text)
+{
+    write_text(file, text, "");
 }
 
 void bead_table_numbers(FILE *file, size_t count, const double *numbers)
@@ -93,15 +101,34 @@ void bead_table_columns_header(struct bead_sink *sink)
         fputc(',', sink->file);
         bead_table_text(sink->file, sink->columns[i].name);
     }
+    for (size_t i = 0; sink->check && i < sink->column_count; i++) {
+        fputc(',', sink->file);
+        write_text(sink->file, sink->columns[i].name, "_uncertainty");
+    }
     fputc('\n', sink->file);
+}
+
+/* Compares the columns of a sample's chain with those of the check run. */
+static void compare_columns(struct bead_sink *sink, const struct bead_sample *sample)
+{
+    for (size_t i = 0; i < sink->column_count; i++) {
+        struct column *c = &sink->columns[i];
+        if (c->chain == sample->chain)
+            c->uncertainty =
+                sample->check ? fmax(c->uncertainty, bead_uncertainty_measured(0, c->value, sink->check->columns[i].value)) : NAN;
+    }
 }
 
 void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample)
 {
-    if (sample->chain + 1 < sink->context.chain_count)
+    if (sink->check)
+        compare_columns(sink, sample);
+    if (!sink->file || sample->chain + 1 < sink->context.chain_count)
         return;
     bead_write_number(sink->file, sample->time);
     for (size_t i = 0; i < sink->column_count; i++)
         bead_table_numbers(sink->file, 1, &sink->columns[i].value);
+    for (size_t i = 0; sink->check && i < sink->column_count; i++)
+        bead_table_numbers(sink->file, 1, &sink->columns[i].uncertainty);
     bead_table_end_row(sink);
 }

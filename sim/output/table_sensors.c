@@ -62,4 +62,5 @@ const struct table bead_table_sensors = {.why = "curves of sensors, or of the be
                                          .prepare = sensors_prepare,
                                          .needs = sensors_needs,
                                          .header = bead_table_columns_header,
+                                         .checked = true,
                                          .sample = sensors_sample};

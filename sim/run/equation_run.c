@@ -26,12 +26,19 @@ static const struct bead_equation *equation_of(const struct bead_chain *chain)
     return chain->spec->system->equation;
 }
 
-static struct bead_motion_settings settings_of(const struct bead_chain *chain, const struct bead_simulate *asked,
+/* Points of a run. */
+static size_t points_of(const struct bead_run_settings *settings)
+{
+    const size_t points = settings->chain->beads;
+    return settings->other_grid && equation_of(settings->chain)->by_grid ? (points + 1) / 2 : points;
+}
+
+static struct bead_motion_settings settings_of(const struct bead_chain *chain, size_t points, const struct bead_simulate *asked,
                                                double tolerance_factor)
 {
     tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
     return (struct bead_motion_settings){.spec = &chain->spec->equation,
-                                         .points = chain->beads,
+                                         .points = points,
                                          .method = asked->method,
                                          .accuracy = asked->step > 0 ? asked->accuracy : tolerance_factor * asked->accuracy,
                                          .step = tolerance_factor * asked->step,
@@ -39,10 +46,10 @@ static struct bead_motion_settings settings_of(const struct bead_chain *chain, c
 }
 
 /* Error messages name the file and the chain. */
-static enum bead_error create_motion(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
-                                     struct bead_motion **motion, struct bead_message *msg)
+static enum bead_error create_motion(const struct bead_chain *chain, size_t points, const struct bead_simulate *asked,
+                                     double tolerance_factor, struct bead_motion **motion, struct bead_message *msg)
 {
-    struct bead_motion_settings settings = settings_of(chain, asked, tolerance_factor);
+    struct bead_motion_settings settings = settings_of(chain, points, asked, tolerance_factor);
     struct bead_message inner;
     *motion = NULL;
     enum bead_error err = equation_of(chain)->create(&settings, motion, &inner);
@@ -61,7 +68,7 @@ static enum bead_error pace(const struct bead_chain *chain, const struct bead_si
                             struct bead_pace *pace, struct bead_message *msg)
 {
     struct bead_motion *motion;
-    BEAD_TRY(create_motion(chain, asked, tolerance_factor, &motion, msg));
+    BEAD_TRY(create_motion(chain, chain->beads, asked, tolerance_factor, &motion, msg));
     equation_of(chain)->pace(motion, pace);
     equation_of(chain)->destroy(motion);
     return BEAD_OK;
@@ -91,7 +98,8 @@ static enum bead_error equation_run_create(const struct bead_run_settings *setti
         run->value[f] = run->memory + f * n;
     run->settings = *settings;
     run->equation = equation_of(settings->chain);
-    enum bead_error err = create_motion(settings->chain, settings->simulate, settings->tolerance_factor, &run->motion, msg);
+    enum bead_error err =
+        create_motion(settings->chain, points_of(settings), settings->simulate, settings->tolerance_factor, &run->motion, msg);
     if (err) {
         equation_run_destroy(run);
         return err;
@@ -155,9 +163,11 @@ static enum bead_error equation_run_sample(struct bead_run *run, double t, unsig
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "a sample at %.9g lies outside the step from %.9g to %.9g", t, run->start,
                          time_of(run));
     fields &= bead_chain_fields(run->settings.chain);
-    enum bead_error err = run->equation->sample(run->motion, t, fields, run->value, msg);
     sample->time = t;
     sample->active = run->settings.chain->beads;
+    if (points_of(&run->settings) != sample->active)
+        return BEAD_OK; /* values of other places are none of these */
+    enum bead_error err = run->equation->sample(run->motion, t, fields, run->value, msg);
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
         sample->field[f] = fields & BEAD_FIELD_BIT(f) ? run->value[f] : NULL;
     return err;

@@ -61,14 +61,21 @@ static enum bead_error comparison_stepped(void *context, const struct bead_runne
     return BEAD_OK;
 }
 
-/* Advances a chain's run, or its comparison run. */
-static enum bead_error advance(struct pass *pass, size_t chain, bool comparison, double time, struct bead_message *msg)
+/* Advances a chain's run, or one that is compared with it. */
+static enum bead_error advance(struct pass *pass, struct bead_runner *runner, double time, struct bead_message *msg)
 {
+    const struct bead_played *played = pass->played;
     struct bead_way way = bead_play_way(pass->play, time);
-    way.stepped = comparison ? comparison_stepped : stepped;
+    way.stepped = runner >= played->runs && runner < played->runs + played->count ? stepped : comparison_stepped;
     way.context = pass;
-    const struct bead_runner *runner = &(comparison ? pass->played->comparison_runs : pass->played->runs)[chain];
+    if (!runner->kind)
+        return BEAD_OK;
     const enum bead_error err = bead_play_run(runner, &way, msg);
+    if (err == BEAD_ERROR_NUMBERS && played->check_runs && runner >= played->check_runs &&
+        runner < played->check_runs + played->count) {
+        bead_runner_destroy(runner); /* what it would have told is unknown */
+        return BEAD_OK;
+    }
     /* One chain that ends without its front does not stop the others. */
     return err && pass->play->chain_count > 1 && runner->kind->is_lost(runner->run) ? BEAD_OK : err;
 }
@@ -108,9 +115,9 @@ static enum bead_error create_runs(const struct bead_play *p, struct bead_played
 static enum bead_error add_comparison(struct pass *pass, double time, const struct bead_due *due, struct bead_sample *sample,
                                       struct bead_message *msg)
 {
-    const struct bead_runner *comparison = &pass->played->comparison_runs[sample->chain];
+    struct bead_runner *comparison = &pass->played->comparison_runs[sample->chain];
     struct bead_sample other = {.chain = sample->chain};
-    enum bead_error err = advance(pass, sample->chain, true, time, msg);
+    enum bead_error err = advance(pass, comparison, time, msg);
     if (!err)
         err = comparison->kind->sample(comparison->run, time, due->comparison, due->span, &other, msg);
     if (err)
@@ -120,21 +127,40 @@ static enum bead_error add_comparison(struct pass *pass, double time, const stru
     return BEAD_OK;
 }
 
-/* Computes a sample, unless the run is over before: *over. */
-static enum bead_error compute_sample(struct pass *pass, const struct bead_due *due, struct bead_sample *sample, bool *over,
-                                      struct bead_message *msg)
+/* Adds the sample of the check run to a sample: into *check. */
+static enum bead_error add_check(struct pass *pass, double time, const struct bead_due *due, struct bead_sample *sample,
+                                 struct bead_sample *check, struct bead_message *msg)
+{
+    struct bead_runner *runner = &pass->played->check_runs[sample->chain];
+    BEAD_TRY(advance(pass, runner, time, msg));
+    if (!runner->kind)
+        return BEAD_OK;
+    bool any = false;
+    *check = (struct bead_sample){.chain = sample->chain};
+    BEAD_TRY(runner->kind->sample(runner->run, time, due->fields, due->span, check, msg));
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
+        any = any || check->field[f];
+    sample->check = any ? check : NULL;
+    return BEAD_OK;
+}
+
+/* Computes a sample, and that of the check run, unless the run is over before: *over. */
+static enum bead_error compute_sample(struct pass *pass, const struct bead_due *due, struct bead_sample *sample,
+                                      struct bead_sample *check, bool *over, struct bead_message *msg)
 {
     const struct bead_play *p = pass->play;
-    const struct bead_runner *runner = &pass->played->runs[sample->chain];
+    struct bead_runner *runner = &pass->played->runs[sample->chain];
     const double time = fmin(due->time, p->end); /* grids end with the run except for rounding */
-    enum bead_error err = advance(pass, sample->chain, false, time, msg);
+    enum bead_error err = advance(pass, runner, time, msg);
     *over = !err && isinf(p->end) && time > runner->kind->over(runner->run);
     if (err || *over)
         return err;
     err = runner->kind->sample(runner->run, time, due->fields, due->span, sample, msg);
     if (!err && due->comparison)
         err = add_comparison(pass, time, due, sample, msg);
-    sample->time = due->time;
+    if (!err && due->checked)
+        err = add_check(pass, time, due, sample, check, msg);
+    sample->time = check->time = due->time;
     const size_t beads = bead_chain_beads(p->chains[sample->chain]);
     size_t last = due->span.last < beads ? due->span.last + 1 : beads;
     last = last < sample->active ? last : sample->active;
@@ -146,10 +172,10 @@ static enum bead_error compute_sample(struct pass *pass, const struct bead_due *
 static enum bead_error give_sample(struct pass *pass, size_t chain, const struct bead_due *due, bool *any, struct bead_message *msg)
 {
     const struct bead_stored *stored = pass->play->stored;
-    struct bead_sample sample = {.chain = chain};
+    struct bead_sample sample = {.chain = chain}, check;
     bool over = false;
-    enum bead_error err =
-        stored ? stored->read(stored, due->time, due->fields, &sample, msg) : compute_sample(pass, due, &sample, &over, msg);
+    enum bead_error err = stored ? stored->read(stored, due->time, due->fields, &sample, msg)
+                                 : compute_sample(pass, due, &sample, &check, &over, msg);
     if (err || over)
         return err;
     *any = true;
@@ -179,12 +205,15 @@ static enum bead_error give_samples(struct pass *pass, double until, struct bead
 
 /* ---- after the last sample ---- */
 
-/* Completes one run; jobs after those of the chains are the comparison runs. */
+/* Completes one run; jobs after those of the chains are the runs that are compared with them. */
 static enum bead_error complete(void *context, size_t job, bool calling, struct bead_message *msg)
 {
     struct pass *pass = context, quiet = {.play = pass->play, .played = pass->played, .quiet = true};
     const size_t chains = pass->play->chain_count;
-    enum bead_error err = advance(calling ? pass : &quiet, job % chains, job >= chains, pass->play->needed, msg);
+    struct bead_runner *runs[] = {pass->played->runs,
+                                  bead_compare_peaks(pass->play) ? pass->played->comparison_runs : pass->played->check_runs,
+                                  pass->played->check_runs};
+    enum bead_error err = advance(calling ? pass : &quiet, &runs[job / chains][job % chains], pass->play->needed, msg);
     if (!err)
         atomic_fetch_add(&pass->done, 1);
     return err;
@@ -192,8 +221,18 @@ static enum bead_error complete(void *context, size_t job, bool calling, struct 
 
 static enum bead_error complete_all(struct pass *pass, struct bead_message *msg)
 {
-    pass->jobs = pass->play->chain_count * (bead_compare_peaks(pass->play) ? 2 : 1);
+    pass->jobs = pass->play->chain_count * (1u + bead_compare_peaks(pass->play) + (pass->played->check_runs != NULL));
     return bead_thread_pool_run(pass->jobs, pass->play->threads, complete, pass, msg);
+}
+
+/* Counts the work of runs that are compared; NULL: there are none. */
+static void count_compared(const struct pass *pass, const struct bead_runner *runs)
+{
+    for (size_t i = 0; runs && i < pass->played->count; i++) {
+        const struct bead_run_work work = runs[i].kind ? runs[i].kind->work(runs[i].run) : (struct bead_run_work){0, 0, 0};
+        pass->counts->comparison_steps += work.steps;
+        pass->counts->comparison_evaluations += work.evaluations;
+    }
 }
 
 static void finish_runs(const struct pass *pass)
@@ -214,11 +253,14 @@ static void finish_runs(const struct pass *pass)
         pass->counts->evaluations += work.evaluations;
         pass->counts->state_hash += work.hash * (2 * i + 1);
     }
-    for (size_t i = 0; played->comparison_runs && i < played->count; i++) {
-        const struct bead_runner *comparison = &played->comparison_runs[i];
-        const struct bead_run_work work = comparison->kind->work(comparison->run);
-        pass->counts->comparison_steps += work.steps;
-        pass->counts->comparison_evaluations += work.evaluations;
+    count_compared(pass, played->comparison_runs);
+    count_compared(pass, played->check_runs);
+    for (size_t i = 0; played->check_runs && i < played->count; i++) {
+        const struct bead_runner *check = &played->check_runs[i];
+        if (!check->kind)
+            continue;
+        check->kind->finish(check->run, fmin(check->kind->time(check->run), played->outcomes[i].end), &played->checks[i]);
+        played->outcomes[i].check = &played->checks[i];
     }
     pass->counts->passes++;
 }
@@ -259,7 +301,7 @@ enum bead_error bead_play_advance(const struct bead_play *play, struct bead_play
     struct pass pass = {.play = play, .played = played, .counts = &unused};
     BEAD_TRY(give_samples(&pass, time, msg));
     for (size_t i = 0; i < play->chain_count; i++)
-        BEAD_TRY(advance(&pass, i, false, time, msg));
+        BEAD_TRY(advance(&pass, &played->runs[i], time, msg));
     return BEAD_OK;
 }
 
@@ -269,7 +311,7 @@ enum bead_error bead_play_finish(const struct bead_play *play, struct bead_playe
     struct pass pass = {.play = play, .played = played, .counts = &unused};
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && played->comparison_runs && i < played->count; i++)
-        err = advance(&pass, i, true, played->runs[i].kind->time(played->runs[i].run), msg);
+        err = advance(&pass, &played->comparison_runs[i], played->runs[i].kind->time(played->runs[i].run), msg);
     finish_runs(&pass);
     return err ? err : bead_compare_finish(play, played, msg);
 }
@@ -312,9 +354,13 @@ void bead_played_free(struct bead_played *played)
         bead_runner_destroy(&played->runs[i]);
     for (size_t i = 0; played->comparison_runs && i < played->count; i++)
         bead_runner_destroy(&played->comparison_runs[i]);
+    for (size_t i = 0; played->check_runs && i < played->count; i++)
+        bead_runner_destroy(&played->check_runs[i]);
     bead_compare_free(played);
     free(played->runs);
     free(played->comparison_runs);
+    free(played->check_runs);
+    free(played->checks);
     free(played->outcomes);
     *played = (struct bead_played){.count = 0};
 }

@@ -75,7 +75,9 @@ struct bead_play {
 struct bead_played {
     struct bead_runner *runs;
     struct bead_runner *comparison_runs; /* [chains]; NULL if no consumer wants one */
+    struct bead_runner *check_runs;      /* [chains], finer; NULL if no consumer wants one. Those that fail have no kind. */
     struct bead_outcome *outcomes;       /* [chains] */
+    struct bead_outcome *checks;         /* [chains], of the check runs; NULL: none */
     /* [2 chains]: of the peaks of contacts, and of beads, and these peaks as the outcomes have them; NULL if no consumer wants
      * uncertainties */
     double **uncertainty;
@@ -95,6 +97,8 @@ BEAD_CHECK enum bead_error bead_play_begin(const struct bead_play *play, struct 
 BEAD_CHECK enum bead_error bead_play_advance(const struct bead_play *play, struct bead_played *played, double time,
                                              struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_play_finish(const struct bead_play *play, struct bead_played *played, struct bead_message *msg);
+/* Tolerance factor of check runs. */
+double bead_play_check_factor(const struct bead_play *play);
 /* Tolerance factor of comparison runs, whose `samples` consumers want, or only their peaks. */
 double bead_play_comparison_factor(const struct bead_play *play, bool samples);
 
@@ -125,6 +129,7 @@ BEAD_CHECK enum bead_error bead_play_look_for_stop(const volatile sig_atomic_t *
 struct bead_due {
     double time;
     unsigned fields, comparison;
+    bool checked;
     struct bead_span span;
 };
 void bead_due_start(const struct bead_play *play);
@@ -138,7 +143,7 @@ void bead_due_pass(const struct bead_play *play, const struct bead_due *due);
 
 /* True if a consumer wants the uncertainties of peaks. */
 bool bead_compare_peaks(const struct bead_play *play);
-/* Creates the comparison runs that consumers want. Errors: MEMORY, SCENE, NUMBERS. */
+/* Creates the comparison runs and the check runs that consumers want. Errors: MEMORY, SCENE, NUMBERS. */
 BEAD_CHECK enum bead_error bead_compare_create(const struct bead_play *play, struct bead_played *played, struct bead_message *msg);
 /* Finds the uncertainties of peaks after the runs, if a consumer wants them. Errors: MEMORY, NUMBERS, STOPPED. */
 BEAD_CHECK enum bead_error bead_compare_finish(const struct bead_play *play, struct bead_played *played, struct bead_message *msg);

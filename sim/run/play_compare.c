@@ -15,6 +15,8 @@
 static const double coarser = 30;
 /* If a run knows its energy no better than the coarser one, errors are as large as the whole difference. */
 static const double least_factor = 2;
+/* Check runs of equations, which are not chaotic, and the step of check runs where it is given. */
+static const double tenth = 0.1, half = 0.5;
 static const double pi = 3.14159265358979;
 
 static bool compares_samples(const struct bead_play *p)
@@ -58,17 +60,49 @@ static struct bead_run_settings settings_of(const struct bead_play *p, double to
     return settings;
 }
 
-enum bead_error bead_compare_create(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
+/* Creates a run of each chain. */
+static enum bead_error create_runs(const struct bead_play *p, struct bead_run_settings *settings, struct bead_runner **runs,
+                                   struct bead_message *msg)
 {
-    if (!compares_samples(p) && !bead_compare_peaks(p))
-        return BEAD_OK;
-    BEAD_TRY(bead_new(&played->comparison_runs, p->chain_count, msg, "%zu chains", p->chain_count));
-    struct bead_run_settings settings = settings_of(p, bead_play_comparison_factor(p, compares_samples(p)));
+    BEAD_TRY(bead_new(runs, p->chain_count, msg, "%zu chains", p->chain_count));
     for (size_t i = 0; i < p->chain_count; i++) {
-        settings.chain = p->chains[i];
-        BEAD_TRY(bead_runner_create(&settings, &played->comparison_runs[i], msg));
+        settings->chain = p->chains[i];
+        BEAD_TRY(bead_runner_create(settings, &(*runs)[i], msg));
     }
     return BEAD_OK;
+}
+
+double bead_play_check_factor(const struct bead_play *p)
+{
+    const double finer = p->chains[0]->spec->system->has_contacts ? BEAD_UNCERTAINTY_FINER : tenth;
+    return (p->simulate->step > 0 ? half : finer) * (p->refinement > 0 ? p->refinement : 1);
+}
+
+static enum bead_error create_checks(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
+{
+    struct bead_run_settings settings = settings_of(p, bead_play_check_factor(p));
+    bool any = false;
+    settings.contact_peaks = settings.bead_peaks = false;
+    settings.other_grid = true;
+    for (size_t i = 0; i < p->consumer_count; i++) {
+        const struct bead_needs *needs = &p->consumers[i].needs;
+        any |= needs->checked;
+        settings.contact_peaks |= needs->checked && needs->contact_peaks;
+        settings.budget |= needs->checked && needs->budget;
+        settings.states |= needs->checked && needs->states;
+    }
+    if (!any)
+        return BEAD_OK;
+    BEAD_TRY(bead_new(&played->checks, p->chain_count, msg, "%zu chains", p->chain_count));
+    return create_runs(p, &settings, &played->check_runs, msg);
+}
+
+enum bead_error bead_compare_create(const struct bead_play *p, struct bead_played *played, struct bead_message *msg)
+{
+    struct bead_run_settings settings = settings_of(p, bead_play_comparison_factor(p, compares_samples(p)));
+    if (compares_samples(p) || bead_compare_peaks(p))
+        BEAD_TRY(create_runs(p, &settings, &played->comparison_runs, msg));
+    return create_checks(p, played, msg);
 }
 
 /* A contact and a bead beside it may have equal uncertainties except for rounding: then the contact counts. */

@@ -33,6 +33,7 @@ bool bead_due_next(const struct bead_play *play, struct bead_due *due)
         return false;
     double earliest = due->time;
     due->fields = due->comparison = 0;
+    due->checked = false;
     due->span = (struct bead_span){SIZE_MAX, 0};
     for (size_t i = 0; i < play->consumer_count; i++) {
         const struct bead_consumer *c = &play->consumers[i];
@@ -42,6 +43,7 @@ bool bead_due_next(const struct bead_play *play, struct bead_due *due)
             due->time = bead_grid_time(&c->needs.grid, c->next);
         due->fields |= c->needs.fields;
         due->comparison |= c->needs.comparison;
+        due->checked |= c->needs.checked;
         due->span.first = c->needs.beads.first < due->span.first ? c->needs.beads.first : due->span.first;
         due->span.last = c->needs.beads.last > due->span.last ? c->needs.beads.last : due->span.last;
     }

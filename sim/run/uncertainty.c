@@ -170,5 +170,10 @@ bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct
 
 double bead_uncertainty_measured(double accuracy, double force, double finer)
 {
-    return fmax(accuracy * force, safety * fabs(force - finer));
+    return fmax(accuracy * fabs(force), safety * fabs(force - finer));
+}
+
+bool bead_uncertainty_is_large(double value, double uncertainty)
+{
+    return uncertainty > lost * fabs(value);
 }

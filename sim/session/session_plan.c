@@ -157,6 +157,20 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     return BEAD_OK;
 }
 
+/* The outputs that ask for a check run. */
+static void plan_checks(const struct bead_session *s, FILE *out)
+{
+    const struct bead_play play = bead_session_play(s, "planning");
+    size_t count = 0;
+    for (size_t i = 0; i < s->made_count; i++) {
+        if (s->made[i].sink && s->made[i].needs.checked)
+            fprintf(out, "%s%s", count++ ? ", " : "check run: uncertainties of ", s->made[i].path);
+    }
+    if (count > 0)
+        fprintf(out, ": all chains once more, with %g of the %s\n", bead_play_check_factor(&play),
+                s->source->simulate.step > 0 ? "step" : "tolerance");
+}
+
 /* The outputs that ask for derivatives, and the cost. */
 static void plan_sensitivities(const struct bead_session *s, FILE *out)
 {
@@ -219,6 +233,8 @@ enum bead_error bead_session_plan(const struct bead_session *s, FILE *out, struc
     for (size_t i = 0; i < s->made_count; i++)
         plan_output(s, &s->made[i], out);
     enum bead_error err = plan_comparison(s, out, msg);
+    if (!err)
+        plan_checks(s, out);
     if (!err)
         plan_sensitivities(s, out);
     if (!err)

@@ -38,6 +38,7 @@ static enum bead_error scout(struct bead_session *s, struct bead_consumer *consu
         c->needs.fields = BEAD_FIELD_BIT(m->needs.range_field);
         c->needs.contact_peaks = c->needs.bead_peaks = c->needs.uncertainty = false;
         c->needs.comparison = 0;
+        c->needs.checked = false;
         needed = fmax(needed, m->needs.until);
     }
     if (count == 0)

@@ -10,7 +10,7 @@ chain:
   beads: [{bead: large-steel, count: 10}]
   drive: {force: {file: scope.csv, columns: [us, volts], time: 1 us}, amplitude: 40 N}
 simulate: {until: 1 ms}
-outputs: [{table: t.csv, show: sensors, contacts: [0, 4], every: 1 us}]
+outputs: [{table: t.csv, show: sensors, contacts: [0, 4], every: 1 us, uncertainty: false}]
 YAML
 ok "a wave from a file beside the scene" exits 0 "$beadsim" in/s.yaml -o a
 ok "... by number, from a file named in an option" exits 0 "$beadsim" in/s.yaml -o b --set 'chain.drive.force={file: plain.csv}'

@@ -30,6 +30,65 @@ for name in acc9 accB0 draw4 draw5 draw15 draw21 draw33 draw34 draw36 draw38 mis
     ok "$name" judge "$name/p.csv" "$name-exact/p.csv" 1e-6 1
 done
 
+# columns TABLE REFERENCE : each number of a table with a row for each time is off by no more than its column of uncertainties says, and
+# the last of these is at most ten times the largest error. Rounding is a part of the largest value.
+columns() {
+    awk -F, '
+        FNR == 1 {n = (NF - 1) / (NR == FNR ? 1 : 2); next}
+        NR == FNR {
+            for (c = 2; c <= NF; c++) {
+                exact[$1, c] = $c
+                largest = $c < 0 ? -$c : $c; if (largest > scale[c]) scale[c] = largest
+            }
+            next
+        }
+        {
+            rows++
+            for (c = 2; c <= n + 1; c++) {
+                error = $c - exact[$1, c]; if (error < 0) error = -error
+                missed += error > $(c + n) + 1e-12 * scale[c]
+                if (error > worst[c]) worst[c] = error
+                said[c] = $(c + n)
+            }
+        }
+        END {
+            for (c in said) {print said[c] / worst[c]; much += said[c] > 10 * worst[c]}
+            printf "%d missed of %d rows of %d\n", missed, rows, n
+            exit missed || much || rows < 100 || n < 3
+        }
+    ' "$2" "$1"
+}
+
+# Light beads that rattle between heavy ones: forces were off by up to 40 times, velocities by up to 110 times what was asked.
+places='{table: f.csv, show: sensors, beads: [2, 5, 9]}, {table: v.csv, show: sensors, beads: [2, 5, 9], field: velocity}'
+for name in draw15 draw21 draw38; do
+    for accuracy in 1e-4 1e-6 1e-8; do
+        "$beadsim" "$top/tests/errors/$name.yaml" -o s --quiet --set simulate.accuracy=$accuracy --set "outputs=[$places]" >quiet
+        [ -d "$name-samples" ] ||
+            "$beadsim" "$top/tests/errors/$name.yaml" -o "$name-samples" --quiet --set simulate.accuracy=1e-11 \
+                --set "outputs=[${places//\}/, uncertainty: false\}}]" >quiet
+        ok "$name: forces at $accuracy" columns s/f.csv "$name-samples/f.csv"
+        ok "$name: velocities at $accuracy" columns s/v.csv "$name-samples/v.csv"
+    done
+done
+
+# within TABLE MEASURE EXACT MOST : the measure is known, and what it says is at most MOST times its error
+within() {
+    awk -F, -v name="$2" -v exact="$3" -v most="$4" '
+        $1 == name {error = $2 - exact; if (error < 0) error = -error; print error, $5; good = error <= $5 && $5 <= most * error}
+        END {exit !good}
+    ' "$1"
+}
+for scene in kdv shock; do "$beadsim" $scene -o $scene --quiet --set 'outputs=[{table: m.csv, show: measures}]' >quiet; done
+ok "shift of the fast soliton: (ln 3) / 2" within kdv/m.csv "soliton 1: shift from free motion" .5493061443340549 10
+ok "... of the slow one: -ln 3" within kdv/m.csv "soliton 2: shift from free motion" -1.0986122886681098 10
+ok "time of breaking, of an order above the first" within shock/m.csv "breaking time" 3.8637033051562732 200
+
+for name in draw4 draw36; do
+    run "$beadsim" "$top/tests/errors/$name.yaml" -o $name-m --set 'outputs=[{table: m.csv, show: measures}]'
+    ok "$name ends in a motion that is lost" grep -q '^participation of forces,.*,contacts,unpredictable,' $name-m/m.csv
+done
+
 # exceeded FILE : peaks of the first passage that the run exceeded later
 exceeded() { grep -c ',exceeded' "$1"; }
 ok "eleven of 45 contacts reach more later" test "$(exceeded accB0/p.csv)" -eq 11

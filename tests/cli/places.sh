@@ -8,7 +8,7 @@ chain: {beads: [{bead: large-steel, count: 9}, {bead: large-steel, sensor: S}, {
 simulate: {until: 0.5 ms}
 outputs:
   - {table: sensor.csv, show: sensors, every: 1 us}
-  - {table: both.csv, show: sensors, beads: [12, 10, 10], contacts: [20], every: 1 us}
+  - {table: both.csv, show: sensors, beads: [12, 10, 10], contacts: [20], every: 1 us, uncertainty: false}
   - {table: moving.csv, show: sensors, beads: 10, field: velocity, every: 1 us}
   - {table: all.csv, show: peaks}
   - {table: some.csv, show: peaks, contacts: [7, 3]}
@@ -21,7 +21,7 @@ near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {exit !(a > 0 && (a > b ? a - 
 ok "tables of places" exits 0 "$beadsim" s.yaml -o .
 ok "... have a column each, rising and once" begins both.csv time_s,bead_10,bead_12,contact_20
 ok "... that of a bead is that of its sensor, to the last digit" cmp <(column sensor.csv 2) <(column both.csv 2)
-ok "... a field has its name" begins moving.csv time_s,bead_10_velocity
+ok "... a field has its name" begins moving.csv time_s,bead_10_velocity,bead_10_velocity_uncertainty
 # Physics: the fastest bead of a steel chain has .68163 of the velocity of an equal striker.
 ok "... and its values" near "$(largest moving.csv 2)" "$(awk 'BEGIN {print 0.68163 * 0.443}')" 1e-3
 ok "... the contact with the wall has the peak of the table" near "$(largest both.csv 4)" "$(tail -n 1 all.csv | cut -d, -f2)" 1e-3

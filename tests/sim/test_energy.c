@@ -14,8 +14,8 @@ static struct budget read_budget(const char *scene, const char *more)
     struct bead_message msg = {""};
     char text[1024], path[512], line[512];
     snprintf(text, sizeof text,
-             "%s%soutputs: [{table: e.csv, show: energy, every: 1.3 us}, {table: p.csv, show: energy, parts: place, beads: [3, 8], "
-             "every: 1.3 us}]\n",
+             "%s%soutputs: [{table: e.csv, show: energy, every: 1.3 us, uncertainty: false}, {table: p.csv, show: energy, "
+             "parts: place, beads: [3, 8], every: 1.3 us, uncertainty: false}]\n",
              scene, more);
     write_scene(text, path);
     if (!play(path, directory, &msg))

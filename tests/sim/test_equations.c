@@ -104,7 +104,7 @@ static void trajectories_draw_the_same_again(void **state)
                  "  - {movie: m.gif, size: [320, 240], views: [profile, modes], fps: 10, duration: 0.5 s}\n"
                  "  - {plot: modes.svg, show: modes}\n"
                  "  - {plot: profiles.svg, show: profiles, at: [0, 0.5, 1]}\n"
-                 "  - {table: modes.csv, show: modes}\n",
+                 "  - {table: modes.csv, show: modes, uncertainty: false}\n",
                  chains[c]);
         play(text, "a", 1);
         path_of("a", "run.h5", run);
