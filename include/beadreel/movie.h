@@ -56,6 +56,8 @@ struct bead_movie_settings {
     const struct bead_movie_subtitle *subtitles;
     size_t subtitle_count;
     enum bead_codec_asked codec;
+    bool still; /* a picture, of one frame, whatever `quality` says: jpg, tif, webp or avif */
+    double dpi; /* of a still in tif: pixels an inch; 0: unknown */
 };
 
 struct bead_movie;

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "render/draw/looks.h"
-#include "render/draw/page.h"
 
 /* In units of the label's font size. */
 static const double paper_margin = 0.35, screen_margin = 1.3;

@@ -32,6 +32,8 @@ BEAD_CHECK enum bead_error bead_text_check(struct bead_message *msg);
 void bead_text_draw_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, double x, double y, const char *markup);
 void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
                           double *height);
+/* Gives a look the dark colours of screens. */
+void bead_look_darken(struct bead_look *look);
 
 /* Fonts that come with the program. */
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes PDF and SVG through cairo. PDF keeps text as text, with fonts embedded; SVG as text with fonts named, or as outlines. */
+/* Writes PDF, EPS and SVG through cairo. PDF and EPS keep text as text, with fonts embedded; SVG as text with fonts named, or as
+ * outlines. */
 #include <cairo-pdf.h>
+#include <cairo-ps.h>
 #include <cairo-svg.h>
 #include <errno.h>
 #include <stdlib.h>
@@ -16,6 +18,7 @@ struct format {
     const char *extension;
     cairo_surface_t *(*create)(cairo_write_func_t write, void *closure, double width, double height);
     void (*describe)(cairo_surface_t *surface, const struct bead_picture_notes *notes);
+    enum bead_error (*write)(const struct bead_svg_parts *drawn, FILE *file, struct bead_message *msg);
     bool svg;
 };
 
@@ -52,9 +55,30 @@ static void describe_svg(cairo_surface_t *surface, const struct bead_picture_not
     cairo_svg_surface_restrict_to_version(surface, CAIRO_SVG_VERSION_1_1);
 }
 
+static void describe_eps(cairo_surface_t *surface, const struct bead_picture_notes *)
+{
+    cairo_ps_surface_set_eps(surface, true);
+}
+
+static enum bead_error write_pdf(const struct bead_svg_parts *pdf, FILE *file, struct bead_message *)
+{
+    bead_pdf_write(pdf->text, pdf->length, pdf->source, file);
+    return BEAD_OK;
+}
+
+/* Without the date, which cairo takes from the clock. */
+static enum bead_error write_eps(const struct bead_svg_parts *eps, FILE *file, struct bead_message *)
+{
+    const char *date = strstr(eps->text, "%%CreationDate:"), *after = date ? strchr(date, '\n') + 1 : eps->text;
+    fwrite(eps->text, 1, date ? (size_t)(date - eps->text) : 0, file);
+    fwrite(after, 1, eps->length - (size_t)(after - eps->text), file);
+    return BEAD_OK;
+}
+
 static const struct format formats[] = {
-    {"pdf", cairo_pdf_surface_create_for_stream, describe_pdf, false},
-    {"svg", cairo_svg_surface_create_for_stream, describe_svg, true},
+    {"pdf", cairo_pdf_surface_create_for_stream, describe_pdf, write_pdf, false},
+    {"eps", cairo_ps_surface_create_for_stream, describe_eps, write_eps, false},
+    {"svg", cairo_svg_surface_create_for_stream, describe_svg, bead_svg_write, true},
 };
 
 static const struct format *find_format(const char *path)
@@ -135,15 +159,7 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
     return err ? err : status ? vector_failed(part, status, msg) : BEAD_OK;
 }
 
-static enum bead_error write_drawn(const struct page *page, const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg)
-{
-    if (page->format->svg)
-        return bead_svg_write(svg, file, msg);
-    bead_pdf_write(svg->text, svg->length, page->notes->source, file);
-    return BEAD_OK;
-}
-
-/* By way of memory, as cairo writes neither all of SVG nor of PDF. */
+/* By way of memory, as cairo writes neither all of SVG nor of PDF, and too much of EPS. */
 static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct page *page = context;
@@ -158,7 +174,7 @@ static enum bead_error vector_fill(void *context, FILE *file, const char *part, 
     if (full && !err)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", part);
     if (!err)
-        err = write_drawn(page, &svg, file, msg);
+        err = page->format->write(&svg, file, msg);
     free(svg.text);
     free(svg.words);
     return err;
@@ -171,6 +187,7 @@ enum bead_error bead_vector_write(const char *path, int width, int height, bead_
     BEAD_TRY(bead_notes_take(&own, notes, msg));
     struct page page = {find_format(path), width, height, draw, context, &own};
     if (!page.format || !(own.dpi > 0))
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: vector files end in .pdf or .svg and need dots per inch > 0", path);
+        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: vector files end in .pdf, .svg or .eps and need dots per inch > 0",
+                         path);
     return bead_file_write(path, vector_fill, &page, bytes, msg);
 }

@@ -202,6 +202,15 @@ static const struct bead_preset growing_gif[] = {{"apng", AV_PIX_FMT_RGB24, 1, f
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"}};
 
+/* Stills have one quality. TIFF and WebP are exact; JPEG, at its least quantisers (2, in units of 118), and AV1 are close (48 dB),
+ * and have a colour for each pixel, so that thin letters keep theirs. */
+static const struct bead_preset jpeg = {"mjpeg", AV_PIX_FMT_YUVJ444P, 1, false, "flags=+qscale global_quality=236"},
+                                tiff = {"tiff", AV_PIX_FMT_RGB24, 1, false, "compression_algo=lzw"},
+                                tiff_clear = {"tiff", AV_PIX_FMT_RGBA, 1, false, "compression_algo=lzw"},
+                                webp_still = {"libwebp", AV_PIX_FMT_BGRA, 1, false, "compression_level=2 lossless=1"},
+                                avif_still = {"libaom-av1", AV_PIX_FMT_YUV444P, 1, false,
+                                              "usage=allintra cpu-used=8 row-mt=0 tiles=1x1 still-picture=1 crf=8"};
+
 /* The last chunk of a PNG file. */
 #define PNG_END   "\0\0\0\0IEND\xae\x42\x60\x82"
 #define MP4_PARTS "movflags=+empty_moov+default_base_moof+frag_custom"
@@ -277,19 +286,34 @@ static const struct bead_codec codecs[] = {
     {.info = {"hash", "a line per frame with the hash of its pixels, to compare runs"}, .way = &movie_hashes},
 };
 
-enum { CODECS = sizeof codecs / sizeof *codecs };
+#define STILL(extension, description, ...)                                      \
+    {                                                                           \
+        .info = {extension, description}, .way = &bead_movie_libav, __VA_ARGS__ \
+    }
+#define TIFF .muxer = "image2pipe", .presets = &tiff, .clear = &tiff_clear, .dpi = "dpi"
+static const struct bead_codec stills[] = {
+    STILL("jpg", "JPEG", .muxer = "image2pipe", .presets = &jpeg),
+    STILL("jpeg", "JPEG", .muxer = "image2pipe", .presets = &jpeg),
+    STILL("tif", "TIFF, lossless", TIFF),
+    STILL("tiff", "TIFF, lossless", TIFF),
+    STILL("webp", "WebP, lossless", .muxer = "image2pipe", .presets = &webp_still, .clear = &webp_still),
+    STILL("avif", "AV1", .muxer = "avif", .presets = &avif_still),
+};
+
+enum { CODECS = sizeof codecs / sizeof *codecs, STILLS = sizeof stills / sizeof *stills };
 
 const struct bead_codec_info *bead_movie_codec(size_t index)
 {
     return index < CODECS ? &codecs[index].info : NULL;
 }
 
-const struct bead_codec *bead_codec_find(const char *path)
+const struct bead_codec *bead_codec_find(const char *path, bool still)
 {
     const char *dot = strrchr(path, '.');
-    for (int i = 0; dot && i < CODECS; i++) {
-        if (strcasecmp(dot + 1, codecs[i].info.extension) == 0)
-            return &codecs[i];
+    const struct bead_codec *all = still ? stills : codecs;
+    for (int i = 0; dot && i < (still ? STILLS : CODECS); i++) {
+        if (strcasecmp(dot + 1, all[i].info.extension) == 0)
+            return &all[i];
     }
     return NULL;
 }
@@ -298,7 +322,8 @@ const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, cons
 {
     const bool asked = settings->codec == BEAD_CODEC_AV1;
     const struct bead_preset *presets = settings->alpha ? (asked ? NULL : codec->clear) : asked ? codec->av1 : codec->presets;
-    return presets && presets[settings->quality].encoder ? &presets[settings->quality] : NULL;
+    const size_t row = settings->still ? 0 : settings->quality;
+    return presets && presets[row].encoder ? &presets[row] : NULL;
 }
 
 const struct bead_preset *bead_codec_encoder(const struct bead_codec *codec, const struct bead_movie_settings *settings)

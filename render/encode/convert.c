@@ -2,6 +2,8 @@
 /* Converts changed rectangles of a frame to the pixel formats of encoders: YUV and RGB, with and without alpha. */
 #include "render/encode/convert.h"
 
+#include <math.h>
+
 #include "render/draw/raster.h"
 #include "render/paint/pixel_kernels.h"
 
@@ -115,6 +117,20 @@ static void to_yuva444(const struct bead_frame *frame, struct bead_rect r, AVFra
     }
 }
 
+/* JFIF: BT.601 with all 256 levels. */
+static void to_yuvj444(const struct bead_frame *frame, struct bead_rect r, AVFrame *picture)
+{
+    for (int y = r.y; y < r.y + r.height; y++) {
+        for (int x = r.x; x < r.x + r.width; x++) {
+            const uint8_t *bgr = row(frame, x, y);
+            const float luma = 0.299f * bgr[2] + 0.587f * bgr[1] + 0.114f * bgr[0];
+            line(picture, 0, y)[x] = (uint8_t)(luma + 0.5f);
+            line(picture, 1, y)[x] = (uint8_t)fminf(255, 128.5f + (bgr[0] - luma) / 1.772f);
+            line(picture, 2, y)[x] = (uint8_t)fminf(255, 128.5f + (bgr[2] - luma) / 1.402f);
+        }
+    }
+}
+
 static void copy_bgr0(const struct bead_frame *frame, struct bead_rect r, AVFrame *picture)
 {
     for (int y = r.y; y < r.y + r.height; y++)
@@ -156,6 +172,7 @@ bead_convert bead_convert_find(enum AVPixelFormat format)
         {AV_PIX_FMT_YUV420P, to_yuv420},     {AV_PIX_FMT_YUVA420P, to_yuva420}, {AV_PIX_FMT_YUV444P10, to_yuva444},
         {AV_PIX_FMT_YUVA444P10, to_yuva444}, {AV_PIX_FMT_RGBA, to_rgba},        {AV_PIX_FMT_BGR0, copy_bgr0},
         {AV_PIX_FMT_BGRA, to_bgra},          {AV_PIX_FMT_RGB24, to_rgb24},      {AV_PIX_FMT_GBRP, to_gbrp},
+        {AV_PIX_FMT_YUVJ444P, to_yuvj444},   {AV_PIX_FMT_YUV444P, to_yuvj444},
     };
     for (size_t i = 0; i < sizeof converters / sizeof *converters; i++) {
         if (converters[i].format == format)

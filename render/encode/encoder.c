@@ -3,6 +3,7 @@
  * encoding thread calls these functions after pictures.c has converted the pixels. */
 #include <errno.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -56,15 +57,16 @@ static enum bead_error no_memory(const struct bead_movie *movie, struct bead_mes
     return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", movie->path);
 }
 
-/* BT.709 for YUV, sRGB for everything else. */
+/* BT.709 for YUV, JFIF's BT.601 for YUV of stills, sRGB for everything else. */
 static void set_colours(AVCodecContext *c)
 {
     const enum AVPixelFormat pixels = c->pix_fmt;
     const bool halved = pixels == AV_PIX_FMT_YUV420P || pixels == AV_PIX_FMT_YUVA420P;
+    const bool still = pixels == AV_PIX_FMT_YUVJ444P || pixels == AV_PIX_FMT_YUV444P;
     const bool yuv = halved || pixels == AV_PIX_FMT_YUV444P10 || pixels == AV_PIX_FMT_YUVA444P10;
     c->color_primaries = AVCOL_PRI_BT709;
     c->color_trc = yuv ? AVCOL_TRC_BT709 : AVCOL_TRC_IEC61966_2_1; /* pixels unchanged, in sRGB */
-    c->colorspace = yuv ? AVCOL_SPC_BT709 : AVCOL_SPC_RGB;
+    c->colorspace = yuv ? AVCOL_SPC_BT709 : still ? AVCOL_SPC_BT470BG : AVCOL_SPC_RGB;
     c->color_range = yuv ? AVCOL_RANGE_MPEG : AVCOL_RANGE_JPEG;
     c->chroma_sample_location = halved ? AVCHROMA_LOC_CENTER : AVCHROMA_LOC_UNSPECIFIED;
 }
@@ -103,6 +105,8 @@ static int start_codec(const struct bead_movie *movie)
     int code = bead_av_options(preset->options, &options);
     if (code >= 0 && preset->hinted)
         code = bead_av_options(BEAD_AV_HINT_OPTIONS, &options);
+    if (code >= 0 && movie->codec->dpi && movie->settings.dpi > 0)
+        code = av_dict_set_int(&options, movie->codec->dpi, lround(movie->settings.dpi), 0);
     if (code >= 0)
         code = avcodec_open2(e->codec, type, &options);
     if (code >= 0 && av_dict_count(options))

@@ -52,7 +52,7 @@ static void list_codecs(bool (*has)(const struct bead_codec *), char *list, size
     for (size_t i = 0; (info = bead_movie_codec(i)); i++) {
         char path[16];
         snprintf(path, sizeof path, ".%s", info->extension);
-        if (!has(bead_codec_find(path)))
+        if (!has(bead_codec_find(path, false)))
             continue;
         if (last)
             bead_list_add(list, size, ", ", last);
@@ -127,7 +127,7 @@ static enum bead_error check_encoders(const char *path, const struct bead_codec 
 static enum bead_error check(const char *path, const struct bead_movie_settings *settings, const struct bead_codec **codec,
                              struct bead_message *msg)
 {
-    *codec = bead_codec_find(path);
+    *codec = bead_codec_find(path, settings->still);
     if (!*codec)
         return unknown_extension(path, msg);
     if ((int)settings->quality < 0 || settings->quality > BEAD_QUALITY_LOSSLESS)

@@ -65,11 +65,12 @@ struct bead_codec {
     const struct bead_sound_format *sound;        /* NULL: it has none */
     bool gif;                                     /* the finished file is a GIF, made from the part */
     bool covers;                                  /* the container can hold a cover */
+    const char *dpi;                              /* the encoder's option for it; NULL: none */
     int most_fps; /* 1/s: above it frames are left out, as players slow such files down; 0: no limit */
 };
 
 /* By the extension of `path`, ignoring case; NULL: none. */
-const struct bead_codec *bead_codec_find(const char *path);
+const struct bead_codec *bead_codec_find(const char *path, bool still);
 /* The table's row for these settings (quality, transparency, codec); NULL: there is none. */
 const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings);
 /* The same, or what takes its place here: libav must be open. */

@@ -11,14 +11,15 @@
 
 #include "beadreel/view.h"
 #include "render/colour/colour_range.h"
-#include "render/draw/page.h"
 #include "render/draw/picture_times.h"
 #include "render/draw/raster.h"
+#include "render/encode/page.h"
 #include "render/view/area_colours.h"
 #include "render/view/orientation.h"
 #include "render/view/tale.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/kinds/view_kinds.h"
 
 struct bead_still {
@@ -145,7 +146,7 @@ static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices
     return err;
 }
 
-/* The pixels that draw_pixels embeds in a vector file. */
+/* The pixels that draw_pixels puts on a page. */
 struct pixels {
     struct bead_rect rect;
     const uint8_t *indices;
@@ -158,25 +159,32 @@ static enum bead_error draw_pixels(void *context, cairo_t *cr, struct bead_messa
     return bead_raster_indices(cr, p->rect, p->indices, p->map, msg);
 }
 
+/* With the colour map as its palette. */
+static enum bead_error write_png(const struct bead_still *b, const uint8_t *indices, const char *tale, const char *path,
+                                 uint64_t *bytes, struct bead_message *msg)
+{
+    struct bead_picture_notes notes;
+    char description[BEAD_DESCRIPTION];
+    bead_page_notes(&b->page, b->output, b->context.scene, tale, description, &notes);
+    return bead_png_write_indexed(path, b->page.width, b->page.height, indices, b->map.rgb, &notes, bytes, msg);
+}
+
 static enum bead_error bare_write(struct bead_still *b, const struct bead_outcome *, const char *path, uint64_t *bytes,
                                   struct bead_message *msg)
 {
-    struct bead_picture_notes notes;
-    char description[BEAD_DESCRIPTION], tale[BEAD_TALE_WORDS];
+    char tale[BEAD_TALE_WORDS];
     const size_t count = (size_t)b->page.width * (size_t)b->page.height;
     BEAD_FREED uint8_t *indices = bead_large_take(count);
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for an image", path);
     memset(indices, 0, count);
     bead_tale_words(b->tale, tale, sizeof tale);
-    bead_page_notes(&b->page, b->output, b->context.scene, tale, description, &notes);
-    enum bead_error err = fill_indices(b, indices, msg);
+    BEAD_TRY(fill_indices(b, indices, msg));
+    if (bead_output_ends_like(".png", path))
+        return write_png(b, indices, tale, path, bytes, msg);
     struct pixels pixels = {{0, 0, b->page.width, b->page.height}, indices, &b->map};
-    if (!err && b->page.vector)
-        err = bead_vector_write(path, b->page.width, b->page.height, draw_pixels, &pixels, &notes, bytes, msg);
-    else if (!err)
-        err = bead_png_write_indexed(path, b->page.width, b->page.height, indices, b->map.rgb, &notes, bytes, msg);
-    return err;
+    const struct bead_drawing drawing = {draw_pixels, NULL, &pixels, tale};
+    return bead_page_write(&b->page, b->output, b->context.scene, &drawing, path, bytes, msg);
 }
 
 static void bare_needs(const struct bead_still *b, struct bead_needs *needs)

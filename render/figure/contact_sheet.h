@@ -7,7 +7,7 @@
 #include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/axis.h"
-#include "render/draw/page.h"
+#include "render/encode/page.h"
 #include "render/view/area.h"
 #include "sim/sweep/sweep_internal.h"
 

@@ -15,8 +15,8 @@
 #include "beadreel/view.h"
 #include "render/colour/colour_range.h"
 #include "render/draw/layout.h"
-#include "render/draw/page.h"
 #include "render/draw/picture.h"
+#include "render/encode/page.h"
 #include "render/paint/canvas.h"
 
 struct bead_part_settings {

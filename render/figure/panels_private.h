@@ -40,7 +40,7 @@ struct bead_still {
 
 /* The panel at a place, or NULL. */
 struct still_panel *panels_at(const struct bead_still *still, size_t row, size_t column);
-/* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
+/* To a file in the format of its name. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
 BEAD_CHECK enum bead_error panels_write(struct bead_still *still, const struct bead_outcome *outcomes, const char *path,
                                         uint64_t *bytes, struct bead_message *msg);
 /* Groups, shared axes, areas. Errors: SCENE, MEMORY. */

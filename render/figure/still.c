@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "render/draw/page.h"
+#include "render/encode/page.h"
 #include "render/plot/plot_data.h"
 #include "render/schematic/schematic.h"
 #include "sim/base/file.h"

@@ -16,7 +16,7 @@ struct bead_still_kind {
                               struct bead_message *msg);
     void (*needs)(const struct bead_still *still, struct bead_needs *needs);
     enum bead_error (*feed)(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg);
-    /* To a .png, .pdf or .svg. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
+    /* To a file in the format of its name. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
     enum bead_error (*write)(struct bead_still *still, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
                              struct bead_message *msg);
     /* The painter of its beads, after `write`; "": none was needed. NULL: this kind paints nothing. */

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "render/draw/picture.h"
+#include "render/encode/picture_file.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 
@@ -55,7 +55,7 @@ enum bead_error bead_poster_file(const char *path, const struct bead_frame *fram
                                  struct bead_message *msg)
 {
     const struct bead_picture_notes notes = {.size = sizeof notes, .title = scene->title && scene->title[0] ? scene->title : NULL};
-    return bead_png_write(path, frame, &notes, bytes, msg);
+    return bead_picture_write(path, frame, &notes, bytes, msg);
 }
 
 enum bead_error bead_poster_write(const struct bead_poster *p, const char *path, const struct bead_scene *scene,

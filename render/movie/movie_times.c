@@ -141,7 +141,7 @@ size_t bead_movie_pictures(const struct bead_movie_times *t)
 void bead_movie_count_words(const struct bead_film *film, char *text, size_t size)
 {
     const struct bead_movie_times *t = &film->times;
-    const struct bead_codec *codec = bead_codec_find(film->output->path);
+    const struct bead_codec *codec = bead_codec_find(film->output->path, false);
     size_t group = bead_codec_group(codec, film->output->movie.fps);
     if (group > 1 && group >= t->group)
         snprintf(text, size, "%zu frames (%zu of them in the file: %s has at most %d a second)", t->frames,

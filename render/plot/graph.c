@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "render/draw/markup.h"
+#include "render/encode/page.h"
 #include "render/plot/graph_private.h"
 
 enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,

@@ -90,8 +90,8 @@ struct bead_graph {
 /* Draw into 0..width, 0..height px of `cr`, on the look's background. Errors: SCENE (too small for that many panels), MEMORY. */
 BEAD_CHECK enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,
                                            double height, struct bead_message *msg);
-/* To a .png, .pdf or .svg with the output's size, dpi, style and theme, below the scene's title where pages have it, above the
- * output's caption; ignores the graph's own title and caption. Errors: those of draw (with the output's place), IO. */
+/* To a file in the format of its name with the output's size, dpi, style and theme, below the scene's title where pages have it,
+ * above the output's caption; ignores the graph's own title and caption. Errors: those of draw (with the output's place), IO. */
 BEAD_CHECK enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output,
                                             const struct bead_scene *scene, const char *path, uint64_t *bytes,
                                             struct bead_message *msg);

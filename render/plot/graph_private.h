@@ -5,7 +5,7 @@
 #pragma once
 
 #include "render/draw/layout.h"
-#include "render/draw/page.h"
+#include "render/encode/page.h"
 #include "render/plot/graph.h"
 
 struct graph_box {

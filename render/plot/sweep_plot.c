@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/draw/page.h"
 #include "render/draw/words.h"
+#include "render/encode/page.h"
 #include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "beadreel/sink.h"
-#include "render/draw/page.h"
+#include "render/encode/page.h"
 #include "render/schematic/schematic_sketch.h"
 
 /* Is `show` one of these drawings? */

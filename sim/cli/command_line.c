@@ -116,7 +116,8 @@ static enum bead_error set_help(struct command *command, const char *value, stru
 
 #define COMMAND(member) offsetof(struct command, member)
 static const struct command_option rows[] = {
-    {"output", 'o', "PATH", "directory for the files of a scene (default: this one), or the one file to make, by its ending",
+    {"output", 'o', "PATH",
+     "directory for the files of a scene (default: this one), or the one file to make, by its ending; -: standard output",
      .text = COMMAND(job.output)},
     {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", .apply = set_setting},
     {"only", 0, "NAME", "make only this output, named by its file (repeatable)", .apply = set_only},
@@ -128,7 +129,7 @@ static const struct command_option rows[] = {
     {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", .separators = "x,"},
     {"style", 0, "NAME", "of the file -o: paper, slide or movie", .separators = ""},
     {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", .separators = ","},
-    {"frame", 0, "MOMENT", "draw only a frame of the scene's film, as PNG: 2.1ms of the motion, 50% of the film, or peak",
+    {"frame", 0, "MOMENT", "draw only a frame of the scene's film as a picture: 2.1ms of the motion, 50% of the film, or peak",
      .text = COMMAND(job.frame), .draws = true},
     {"still", 0, "KIND", "draw only the film's beads, large, as PNG, for a title slide: poster; at the peak, or --frame MOMENT",
      .words = still_words, .text = COMMAND(job.still), .draws = true},

@@ -3,6 +3,7 @@
  * Linked into the two programs only: the libraries neither print nor exit. */
 #pragma once
 
+#include <limits.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -57,8 +58,8 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    struct bead_job job; /* what a session is told of it */
-    bool json, watch, no_config;
+    struct bead_job job;                    /* what a session is told of it */
+    bool json, watch, no_config, piped;     /* piped: the one file goes to standard output */
     struct bead_config *config;             /* the user's own settings, owned; NULL: none */
     const char *kind;                       /* of a new scene */
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
@@ -108,6 +109,9 @@ int command_status(enum bead_error err, int signal);
 
 /* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+/* A new directory, and its end with all that is in it. Errors: IO. */
+enum bead_error command_make_temporary(char path[PATH_MAX], struct bead_message *msg);
+void command_remove_temporary(const char *path);
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
 enum bead_error command_verify(const struct command *command, struct bead_message *msg);
 enum bead_error command_merge(const struct command *command, struct bead_message *msg);

@@ -186,20 +186,29 @@ static enum bead_error try_both(const struct command *command, const struct comm
     return err == BEAD_ERROR_NUMBERS ? make_again(command, origin, output, false, directory, stop, msg) : err;
 }
 
+enum bead_error command_make_temporary(char path[PATH_MAX], struct bead_message *msg)
+{
+    const char *parent = getenv("TMPDIR");
+    const int length = snprintf(path, PATH_MAX, "%s/beadreel.XXXXXX", parent && *parent ? parent : "/tmp");
+    return length < PATH_MAX && mkdtemp(path) ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be made", path);
+}
+
+void command_remove_temporary(const char *path)
+{
+    nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+}
+
 static enum bead_error in_directory(const struct command *command, const struct command_origin *origin, const char *output,
                                     const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     char temporary[PATH_MAX];
-    const char *parent = getenv("TMPDIR");
-    snprintf(temporary, sizeof temporary, "%s/beadreel.XXXXXX", parent && *parent ? parent : "/tmp");
     if (command->job.output) {
         BEAD_TRY(bead_file_make_directory(command->job.output, msg));
         return try_both(command, origin, output, command->job.output, stop, msg);
     }
-    if (!mkdtemp(temporary))
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be made", temporary);
+    BEAD_TRY(command_make_temporary(temporary, msg));
     enum bead_error err = try_both(command, origin, output, temporary, stop, msg);
-    nftw(temporary, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    command_remove_temporary(temporary);
     return err;
 }
 

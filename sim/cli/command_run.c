@@ -3,13 +3,16 @@
 #include "sim/cli/command_line.h"
 
 #include <inttypes.h>
+#include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "beadreel/chain.h"
 #include "beadreel/sweep.h"
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
+#include "sim/base/suggest.h"
 #include "sim/session/session_internal.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -27,12 +30,25 @@ enum bead_error command_plan(const struct command *command, const volatile sig_a
     return err;
 }
 
-static bool told(const struct bead_result *result)
+static const char *base_name(const char *path)
 {
-    return result->makers && result->makers[0];
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
 }
 
-/* One line a file: name and size, in columns, and who made it. */
+/* What there is to tell of a file: which output of the scene it is, where -o gives it another name, and who made it. */
+static void print_origin(const struct bead_result *result)
+{
+    const char *name = result->name ? base_name(result->name) : "", *makers = result->makers ? result->makers : "";
+    const bool other = strncmp(base_name(result->path), name, strlen(name)) != 0; /* unfinished files have one more ending */
+    if (other)
+        printf("  from the scene's %s", name);
+    if (*makers)
+        printf("%s%s", other ? ", " : "  ", makers);
+    putchar('\n');
+}
+
+/* One line a file: name and size, in columns, and where it comes from. */
 static void print_results(const struct bead_result *results, size_t count)
 {
     char size[32];
@@ -40,9 +56,10 @@ static void print_results(const struct bead_result *results, size_t count)
     for (size_t i = 0; i < count; i++)
         if ((int)strlen(results[i].path) > width && strlen(results[i].path) < 80)
             width = (int)strlen(results[i].path);
-    for (size_t i = 0; i < count; i++)
-        printf("%-*s  %8s%s%s\n", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size),
-               told(&results[i]) ? "  " : "", told(&results[i]) ? results[i].makers : "");
+    for (size_t i = 0; i < count; i++) {
+        printf("%-*s  %8s", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
+        print_origin(&results[i]);
+    }
 }
 
 /* The largest errors of all chains. Those that the method cannot estimate, or a stopped run did not, are left out. */
@@ -148,10 +165,18 @@ static void print_skipped(const struct command *command, const struct bead_sessi
     putchar('\n');
 }
 
+static void print_warnings(const struct command *command, const struct bead_session *session)
+{
+    const char *warning = NULL;
+    for (size_t i = 0; (warning = bead_session_warning(session, i)); i++) {
+        if (bead_session_verified(session) || bead_session_warning(session, i + 1))
+            command_warn(command->program, warning);
+    }
+}
+
 static void print_text(const struct command *command, const struct bead_session *session, double seconds, bool stopped)
 {
     const struct bead_result *results = NULL;
-    const char *warning = NULL;
     size_t count = bead_session_results(session, &results);
     uint64_t bytes = 0;
     for (size_t i = 0; i < count; i++)
@@ -162,10 +187,37 @@ static void print_text(const struct command *command, const struct bead_session 
     print_skipped(command, session);
     print_summary(session, count, bytes, seconds);
     fflush(stdout);
-    for (size_t i = 0; (warning = bead_session_warning(session, i)); i++) {
-        if (bead_session_verified(session) || bead_session_warning(session, i + 1))
-            command_warn(command->program, warning);
+    print_warnings(command, session);
+}
+
+/* -o -: of several files nobody knows which. */
+static enum bead_error check_piped(const struct bead_session *session, struct bead_message *msg)
+{
+    struct bead_planned planned;
+    char names[256] = "";
+    size_t count = 0;
+    for (size_t i = 0; bead_session_planned(session, i, &planned); i++) {
+        if (planned.made && count++ < 8)
+            bead_list_add(names, sizeof names, ", ", planned.name);
     }
+    return count == 1 ? BEAD_OK
+                      : bead_fail(msg, BEAD_ERROR_USAGE, "-o -: is for one file, which --only names, and not for %zu%s%s", count,
+                                  count > 0 ? ": " : "", names);
+}
+
+/* The first result, byte by byte. */
+static enum bead_error give_out(const struct bead_session *session, struct bead_message *msg)
+{
+    char bytes[65536];
+    const struct bead_result *results = NULL;
+    FILE *file = bead_session_results(session, &results) > 0 ? fopen(results[0].path, "rb") : NULL;
+    if (!file)
+        return bead_fail(msg, BEAD_ERROR_IO, "-o -: there is no file to write");
+    for (size_t count; (count = fread(bytes, 1, sizeof bytes, file)) > 0;)
+        fwrite(bytes, 1, count, stdout); /* whose errors are looked at in the end */
+    const bool failed = ferror(file);
+    fclose(file);
+    return failed ? bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read", results[0].path) : BEAD_OK;
 }
 
 /* Runs it, and prints the results as text where text is wanted. */
@@ -174,7 +226,10 @@ static enum bead_error play(const struct command *command, struct bead_session *
 {
     enum bead_error err = bead_session_run(session, msg);
     command_meter_clear(meter);
-    if (!command_is_json(command) && (!err || err == BEAD_ERROR_STOPPED))
+    if (command->piped) {
+        err = err ? err : give_out(session, msg);
+        print_warnings(command, session);
+    } else if (!command_is_json(command) && (!err || err == BEAD_ERROR_STOPPED))
         print_text(command, session, bead_clock() - began, err != BEAD_OK);
     if (err || bead_session_verified(session))
         return err;
@@ -185,7 +240,7 @@ static enum bead_error play(const struct command *command, struct bead_session *
     return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", bead_session_warning(session, last));
 }
 
-enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+static enum bead_error open_and_play(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     struct command_meter meter;
     struct bead_job job = command->job;
@@ -198,6 +253,8 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     enum bead_error err = bead_session_open(&job, &session, msg);
     command_meter_clear(&meter);
     command_guard(session);
+    if (!err && command->piped)
+        err = check_piped(session, msg);
     if (!err)
         err = play(command, session, &meter, began, msg);
     if (err == BEAD_ERROR_STOPPED && *stop)
@@ -206,6 +263,22 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
         command_print_result(session, err, command_status(err, *stop), bead_clock() - began, msg);
     command_guard(NULL);
     bead_session_close(session);
+    return err;
+}
+
+enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    char directory[PATH_MAX];
+    struct command piped = *command;
+    if (!command->job.output || strcmp(command->job.output, "-") != 0)
+        return open_and_play(command, stop, msg);
+    if (command_is_json(command) || command->watch)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "-o -: standard output has room for the file only, not for JSON or --watch");
+    BEAD_TRY(command_make_temporary(directory, msg));
+    piped.job.output = directory;
+    piped.piped = true;
+    const enum bead_error err = open_and_play(&piped, stop, msg);
+    command_remove_temporary(directory);
     return err;
 }
 

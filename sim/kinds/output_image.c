@@ -3,7 +3,7 @@
 #include "sim/kinds/outputs.h"
 
 static const struct bead_option image_file[] = {
-    BEAD_FILE_ROW("image", "FILE.png, .pdf or .svg", "force.png"),
+    BEAD_FILE_ROW("image", BEAD_PICTURE_FILES, "force.png"),
 };
 static const struct bead_option_rows image_shared[] = {
     {BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_time_row)},     {BEAD_OPTIONS(bead_beads_row)},
@@ -20,7 +20,7 @@ static const char *const sweep_shows[] = {"mean", "median", "deviation", "lower-
 static const unsigned sweep_values[] = {BEAD_SWEEP_MEAN, BEAD_SWEEP_MEDIAN, BEAD_SWEEP_DEVIATION, BEAD_SWEEP_LOWER_QUARTILE,
                                         BEAD_SWEEP_UPPER_QUARTILE};
 static const struct bead_option sweep_image_rows[] = {
-    BEAD_FILE_ROW("image", "FILE.png, .pdf or .svg", "mean.png"),
+    BEAD_FILE_ROW("image", BEAD_PICTURE_FILES, "mean.png"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "mean", .choices = sweep_shows,
      .values = sweep_values,
      .help = "what of all chains is shown at each bead and time; deviation: the standard deviation; quartiles: what a quarter, or "

@@ -3,6 +3,7 @@
  * Parser, help, messages, --set, --info and sessions ask the types. */
 #pragma once
 
+#include "sim/base/internal.h"
 #include "sim/options/options.h"
 
 enum { BEAD_OUTPUT_CHECKS = 8 };
@@ -45,10 +46,12 @@ const char *bead_output_key(enum bead_output_kind kind);
 const char *bead_output_kind_name(const struct bead_output *output);
 /* The program's own sink for files that end so; NULL: none. */
 const struct bead_sink_type *bead_output_own_of(const struct bead_own *own, const char *file);
-/* The file endings of a kind: ".png, .pdf or .svg". */
+/* The file endings of a kind: ".png, .pdf, .svg or .eps". */
 const char *bead_output_endings(enum bead_output_kind kind);
 /* Can outputs of a kind be made from it? */
 bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind source);
+/* Of stills that are pixels. */
+#define BEAD_PIXEL_ENDINGS ".png, .jpg, .jpeg, .tif, .tiff, .webp or .avif"
 /* Does an ending alone mean this kind? */
 bool bead_output_ending_means(enum bead_output_kind kind, enum bead_source_kind source);
 /* The kind that a file's ending asks for: the first that can be made. BEAD_OUTPUT_KINDS: none. */
@@ -56,7 +59,7 @@ enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kin
 /* The file that an output makes besides its own, as its path, and the key that asks for it; "": none. */
 const char *bead_output_second(const struct bead_output *output, const char **key);
 /* Does a file end like one of these? */
-bool bead_output_ends_like(const char *endings, const char *path);
+BEAD_INTERNAL bool bead_output_ends_like(const char *endings, const char *path);
 
 /* The contents of plots and tables: one row for each value of `show`. */
 struct bead_show_type {

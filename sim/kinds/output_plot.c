@@ -11,7 +11,7 @@ static const unsigned sweep_plot_values[] = {BEAD_SWEEP_MEDIAN, BEAD_SWEEP_MEAN,
                                              BEAD_SWEEP_SPREADING};
 
 static const struct bead_option plot_file[] = {
-    BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
+    BEAD_FILE_ROW("plot", BEAD_PICTURE_FILES, "[figure.pdf, figure.png]"),
     {"contact", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(plot.contact), .initial = "auto", .low = 0, .high = BEAD_SCENE_BEADS,
      .word = "auto", .word_value = BEAD_CONTACT_AUTO,
      .help = "the contact of the first chain that `show: contact` draws; contact j is between beads j and j + 1, and bead 0 is the "
@@ -44,7 +44,7 @@ static BEAD_OUTPUT_CHECK(check_show)
 /* ---- of sweeps ---- */
 
 static const struct bead_option sweep_plot_rows[] = {
-    BEAD_FILE_ROW("plot", "FILE.png, .pdf or .svg", "[figure.pdf, figure.png]"),
+    BEAD_FILE_ROW("plot", BEAD_PICTURE_FILES, "[figure.pdf, figure.png]"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "both", .choices = sweep_plot_shows,
      .values = sweep_plot_values,
      .help =

@@ -106,7 +106,7 @@ static BEAD_OPTION_READER(read_magnetism)
 }
 
 static const struct bead_option sheet_rows[] = {
-    BEAD_FILE_ROW("sheet", "FILE.png, .pdf or .svg", "sheet.png"),
+    BEAD_FILE_ROW("sheet", BEAD_PICTURE_FILES, "sheet.png"),
     {"configurations", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(sheet.configurations), .initial = "auto", .low = 1, .high = 64,
      .word = "auto", .word_value = 0, .help = "pictures in a row; auto: as many as fit", .example = "6"},
     {"magnetism", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "auto, a number, or a list of numbers from 0 to 1",

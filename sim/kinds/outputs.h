@@ -16,6 +16,9 @@
         .help = "name of the file, or a list of names for the same contents", .like = "text|[text]", .read = bead_output_read_path \
     }
 
+/* The formats of stills. */
+#define BEAD_PICTURE_FILES "FILE.png, .pdf, .svg, .eps, .jpg, .jpeg, .tif, .tiff, .webp or .avif"
+
 /* The words of a choice with their values, in one list of pairs, from which follow its `choices` and `values`. */
 #define BEAD_WORD_OF(word, value)  word
 #define BEAD_VALUE_OF(word, value) value

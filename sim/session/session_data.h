@@ -14,6 +14,7 @@
 /* One output of the scene, in its order. */
 struct bead_made {
     const struct bead_output *output;
+    const char *name;                  /* its file's in the scene */
     struct bead_output changed;        /* what replaces it where `-o FILE` names it */
     const struct bead_sink_type *type; /* NULL: this program cannot make it */
     struct bead_sink *sink;            /* NULL: skipped */

@@ -221,6 +221,7 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
     for (size_t i = 0; i < s->made_count && !err; i++) {
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[alone ? s->single_index : i];
+        m->name = m->output->path;
         if (!s->sweep_read || !bead_session_holds_sweep(m)) /* else that file is there */
             m->type = bead_session_find_type(&s->job, m->output, s->source->sweep_count > 0);
         err = place(s, m, msg);
@@ -237,8 +238,7 @@ bool bead_session_planned(const struct bead_session *s, size_t index, struct bea
     if (index >= s->made_count)
         return false;
     const struct bead_made *m = &s->made[index];
-    *planned =
-        (struct bead_planned){.name = m->output->path, .kind = bead_output_kind_name(m->output), .made = bead_session_makes(m)};
+    *planned = (struct bead_planned){.name = m->name, .kind = bead_output_kind_name(m->output), .made = bead_session_makes(m)};
     planned->path = planned->made ? m->path : NULL;
     return true;
 }

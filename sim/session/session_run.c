@@ -152,7 +152,7 @@ static void add_result(struct bead_session *s, const struct bead_made *m, const 
     *r = (struct bead_result){.path = path,
                               .bytes = m->bytes,
                               .makers = m->type->makers ? m->type->makers(m->sink) : NULL,
-                              .name = m->output->path,
+                              .name = m->name,
                               .kind = m->type->one_frame ? m->type->name : bead_output_kind_name(m->output)};
     if (m->type->result)
         m->type->result(m->sink, &r->bytes, &r->items);

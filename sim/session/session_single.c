@@ -29,8 +29,8 @@ static const char *extension(const char *path)
 static bool ends_like_others(const char *path)
 {
     return bead_output_ends_like(
-        ".jpg, .jpeg, .tif, .tiff, .eps, .ps, .bmp, .webp, .avif, .heic, .svgz, .avi, .mpg, .mpeg, .wmv, .ogv, "
-        ".tsv, .txt, .xlsx, .ods, .json, .nc, .hdf5, .mat, .npy, .npz, .vtk, .vtu, .wav, .mp3",
+        ".ps, .bmp, .heic, .svgz, .avi, .mpg, .mpeg, .wmv, .ogv, .tsv, .txt, .xlsx, .ods, .json, .nc, .hdf5, .mat, .npy, .npz, "
+        ".vtk, .vtu, .wav, .mp3",
         path);
 }
 
@@ -61,18 +61,31 @@ static bool takes_looks(const struct bead_job *job, const struct bead_output *ou
     return all;
 }
 
-/* The fit of an output of the scene to the file: 3 by its name, 0 none. Among outputs with the right ending and the keys asked for,
- * the first wins; if keys are asked for, the kind that the ending alone means: images rather than plots. */
+/* Can the file be made of the output's, which ends otherwise? As the same kinds have the same endings: a film of a film, pixels of
+ * any still, but a page for print only of another one. */
+static bool converts(const struct bead_output *output, const char *file, enum bead_source_kind source)
+{
+    const enum bead_output_kind kind = bead_output_kind_of(file, source);
+    return kind < BEAD_OUTPUT_KINDS && strcmp(bead_output_endings(kind), bead_output_endings(output->kind)) == 0 &&
+           (kind == BEAD_OUTPUT_MOVIE || bead_output_ends_like(BEAD_PIXEL_ENDINGS, file) ||
+            !bead_output_ends_like(BEAD_PIXEL_ENDINGS, output->path));
+}
+
+/* The fit of an output of the scene to the file: 4 by its name, 0 none. Among outputs with the keys asked for, those with the same
+ * ending go before those of its kind, and of each the first wins; if keys are asked for, the kind that the ending alone means:
+ * images rather than plots. */
 static int rank(const struct bead_output *output, const struct bead_job *job, enum bead_source_kind source, bool sweep)
 {
     if (!bead_output_made_of(output->kind, source))
         return 0;
     if (strcmp(bead_session_base_name(output->path), bead_session_base_name(job->output)) == 0)
-        return 3;
-    if (strcasecmp(extension(output->path), extension(job->output)) != 0 || !bead_output_ending_means(output->kind, source) ||
-        !takes_looks(job, output, sweep))
+        return 4;
+    const bool same = strcasecmp(extension(output->path), extension(job->output)) == 0;
+    if (!bead_output_ending_means(output->kind, source) || !takes_looks(job, output, sweep))
         return 0;
-    return 1 + (job->look_count > 0 && output->kind == bead_output_kind_of(job->output, source));
+    if (!same)
+        return converts(output, job->output, source);
+    return 2 + (job->look_count > 0 && output->kind == bead_output_kind_of(job->output, source));
 }
 
 /* The output of the scene that the file means; NULL: none. */
@@ -216,12 +229,12 @@ static char *own_name(const struct bead_output *movie, const char *frame)
 
 static enum bead_error find_frame_path(struct bead_session *s, const struct bead_output *movie, struct bead_message *msg)
 {
-    const char *output = s->job.output, *dot = output ? strrchr(bead_session_base_name(output), '.') : NULL;
+    const char *output = s->job.output;
     if (bead_session_names_file(output, s->job.own)) {
         s->single = output;
-        return dot && strcmp(dot, ".png") == 0
+        return bead_output_ends_like(BEAD_PIXEL_ENDINGS, output)
                    ? BEAD_OK
-                   : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: makes a PNG file, and -o names %s", output);
+                   : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: makes a picture (%s), and -o names %s", BEAD_PIXEL_ENDINGS, output);
     }
     char *name = own_name(movie, s->job.still ? s->job.still : s->job.frame);
     enum bead_error err = name ? bead_file_join(output ? output : ".", name, &s->frame_path, msg) : bead_session_out_of_memory(msg);

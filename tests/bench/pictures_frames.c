@@ -201,7 +201,7 @@ static int print_options(const char *quality)
     const struct bead_preset *preset = NULL;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         if (strcmp(quality, names[i]) == 0)
-            preset = &bead_codec_find("movie.mp4")->presets[i];
+            preset = &bead_codec_find("movie.mp4", false)->presets[i];
     }
     if (!preset)
         return complain("options: of draft, standard or high"), 2;

@@ -170,6 +170,6 @@ ok "--only of none" wrong "--frame: --only still.png names no movie of given.yam
 ok "another output" wrong "--set outputs.1.colormap=grey: has no effect: the frame is one of outputs.0" given.yaml --frame 50% --set outputs.1.colormap=grey
 ok "one of a sweep" wrong "--frame: has no effect with --configuration" sweep --frame 50% --configuration 1
 ok "another kind of file" fails 2 "$beadreel" given.yaml --frame 50% -o no.mp4
-ok "... says so" says "--frame: makes a PNG file, and -o names no.mp4"
+ok "... says so" says "--frame: makes a picture (.png, .jpg, .jpeg, .tif, .tiff, .webp or .avif), and -o names no.mp4"
 ok "beadsim does not draw" fails 2 "$beadsim" given.yaml --frame 50%
 finish

@@ -30,7 +30,7 @@ ok "... of the run" fails 2 "$beadreel" clean-vs-delocalised --set until=1ms
 ok "... too" says 'did you mean `simulate.until`?'
 
 # The kind of output that makes such files; what keys are called here; what moves nothing; sizes that a codec cannot have.
-ok "a film as an image" told 'scene.yaml:2:19: outputs.0.image: `a.mp4` lacks the extension of files of this kind; must be a name with .png, .pdf or .svg; did you mean `movie: a.mp4`?' \
+ok "a film as an image" told 'scene.yaml:2:19: outputs.0.image: `a.mp4` lacks the extension of files of this kind; must be a name with .png, .pdf, .svg, .eps, .jpg, .jpeg, .tif, .tiff, .webp or .avif; did you mean `movie: a.mp4`?' \
     "chain: {beads: [{bead: brass}]}\noutputs: [{image: a.mp4}]"
 ok "a page as a table" told 'did you mean `report: a.html`?' "chain: {beads: [{bead: brass}]}\noutputs: [{table: a.html}]"
 ok "a key under another name" told 'scene.yaml:1:31: chain.beads.0.diameter: unknown key; did you mean `radius`, half of it?' "chain: {beads: [{bead: brass, diameter: 9 mm}]}$end"
@@ -53,9 +53,9 @@ cat >good.yaml <<'YAML'
 chain: {beads: [{bead: brass, count: 5}]}
 outputs: [{table: peaks.csv}]
 YAML
-for name in a.jpg b.tiff c.EPS d.avi; do
+for name in a.bmp b.heic c.PS d.avi; do
     ok "-o $name" fails 2 "$beadreel" good.yaml -o $name
-    ok "... says what there is" says "--output: \`$name\` ends like none of .h5, .png, .pdf or .svg, .mp4"
+    ok "... says what there is" says "--output: \`$name\` ends like none of .h5, .png, .pdf, .svg, .eps, .jpg"
     ok "... and makes no directory" test ! -e $name
 done
 # What the options for -o mean, written in several ways.

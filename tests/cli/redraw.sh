@@ -18,6 +18,41 @@ differ() { [ -s "$1" ] && [ -s "$2" ] && ! same "$1" "$2"; }
 
 ok "a run" exits 0 "$beadreel" scene.yaml -o run
 
+# ---- other formats ----
+
+# redrawn FILE NAME FORMAT SIZE : the output NAME of the scene, under the name of the file.
+redrawn() {
+    exits 0 "$beadreel" scene.yaml -o "$1" && grep -q "from the scene's $2" out && file "$1" | grep -q "$3" && file "$1" | grep -qE "$4"
+}
+if command -v file >/dev/null; then
+    ok "the first picture as JPEG" redrawn a.jpg sensor.png 'JPEG image' 640x400
+    ok "... as TIFF" redrawn a.tif sensor.png 'TIFF image.*LZW' 'height=400.*width=640'
+    ok "... as AVIF, WebP is a picture, too" redrawn a.avif sensor.png 'AVIF Image' .
+    ok "a page for print of one for print" redrawn a.eps force.pdf 'PostScript.*type EPS' .
+    ok "a film of the film" redrawn a.webm film.mp4 WebM .
+else
+    skip file "other formats"
+fi
+# 400 pixels at 96 an inch are 300 points.
+ok "EPS is as large as the page" grep -qa '^%%BoundingBox: 0 0 480 300' a.eps
+ok "... and not from today" fails 1 grep -qa CreationDate a.eps
+printf 'chain: {beads: [{bead: brass, count: 5}]}\noutputs: [{image: figure.pdf, style: paper, size: [86 mm, 43 mm]}]\n' >paper.yaml
+ok "a picture for the screen of a page for print" exits 0 "$beadreel" paper.yaml -o x.png
+ok "... has its size" bash -c "file x.png | grep -q '2031 x 1016'" # 600 an inch
+ok "a frame as JPEG" exits 0 "$beadreel" scene.yaml --frame 50% -o frame.jpg
+ok "JPEG without a background" fails 2 "$beadreel" scene.yaml -o none.jpg --set outputs.0.background=none
+ok "... is not made" says "background: \`none\` needs a file that can be transparent"
+
+# ---- standard output ----
+
+mkdir tmp
+piped() { TMPDIR=tmp "$beadreel" scene.yaml --only force.png -o - >piped.png 2>err && same piped.png run/force.png; }
+if command -v ffmpeg >/dev/null; then ok "one file to standard output" piped; else skip ffmpeg "standard output"; fi
+ok "several files" fails 2 "$beadreel" scene.yaml -o -
+ok "... are too many" says "-o -: is for one file, which --only names, and not for 5: film.mp4, run.h5, sensor.png, force.png, force.pdf"
+ok "... with the results as JSON" fails 2 "$beadreel" scene.yaml --only force.png -o - --json
+ok "... nothing is left" [ -z "$(ls tmp)" ]
+
 # ---- drawing again ----
 
 ok "a trajectory" exits 0 "$beadreel" run/run.h5 -o plain/deep/force.png

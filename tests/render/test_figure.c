@@ -14,7 +14,7 @@
 
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
-#include "render/draw/page.h"
+#include "render/encode/page.h"
 #include "render/figure/still.h"
 #include "render/view/area.h"
 #include "sessions.h"

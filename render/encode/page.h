@@ -17,13 +17,11 @@ struct bead_page {
 
 /* Whether the page shows the scene's title: papers have captions instead, low pictures no room. */
 bool bead_page_titled(const struct bead_page *page);
-/* Errors: SCENE (with the output's place). */
+/* Errors: SCENE (with the output's place), UNSUPPORTED (no encoder for files of this name). */
 BEAD_CHECK enum bead_error bead_page_find(const struct bead_output *output, struct bead_page *page, struct bead_message *msg);
 enum { BEAD_SIZE_WORDS = 64 };
 /* The size of a picture as the scene gives it, for messages: "86 x 64 mm", "1920 x 1080 pixels". Returns `words`. */
 const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS]);
-/* Gives a look the dark colours of screens. */
-void bead_look_darken(struct bead_look *look);
 void bead_page_look(const struct bead_page *page, const struct bead_paper *asked, struct bead_look *look);
 enum { BEAD_DESCRIPTION = 2048 };
 /* Metadata of a picture file. The description, of what it shows and of what happens there (`tale`; NULL: unknown), must live as
@@ -37,7 +35,7 @@ struct bead_drawing {
     void *context;
     const char *tale; /* for the notes */
 };
-/* Draws the page and writes it as PNG, PDF or SVG. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
+/* Draws the page and writes it in the format of its name. Errors: those of the drawing, GRAPHICS, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_page_write(const struct bead_page *page, const struct bead_output *output,
                                            const struct bead_scene *scene, const struct bead_drawing *drawing, const char *path,
                                            uint64_t *bytes, struct bead_message *msg);

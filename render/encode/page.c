@@ -1,20 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: size and look of a still from its output, and writing a drawing as PNG, PDF or SVG with its notes. */
-#include "render/draw/page.h"
+#include "render/encode/page.h"
 
 #include <math.h>
-#include <strings.h>
 
 #include "render/draw/looks.h"
 #include "render/draw/raster.h"
 #include "render/draw/warnings.h"
+#include "render/encode/picture_file.h"
 #include "sim/chain/system.h"
-
-static bool is_vector(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0);
-}
+#include "sim/kinds/output_kinds.h"
 
 /* Limits of cairo and of memory, in pixels. */
 static const double largest_side = 32767, largest_area = 3e8;
@@ -32,7 +27,7 @@ enum bead_error bead_page_find(const struct bead_output *output, struct bead_pag
 {
     double size[2];
     BEAD_TRY(output->views.axes ? bead_text_check(msg) : BEAD_OK);
-    bool vector = is_vector(output->path), length = output->paper.size_is_length;
+    bool vector = bead_output_ends_like(".pdf, .svg, .eps", output->path), length = output->paper.size_is_length;
     for (int i = 0; i < 2; i++)
         size[i] = round(length ? output->paper.size[i] / inch * output->paper.dpi : output->paper.size[i]);
     if (!(size[0] >= 1 && size[1] >= 1 && size[0] <= largest_side && size[1] <= largest_side && size[0] * size[1] <= largest_area))
@@ -43,7 +38,10 @@ enum bead_error bead_page_find(const struct bead_output *output, struct bead_pag
     double dpi = length || paper ? output->paper.dpi : vector ? screen_dpi : 0;
     *page = (struct bead_page){
         (int)size[0], (int)size[1], dpi, paper, vector, length, output->paper.background == BEAD_BACKGROUND_NONE};
-    return BEAD_OK;
+    if (page->clear && bead_output_ends_like(".jpg, .jpeg, .avif", output->path))
+        return bead_output_wrong(output, msg,
+                                 "background: `none` needs a file that can be transparent: .png, .tif, .webp, or vectors");
+    return vector ? BEAD_OK : bead_picture_check(output->path, page->width, page->height, page->clear, msg);
 }
 
 const char *bead_page_size(const struct bead_page *page, char words[BEAD_SIZE_WORDS])
@@ -129,7 +127,7 @@ static enum bead_error write_raster(const struct bead_page *page, const struct b
     if (!err)
         err = bead_warnings_check(msg);
     if (!err)
-        err = bead_png_write(path, &frame, notes, bytes, msg);
+        err = bead_picture_write(path, &frame, notes, bytes, msg);
     bead_frame_free(&frame);
     return err;
 }
