@@ -83,6 +83,7 @@ struct bead_view_setup {
     int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
     bool over_beads;  /* a view above or below draws the beads: what belongs to a bead is there */
     int head;         /* stage: px at its top that are left free, for the heading */
+    bool small;       /* stage: one of a grid; fewer beads are in view, and the key is elsewhere */
     bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels; /* label the bead axis; false where a view below shares it */
     enum bead_orientation orientation; /* spacetime; AUTO: as TIME_RIGHT */

@@ -79,6 +79,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .name_left = c->name_left,
         .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
         .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
+        .small = c->layout.grid,
         .own_colour = shares_curves(c),
         .bead_labels = labels && !time,
         .orientation = c->wants.orientation,
@@ -227,14 +228,16 @@ static void draw_name(const struct bead_composer *c, size_t chain, struct bead_r
         bead_text_draw(cr, &style, rect->x + rect->width, rect->y + 0.5 * rect->height, markup);
 }
 
-/* The line of a chain's curve before its heading, which says whose it is without colours; where nothing gives way for it. */
+/* The line of a chain's curve before its heading, which says whose it is without colours; where nothing gives way for it but labels
+ * in a grid. */
 static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect *rect)
 {
     static const double length = 1.8;
     const struct bead_look *look = &c->look;
     const struct bead_chain *own = c->setup.chains[chain];
     const struct bead_dashes *dashes = bead_look_dashes(chain % BEAD_DASHES);
-    const double label = c->layout.label_lines ? 0 : bead_heading_width(look, own), width = fmax(1.6, 1.8 * look->line);
+    const double label = c->layout.label_lines || c->layout.grid ? 0 : bead_heading_width(look, own),
+                 width = fmax(1.6, 1.8 * look->line);
     const double line = rect->height - (c->layout.label_lines ? 1.35 * look->label : 0);
     const int room = (int)ceil((length + 0.5) * look->label);
     double lengths[6];
@@ -287,6 +290,7 @@ static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
     }
     if (layout->facts.width > 0)
         bead_facts_draw(cr, look, &c->facts, layout->facts, layout->words_left);
+    bead_composer_draw_key(c, cr);
     for (size_t i = 0; i < layout->chain_count; i++)
         draw_names(c, i, cr);
 }

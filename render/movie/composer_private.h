@@ -47,6 +47,8 @@ struct bead_span bead_composer_span(const struct bead_composer *composer, size_t
 BEAD_CHECK enum bead_error bead_composer_measure(struct bead_composer *composer, struct bead_message *msg);
 /* px: room of the key of a chain's stage; 0: there is none. */
 double bead_composer_key(const struct bead_composer *composer, size_t chain);
+/* The key of all stages of a grid. */
+void bead_composer_draw_key(const struct bead_composer *composer, cairo_t *cr);
 /* Markup such as "force (N)". */
 void bead_composer_bar_title(const struct bead_composer *composer, char *out, size_t size);
 /* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:

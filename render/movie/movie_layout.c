@@ -19,7 +19,7 @@ static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1, never =
 enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
 
 /* From top to bottom. */
-enum { CLOCK, BADGE, TITLE, FACTS, TRUST, CELLS, CAPTION, ROWS };
+enum { CLOCK, BADGE, TITLE, FACTS, KEY, TRUST, CELLS, CAPTION, ROWS };
 
 /* The surroundings of the cells at one level, px. */
 struct frame {
@@ -29,6 +29,7 @@ struct frame {
     int bar_gap, bar_width;
     bool badge_beside, title_beside; /* the clock; else in a line of their own, or nowhere */
     bool lying;                      /* the bar */
+    bool key_beside;                 /* the facts */
 };
 
 static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *level)
@@ -59,6 +60,11 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
     f->row[BADGE].least = w->badge_width > 0 && !f->badge_beside ? bead_cells_whole(1.5 * look->label) : 0;
     f->row[TITLE].least = title && !f->title_beside ? (w->title_width > room ? 2 : 1) * line : 0;
     f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
+    /* One key of a grid of stages: left of facts that end at the right, else in a line of its own. */
+    const bool key = stage && w->key_width > 0 && bead_stage_columns(w) > 1 && bead_stage_keyed(w);
+    f->key_beside =
+        key && f->title_beside && w->facts && bead_facts_lines(look, w->facts, room - w->key_width - 2 * look->gap) == 1;
+    f->row[KEY].least = key && !f->key_beside ? line : 0;
     f->row[TRUST].least = w->trust ? line : 0;
     f->row[CELLS].gap = level->titles && !w->headings ? bead_cells_whole(0.5 * look->gap) : 0;
 }
@@ -124,11 +130,19 @@ static void place_words(const struct bead_movie_wants *w, const struct frame *f,
     }
     if (f->title_beside)
         layout->title = (struct bead_rect){x + 2 * gap, f->margin, right - x - 2 * gap, height};
-    struct bead_rect *lines[ROWS] = {
-        [BADGE] = &layout->badge, [TITLE] = &layout->title, [FACTS] = &layout->facts, [TRUST] = &layout->trust};
+    struct bead_rect *lines[ROWS] = {[BADGE] = &layout->badge,
+                                     [TITLE] = &layout->title,
+                                     [FACTS] = &layout->facts,
+                                     [KEY] = &layout->key,
+                                     [TRUST] = &layout->trust};
     for (size_t row = BADGE; row <= TRUST; row++) {
         if (f->row[row].size > 0)
             *lines[row] = row_of(f, row, left, right);
+    }
+    const int key = f->key_beside ? bead_cells_whole(w->key_width) : 0;
+    if (key > 0) {
+        layout->key = row_of(f, FACTS, left, left + key);
+        layout->facts = row_of(f, FACTS, left + key + gap, right);
     }
 }
 
@@ -262,7 +276,7 @@ static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to
     for (size_t i = 0; i < BEAD_STAGE_PLANS; i++) {
         const struct bead_stage_plan *plan = &bead_stage_plans[i];
         forget(to);
-        to->label_lines = needs_label_line(w, area.width, false);
+        to->label_lines = needs_label_line(w, (double)area.width / (double)bead_stage_columns(w), false);
         if (!bead_stage_place(w, plan, area, to))
             continue;
         to->layout = BEAD_LAYOUT_STAGE;

@@ -44,6 +44,7 @@ struct bead_movie_wants {
     bool colourless;      /* no view shows values as colours: no bar */
     bool same_beads;      /* all chains have the same bead axis: only the lowest is labelled */
     double keyed_heading; /* of the widest such heading with the key of its stage beside it */
+    double key_width;     /* of one key for all stages, where they are a grid */
     double time_width;    /* of the widest time that is shown */
     double badge_width;   /* of the widest badge of the speed; 0: none */
     const struct bead_facts *facts;                /* NULL: one line of them is enough */
@@ -71,9 +72,10 @@ struct bead_movie_layout {
     bool against;     /* images have one title for both axes */
     bool label_lines; /* headings have two lines */
     int head;         /* px at the top of a stage for its heading; 0: that is above it */
+    bool grid;        /* stages are side by side, too, with one key for all */
     int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
     size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
-    struct bead_rect time, badge, title, facts, trust, caption;
+    struct bead_rect time, badge, title, facts, key, trust, caption;
     struct bead_rect bar, bar_title; /* a bar that is wider than high lies, with its low end at the left */
     bool words_left;                 /* title and facts are from the left; else they end at the right */
     struct bead_movie_chain *chains; /* of the layout */

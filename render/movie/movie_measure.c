@@ -102,18 +102,33 @@ static void measure_bar(struct bead_composer *c)
     w->bar_title = ceil(bead_words_width(NULL, &style, markup) + 1);
 }
 
-double bead_composer_key(const struct bead_composer *c, size_t chain)
+static struct bead_view_setup key_setup(const struct bead_composer *c, size_t chain)
 {
     const struct bead_output *output = c->setup.output;
-    const struct bead_view_setup setup = {.chain = c->setup.chains[chain],
-                                          .chain_index = chain,
-                                          .field = output->shown.field,
-                                          .beads = bead_composer_span(c, chain),
-                                          .colours = c->colours,
-                                          .look = &c->look,
-                                          .axes = true,
-                                          .light = output->views.light};
-    return bead_views_any(&output->views, BEAD_ACTS) ? bead_stage_key_room(&setup) : 0;
+    return (struct bead_view_setup){.chain = c->setup.chains[chain],
+                                    .chain_index = chain,
+                                    .field = output->shown.field,
+                                    .beads = bead_composer_span(c, chain),
+                                    .colours = c->colours,
+                                    .look = &c->look,
+                                    .axes = true,
+                                    .light = output->views.light};
+}
+
+double bead_composer_key(const struct bead_composer *c, size_t chain)
+{
+    const struct bead_view_setup setup = key_setup(c, chain);
+    return bead_views_any(&c->setup.output->views, BEAD_ACTS) && !c->layout.grid ? bead_stage_key_room(&setup) : 0;
+}
+
+void bead_composer_draw_key(const struct bead_composer *c, cairo_t *cr)
+{
+    const struct bead_view_setup setup = key_setup(c, 0);
+    const struct bead_rect *key = &c->layout.key;
+    const double part = fmin(1, key->width / fmax(1, c->wants.key_width)), middle = key->y + 0.5 * key->height,
+                 right = key->x + part * c->wants.key_width;
+    if (key->width > 0)
+        bead_stage_draw_key_of(cr, &setup, c->setup.chains, c->setup.chain_count, right, middle, part * c->look.tick);
 }
 
 static void measure_words(struct bead_composer *c)
@@ -128,6 +143,9 @@ static void measure_words(struct bead_composer *c)
         w->heading_least = fmax(w->heading_least, bead_heading_least(&c->look, c->setup.chains[i]));
         w->keyed_heading = fmax(w->keyed_heading, bead_heading_least(&c->look, c->setup.chains[i]) + bead_composer_key(c, i));
     }
+    const struct bead_view_setup first = key_setup(c, 0);
+    if (bead_views_any(&c->setup.output->views, BEAD_ACTS) && bead_stage_columns(w) > 1)
+        w->key_width = bead_stage_draw_key_of(NULL, &first, c->setup.chains, w->chain_count, 0, 0, c->look.tick);
     c->facts.keyed = bead_views_any(&c->setup.output->views, BEAD_ACTS) && bead_stage_keyed(w);
     w->badge_width = bead_badge_width(&c->look, &c->facts);
     w->facts = &c->facts;

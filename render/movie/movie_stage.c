@@ -7,8 +7,8 @@
 #include "render/view/views.h"
 
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
-static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, least_stage = 1.8, least_curve[] = {8, 2.4},
-                    least_image[] = {3.75, 2.5}, name_room = 3.5;
+static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,
+                    least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, name_room = 3.5;
 /* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame. */
 static const double wide = 1.5, wide_inset = 0.03;
 /* Of the area of all plots: the curve has at least this; of a frame: images have at most this. */
@@ -36,7 +36,8 @@ struct stage {
     size_t acts, curve;                          /* views; view_count: none */
     size_t others[BEAD_MOST_VIEWS], other_count; /* below the beads, each chain in a plot of its own */
     bool bar;
-    int inset; /* px: of beads, within the area of plots with their axes */
+    int inset;      /* px: of beads, within the area of plots with their axes */
+    size_t columns; /* of stages */
 };
 
 static int whole(double x)
@@ -55,6 +56,11 @@ size_t bead_stage_view(const struct bead_movie_wants *w)
 int bead_stage_inset(const struct bead_movie_wants *w)
 {
     return w->axes && w->width >= wide * w->height ? whole(wide_inset * w->width) : 0;
+}
+
+size_t bead_stage_columns(const struct bead_movie_wants *w)
+{
+    return w->chain_count == 4 && w->width >= w->height ? 2 : 1;
 }
 
 static void sort_views(struct stage *s)
@@ -78,13 +84,17 @@ static void sort_views(struct stage *s)
 
 bool bead_stage_keyed(const struct bead_movie_wants *w)
 {
-    return w->keyed_heading + 0.04 * w->width + w->look->label <= w->width - 2.0 * bead_stage_inset(w);
+    const double room = w->width - 2.0 * bead_stage_inset(w);
+    if (bead_stage_columns(w) > 1)
+        return least_key * w->key_width + 2 * stage_margin * w->look->gap <= room;
+    return w->keyed_heading + 0.04 * w->width + w->look->label <= room;
 }
 
-/* Headings that fit beside the key are over the top of their stage, which leaves that free. */
+/* Headings that fit beside the key are over the top of their stage, which leaves that free; those of a grid have no key beside
+ * them. */
 static bool heads_above(const struct stage *s)
 {
-    return s->to->label_lines || !bead_stage_keyed(s->w);
+    return s->columns == 1 && (s->to->label_lines || !bead_stage_keyed(s->w));
 }
 
 static int heading_of(const struct stage *s)
@@ -94,27 +104,29 @@ static int heading_of(const struct stage *s)
     return needed ? whole((heading + lines) * s->w->look->label) : 0;
 }
 
-/* Returns their end; < 0: there is no room. Where chains have the same numbers, only the last has them. */
+/* Returns their end; < 0: there is no room. Where chains have the same numbers, only the last row has them. */
 static int place_beads(const struct stage *s)
 {
     const struct bead_movie_wants *w = s->w;
-    const size_t n = w->chain_count, numbered = !w->axes ? 0 : w->same_beads ? 1 : n;
+    const size_t rows = (w->chain_count + s->columns - 1) / s->columns, numbered = !w->axes ? 0 : w->same_beads ? 1 : rows;
     const bool alone = s->other_count == 0 && s->curve == w->view_count;
-    int gap = whole(s->plan->air * between * s->em), head = heading_of(s), above = heads_above(s) ? head : 0, y = s->area.y;
-    int numbers = whole(BEAD_STAGE_NUMBERS * s->w->look->tick), width = s->area.width - 2 * s->inset;
-    double all = alone ? s->area.height - (double)(n - 1) * gap : s->plan->beads * s->area_px / width;
-    int block = (int)floor((all - (double)numbered * numbers) / (double)n);
+    const int gap = whole(s->plan->air * between * s->em), head = heading_of(s), above = heads_above(s) ? head : 0,
+              numbers = whole(BEAD_STAGE_NUMBERS * s->w->look->tick), all_width = s->area.width - 2 * s->inset,
+              beside = whole(between * s->em), width = (all_width - ((int)s->columns - 1) * beside) / (int)s->columns;
+    double all = alone ? s->area.height - (double)(rows - 1) * gap : s->plan->beads * s->area_px / (width * (double)s->columns);
+    int block = (int)floor((all - (double)numbered * numbers) / (double)rows), y = s->area.y;
     if (block - head < least_stage * s->em)
         return -1;
     s->to->head = head - above;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < w->chain_count; i++) {
         struct bead_movie_chain *chain = &s->to->chains[i];
-        chain->labels[s->acts] = numbered == n || (numbered == 1 && i + 1 == n);
+        const int x = s->area.x + s->inset + (int)(i % s->columns) * (width + beside);
+        const bool last = i / s->columns + 1 == rows, ends = i % s->columns + 1 == s->columns || i + 1 == w->chain_count;
+        chain->labels[s->acts] = numbered == rows || (numbered == 1 && last);
         if (head > 0 && w->headings)
-            chain->heading = (struct bead_rect){s->area.x + s->inset, y, width, head};
-        chain->plot[s->acts] =
-            (struct bead_rect){s->area.x + s->inset, y + above, width, block - above + (chain->labels[s->acts] ? numbers : 0)};
-        y += above + chain->plot[s->acts].height + (i + 1 < n ? gap : 0);
+            chain->heading = (struct bead_rect){x, y, width, head};
+        chain->plot[s->acts] = (struct bead_rect){x, y + above, width, block - above + (chain->labels[s->acts] ? numbers : 0)};
+        y += ends ? above + chain->plot[s->acts].height + (last ? 0 : gap) : 0;
     }
     return y <= s->area.y + s->area.height ? y : -1;
 }
@@ -274,9 +286,11 @@ bool bead_stage_place(const struct bead_movie_wants *w, const struct bead_stage_
                       .to = layout,
                       .em = w->look->label,
                       .area_px = (double)w->width * w->height,
-                      .inset = bead_stage_inset(w)};
+                      .inset = bead_stage_inset(w),
+                      .columns = bead_stage_columns(w)};
     sort_views(&s);
     layout->overlay = w->view_count;
+    layout->grid = s.columns > 1;
     int end = place_beads(&s), top = end + whole(plan->air * before_plots * s.em), bottom = area.y + area.height;
     bool curve = s.curve < w->view_count, both = curve && s.other_count > 0;
     if (end < 0 || (!curve && s.other_count == 0))

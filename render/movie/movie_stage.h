@@ -17,7 +17,9 @@ extern const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS];
 
 /* px by which beads are within the area of plots with their axes. */
 int bead_stage_inset(const struct bead_movie_wants *wants);
-/* Is there room for the key of beads beside the headings? */
+/* Stages side by side: of four chains two, but on phones, where beads are larger below each other. */
+size_t bead_stage_columns(const struct bead_movie_wants *wants);
+/* Is there room for the key of beads beside the headings, or for all stages of a grid above them? */
 bool bead_stage_keyed(const struct bead_movie_wants *wants);
 /* The view of large beads; view_count: there is none. */
 size_t bead_stage_view(const struct bead_movie_wants *wants);

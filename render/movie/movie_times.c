@@ -19,8 +19,8 @@ static const size_t most_followed = 1000000;
 /* Where the scene gives no duration. A stage shows about 16 beads: a wave that passes no more than half as many in a second
  * stays in sight for two. A little less than that: of dimers the passage is estimated too long, since it counts the heavier bead.
  * `pace` is empirical: at 7 the demo's waves pass 8.4 contacts in a second; chains of more unlike beads may still be faster. Of
- * stages without axes, where fewer and larger beads are in view, such a part. */
-static const double usual_duration = 10, longest_duration = 30, pace = 6.5, bare_pace = 9.0 / 16;
+ * stages without axes, and of those of four chains, where fewer and larger beads are in view, such a part. */
+static const double usual_duration = 10, longest_duration = 30, pace = 6.5, bare_pace = 9.0 / 16, grid_pace = 11.0 / 16;
 /* Time of a solitary wave from contact to contact, in sqrt(m/K): sqrt(3/2) sqrt(5)/2 with K at its largest compression (Nesterenko
  * 1983), where a contact has about 0.3 of the energy and K 0.3^(1/5) of that by which bead_chain_passage counts. */
 static const double passage_time = 1.54;
@@ -44,7 +44,8 @@ static double find_duration(const struct bead_film *film, const double time[2])
         double passage = passage_time * bead_chain_passage(chain, bead_chain_energy(chain));
         fastest = fmax(fastest, passage > 0 ? (double)bead_chain_contacts(chain) / passage : 0);
     }
-    double wanted = ceil(fastest * (time[1] - time[0]) / (film->output->views.axes ? pace : bare_pace * pace));
+    const double part = !film->output->views.axes ? bare_pace : film->context.chain_count == 4 ? grid_pace : 1;
+    double wanted = ceil(fastest * (time[1] - time[0]) / (pace * part));
     return fmin(longest_duration, fmax(usual_duration, isfinite(wanted) ? wanted : 0));
 }
 

@@ -64,24 +64,32 @@ static void add_ball(struct key *key, const double colour[3], double size)
     cairo_pattern_destroy(shades);
 }
 
-/* Materials of the beads shown, in their order along the chain. */
-static void add_materials(struct key *key, const struct bead_view_setup *setup)
+/* Adds the materials of a chain's beads shown to those found, in their order along the chain; returns how many there are. Too many
+ * to be told apart by their colours are MOST_MATERIALS + 1. */
+static size_t find_materials(const struct bead_chain *chain, struct bead_span beads, size_t *found, size_t count)
+{
+    const size_t *material = bead_chain_material(chain);
+    for (size_t i = beads.first; material && i <= beads.last && i < bead_chain_beads(chain) && count <= MOST_MATERIALS; i++) {
+        size_t k = 0;
+        found[count] = bead_chain_scene(chain)->materials[material[i]].of;
+        while (found[k] != found[count])
+            k++;
+        count += k == count;
+    }
+    return count;
+}
+
+static void add_materials(struct key *key, const struct bead_view_setup *setup, const struct bead_chain *const *chains, size_t n)
 {
     const struct bead_scene *scene = bead_chain_scene(setup->chain);
-    const size_t *material = bead_chain_material(setup->chain);
-    size_t found[MOST_MATERIALS], count = 0;
+    size_t found[MOST_MATERIALS + 1], count = 0;
     double largest = 0;
-    for (size_t i = setup->beads.first; material && i <= setup->beads.last && i < bead_chain_beads(setup->chain); i++) {
-        const size_t own = scene->materials[material[i]].of;
-        size_t k = 0;
-        while (k < count && found[k] != own)
-            k++;
-        if (k == MOST_MATERIALS)
-            return; /* too many to be told apart by their colours */
-        found[k] = own;
-        count += k == count;
-        largest = fmax(largest, scene->materials[own].radius);
-    }
+    for (size_t i = 0; i < n; i++)
+        count = find_materials(chains[i], setup->beads, found, count);
+    if (count > MOST_MATERIALS)
+        return;
+    for (size_t k = 0; k < count; k++)
+        largest = fmax(largest, scene->materials[found[k]].radius);
     while (count-- > 0) {
         key->right -= key->used ? between * key->style.size : 0;
         key->used = true;
@@ -118,30 +126,27 @@ static void add_scale(struct key *key, const struct bead_view_setup *setup, doub
     add_word(key, words);
 }
 
-/* Draws the key, or measures it; returns its width, px. */
-static double add_key(cairo_t *cr, const struct bead_view_setup *setup, double right, double middle, bool materials)
+double bead_stage_draw_key_of(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_chain *const *chains, size_t n,
+                              double right, double middle, double size)
 {
     const struct bead_look *look = setup->look;
-    struct key key = {.cr = cr,
-                      .style = {.family = look->family,
-                                .size = look->tick,
-                                .colour = look->ink,
-                                .across = BEAD_ALIGN_END,
-                                .down = BEAD_ALIGN_MIDDLE},
-                      .right = right,
-                      .middle = middle};
+    struct key key = {
+        .cr = cr,
+        .style = {.family = look->family, .size = size, .colour = look->ink, .across = BEAD_ALIGN_END, .down = BEAD_ALIGN_MIDDLE},
+        .right = right,
+        .middle = middle};
     const double full = bead_stage_full(setup);
     if (setup->light != BEAD_LIGHT_NONE && setup->chain_index == 0 && full > 0)
         add_scale(&key, setup, full);
     key.used = key.right < right;
-    if (materials && bead_chain_spec(setup->chain)->system->has_contacts)
-        add_materials(&key, setup);
+    if (bead_chain_spec(setup->chain)->system->has_contacts)
+        add_materials(&key, setup, chains, n);
     return right - key.right;
 }
 
 double bead_stage_key_room(const struct bead_view_setup *setup)
 {
-    return setup->axes ? add_key(NULL, setup, 0, 0, true) : 0;
+    return setup->axes ? bead_stage_draw_key_of(NULL, setup, &setup->chain, 1, 0, 0, setup->look->tick) : 0;
 }
 
 void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr)
@@ -149,9 +154,9 @@ void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr)
     const double right = v->strip.x + v->strip.width - 0.5 * v->look.tick, middle = v->strip.y + 0.75 * v->look.label;
     const double most = v->strip.width - v->look.tick;
     for (int materials = 1; materials >= 0; materials--) {
-        if (add_key(NULL, &v->setup, 0, 0, materials) > most)
+        if (bead_stage_draw_key_of(NULL, &v->setup, &v->setup.chain, (size_t)materials, 0, 0, v->look.tick) > most)
             continue;
-        add_key(cr, &v->setup, right, middle, materials);
+        bead_stage_draw_key_of(cr, &v->setup, &v->setup.chain, (size_t)materials, right, middle, v->look.tick);
         return;
     }
 }

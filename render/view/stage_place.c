@@ -13,6 +13,8 @@ static const double light_above = 1.28, least_above = 1.15, least_below = 1.75, 
 static const double least_across = 14.5, best_across = 16;
 /* In bare pictures, where nothing but the stage tells what happens: a pulse of five and two on both sides. */
 static const double bare_across = 9;
+/* Of small stages side by side: their beads have half of the width. A pulse of five and three on both sides. */
+static const double small_across = 11;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
 /* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. */
@@ -37,11 +39,16 @@ static double largest_radius(double height)
     return height / (least_above + least_below);
 }
 
+static double across(const struct bead_view *v)
+{
+    return !v->setup.axes ? bare_across : v->setup.small ? small_across : least_across;
+}
+
 /* All beads are on the stage where they can be nearly as large as a few above a row of all, and where there is no wave to follow.
  */
 static bool shows_all(const struct bead_view *v, double width, double height, double length)
 {
-    const double wanted = fmin(largest_radius(height), width / (2 * best_across));
+    const double wanted = fmin(largest_radius(height), width / (2 * (v->setup.small ? small_across : best_across)));
     return !v->setup.camera && (!v->has_contacts || width * v->largest / length >= 0.8 * wanted);
 }
 
@@ -50,8 +57,7 @@ static double choose_radius(const struct bead_view *v, double width, double heig
 {
     if (v->setup.camera) /* other views show its window too */
         return v->largest * v->plot.width / bead_camera_width(v->setup.camera);
-    const double r = fmin(largest_radius(height),
-                          all ? width * v->largest / length : width / (2 * (v->setup.axes ? least_across : bare_across)));
+    const double r = fmin(largest_radius(height), all ? width * v->largest / length : width / (2 * across(v)));
     return fmax(1, floor(2 * r) / 2);
 }
 
@@ -136,7 +142,7 @@ enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bea
     if (!v->look.clear)
         draw_backdrop(v, cr);
     bead_stage_draw_names(v, cr);
-    if (v->setup.axes && v->head >= headroom(v))
+    if (v->setup.axes && !v->setup.small && v->head >= headroom(v))
         bead_stage_draw_key(v, cr);
     return BEAD_OK;
 }

@@ -13,6 +13,10 @@ const struct bead_view_type *bead_view_find(enum bead_view_kind kind);
 
 /* Room, px, that the key of a stage takes at the right of its headroom. */
 double bead_stage_key_room(const struct bead_view_setup *setup);
+/* Draws one key for the stages of several chains, which ends at `right` px, or with `cr` NULL measures it; returns its width.
+ * `setup`: of the first chain. */
+double bead_stage_draw_key_of(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_chain *const *chains,
+                              size_t count, double right, double middle, double size);
 
 /* Draws the beginning of a chain at rest on a stage, without a row, numbers or key, into `rect` of a picture. Errors: MEMORY,
  * GRAPHICS. */

@@ -94,7 +94,7 @@ static const struct bead_option movie_rows[] = {
      .read = bead_output_read_frame_size, .help = "size of the frame", .example = "[1280, 720]"},
     {"views", BEAD_OPTION_CUSTOM, .initial = "[stage, profile, spacetime]", .shape = BEAD_VIEWS_LISTED "in a list",
      .like = "[text]", .read = bead_output_read_views,
-     .help = "the views, from top to bottom; default for more than three chains, for equations and in other layouts than stage: "
+     .help = "the views, from top to bottom; default for more than four chains, for equations and in other layouts than stage: "
              "[beads, profile, spacetime]",
      .example = "[beads, spacetime]"},
     {"layout", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.layout), .initial = "auto", .choices = layouts,
@@ -102,7 +102,7 @@ static const struct bead_option movie_rows[] = {
              "space-time images, whose future is dimmed; images: large space-time images below each other, side by side or both, "
              "whatever leaves most to see in a frame of this shape; of these stacked: below each other; columns: side by side; "
              "grid: both; overlay: one axis for the profiles of all chains; beside: the space-time images at the right of the "
-             "other views; auto: stage where `views` has it, which is the default of one to three chains, else images, and overlay "
+             "other views; auto: stage where `views` has it, which is the default of one to four chains, else images, and overlay "
              "where `views` is profile alone"},
     {"type", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.type), .initial = "normal", .choices = types,
      .help = "size of the letters. normal: labels have 3 % of the frame's shorter side; large: 4 %, for the last row of a lecture "

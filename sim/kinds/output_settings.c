@@ -8,7 +8,7 @@
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
 
-enum { MOST_ON_STAGE = 3 /* chains, by default */ };
+enum { MOST_ON_STAGE = 4 /* chains, by default */ };
 
 /* Values of settings for which a kind has no key. */
 const struct bead_output bead_output_automatic = {.shown = {.beads = {0, SIZE_MAX}, .time = {NAN, NAN}},

@@ -193,7 +193,7 @@ static void check(const struct wish *w)
     open_stage(&s, text, w->size);
     show(&s, what);
     assert_legible(&s.seen, w->size, what);
-    if (image_share(&s) > (w->layout == 0 && w->chains < 4 ? 0.26 : 0.7))
+    if (image_share(&s) > (w->layout == 0 ? 0.26 : 0.7))
         fail_msg("%s: images have %.1f %%", what, 100 * image_share(&s));
     const bool crowded = w->layout > 0 && w->size[1] > w->size[0] && w->chains > 2; /* columns on a phone */
     if (!crowded && (!wrote(&s.seen, "ms</span>") || !wrote(&s.seen, "times")))

@@ -39,6 +39,7 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
     count = add(all, count, layout->badge, "badge");
     count = add(all, count, layout->title, "title");
     count = add(all, count, layout->facts, "facts");
+    count = add(all, count, layout->key, "key");
     count = add(all, count, layout->bar, "bar");
     count = add(all, count, layout->bar_title, "title of the bar");
     count = add(all, count, layout->caption, "caption");
@@ -188,22 +189,28 @@ static void test_stage_has_its_share(void **state)
         w.layout = BEAD_LAYOUT_STAGE;
         w.orientation = BEAD_TIME_RIGHT;
         w.badge_width = 9 * look.label;
+        w.key_width = 29 * look.label;
         w.caption_lines = (int)(i / FULL_SIZE / 8);
         w.caption_line = 1.4 * look.title;
         assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
         double beads = share_of(&w, &found, 0), images = share_of(&w, &found, 2);
-        bool curve = found.chains[0].plot[1].width > 0, usual = !large && w.caption_lines == 0 && chains < 4;
+        bool curve = found.chains[0].plot[1].width > 0, upright = size[1] > size[0],
+             usual = !large && w.caption_lines == 0 && !(upright && chains > 3);
         if (getenv("SHOW"))
             printf("%d x %d, %zu chains%s, %d captions: beads %.1f %%, images %.1f %%, curve %d\n", size[0], size[1], chains,
                    large ? ", large" : "", w.caption_lines, 100 * beads, 100 * images, curve);
-        bool upright = size[1] > size[0];
         /* On phones, of the frame's width: a bead, less than half of the picture of its stage, which has a row of all below. */
         const double across = 2 / 2.9 * (found.chains[0].plot[0].height - ceil(0.8 * look.tick)) / size[0];
-        if ((curve && chains + large < 5 && !(beads > 0.35 && beads < (w.caption_lines > 0 ? 0.505 : 0.45))) || images > 0.26 ||
-            (usual && images < (upright && chains > 2 ? 0.12 : 0.149)) || (upright && !large && across < 0.05))
+        if ((curve && (usual || chains + large < 5) && !(beads > 0.35 && beads < (w.caption_lines > 0 ? 0.505 : 0.45))) ||
+            images > 0.26 ||
+            (usual && images < (upright && chains > 2              ? 0.12
+                                : size[0] == size[1] && chains > 3 ? 0.135
+                                                                   : 0.149)) ||
+            (upright && !large && across < 0.05))
             fail_msg("%d x %d, %zu chains: beads have %.1f %%, images %.1f %%", size[0], size[1], chains, 100 * beads,
                      100 * images);
-        assert_true(curve || chains + large + (size_t)w.caption_lines >= 5);
+        assert_true(curve || (!found.grid && large && w.caption_lines == 2));
+        assert_true(found.grid == (chains == 4 && !upright) && (!found.grid || found.key.width > 0));
         assert_true(found.axes && found.time.width && found.badge.width && found.title.width && found.facts.width);
         assert_true(found.chains[chains - 1].heading.width > 0);
         check(&w, &found);
