@@ -44,6 +44,7 @@ static void describe(const AVFormatContext *format, const AVStream *stream, cons
     snprintf(movie->codec, sizeof movie->codec, "%s", avcodec_get_name(decoder->id));
     tag(format, "title", movie->title, sizeof movie->title);
     tag(format, "comment", movie->comment, sizeof movie->comment);
+    tag(format, "description", movie->description, sizeof movie->description);
     movie->chapters = format->nb_chapters;
     for (unsigned i = 0; i < format->nb_chapters; i++) {
         const AVChapter *chapter = format->chapters[i];

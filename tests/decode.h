@@ -10,7 +10,7 @@
 enum { DECODED_MOST = 256 };
 
 struct decoded {
-    char format[64], codec[32], title[64], comment[64];
+    char format[64], codec[32], title[64], comment[64], description[128];
     int width, height;
     unsigned covers; /* PNG pictures beside the movie; bytes of the last */
     size_t cover_bytes;

@@ -279,6 +279,7 @@ enum bead_layout {
 };
 enum bead_profile_of { BEAD_PROFILE_BEAD, BEAD_PROFILE_CELL }; /* the profile of a movie: of each bead, or over cells */
 enum bead_type { BEAD_TYPE_NORMAL, BEAD_TYPE_LARGE };
+enum bead_subtitles_of { BEAD_SUBTITLES_CAPTIONS, BEAD_SUBTITLES_WORDS };
 
 /* ---- outputs: groups of settings that several kinds share ---- */
 
@@ -461,6 +462,7 @@ struct bead_movie_asked {
     enum bead_profile_of profile;
     double strobe; /* s of the motion from sample to sample, between which pictures blend; 0: every picture has its own */
     enum bead_codec_asked codec;
+    enum bead_subtitles_of subtitles; /* WORDS: where there are no captions, what happens */
 };
 
 struct bead_plot_asked {

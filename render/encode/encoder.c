@@ -422,7 +422,8 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
     int code = !err && complete ? bead_subtitles_make(movie->codec->subtitles, &movie->settings, &movie->encoder->tracks) : 0;
     if (code < 0)
         err = fail(movie, "no subtitles", code, msg);
-    if (!err && complete && (movie->codec->plain_options || movie->codec->gif || movie->encoder->tracks.count > 0))
+    const bool described = movie->codec->chapters && movie->description && *movie->description;
+    if (!err && complete && (movie->codec->plain_options || movie->codec->gif || described || movie->encoder->tracks.count > 0))
         err = make_plain(movie, msg);
     return err ? err : close_part(movie, msg);
 }

@@ -8,6 +8,7 @@
 #include "beadreel/view.h"
 #include "render/movie/composer.h"
 #include "render/movie/film_clock.h"
+#include "render/view/tale.h"
 
 /* When frames are: the title card's first, then those of the motion, at equal steps from its first time to its last. */
 struct bead_movie_times {
@@ -83,11 +84,14 @@ struct bead_movie_notes {
     size_t subtitle_count;
     char *text; /* of both */
     char (*stop_names)[32];
+    char (*words)[BEAD_TALE_WORDS / 2]; /* subtitles about each chain, empty until the end of the film; NULL: not asked for */
 };
 
 /* To be freed even after an error. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes,
                                                  struct bead_message *msg);
+/* Fills the subtitles that say what happens. */
+void bead_movie_notes_tell(const struct bead_tale *tale, struct bead_movie_notes *notes);
 void bead_movie_notes_free(struct bead_movie_notes *notes);
 
 /* ---- slides: slides.c ---- */

@@ -74,24 +74,54 @@ static void fill(const struct bead_film *film, struct bead_movie_notes *notes)
     add_stops(film, notes);
 }
 
-static bool reserve(const struct bead_movie_asked *movie, struct bead_movie_notes *notes)
+/* One subtitle after the other about each chain; their words come with the end of the film. */
+static bool reserve_words(const struct bead_film *film, struct bead_movie_notes *notes)
 {
+    const struct bead_movie_asked *movie = &film->output->movie;
+    const size_t count = film->context.chain_count;
+    if (movie->subtitles != BEAD_SUBTITLES_WORDS || movie->caption_count > 0)
+        return true;
+    free(notes->subtitles);
+    notes->subtitles = calloc(count, sizeof *notes->subtitles);
+    notes->words = calloc(count, sizeof *notes->words);
+    if (!notes->subtitles || !notes->words)
+        return false;
+    const double from = bead_movie_film_time(&film->times, film->times.time[0], movie->fps),
+                 each = ((double)film->times.frames / movie->fps - from) / (double)count;
+    for (size_t i = 0; i < count; i++)
+        notes->subtitles[i] = (struct bead_movie_subtitle){from + (double)i * each, from + (double)(i + 1) * each, notes->words[i]};
+    notes->subtitle_count = count;
+    return true;
+}
+
+void bead_movie_notes_tell(const struct bead_tale *tale, struct bead_movie_notes *notes)
+{
+    for (size_t i = 0; notes->words && i < notes->subtitle_count; i++) {
+        bead_tale_of_chain(tale, i, notes->words[i], sizeof *notes->words);
+        if (!*notes->words[i])
+            snprintf(notes->words[i], sizeof *notes->words, "There is no wave.");
+    }
+}
+
+static bool reserve(const struct bead_film *film, struct bead_movie_notes *notes)
+{
+    const struct bead_movie_asked *movie = &film->output->movie;
     size_t captions = movie->caption_count, bytes = 0;
     for (size_t i = 0; i < captions; i++)
         bytes += strlen(movie->captions[i].text) + 1;
     if (captions + movie->stop_count == 0)
-        return true;
+        return reserve_words(film, notes);
     notes->chapters = calloc(captions + movie->stop_count + 1, sizeof *notes->chapters);
     notes->subtitles = calloc(captions + 1, sizeof *notes->subtitles);
     notes->text = malloc(bytes + 1);
     notes->stop_names = calloc(movie->stop_count + 1, sizeof *notes->stop_names);
-    return notes->chapters && notes->subtitles && notes->text && notes->stop_names;
+    return notes->chapters && notes->subtitles && notes->text && notes->stop_names && reserve_words(film, notes);
 }
 
 enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes, struct bead_message *msg)
 {
     *notes = (struct bead_movie_notes){.comment = make_comment(film->context.scene)};
-    if (!notes->comment || !reserve(&film->output->movie, notes))
+    if (!notes->comment || !reserve(film, notes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the notes of a movie");
     fill(film, notes);
     return BEAD_OK;
@@ -104,4 +134,5 @@ void bead_movie_notes_free(struct bead_movie_notes *notes)
     free(notes->subtitles);
     free(notes->text);
     free(notes->stop_names);
+    free(notes->words);
 }

@@ -355,6 +355,7 @@ static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead
         err = bead_poster_write(&s->poster, s->poster_path, s->film.context.scene, s->movie, &s->poster_bytes, msg);
     if (!err && whole)
         err = bead_film_sound_write(s->sound, s->movie, msg);
+    bead_movie_notes_tell(s->tale, &s->notes);
     bead_tale_words(s->tale, tale, sizeof tale);
     if (!err)
         err = bead_movie_describe(s->movie, tale, msg);

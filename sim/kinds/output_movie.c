@@ -16,6 +16,7 @@ static const char *const codecs[] = {"auto", "av1", NULL};
 static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", "images", "stage", NULL};
 static const char *const profiles[] = {"bead", "cell", NULL};
 static const char *const types[] = {"normal", "large", NULL};
+static const char *const subtitles[] = {"captions", "words", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
 static const struct bead_option motion = {BEAD_TIME_OF_MOTION};
@@ -136,6 +137,10 @@ static const struct bead_option movie_rows[] = {
      .like = "[outputs.captions]", .read = bead_output_read_captions,
      .help = "texts below the picture, in mp4, mov, mkv and webm also chapters and subtitles: see outputs.captions",
      .example = "[{at: 0.2 ms, text: The front has left the striker}]"},
+    {"subtitles", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.subtitles), .initial = "captions", .choices = subtitles,
+     .help =
+         "in mp4, mov, mkv and webm. captions: their texts; words: where there are none, a sentence for each chain that says what "
+         "happens, from its numbers, for those who do not see"},
     {"notes", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0.4 ms, bead: front, text: The front}]", .like = "[outputs.notes]",
      .read = bead_output_read_notes,
      .help = "texts on the stage, each with a tip to a bead, a contact, the front or the wall, which it follows: see outputs.notes",

@@ -246,6 +246,31 @@ static void captions_are_chapters(void **state)
     }
 }
 
+/* The pulse is known: 10 N at one of ten beads after the other. Films of other containers and with captions say the same, but not
+ * in subtitles. */
+static void words_are_subtitles(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"a.mp4", "a.mkv", "a.webm"}, *const captions[] = {"", "captions: [{at: 0 ms, text: A}], "};
+    for (size_t k = 0; k < 6; k++) {
+        char path[256], text[400];
+        struct decoded movie;
+        snprintf(text, sizeof text, "movie: %s, card: 2 s, subtitles: words, %s" SMALL, names[k / 2], captions[k % 2]);
+        struct built built = build_chain(text);
+        draw_output(&built, pulse_down_the_chain);
+        in_directory(names[k / 2], path, sizeof path);
+        decode(path, &movie);
+        remove(path);
+        assert_true(strncmp(movie.description, "In Ten one pulse of 10", 22) == 0 && movie.description[22] != '.');
+        assert_non_null(strstr(movie.description, "N, 1 bead wide, crosses 10 beads"));
+        assert_int_equal(movie.subtitles, 1);
+        assert_string_equal(movie.subtitle[0], k % 2 ? "A" : movie.description);
+        assert_true(movie.subtitle_span[0][0] == 2 && (k % 2 || fabs(movie.subtitle_span[0][1] - 3) < 0.04));
+        decoded_free(&movie);
+        release_chain(&built);
+    }
+}
+
 /* What has passed when the film begins is not in it. */
 static void passed_captions_are_left_out(void **state)
 {
@@ -313,6 +338,7 @@ int main(void)
         cmocka_unit_test(posters_are_frames),
         cmocka_unit_test(posters_are_covers),
         cmocka_unit_test(captions_are_chapters),
+        cmocka_unit_test(words_are_subtitles),
         cmocka_unit_test(stops_are_frames),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
