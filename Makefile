@@ -11,11 +11,14 @@ BUILD   ?= build
 DEMO    ?= demo
 THESIS  ?= thesis
 CC      ?= cc
-CFLAGS  ?= -O2 -g
+CFLAGS  ?= -O2 -g $(HARDENING)
+LDFLAGS ?= -Wl,-z,relro,-z,now
 # Developers and .ci/run: make WERROR=-Werror
 WERROR  ?=
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
+# Whose repository at GitHub this is; make metadata writes it where addresses are.
+OWNER    = OWNER
 SUITE   ?= bookworm
 FUZZ_SECONDS ?= 30
 FUZZ_RUNS ?= -1
@@ -47,6 +50,8 @@ CI_DEPS    = ccache clang libclang-rt-dev clang-format cppcheck shellcheck deboo
 READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
               python3-jsonschema python3-yaml \
               nodejs $(if $(shell command -v npm),,npm)
+# The daemons of a cluster, for one test.
+CLUSTER_DEPS = slurm-wlm munge
 NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
 # H5Web with what it shows itself with; esbuild puts it together.
 NPM_H5WEB   = @h5web/app@16.0.1 @h5web/h5wasm@16.0.1 react@18.3.1 react-dom@18.3.1 esbuild@0.28.2
@@ -72,9 +77,16 @@ render_libs       = $(call once,render_libs,$(shell pkg-config --libs $(RENDER_P
 movie_libs        = $(call once,movie_libs,$(shell pkg-config --libs libavformat libavcodec libavutil))
 test_libs         = $(call once,test_libs,$(shell pkg-config --libs cmocka))
 
-# Same bits on every machine: no contraction, no fast-math.
+# A fault in memory should end the program, not serve an attacker: checks of stacks and of copies; jumps land where they may.
+HARDENING = -fstack-protector-strong -fstack-clash-protection -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3 \
+            $(if $(x86),-fcf-protection,$(if $(arm64),-mbranch-protection=standard))
+x86   = $(call once,x86,$(filter x86_64-%,$(machine)))
+arm64 = $(call once,arm64,$(filter aarch64-%,$(machine)))
+machine = $(call once,machine,$(shell $(CC) -dumpmachine))
+# Same bits on every machine: no contraction, no fast-math; the same files in every directory.
 WARN  = -Wall -Wextra -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla -Wpointer-arith -Wwrite-strings $(WERROR)
-MODE  = -std=c2x -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread
+MODE  = -std=c2x -D_GNU_SOURCE -fPIC -fvisibility=hidden -ffp-contract=off -fno-math-errno -fno-trapping-math -pthread \
+        "-ffile-prefix-map=$(CURDIR)=."
 FLAGS = $(MODE) $(WARN) -Iinclude -I. $(CPPFLAGS) $(CFLAGS) -MMD -MP
 
 # The two mains and what they share (command line) stay out of the libraries.
@@ -137,7 +149,7 @@ deps: ## install the Debian packages needed to build, run and test (only what is
 # apt-get locks: never two of them at a time.
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))
-	-$(call install_packages,,$(READER_DEPS))
+	-$(call install_packages,,$(READER_DEPS) $(CLUSTER_DEPS))
 	@command -v npm >/dev/null || exit 0; mkdir -p build/npm && cd build/npm && for set in "$(NPM_READERS)" "$(NPM_H5WEB)"; do \
 	    npm install --silent --no-audit --no-fund --ignore-scripts --legacy-peer-deps --prefix . $$set || echo "npm could not install $$set"; done
 deps-arm64: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for make arm64-test
@@ -164,7 +176,6 @@ $(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
 
 # One source of the kernels of forces and of pixels, compiled for each instruction set and chosen at run time.
 # Those of x86-64 are empty elsewhere.
-x86 = $(call once,x86,$(filter x86_64-%,$(shell $(CC) -dumpmachine)))
 extra_kernels_portable = -O3
 extra_kernels_sse2     = $(if $(x86),-O3 -msse2)
 extra_kernels_avx2     = $(if $(x86),-O3 -mavx2)
@@ -231,9 +242,9 @@ $(BUILD)/libbeadreel.so: $(RENDER_OBJECTS) $(BUILD)/libbeadsim.so
 	    -L$(BUILD) -lbeadsim $(render_libs) $(sim_libs)
 	@ln -sf $(@F) $@.$(SOVERSION)
 $(BUILD)/beadsim: $(BUILD)/sim/cli/beadsim.o $(COMMAND_OBJECTS) $(BUILD)/libbeadsim.a
-	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs)
+	$(call say,LD,$@) $(run) $(CC) -pie $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs)
 $(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbeadreel.a $(BUILD)/libbeadsim.a
-	$(call say,LD,$@) $(run) $(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs) $(render_libs)
+	$(call say,LD,$@) $(run) $(CC) -pie $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs) $(render_libs)
 
 demo: $(BUILD)/beadreel ## a clean beside a delocalised wave: movie, pictures, data into demo/
 	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO)
@@ -307,8 +318,14 @@ deb-test: $(if $(asked_suite),,deb) ## these packages pass lintian, install on a
 wheel: all ## the programs and the Python module for pip, into build/wheel (python3-pip, patchelf)
 	@rm -rf $(BUILD)/wheel && BUILD=$(BUILD) $(python) -m pip wheel -q --no-index --no-deps --wheel-dir $(BUILD)/wheel . && ls $(BUILD)/wheel/*.whl
 
+twice: ## the programs and libraries, built in two directories: same bytes? (by hand; two builds)
+	@rm -rf $(BUILD)/twice && tests/twice.sh $(BUILD)/twice $(notdir $(PROGRAMS) $(LIBRARIES))
+
 arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, debootstrap; make deps-arm64; 8 minutes of CPU)
 	@tests/arm64.sh $(filter-out gcc pkg-config,$(BUILD_DEPS))
+
+metadata: ## the owner (OWNER above), the version and the citation in all files that repeat them: codemeta.json, .zenodo.json, debian/ (python3-yaml)
+	@$(python) assets/package/metadata.py $(OWNER)
 
 golden: all $(BUILD)/tests/test_golden ## make the golden pictures of the tests anew; look at them before you commit
 	@BEADREEL_ASSETS=assets BUILD=$(BUILD) BEADREEL_GOLDEN=update $(BUILD)/tests/test_golden
@@ -444,11 +461,15 @@ uninstall: ## remove what `make install` put there, and the directories that it 
 	    *.py) c=$${n%/*}/__pycache__ m=$${n##*/}; rm -f "$$n" "$$c/$${m%py}"*.pyc; rmdir --ignore-fail-on-non-empty "$$c" 2>/dev/null || true ;; \
 	    *) rm -f "$$n" ;; esac; done
 
-dist: ## the sources of the last commit, the same bytes each time: build/beadreel-VERSION.tar.gz
+# The time of the last commit, for what must say when it was made.
+epoch = $(shell git log -1 --format=%ct)
+archive = beadreel-$(VERSION)
+dist: ## the sources of the last commit, the same bytes each time: build/beadreel-VERSION.tar.gz, what is in it (SPDX), SHA256SUMS
 	@mkdir -p $(BUILD)
-	@git archive --prefix=beadreel-$(VERSION)/ -o $(BUILD)/beadreel-$(VERSION).tar HEAD
-	@gzip -9nf $(BUILD)/beadreel-$(VERSION).tar
-	@echo $(BUILD)/beadreel-$(VERSION).tar.gz
+	@git archive --prefix=$(archive)/ -o $(BUILD)/$(archive).tar HEAD
+	@gzip -9nf $(BUILD)/$(archive).tar
+	@SOURCE_DATE_EPOCH=$(epoch) $(python) assets/package/sbom.py $(BUILD)/$(archive).tar.gz $(BUILD_DEPS) >$(BUILD)/$(archive).spdx.json
+	@cd $(BUILD) && sha256sum $(archive).tar.gz $(archive).spdx.json >SHA256SUMS && printf '$(BUILD)/%s\n' $(archive).tar.gz $(archive).spdx.json SHA256SUMS
 
 clean: ## remove what was built
 	rm -rf $(BUILD) $(BUILD)-asan $(BUILD)-tsan $(BUILD)-fuzz $(BUILD)-undefined-fuzz $(BUILD)-coverage
@@ -458,7 +479,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 # Not of what `make deb` builds meanwhile.
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

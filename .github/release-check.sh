@@ -12,6 +12,6 @@ grep -q "^version: $version$" CITATION.cff || open "CITATION.cff has another ver
 grep -q "^## \[$version\] - [0-9]\{4\}-[0-9][0-9]-[0-9][0-9]$" CHANGELOG.md || open "CHANGELOG.md has no date for $version"
 grep -q '^date-released: 2' CITATION.cff || open "CITATION.cff has no date-released"
 while IFS=: read -r file line text; do open "$file:$line: what only the owner knows: $text"; done < <(
-    grep -nE '\bOWNER\b|name: The beadreel authors' README.md CITATION.cff debian/control debian/changelog debian/copyright)
+    grep -nE '^OWNER += OWNER$|name: The beadreel authors' Makefile CITATION.cff assets/package/paper.md)
 [ $status -ne 0 ] || echo "Nothing stands between this commit and v$version."
 exit $status

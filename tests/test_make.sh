@@ -178,6 +178,28 @@ dist_is_whole() {
 }
 if git rev-parse -q --verify HEAD >/dev/null 2>&1; then
     ok "make dist has every file" dist_is_whole
+    ok "... sums that fit" bash -c "cd '$T/dist' && [ \$(wc -l <SHA256SUMS) = 2 ] && sha256sum --quiet -c SHA256SUMS"
+    cat >"$T/sbom.py" <<'PY'
+# SPDX 2.3: what is listed is what is in the archive; its sums add up; every relationship has two ends.
+import glob, hashlib, json, sys, tarfile
+archive = glob.glob(sys.argv[1] + "/*.tar.gz")[0]
+bom = json.load(open(archive.replace(".tar.gz", ".spdx.json")))
+assert (bom["spdxVersion"], bom["dataLicense"]) == ("SPDX-2.3", "CC0-1.0")
+package, sha1 = bom["packages"][0], sorted(f["checksums"][0]["checksumValue"] for f in bom["files"])
+assert package["packageVerificationCode"]["packageVerificationCodeValue"] == hashlib.sha1("".join(sha1).encode()).hexdigest()
+assert package["checksums"][0]["checksumValue"] == hashlib.sha256(open(archive, "rb").read()).hexdigest()
+tar = tarfile.open(archive)
+there = {"./" + m.name.split("/", 1)[1]: hashlib.sha256(tar.extractfile(m).read()).hexdigest() for m in tar if m.isfile()}
+assert there == {f["fileName"]: f["checksums"][1]["checksumValue"] for f in bom["files"]}
+terms = {f["fileName"]: f["licenseConcluded"] for f in bom["files"]}
+assert terms["./assets/colormaps/batlow.txt"] == "MIT" and terms["./assets/colormaps/viridis.txt"] == "CC0-1.0" and terms["./LICENSE"] == "GPL-3.0-or-later"
+ids = [x["SPDXID"] for x in bom["packages"] + bom["files"]] + ["SPDXRef-DOCUMENT"]
+assert len(set(ids)) == len(ids) and all({r["spdxElementId"], r["relatedSpdxElement"]} <= set(ids) for r in bom["relationships"])
+assert sum(r["relationshipType"] == "DEPENDS_ON" for r in bom["relationships"]) > 10
+PY
+    ok "... and a list of what is in it" python3 "$T/sbom.py" "$T/dist"
+    again() { cp "$T/dist/SHA256SUMS" "$T/sums" && quiet make --no-print-directory BUILD="$T/dist" dist && cmp "$T/sums" "$T/dist/SHA256SUMS"; }
+    ok "make dist again: the same bytes" again
     ok "... which compile" bash -c "cd '$T'/sources/beadreel-* && make --no-print-directory BUILD=b b/sim/chain/law.o"
 else
     skip "a git checkout" "make dist has every file"
