@@ -6,12 +6,6 @@ manual=$top/assets/manual
 # Debian's Python has h5py.
 mkdir "$T/bin" && ln -s /usr/bin/python3 "$T/bin/python3"
 export top PATH=$T/bin:$BUILD:$PATH PYTHONPATH=$top/assets/python BEADREEL=$beadreel
-# Slurm's command, for one machine: the tasks of the array, one after the other.
-sbatch() {
-    local task tasks
-    tasks=$(sed -n 's/^#SBATCH --array=1-//p' "$1")
-    for ((task = 1; task <= tasks; task++)); do SLURM_ARRAY_TASK_ID=$task SLURM_CPUS_PER_TASK=1 sh "$1" || return 1; done
-}
 command -v python3 >/dev/null || { skip python3 "the chapters of the manual"; finish; }
 works() { # CHAPTER
     local name
@@ -34,12 +28,6 @@ ok "scenes for common tasks have at most fifteen lines" short figure/figure.yaml
     recipes/defect.yaml recipes/cells.yaml sweep/sweep.yaml ask/glass.yaml ask/velocity.yaml ask/mean.yaml \
     ask/two.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml ask/pulse.yaml
 
-# The job of the cluster's chapter, with a smaller sweep.
-slurm_works() {
-    cd "$T/cluster" && rm -rf parts && sed -i 's/cells: 32/cells: 8/; s/configurations: 200/configurations: 2/' sweep.yaml && sbatch sweep.slurm >"$T/log" &&
-        beadsim --merge parts/sweep.*of8.h5 -o merged.h5 >"$T/log" && beadsim sweep.yaml -o one >"$T/log" && cmp merged.h5 one/sweep.h5
-}
-ok "the Slurm job computes a sweep in parts" slurm_works
 broken() { # a chapter with a command that fails, a file that is not made, another message
     printf '```sh\n%s\n```\n%s\n' "$1" "${2:-}" >"$T/broken.md"
     ! works "$T/broken.md" >/dev/null
