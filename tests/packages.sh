@@ -36,15 +36,16 @@ if [ $# -gt 1 ]; then
 fi
 
 check "lintian has no errors" lintian --allow-root --fail-on error "$directory"/*.changes
-packages="beadreel libbeadreel0 libbeadreel-dev python3-beadreel"
+packages="beadreel beadreel-data libbeadreel0 libbeadreel-dev python3-beadreel"
 all_there() { diff <(for d in "$directory"/*.deb; do dpkg-deb -f "$d" Package; done | grep -v dbgsym | sort) <(printf '%s\n' $packages | sort); }
-check "four packages" all_there
+check "five packages" all_there
 
 fresh_root
 mkdir "$root/deb" && cp "$directory"/*.deb tests/examples/minimal.c "$root/deb"
 visitor() { within setpriv --reuid=visitor --regid=visitor --init-groups env HOME=/home/visitor sh -c "cd && $1"; }
 within useradd --create-home visitor
-check "beadreel installs" add "/deb/$(cd "$root/deb" && echo beadreel_*.deb)"
+# shellcheck disable=SC2046
+check "beadreel and its data install" add $(cd "$root/deb" && printf '/deb/%s\n' beadreel_*.deb beadreel-data_*.deb)
 check "the demo runs as a plain user" visitor "beadreel clean-vs-delocalised -o x"
 for f in waves.mp4 figure.pdf force.png peaks.csv run.h5; do check "... and makes $f" test -s "$root/home/visitor/x/$f"; done
 check "its manual is there" test -s "$root/usr/share/doc/beadreel/html/index.html"
