@@ -13,6 +13,7 @@ In a chapter, ``` {.LANGUAGE file=NAME} is the text of a file, and ```sh are com
     <!-- fails: STATUS -->              the next block ends with this status, and prints the block behind it
     <!-- makes: FILE... -->             these are there now
     <!-- picture: FILE | WORDS | COMMAND --> the picture that COMMAND makes; without a command, FILE of assets
+    <!-- live: FILE | WORDS | COMMAND -->    a link to the report that COMMAND makes
 """
 import html
 import os
@@ -25,7 +26,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ASSETS = os.path.dirname(HERE)
-CHAPTERS = ['first-film', 'figure', 'lecture', 'report', 'recipes', 'ask', 'settings', 'sweep', 'cluster', 'python', 'library', 'troubleshooting']
+CHAPTERS = ['first-film', 'figure', 'lecture', 'report', 'recipes', 'ask', 'settings', 'sweep', 'cluster', 'publish', 'python', 'library', 'troubleshooting']
 PAGES = ['beadreel.1', 'beadsim.1', 'beadreel-scene.5']
 COMMENT = re.compile(r'<!-- (\w+): (.*?) -->', re.S)
 TOKENS = re.compile(r'^```(?P<info>[^\n]*)\n(?P<text>.*?)^```$|' + COMMENT.pattern, re.S | re.M)
@@ -97,6 +98,13 @@ class Manual:
         shutil.copy(os.path.join(work if command else ASSETS, name), self.to)
         return f'<figure><img src="{os.path.basename(name)}" alt="{html.escape(alt)}"></figure>'
 
+    def live(self, work, words):
+        name, label, command = words.split(' | ')
+        subprocess.run(command, shell=True, cwd=work, env=self.environment, check=True, stdout=subprocess.DEVNULL)
+        os.makedirs(os.path.join(self.to, 'live'), exist_ok=True)
+        shutil.copy(os.path.join(work, name), os.path.join(self.to, 'live'))
+        return f'[{label}](live/{name})'
+
     def body(self, chapter):
         """The Markdown of a chapter with its pictures made; its other comments gone."""
         text = read(chapter)
@@ -105,7 +113,8 @@ class Manual:
                 if kind == 'file':
                     with open(os.path.join(work, first), 'w', encoding='utf-8') as f:
                         f.write(rest[0])
-            return COMMENT.sub(lambda c: self.picture(work, c[2].replace('\n', ' ')) if c[1] == 'picture' else '', text)
+            made = {'picture': self.picture, 'live': self.live}
+            return COMMENT.sub(lambda c: made[c[1]](work, c[2].replace('\n', ' ')) if c[1] in made else '', text)
 
     def navigation(self, here):
         def items(entries):

@@ -144,6 +144,7 @@ static const struct command_option rows[] = {
      .text = COMMAND(job.input), .action = COMMAND_VERIFY},
     {"reproduce", 0, "FILE", "make a picture, film, table or trajectory again, by the scene stored in it: same bits?",
      .text = COMMAND(job.input), .action = COMMAND_REPRODUCE},
+    {"crate", 0, NULL, "describe the run for archives, beside its files: ro-crate-metadata.json", .flag = COMMAND(crate)},
     {"configuration", 0, "N", "run only chain N of a sweep (its scene or its results); NAME:N where there are several sweeps",
      .text = COMMAND(job.configuration)},
     {"diff", 0, NULL, "of two trajectories: show the second less the first, into the file -o", .flag = COMMAND(job.difference)},
@@ -312,6 +313,8 @@ static enum bead_error take_input(struct command *command, int argc, char **argv
         return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`", command->job.input, argv[optind]);
     if (command->watch && command->action != COMMAND_RUN)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--watch: has no effect here: it is for runs of a scene");
+    if (command->crate && command->action != COMMAND_RUN)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--crate: has no effect here: it is for runs of a scene");
     bool needed = command->action == COMMAND_RUN || command->action == COMMAND_PLAN;
     if (needed && (!command->job.input || !*command->job.input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "no scene given; see --help, or --list scenes for ready ones");

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <time.h>
 
 #include "beadreel/error.h"
 #include "beadreel/session.h"
@@ -58,8 +59,9 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    struct bead_job job;                    /* what a session is told of it */
-    bool json, watch, no_config, piped;     /* piped: the one file goes to standard output */
+    struct bead_job job; /* what a session is told of it */
+    bool json, watch, no_config, crate;
+    bool piped;                             /* the one file goes to standard output */
     struct bead_config *config;             /* the user's own settings, owned; NULL: none */
     const char *kind;                       /* of a new scene */
     const char **settings, **only, **parts; /* owned arrays; parts: files to merge */
@@ -118,6 +120,10 @@ enum bead_error command_merge(const struct command *command, struct bead_message
 /* Makes the file `job.input` again from the scene stored in it, in a new directory or in -o, and says whether all bytes agree.
  * Errors: those of command_run; NUMBERS: they do not; FORMAT: the file has no scene. */
 enum bead_error command_reproduce(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+/* --crate: writes ro-crate-metadata.json beside the results of a run, and the scene as it was run, ro-crate-scene.yaml. The crate
+ * is a Process Run Crate (https://w3id.org/ro/wfrun/process/0.5). `began`: when the run did. Errors: IO, MEMORY. */
+enum bead_error command_crate(const struct command *command, const struct bead_session *session, time_t began,
+                              struct bead_message *msg);
 /* What a file says about how it was made. */
 struct command_origin {
     char *scene;      /* owned; NULL: nothing */

@@ -246,6 +246,7 @@ static enum bead_error open_and_play(const struct command *command, const volati
     struct bead_job job = command->job;
     struct bead_session *session;
     double began = bead_clock();
+    const time_t date = time(NULL);
     command_meter_init(&meter, command->progress);
     job.stop = stop;
     job.progress = command_meter_tell;
@@ -257,6 +258,8 @@ static enum bead_error open_and_play(const struct command *command, const volati
         err = check_piped(session, msg);
     if (!err)
         err = play(command, session, &meter, began, msg);
+    if (!err && command->crate)
+        err = command_crate(command, session, date, msg);
     if (err == BEAD_ERROR_STOPPED && *stop)
         bead_fail(msg, err, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
     if (command_is_json(command))
@@ -272,8 +275,9 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     struct command piped = *command;
     if (!command->job.output || strcmp(command->job.output, "-") != 0)
         return open_and_play(command, stop, msg);
-    if (command_is_json(command) || command->watch)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "-o -: standard output has room for the file only, not for JSON or --watch");
+    if (command_is_json(command) || command->watch || command->crate)
+        return bead_fail(msg, BEAD_ERROR_USAGE,
+                         "-o -: standard output has room for the file only, not for JSON, --watch or --crate");
     BEAD_TRY(command_make_temporary(directory, msg));
     piped.job.output = directory;
     piped.piped = true;

@@ -329,6 +329,11 @@ size_t bead_session_results(const struct bead_session *s, const struct bead_resu
     return s->result_count;
 }
 
+const char *bead_session_text(const struct bead_session *s)
+{
+    return s->source->text;
+}
+
 const char *bead_session_time_unit(const struct bead_session *s)
 {
     return s->sweep ? "s" : bead_chain_time_unit(s->chains[0]);
