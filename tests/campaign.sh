@@ -15,8 +15,11 @@ fast=$build-undefined
 targets='scene 2000000 8000000
 plan 50000 50000
 set 100000 0
+config 100000 0
+command 100000 0
 trajectory 40000 0
 sweep 20000 0
+merge 20000 0
 journal 40000 0'
 
 # fuzz BUILD SANITIZERS TARGET RUNS : what is missing of them

@@ -9,7 +9,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 build=$1 seconds=$2 runs=$3
 shift 3
-[ $# -gt 0 ] || set -- scene plan set trajectory sweep journal
+[ $# -gt 0 ] || set -- scene plan set config command trajectory sweep merge journal
 passed=0 failed=0 lines=()
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -27,6 +27,7 @@ export ASAN_OPTIONS=allocator_may_return_null=1:quarantine_size_mb=1:thread_loca
 export LSAN_OPTIONS="suppressions=$work/lsan.txt:print_suppressions=0" UBSAN_OPTIONS=print_stacktrace=1
 mkdir -p "$build/faults"
 tests/fuzz/seeds.sh "$build" "$build/seeds" || { echo "0 passed, 1 failed"; exit 1; }
+export FUZZ_PART=$build/seeds/sweep.2of2.h5
 
 # HDF5 1.10 itself reads beyond its memory over some damaged files (in H5Aexists, for one), which no caller can prevent: where that ends a
 # target, the verdict says so. A report counts as HDF5's if its library stands above all of the project's code.
@@ -39,7 +40,7 @@ within_hdf5() {
 fuzz() {
     local target=$1 most TIMEFORMAT='%U %S'
     mkdir -p "$build/corpus/$target" "$work/$target/tmp"
-    case $target in scene | plan | set) most=4096 ;; journal) most=16384 ;; *) most=400000 ;; esac
+    case $target in scene | plan | set | config | command) most=4096 ;; journal) most=16384 ;; *) most=400000 ;; esac
     # One seed of random numbers, so that a run can be repeated; slow is what takes a user's patience, threefold for a busy machine.
     { time TMPDIR=$work/$target/tmp "$build/fuzz/fuzz_$target" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -runs="$runs" -max_len=$most \
         -detect_leaks=0 -entropic=0 -timeout=60 -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$build/faults/$target-" \

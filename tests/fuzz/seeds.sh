@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 build=$1 seeds=$2
 export BEADREEL_ASSETS=$PWD/assets
-mkdir -p "$seeds"/{scene,plan,set,trajectory,sweep,journal}
+mkdir -p "$seeds"/{scene,plan,set,config,command,trajectory,sweep,merge,journal}
 find assets/scenes tests/bad tests/golden -name '*.yaml' | while read -r scene; do
     cp "$scene" "$seeds/scene/$(tr / - <<<"${scene#*/}")"
 done
@@ -29,6 +29,32 @@ simulate.until=follow
 outputs=[]
 SETTINGS
 
+settings() { cat >"$seeds/config/$1"; }
+settings all <<'YAML'
+style: movie
+font: Lato
+canvas: plain
+materials: materials.yaml
+colormaps: {own: own.txt, other: /somewhere/other.txt}
+YAML
+settings wrong <<<'style: [1, 2]'
+# Each option of the program, with a value that it may have; a whole command line a row.
+"$build/beadsim" --help=words | cut -f 1 | while read -r name _ argument value _; do
+    printf '%s\n' "$name" ${argument%.} | sed "s/^[A-Z].*/${value:-1}/" >"$seeds/command/${name#--}"
+done
+n=0
+while read -r line; do
+    n=$((n + 1))
+    printf '%b' "$line" >"$seeds/command/line$n"
+done <<'LINES'
+scene.yaml\n-o\nout\n--set\nchain.wall=rigid\n--only\na.png
+--info\nrun.h5\n--json
+--merge\na.h5\nb.h5\n-o\nc.h5
+run.h5\n-o\na.png\n--beads\n10-20\n--range\n-5:5\n--size\n86mmx60mm\n--time\n0.2ms:1ms\n--views\nbeads,profile
+sweep\n--shard\n3/8\n--threads\n4\n-q
+--list\nkeys\nmovie
+LINES
+
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 chain='striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 3, spins: random, magnetism: 0.3, seed: 7}]'
@@ -46,7 +72,10 @@ outputs: [{sweep: sweep.h5}]
 YAML
 sweep() { "$build/beadsim" "$work/sweep.yaml" "$@" >"$work/log" 2>&1; }
 sweep -o "$seeds/sweep" || { cat "$work/log"; exit 1; }
-sweep --shard 1/2 -o "$seeds/sweep" || { cat "$work/log"; exit 1; }
+for part in 1 2; do sweep --shard $part/2 -o "$work" || { cat "$work/log"; exit 1; }; done
+cp "$work/sweep.2of2.h5" "$seeds"
+cp "$work/sweep.1of2.h5" "$seeds/merge"
+cp "$work/sweep.1of2.h5" "$seeds/sweep" || { cat "$work/log"; exit 1; }
 # Journals are what a sweep leaves that cannot write on.
 for kib in 1 2 4; do
     (ulimit -f $kib; sweep -o "$work/limit$kib") || true
