@@ -318,6 +318,17 @@ deb-test: $(if $(asked_suite),,deb) ## these packages pass lintian, install on a
 wheel: all ## the programs and the Python module for pip, into build/wheel (python3-pip, patchelf)
 	@rm -rf $(BUILD)/wheel && BUILD=$(BUILD) $(python) -m pip wheel -q --no-index --no-deps --wheel-dir $(BUILD)/wheel . && ls $(BUILD)/wheel/*.whl
 
+archive = beadreel-$(VERSION)
+# What runs wherever it is unpacked.
+bundle = $(archive)-$(shell uname -m)-linux
+tarball: all ## programs with all they need, to unpack anywhere, and what is in it (SPDX): build/beadreel-VERSION-MACHINE-linux.tar.gz (patchelf)
+	@assets/package/tarball.sh $(BUILD) $(bundle)
+image: tarball ## an image for containers (OCI), of the tarball and Debian's C library: build/image (root, mmdebstrap, umoci)
+	@assets/package/image.sh $(BUILD)/$(bundle).tar.gz $(BUILD)/image $(VERSION)
+bare-test: image ## the demo from the image, and from the tarball on bare Debian 12 and 13 (root, debootstrap; by hand, minutes)
+	@tests/bare.sh image $(BUILD)/image $(VERSION)
+	@for suite in bookworm trixie; do tests/bare.sh tarball $(BUILD)/$(bundle).tar.gz $$suite || exit 1; done
+
 twice: ## the programs and libraries, built in two directories: same bytes? (by hand; two builds)
 	@rm -rf $(BUILD)/twice && tests/twice.sh $(BUILD)/twice $(notdir $(PROGRAMS) $(LIBRARIES))
 
@@ -369,11 +380,11 @@ asan-short: ## the tests of minutes under sanitizers: all but those that tests/l
 	@SHORT=1 tests/run.sh $(BUILD)-fuzz
 
 # Each target for FUZZ_SECONDS, or FUZZ_RUNS where that is shorter.
-$(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(STATIC)
+$(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(COMMAND_OBJECTS) $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs)
+	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(COMMAND_OBJECTS) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs)
 fuzzers: $(BUILD)/beadsim $(FUZZERS)
-fuzz: ## random scenes, settings and files, FUZZ_SECONDS each; ends with `N passed, M failed`
+fuzz: ## random scenes, settings, command lines and files, FUZZ_SECONDS each; ends with `N passed, M failed`
 	@$(MAKE) $(sanitized_build) fuzzers
 	@tests/fuzz/run.sh $(BUILD)-fuzz $(FUZZ_SECONDS) $(FUZZ_RUNS) $(TARGETS)
 
@@ -403,7 +414,7 @@ MANUALS = $(wildcard assets/man/*.[15])
 man: $(PROGRAMS) ## write options, keys and lists into the man pages again, and the schema of scenes
 	@$(BUILD)/beadreel --list schema >$(BUILD)/scene.schema.json && mv $(BUILD)/scene.schema.json assets/scene.schema.json
 	@BEADREEL_ASSETS=assets assets/man/make.sh $(BUILD) $(MANUALS)
-doc: $(BUILD)/beadreel ## the manual and the man pages as HTML, into build/doc (pandoc, mandoc)
+doc: $(BUILD)/beadreel ## the manual and the man pages as HTML with two live reports, into build/doc (pandoc, mandoc)
 	@rm -rf $(BUILD)/doc && assets/manual/make.py html $(BUILD) $(BUILD)/doc
 	@ls $(BUILD)/doc/*.html
 
@@ -463,7 +474,6 @@ uninstall: ## remove what `make install` put there, and the directories that it 
 
 # The time of the last commit, for what must say when it was made.
 epoch = $(shell git log -1 --format=%ct)
-archive = beadreel-$(VERSION)
 dist: ## the sources of the last commit, the same bytes each time: build/beadreel-VERSION.tar.gz, what is in it (SPDX), SHA256SUMS
 	@mkdir -p $(BUILD)
 	@git archive --prefix=$(archive)/ -o $(BUILD)/$(archive).tar HEAD
@@ -479,7 +489,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: tarball image bare-test metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 # Not of what `make deb` builds meanwhile.
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

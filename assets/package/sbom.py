@@ -18,6 +18,7 @@ import tarfile
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 SPDX_NAMES = {"Expat": "MIT"}  # where Debian's name of a licence is another
+OTHERS = ("lib/beadreel/", "share/beadreel/fonts/", "share/doc/beadreel/licences/")  # of a bundle: files of the packages that it contains
 
 
 def licences():
@@ -30,6 +31,8 @@ def licences():
 
 
 def licence(name, content, patterns):
+    if name.startswith(OTHERS):
+        return "NOASSERTION"
     # In two parts: this line is no licence of this file's.
     said = re.search(rb"SPDX-License-" rb"Identifier: ([\w.+-]+)", content[:400])
     return said[1].decode() if said else [l for pattern, l in patterns if fnmatch.fnmatch(name, pattern)][-1]
