@@ -386,6 +386,19 @@ void bead_trajectory_lay_out(struct bead_sink *sink)
     write_chains(sink);
 }
 
+/* The uncertainty of the samples of each field, chain by chain. */
+static void write_uncertainty(struct bead_sink *sink)
+{
+    hid_t group = bead_h5_make_group(&sink->h5, sink->h5.file, BEAD_PROFILE_GROUP "/uncertainty");
+    for (size_t id = 0; id < BEAD_SERIES_COUNT; id++) {
+        const double *values = sink->uncertainty + id * sink->context.chain_count;
+        if (sink->series[id].buffer && bead_series[id].stored)
+            bead_h5_write_numbers(&sink->h5, group, strrchr(bead_series[id].group, '/') + 1, units_of(sink, bead_series[id].units),
+                                  -1, BEAD_H5_DOUBLE, values, sizeof *values, sink->context.chain_count);
+    }
+    bead_h5_close(&sink->h5, &group);
+}
+
 void bead_trajectory_write_outcome(struct bead_sink *sink, const struct bead_outcome *outcomes, bool complete)
 {
     struct bead_h5 *h5 = &sink->h5;
@@ -400,6 +413,8 @@ void bead_trajectory_write_outcome(struct bead_sink *sink, const struct bead_out
         bead_h5_write_numbers(h5, group, "evaluations", NULL, -1, BEAD_H5_INT, &outcomes->evaluations, size, count);
         bead_h5_close(h5, &group);
     }
+    if (sink->uncertainty)
+        write_uncertainty(sink);
     hid_t summary = bead_h5_open_group(h5, BEAD_PROFILE_GROUP);
     bead_h5_set_int(h5, summary, "complete", complete);
     bead_h5_close(h5, &summary);

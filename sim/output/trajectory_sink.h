@@ -26,6 +26,7 @@ struct bead_sink {
     struct bead_h5 h5;
     hid_t time, step, bead_scale, contact_scale, spatial_scale;
     struct bead_series series[BEAD_SERIES_COUNT];
+    double *uncertainty;      /* [series][chains], the largest so far, of samples of fields; NULL: not asked for */
     double *shift;            /* [chunk_rows][beads] m: y of the positions; NULL for a single chain */
     double *times;            /* [chunk_rows] s */
     int64_t *steps;           /* [chunk_rows] numbers of the samples */

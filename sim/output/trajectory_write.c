@@ -15,6 +15,7 @@
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/output/sink_grid.h"
+#include "sim/run/uncertainty.h"
 
 /* A flush waits for the disk: it comes every second, or less often where it would take more than a fiftieth of the time. */
 static const double flush_every = 1; /* s */
@@ -48,6 +49,7 @@ static void trajectory_destroy(struct bead_sink *sink)
     free(sink->part);
     free(sink->xdmf);
     free(sink->shift);
+    free(sink->uncertainty);
     free(sink->times);
     free(sink->steps);
     free(sink);
@@ -108,6 +110,8 @@ static enum bead_error trajectory_create(const struct bead_output *output, const
         sink->fields =
             BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
     BEAD_TRY(bead_new(&sink->rows, context->chain_count + 1, msg, "a trajectory"));
+    if (output->curves.uncertainty && !context->replayed)
+        BEAD_TRY(bead_new(&sink->uncertainty, BEAD_SERIES_COUNT * context->chain_count, msg, "a trajectory"));
     BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
     BEAD_TRY(bead_file_part_name(sink->path, &sink->part, msg));
     if (output->trajectory.xdmf)
@@ -121,6 +125,7 @@ static void trajectory_needs(const struct bead_sink *sink, struct bead_needs *ne
     *needs = (struct bead_needs){
         .fields = sink->fields, .beads = sink->output->shown.beads, .grid = sink->grid, .until = sink->grid.end};
     needs->why = sink->why;
+    needs->checked = sink->uncertainty != NULL;
     if (bead_trajectory_wants(sink, BEAD_SERIES_NET_FORCE)) {
         needs->fields |= BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
         needs->beads.first -= needs->beads.first > 0;
@@ -243,6 +248,22 @@ static void fill(const struct cell *cell, enum bead_series_id id, double *row)
         memcpy(row, cell->sample->field[info->field] + rows->first, rows->count * sizeof *row);
 }
 
+/* Compares a sample with that of the check run. */
+static void compare(struct bead_sink *sink, const struct bead_sample *sample)
+{
+    for (size_t id = 0; id < BEAD_SERIES_COUNT; id++) {
+        const struct bead_rows *rows = bead_rows_of(&sink->rows[sample->chain], bead_series[id].of_contacts);
+        const enum bead_field field = bead_series[id].field;
+        double *worst = &sink->uncertainty[id * sink->context.chain_count + sample->chain];
+        if (!sink->series[id].buffer || !bead_series[id].stored)
+            continue;
+        if (!sample->check)
+            *worst = NAN;
+        for (size_t i = rows->first; sample->check && i < rows->first + rows->count; i++)
+            *worst = fmax(*worst, bead_uncertainty_measured(0, sample->field[field][i], sample->check->field[field][i]));
+    }
+}
+
 /* A failed run must not leave a file that looks complete. */
 static void check_finite(struct bead_sink *sink, enum bead_series_id id)
 {
@@ -297,6 +318,8 @@ static enum bead_error trajectory_sample(struct bead_sink *sink, const struct be
         if (series->buffer && rows->count > 0)
             fill(&cell, id, series->buffer + sink->filled * series->columns + rows->row);
     }
+    if (sink->uncertainty)
+        compare(sink, sample);
     if (++sink->next_chain < sink->context.chain_count)
         return BEAD_OK;
     sink->next_chain = 0;
