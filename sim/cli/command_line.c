@@ -116,8 +116,7 @@ static enum bead_error set_help(struct command *command, const char *value, stru
 
 #define COMMAND(member) offsetof(struct command, member)
 static const struct command_option rows[] = {
-    {"output", 'o', "PATH",
-     "directory for the files of a scene (default: this one), or the one file to make, by its ending; -: standard output",
+    {"output", 'o', "PATH", "directory for a scene's files (default: this one), or the one file, by its ending; -: standard output",
      .text = COMMAND(job.output)},
     {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", .apply = set_setting},
     {"only", 0, "NAME", "make only this output, named by its file (repeatable)", .apply = set_only},
