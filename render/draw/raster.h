@@ -6,6 +6,7 @@
  *   err = bead_raster_end(cr, "curves", &msg); */
 #pragma once
 
+#include "beadreel/error.h"
 #include "beadreel/view.h"
 #include "render/draw/picture.h"
 
@@ -26,3 +27,15 @@ BEAD_CHECK enum bead_error bead_raster_indices(cairo_t *cr, struct bead_rect rec
 /* Straight from premultiplied colours, as files of pictures and movies need them: converts `count` pixels B G R A of a frame with
  * alpha (render.h) to straight R G B A. Added light covers as much as its brightest channel. Fully transparent pixels are black. */
 void bead_straight_rgba(const uint8_t *bgra, size_t count, uint8_t *rgba);
+
+/* Warnings of GLib, Pango and cairo become errors: they would only warn if, say, a font cannot be opened, and draw boxes for
+ * letters.
+ *
+ *   bead_warnings_watch();   ... draw, in this thread ...   err = bead_warnings_check(msg);
+ *
+ * GLib has one default handler of messages per process; it is replaced once, for good, by one that passes on all but warnings. */
+
+/* Forgets earlier warnings in this thread and watches for new ones. */
+void bead_warnings_watch(void);
+/* Errors: GRAPHICS (with the first warning since). */
+BEAD_CHECK enum bead_error bead_warnings_check(struct bead_message *msg);

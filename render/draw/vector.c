@@ -10,8 +10,8 @@
 #include <time.h>
 
 #include "render/draw/picture.h"
+#include "render/draw/raster.h"
 #include "render/draw/vector.h"
-#include "render/draw/warnings.h"
 #include "sim/base/file.h"
 
 struct format {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Warnings of the libraries that draw become errors of the picture that was being drawn. */
-#include "render/draw/warnings.h"
+#include "render/draw/raster.h"
 
 #include <glib.h>
 #include <pthread.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Converts changed rectangles of a frame to the pixel formats of encoders: YUV and RGB, with and without alpha. */
-#include "render/encode/convert.h"
+#include "render/encode/pictures.h"
 
 #include <math.h>
 

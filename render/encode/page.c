@@ -6,7 +6,6 @@
 
 #include "render/draw/looks.h"
 #include "render/draw/raster.h"
-#include "render/draw/warnings.h"
 #include "render/encode/picture_file.h"
 #include "sim/chain/system.h"
 #include "sim/kinds/output_kinds.h"

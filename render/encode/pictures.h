@@ -2,12 +2,25 @@
 /* The pictures of an encoder, changed in place as frames change. */
 #pragma once
 
+#include <libavutil/frame.h>
+#include <libavutil/pixfmt.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/render.h"
-#include "render/encode/convert.h"
 #include "render/encode/libav.h"
+
+/* Converts changed rectangles of a frame into a picture of libav, in the pixel format of the encoder. */
+
+/* Convert `rect`, already aligned with bead_convert_align, from `frame`
+ * into `picture` (same size; lines aligned to 64 bytes). */
+typedef void (*bead_convert)(const struct bead_frame *frame, struct bead_rect rect, AVFrame *picture);
+
+/* The converter to a pixel format. NULL: there is none. */
+bead_convert bead_convert_find(enum AVPixelFormat format);
+/* The smallest rectangle of whole blocks (16 pixels by 2 rows) around the visible part of `rect`. It may extend into the padding of
+ * rows, but not below the frame. Empty: width 0. */
+struct bead_rect bead_convert_align(const struct bead_frame *frame, struct bead_rect rect);
 
 struct bead_picture_slot {
     AVFrame *picture;

@@ -14,7 +14,7 @@
 #include "render/draw/picture_times.h"
 #include "render/draw/raster.h"
 #include "render/encode/page.h"
-#include "render/view/area_colours.h"
+#include "render/view/area.h"
 #include "render/view/orientation.h"
 #include "render/view/tale.h"
 #include "sim/base/memory.h"

@@ -7,8 +7,8 @@
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/figure/figure.h"
+#include "render/view/horizon.h"
 #include "render/view/panel.h"
-#include "render/view/trust_words.h"
 
 struct words {
     char letter[128], magnetism[128], moment[160];

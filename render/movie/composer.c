@@ -9,7 +9,6 @@
 #include "render/colour/colour_range.h"
 #include "render/draw/looks.h"
 #include "render/draw/raster.h"
-#include "render/draw/warnings.h"
 #include "render/draw/words.h"
 #include "render/movie/film.h"
 #include "render/view/camera.h"

@@ -7,7 +7,6 @@
 #include "render/draw/picture_times.h"
 #include "render/plot/plot_private.h"
 #include "render/view/horizon.h"
-#include "render/view/trust_words.h"
 #include "sim/output/places.h"
 
 /* Number of times that a plot can distinguish. */

@@ -10,7 +10,7 @@
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/schematic/schematic.h"
-#include "render/schematic/schematic_words.h"
+#include "render/schematic/schematic_sketch.h"
 
 /* In units of the label's font size: rows above and below the beads, and distances. */
 static const double names_row = 1.9, dimensions_row = 3.0, near = 0.95, right_angle = 0.4;

@@ -8,7 +8,7 @@
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/schematic/schematic_plan.h"
-#include "render/schematic/schematic_words.h"
+#include "render/schematic/schematic_sketch.h"
 
 /* Spins of up to this many cells are written out. */
 enum { MOST_DIGITS = 12 };

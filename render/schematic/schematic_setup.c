@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "render/schematic/schematic_plan.h"
-#include "render/schematic/schematic_words.h"
+#include "render/schematic/schematic_sketch.h"
 #include "sim/base/memory.h"
 
 enum { MOST_ENTRIES = 8, PIECES = MOST_ENTRIES + 1 };

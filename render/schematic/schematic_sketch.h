@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "beadreel/scene.h"
 #include "render/draw/axis.h"
 
 struct bead_box {
@@ -63,3 +64,14 @@ struct bead_label {
 enum { BEAD_LABELS = 64 }; /* in a row, at most */
 /* `labels` in the order of their anchors; false: they do not fit. */
 bool bead_labels_spread(struct bead_label *labels, size_t count, double gap, double low, double high);
+
+/* Words that schematic drawings share. */
+
+/* "dimer", "trimers"; "cell" for long ones. */
+const char *bead_cell_word(size_t beads, bool several);
+
+/* Markup of a letter in mathematical italics with a lower index (0: none). */
+void bead_symbol_words(const char *letter, int index, char *out, size_t size);
+/* Markup: "large steel, R = 4.76 mm, 3.63 g"; for several that differ in size only, "a to b, R = 4.76 mm to 1.80 mm, 3.63 g to
+ * 0.195 g"; of one, if first is last. */
+void bead_materials_words(const struct bead_material *first, const struct bead_material *last, char *out, size_t size);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words that several schematic drawings use: names of cells, groups of beads, materials. */
 
-#include "render/schematic/schematic_words.h"
 #include "render/draw/markup.h"
+#include "render/schematic/schematic_sketch.h"
 
 const char *bead_cell_word(size_t beads, bool several)
 {

@@ -9,10 +9,12 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "beadreel/error.h"
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
+#include "render/colour/colour_table.h"
 
 struct bead_area;
 
@@ -45,3 +47,15 @@ void bead_area_extremes(const struct bead_area *area, double *low, double *high)
 /* The magnitude that only a short and narrow event exceeds, such as the strike: neither 5 % of the time columns have larger values,
  * nor 10 % of the chain. INFINITY: unknown. */
 double bead_area_typical(const struct bead_area *area);
+
+/* Turns areas into images of palette indices. */
+
+/* Places of pixels: pixel p of column c goes to origin[c * column_step + p * place_step]. One of the two steps is 1. */
+struct bead_area_image {
+    uint8_t *origin;
+    ptrdiff_t column_step, place_step;
+};
+
+/* Columns from..to - 1, up to the first that no sample has touched, which `done` returns. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_area_colour(const struct bead_area *area, const struct bead_colour_table *table, int from, int to,
+                                            const struct bead_area_image *image, int *done, struct bead_message *msg);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colours of an area's columns, as indices into a palette, written straight into an image. Used by the space-time view and bare
  * images. */
-#include "render/view/area_colours.h"
+#include "render/view/area.h"
 
 #include <stdlib.h>
 

@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "beadreel/error.h"
+#include "beadreel/sink.h"
 #include "render/draw/axis.h"
 #include "render/view/area.h"
 
@@ -39,3 +40,23 @@ void bead_horizon_draw(const struct bead_horizon *horizon, cairo_t *cr, const st
 double bead_horizon_reach(const struct bead_look *look);
 /* Strokes the current path in the style of a horizon, visible on every colour of a map. */
 void bead_horizon_stroke(cairo_t *cr, const struct bead_look *look);
+
+/* One line of text about the horizon of a picture. */
+
+/* The words of the line. */
+struct bead_trust {
+    double from;          /* s: beginning of the picture */
+    double until;         /* s: the horizon; INFINITY: none */
+    const char *chain;    /* name of the horizon's chain if there are several, else "" */
+    bool bold;            /* the verdict in bold type */
+    bool steps;           /* the runs differ by their steps, not their accuracy */
+    double first, second; /* s, or relative */
+    const char *unit;     /* of times */
+};
+
+/* The two runs of a scene. */
+struct bead_trust bead_trust_make(const struct bead_chain *chain, double tolerance_factor);
+/* Draws as many words as fit into `rect`, aligned left or right. */
+void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bead_trust *trust, struct bead_rect rect, bool right);
+/* The markup of the line, from all words (0) to the verdict alone (3). */
+void bead_trust_say(const struct bead_trust *trust, int shorter, char *markup, size_t size);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "beadreel/scene.h"
-#include "render/view/area_colours.h"
+#include "render/view/area.h"
 
 /* The orientation of an output's images, with `auto` resolved: never AUTO. */
 enum bead_orientation bead_orientation_of(const struct bead_output *output);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Words about the horizon, from a full sentence to one word, as much as fits: below headings in stills, beside the time in movies.
  */
-#include "render/view/trust_words.h"
 
 #include <math.h>
 

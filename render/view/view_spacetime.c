@@ -8,7 +8,7 @@
 
 #include "render/draw/raster.h"
 #include "render/view/along.h"
-#include "render/view/area_colours.h"
+#include "render/view/area.h"
 #include "render/view/camera.h"
 #include "render/view/horizon.h"
 #include "render/view/orientation.h"

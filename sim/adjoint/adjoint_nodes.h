@@ -8,7 +8,7 @@
 
 #include "sim/adjoint/record.h"
 #include "sim/integrate/dense.h"
-#include "sim/integrate/tableau.h"
+#include "sim/integrate/methods.h"
 
 enum { BEAD_NODES = 8 }; /* evaluations of the method, without the one at the end of a step */
 

@@ -3,7 +3,6 @@
 #include "sim/base/json.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "sim/base/number.h"
 

@@ -7,7 +7,6 @@
 
 #include "sim/base/wide.h"
 #include "sim/integrate/dense.h"
-#include "sim/integrate/tableau.h"
 
 static bool periodic(const struct bead_string *s)
 {

@@ -6,7 +6,6 @@
 
 #include "sim/chain/law_beginning.h"
 #include "sim/integrate/events_private.h"
-#include "sim/integrate/tableau.h"
 
 /* Contacts integrated again on each side of a flagged one: fewer would lose an order, more would gain nothing. For states within
  * the step they are needed only if the effect of an event exceeds this multiple of the tolerance. */

@@ -6,7 +6,6 @@
 
 #include "sim/integrate/events.h"
 #include "sim/integrate/stepper.h"
-#include "sim/integrate/tableau.h"
 
 /* The classical Runge-Kutta method of order 4 on (u, v), as the thesis uses it (its Appendix 1). */
 

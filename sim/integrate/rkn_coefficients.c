@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Coefficients of Runge-Kutta-Nystrom methods: the nearest doubles to the published rationals, with the rational in a
  * comment if it is short. tests/sim/test_accuracy.c measures their orders. */
-#include "sim/integrate/tableau.h"
+#include "sim/integrate/methods.h"
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 235): RKN6(4)6FM, order 6 with embedded 4. */
 static const double rkn6_c[6] = {

@@ -8,7 +8,6 @@
 #include "sim/integrate/damped_contacts.h"
 #include "sim/integrate/events.h"
 #include "sim/integrate/subnormals.h"
-#include "sim/integrate/tableau.h"
 
 /* Elements before and after each array: f[-1], u[n], and whole vectors for the aligned ends. */
 enum { MARGIN = 16, ALIGN = 64, VECTOR = 8 };

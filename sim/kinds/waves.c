@@ -2,9 +2,7 @@
 /* Waves from files, of drives and of what was measured: their points become a part of the scene's text, so that the text stored in
  * trajectories is complete. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"

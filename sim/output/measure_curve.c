@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Polynomials through equally spaced samples, for maxima and crossings between them. */
-#include "sim/output/measure_curve.h"
+#include "sim/output/measure_private.h"
 
 #include <math.h>
 

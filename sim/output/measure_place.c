@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the places to measure along a chain: see measure_place.h. */
-#include "sim/output/measure_place.h"
+/* Finds the places to measure along a chain: see measure_private.h. */
+#include "sim/output/measure_private.h"
 
 /* Contacts between the probe and the end of a long chain. */
 enum { MARGIN = 20 };

@@ -2,10 +2,89 @@
 /* The insides of measures: data kept from a run for the rows of measure_rows.c. */
 #pragma once
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "beadreel/chain.h"
+#include "beadreel/sample.h"
 #include "sim/chain/validity.h"
 #include "sim/output/measure.h"
-#include "sim/output/measure_place.h"
-#include "sim/output/measure_pulses.h"
+
+/* Places to measure along a chain: regular stretches, defects between them, the probe. */
+
+enum { BEAD_PLACE_PERIOD = 8 }; /* beads of the longest cell searched for */
+
+struct bead_places {
+    size_t links;        /* contacts between beads */
+    size_t probe;        /* contact */
+    size_t cell;         /* beads of the cell that repeats at the probe; 1 if none does */
+    bool regular;        /* the chain repeats itself at the probe */
+    size_t regular_from; /* first bead of the stretch that repeats up to the end */
+    bool defect;         /* the same cell also repeats at the beginning of the chain, but not in between */
+    size_t before;       /* first contact of a cell before the defect that does not feel it; the cell after it is the probe's */
+};
+
+struct bead_places bead_places_find(const struct bead_chain *chain);
+/* Last bead of the longest stretch from bead 1 on that repeats every `period` beads. */
+size_t bead_places_head(const struct bead_chain *chain, size_t period);
+
+/* Curves through equally spaced samples: the polynomial through a few of them. */
+
+enum { BEAD_CURVE_POINTS = 7 };
+
+/* Newton's form through values at x = 0, 1, ..., count - 1. */
+struct bead_curve {
+    size_t count;
+    double difference[BEAD_CURVE_POINTS];
+};
+
+/* count <= BEAD_CURVE_POINTS */
+struct bead_curve bead_curve_through(const double *values, size_t count);
+double bead_curve_value(const struct bead_curve *curve, double x);
+/* Place of the maximum between low, where the slope is positive, and high, where it is not. */
+double bead_curve_maximum(const struct bead_curve *curve, double low, double high);
+
+/* Place of the maximum of `count` values (not the first or last of them), in units of the index, and its value. */
+double bead_samples_maximum(const double *values, size_t count, double *largest);
+/* First place, going from index `from` in steps of -1 or 1, at which the values fall to `level`; NaN: they do not. */
+double bead_samples_crossing(const double *values, size_t count, size_t from, int step, double level);
+
+/* Pulses: maxima of every contact's force, found as samples come in; the force must fall between two of them. */
+
+enum { BEAD_PULSES = 6, BEAD_PULSES_AHEAD = 4 };
+
+struct bead_pulse {
+    double force, time; /* N, less the static force; s */
+};
+
+struct bead_track {
+    struct bead_pulse pulse[BEAD_PULSES]; /* in order of time; none after the reflection at the wall */
+    size_t count;
+    struct bead_pulse late; /* largest since the wave reached the wall; force 0: none */
+};
+
+struct bead_pulses {
+    const struct bead_chain *chain;
+    size_t contacts, fed, probe;
+    double *memory, *row[BEAD_CURVE_POINTS]; /* N: the last samples of all contacts, oldest first */
+    double time, spacing;                    /* s, of the last sample; between samples */
+    bool ended;
+    double record;                   /* N, largest so far */
+    double struck;                   /* s: first maximum at the wall; NaN: none so far */
+    double ahead[BEAD_PULSES_AHEAD]; /* forces 1, 2, ... contacts ahead at the maximum of the probe's first pulse; NaN: unknown */
+    double *low;                     /* [contacts] N, least force since the last pulse */
+    struct bead_track *track;        /* [contacts] */
+};
+
+/* Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe, struct bead_pulses **pulses,
+                                              struct bead_message *msg);
+void bead_pulses_destroy(struct bead_pulses *pulses);
+void bead_pulses_feed(struct bead_pulses *pulses, const struct bead_sample *sample);
+/* After the last sample: finds the maxima near it, which have fewer samples after them. Does nothing when called again. */
+void bead_pulses_end(struct bead_pulses *pulses);
+/* The first pulse of a contact; force and time NaN if it has none. */
+struct bead_pulse bead_pulses_first(const struct bead_pulses *pulses, size_t contact);
 
 /* The leading pulse as it passes the probe's cell: samples of its contacts and of the beads behind them. */
 struct bead_trace {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the pulses in every contact's force, see measure_pulses.h; measures of speed, decay and walls use them. */
-#include "sim/output/measure_pulses.h"
+/* Finds the pulses in every contact's force, see measure_private.h; measures of speed, decay and walls use them. */
+#include "sim/output/measure_private.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
-#include "sim/output/measure_place.h"
+#include "sim/output/measure_private.h"
 #include "sim/run/play.h"
 
 /* Accuracy of the clean wave, and the passage times after which it is given up. */

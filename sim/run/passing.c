@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds when the first pulse is over at the last contact and at the last sensor. */
-#include "sim/run/passing.h"
+#include "sim/run/front.h"
 
 #include "sim/run/force_curve.h"
 

@@ -13,7 +13,6 @@
 #include "sim/run/behind.h"
 #include "sim/run/budget.h"
 #include "sim/run/front.h"
-#include "sim/run/passing.h"
 #include "sim/run/peaks.h"
 #include "sim/run/step_control.h"
 

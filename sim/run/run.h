@@ -24,7 +24,7 @@ struct bead_record;
 struct bead_run;
 
 /* The event that ends a run for which the scene gives no end: none; the front reaches the end of the chain; the first pulse is over
- * there (passing.h). */
+ * there (front.h). */
 enum bead_passage { BEAD_PASSAGE_NONE, BEAD_PASSAGE_OF_FRONT, BEAD_PASSAGE_OF_PULSE };
 
 struct bead_run_settings {

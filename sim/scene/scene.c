@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "sim/kinds/outputs.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
-#include "sim/scene/sweep_yaml.h"
 
 static BEAD_OPTION_READER(read_chain);
 static BEAD_OPTION_READER(read_chains);

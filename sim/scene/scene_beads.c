@@ -2,8 +2,8 @@
 /* `beads`: the segments of a chain, left to right. */
 #include <stdlib.h>
 
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
-#include "sim/scene/sweep_yaml.h"
 
 static BEAD_OPTION_READER(read_bead);
 static BEAD_OPTION_READER(read_cell);

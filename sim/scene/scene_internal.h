@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/yaml.h"
 
 /* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
  * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
@@ -36,3 +37,25 @@ bool bead_config_find(char *path, size_t size);
 /* Names of files in it are relative to its folder. On success *config is the caller's. Errors: SCENE, IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
 void bead_config_free(struct bead_config *config);
+
+/* Chains of sweeps as scenes have them. */
+
+/* Cells behind the random ones, where `fixed` is not given. */
+#define BEAD_SWEEP_FIXED "15"
+
+/* The value of `chain` for one configuration of the sweep at `sweep`, in the scene at `root`: with `digits` for the
+ * random cells, or with `spins: random` (NULL). Parts are shared with the document. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_sweep_chain_node(struct bead_yaml *yaml, const struct bead_node *root,
+                                                 const struct bead_node *sweep, const char *digits, struct bead_node **chain,
+                                                 struct bead_message *msg);
+
+/* The sweep number `index` of a scene, NULL behind the last; is `sweeps` a list of some? */
+const struct bead_node *bead_sweep_node(const struct bead_node *root, size_t index);
+
+/* A scene like that of `yaml`, but with one chain instead of the sweep number `index`, and without outputs. Errors: SCENE, MEMORY.
+ */
+BEAD_CHECK enum bead_error bead_sweep_single_node(struct bead_yaml *yaml, size_t index, const char *digits,
+                                                  struct bead_node **scene, struct bead_message *msg);
+
+/* A number that all keys of the scene but title and outputs go into. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_sweep_hash_scene(struct bead_yaml *yaml, uint64_t *hash, struct bead_message *msg);

@@ -10,7 +10,6 @@
 #include "sim/kinds/waves.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
-#include "sim/scene/sweep_yaml.h"
 
 enum { MOST_COLOURS = 1024 };
 

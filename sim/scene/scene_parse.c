@@ -11,7 +11,6 @@
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
-#include "sim/scene/sweep_yaml.h"
 
 /* Units, the tree for defaults, and the ready materials. */
 static enum bead_error scene_prepare(struct bead_reader *reader)

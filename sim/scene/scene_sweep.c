@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "sim/chain/spins.h"
+#include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
-#include "sim/scene/sweep_yaml.h"
 
 enum { SWEEPS = 64, SENSORS = 64, CONFIGURATIONS = 10000000 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scenes of sweeps as trees: the chain that a sweep means, the scene of one configuration, and what of it matters to results. */
-#include "sim/scene/sweep_yaml.h"
+#include "sim/scene/scene_internal.h"
 
 #include <stdlib.h>
 

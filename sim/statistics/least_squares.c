@@ -3,7 +3,6 @@
 #include "sim/statistics/least_squares.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"

@@ -6,7 +6,6 @@
 #include "sim/chain/chain_data.h"
 #include "sim/chain/spins.h"
 #include "sim/scene/scene_internal.h"
-#include "sim/scene/sweep_yaml.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/encode/convert.h"
 #include "render/encode/movie_private.h"
+#include "render/encode/pictures.h"
 
 enum { SIDE = 16, LINE_ALIGN = 64 };
 

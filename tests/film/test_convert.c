@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "render/colour/palette.h"
-#include "render/encode/convert.h"
+#include "render/encode/pictures.h"
 #include "render/paint/pixel_kernels.h"
 
 static uint32_t random_bits(uint32_t *seed)

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "render/view/area_colours.h"
+#include "render/view/area.h"
 #include "sim/base/memory.h"
 
 enum { BEADS = 40, COLUMNS = 53 };

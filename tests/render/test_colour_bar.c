@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "decode.h"
-#include "render/encode/convert.h"
+#include "render/encode/pictures.h"
 #include "render/movie/composer_private.h"
 
 enum { INSET = 4 }; /* px of the bar's edges, where its outline is */
