@@ -36,7 +36,10 @@ one() {
     done
 }
 export -f one
-printf '%s\0' "${names[@]}" | xargs -0 -r -P "${JOBS:-$(nproc)}" -I{} bash -c 'one "$1" "$2"' - "$work" {}
+# The long ones first: at the end nothing is left that one core works on alone.
+first=() rest=()
+for t in "${names[@]}"; do if grep -q "^$(basename "$t" .sh) " tests/long.txt 2>/dev/null; then first+=("$t"); else rest+=("$t"); fi; done
+printf '%s\0' "${first[@]}" "${rest[@]}" | xargs -0 -r -P "${JOBS:-$(nproc)}" -I{} bash -c 'one "$1" "$2"' - "$work" {}
 
 # What a log of TAP counts: passed, failed, skipped, planned; its skips for want of what ("# missing: WHAT" stands before each)
 # are added to the file `missing`. cmocka says `not ok N # SKIP`, others `ok N ... # SKIP`. A skip that does not say why has failed.

@@ -6,15 +6,15 @@ set -u
 write=
 [ "${1:-}" != --write ] || { write=1; shift; }
 licence="SPDX-License-Identifier: GPL-3.0-or-later"
-# The line, in the comments of a file's language; fails where the file is no source.
+# The line, in the comments of a file's language, as `line`; fails where the file is no source.
 line_of() {
     case $1 in
-    *.c | *.h | *.cc | *.js | *.css) echo "/* $licence */" ;;
-    *.vert | *.frag) echo "// $licence" ;;
-    *.sh | *.bash | *.fish | *.py | *.yml | */_beadreel | Makefile | .ci/run | debian/rules) echo "# $licence" ;;
-    *.m) echo "% $licence" ;;
-    *.html) echo "<!-- $licence -->" ;;
-    *.[15]) echo ".\\\" $licence" ;;
+    *.c | *.h | *.cc | *.js | *.css) line="/* $licence */" ;;
+    *.vert | *.frag) line="// $licence" ;;
+    *.sh | *.bash | *.fish | *.py | *.yml | */_beadreel | Makefile | .ci/run | debian/rules) line="# $licence" ;;
+    *.m) line="% $licence" ;;
+    *.html) line="<!-- $licence -->" ;;
+    *.[15]) line=".\\\" $licence" ;;
     *) return 1 ;;
     esac
 }
@@ -30,9 +30,14 @@ if [ $# -eq 0 ]; then
     mapfile -t files < <(git ls-files)
     set -- "${files[@]}"
 fi
+sources=()
+for file; do if [ -f "$file" ] && line_of "$file"; then sources+=("$file"); fi; done
+[ ${#sources[@]} -gt 0 ] || exit 0
+mapfile -t named < <(awk -v line="$licence" 'FNR > 3 { nextfile } index($0, line) { print FILENAME }' "${sources[@]}")
+mapfile -t without < <(comm -23 <(printf '%s\n' "${sources[@]}" | sort) <(printf '%s\n' "${named[@]}" | sort))
 status=0
-for file; do
-    line=$(line_of "$file") && [ -f "$file" ] && ! head -n 3 "$file" | grep -qF "$licence" || continue
+for file in "${without[@]}"; do
+    line_of "$file"
     if [ -n "$write" ]; then insert "$file" "$line"; else echo "$file: no '$licence'"; status=1; fi
 done
 exit $status

@@ -55,13 +55,11 @@ links_exist() {
 ok "links lead to files" links_exist
 # Files that comments and documents name, with or without their folder.
 names_exist() {
-    local file name missing=0
-    (cd "$top" && find sim render include tests assets .github .ci ./*.md ./Makefile -type f) | sed 's,^\./,,' >"$T/files"
-    while IFS=: read -r file name; do
-        grep -qE "(^|/)${name//./\\.}$" "$T/files" || { echo "$file: $name"; missing=1; }
-    done < <(cd "$top" && grep -oE '(^|[ (`])[a-z_0-9/]{2,}\.([ch]|sh|md)([] ,.;:)`]|$)' --exclude='*.js' -r sim render include assets ./*.md tests/*.md .github |
+    # All ends of the paths that there are, then what is named.
+    awk -F: 'NR == FNR { for (path = $0; ; sub("[^/]*/", "", path)) { there[path]; if (path !~ "/") next } }
+             !($2 in there) { print; missing = 1 } END { exit missing }' \
+        <(cd "$top" && find sim render include tests assets .github .ci ./*.md ./Makefile -type f | sed 's,^\./,,') <(cd "$top" && grep -oE '(^|[ (`])[a-z_0-9/]{2,}\.([ch]|sh|md)([] ,.;:)`]|$)' --exclude='*.js' -r sim render include assets ./*.md tests/*.md .github |
         grep -v '#include' | sed -E 's/:[ (`]?([^ ,;:)`]*[a-z])[] ,.;:)`]?$/:\1/')
-    return $missing
 }
 ok "files that are named exist" names_exist
 # A picture must be one, and the gallery's are kept with the sources: small.

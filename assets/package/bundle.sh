@@ -45,7 +45,8 @@ find /usr/share/fonts \( -name 'Lato-Regular.ttf' -o -name 'Lato-Bold.ttf' -o -n
 licences=$folder/share/doc/beadreel
 install -D -m 644 LICENSE "$licences/LICENSE"
 if command -v dpkg-query >/dev/null; then
-    while read -r file; do echo "*${file##*/}"; done < <(sed 's/.* //' "$folder/.needed" "$folder/.fonts") | xargs dpkg-query -S |
+    # Packages have files below /lib or /usr/lib, and not the links of alternatives.
+    sed 's/.* //' "$folder/.needed" "$folder/.fonts" | xargs realpath | sed 's,^\(/usr\)\?\(.*\),/usr\2\n\2,' | { xargs dpkg-query -S 2>/dev/null || true; } |
         sed 's/:.*//' | tr -d ' ' | tr , '\n' | sort -u | while read -r package; do
         [ ! -r "/usr/share/doc/$package/copyright" ] || install -D -m 644 "/usr/share/doc/$package/copyright" "$licences/licences/$package"
     done

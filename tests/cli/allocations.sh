@@ -10,7 +10,6 @@ chain:
     - {bead: small-steel, sensor: first}
 simulate: {until: 100 us}
 outputs:
-  - {table: measures.csv, show: measures}
   - {table: sensitivities.csv, show: sensitivities}
   - {plot: setup.svg, show: setup}
   - {report: report.html}
@@ -36,7 +35,6 @@ each() {
 if [ "${sanitized:-}" ]; then
     skip "a build without sanitizers" "allocations that fail"
 else
-    ok "a table of measures" each "$beadsim" measures.csv
     ok "a table of sensitivities" each "$beadsim" sensitivities.csv
     ok "a drawing" each "$beadreel" setup.svg
     ok "a report" each "$beadreel" report.html

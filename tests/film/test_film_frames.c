@@ -215,8 +215,7 @@ static void test_every_frame(void **state)
         w.right = (i + i / (16 * LAYOUTS) + i / (32 * LAYOUTS)) % 2; /* every layout, shape and number of chains has both */
         w.size[0] = shapes[i % 4][0];
         w.size[1] = shapes[i % 4][1];
-        check(&w);
-        w.large = true;
+        w.large = w.light; /* what is light has the places of what is dark */
         check(&w);
     }
 }

@@ -137,14 +137,14 @@ static void test_rectangles(void **state)
     for (size_t s = 0; s < sizeof sizes / sizeof sizes[0]; s++) {
         struct bead_look look;
         bead_look_film(&look, sizes[s][0], sizes[s][1], true, s % 2);
-        for (unsigned variant = 0; variant < 6 * 31 * 8 * 3; variant++) {
+        for (unsigned variant = s % 5; variant < 6 * 31 * 8 * 3; variant += 5) { /* each at two sizes or three */
             for (int layout = BEAD_LAYOUT_AUTO; layout <= BEAD_LAYOUT_STAGE; layout++) {
                 struct bead_movie_wants w = wants_of(&look, sizes[s][0], sizes[s][1]);
                 w.layout = (enum bead_layout)layout;
                 vary(&w, variant);
                 arrange(&w);
                 w.orientation = BEAD_TIME_RIGHT;
-                if (variant % 3 == s % 3)
+                if (variant / 5 % 3 == s % 3)
                     arrange(&w);
             }
         }
