@@ -81,6 +81,9 @@ ok "... with spins" is 'j["chains"][1]["magnetism"] == 0 and len(j["chains"][1][
 ok "--info --json of an equation" exits 0 "$beadreel" --info kdv --json
 ok "... has points" is 'j["chains"][0]["equation"] == "kdv" and j["chains"][0]["points"] > 0'
 "$beadsim" scene.yaml -o data --set 'outputs=[{trajectory: run.h5, every: 2 us}]' >/dev/null
+"$beadsim" scene.yaml -o grid --set 'outputs=[{trajectory: run.h5, every: 2 us}]' --set 'simulate.until=30 us' >/dev/null
+ok "--info of a trajectory" exits 0 "$beadreel" --info grid/run.h5
+ok "... has first and last sample" prints "samples: 16, every 2 us from 0 s to 30 us"
 ok "--info --json of a trajectory" exits 0 "$beadreel" --info data/run.h5 --json
 ok "... has samples and runs" is 'j["kind"] == "trajectory" and j["samples"]["every_s"] == 2e-6 and j["samples"]["count"] > 10 and "displacement" in j["samples"]["fields"] and [r["method"] for r in j["runs"]] == ["rkn8", "rkn8"]'
 "$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
