@@ -43,6 +43,22 @@ static void assert_apart(const struct texts *texts, const char *what, double wid
     }
 }
 
+/* Headings are just above the plots that they name. */
+static void assert_headings_above(const struct texts *texts, const struct graph_layout *layout, const char *what)
+{
+    for (size_t p = 0; p < layout->graph->panel_count; p++) {
+        const struct graph_cell *cell = &layout->cells[p];
+        bool found = !cell->head;
+        for (size_t i = 0; i < texts->count && !found; i++) {
+            const struct text *t = &texts->text[i];
+            found = strncmp(t->markup, cell->head, sizeof t->markup - 1) == 0 && fabs(t->x - cell->plot.x) < t->height &&
+                    t->y + t->height <= cell->plot.y && t->y + 2 * t->height > cell->plot.y;
+        }
+        if (!found)
+            fail_msg("%s: the heading of panel %zu is not just above its plot", what, p);
+    }
+}
+
 /* Words and legends inside of panels lie on nothing that is drawn there. */
 static void assert_nothing_hidden(const struct graph_layout *layout, const char *what)
 {
@@ -92,6 +108,7 @@ static void assert_readable(const struct bead_graph *graph, const struct bead_lo
         fail_msg("%s", msg.text);
     assert_true(texts.count > 4);
     assert_apart(&texts, what, width, height);
+    assert_headings_above(&texts, &layout, what);
     free_canvas(&c);
     assert_nothing_hidden(&layout, what);
     assert_words_in_one_place(&layout, what);
