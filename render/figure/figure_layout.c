@@ -12,6 +12,9 @@ static const double between_columns = 1.3, between_rows = 0.9, between_views = 0
 static const double bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
 /* Part of the line of trust that holds text; the rest is the gap to the plot. */
 static const double trust_share = 0.75;
+/* The height of a curve beside whose axis "force (N)" is as large as other names, unless it is more than this part of an equal
+ * row's. */
+static const double curve_height = 4.8, curve_share = 0.65;
 static const int smallest_plot = 12; /* px */
 enum { FAR = 8192 };                 /* px */
 
@@ -271,15 +274,17 @@ static void want_rows(struct plan *plan, const struct bead_insets *least)
     bool headings = false;
     for (size_t c = 0; c < f->cell_count; c++)
         headings = headings || bead_figure_heading(f, &f->cells[c], NULL);
+    const double curve = fmax(smallest_plot, fmin(curve_height * em, curve_share * f->area.height / (double)plan->grid.rows.count));
     double heading = plan->trust + (headings ? round(1.15 * f->look.title + heading_gap * em) : 0);
     rows[0].least = bead_figure_line(f, NULL) ? round(1.35 * f->look.title + line_gap * em) : 0;
     for (size_t i = 1; i < plan->grid.rows.count; i++) {
         size_t view = (i - 1) % f->view_count;
         double gap = view > 0 ? between_views : i > 1 ? between_rows : 0;
-        rows[i] = (struct bead_lane){.gap = round(gap * em),
-                                     .keep = {view > 0 ? 0 : heading, 0},
-                                     .least = smallest_plot,
-                                     .share = f->cells[0].panel[view].type->info->still_share};
+        rows[i] =
+            (struct bead_lane){.gap = round(gap * em),
+                               .keep = {view > 0 ? 0 : heading, 0},
+                               .least = bead_view_has(f->cells[0].panel[view].type, BEAD_SHOWS_COLOURS) ? smallest_plot : curve,
+                               .share = f->cells[0].panel[view].type->info->still_share};
     }
     rows[1].keep[0] = fmax(rows[1].keep[0], least->top);
     rows[plan->grid.rows.count - 1].keep[1] = least->bottom;

@@ -28,4 +28,16 @@ plot strings "show: profiles, at: [0, 10],"
 ok "... letters on a screen" has px.svg "(b)"
 plot sweep ""
 ok "... letters on a screen" has px.svg "(b)"
+
+# Names of axes of like views have one size, also where rows are low.
+ok "three views of two chains" exits 0 "$beadreel" chains.yaml -o . \
+    --set 'outputs=[{image: low.svg, size: [1280, 720], views: [beads, profile, spacetime], at: 0.1 ms}]'
+sizes() { grep -oE 'font-size="[0-9.]+">(force \(N\)|time \()' low.svg | cut -d '"' -f 2 | sort -u; }
+ok "... names of axes in one size" [ "$(sizes | wc -l)" -eq 1 ]
+cat >drawing.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 20, taper: 5 %}]}
+outputs: [{plot: setup.svg, show: setup, size: [800, 300]}]
+YAML
+ok "a drawing" exits 0 "$beadreel" drawing.yaml -o .
+ok "... says how many beads, once" [ "$(grep -oF '>20 beads</tspan>' setup.svg | wc -l)" -eq 1 ]
 finish
