@@ -33,7 +33,7 @@ esac
 # As a container does: with /proc and /dev, and with no environment but this.
 within() {
     # shellcheck disable=SC2016
-    alone bash -c 'mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && exec env -i PATH=/usr/bin:/bin HOME=/demo LANG=C.UTF-8 chroot "$@"' \
+    alone bash -c 'mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && exec env -i PATH=/usr/bin:/bin HOME=/demo LANG=C.UTF-8 /usr/sbin/chroot "$@"' \
         - "$root" "$program" "$@"
 }
 check "it says its version" within --version
