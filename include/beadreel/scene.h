@@ -386,6 +386,7 @@ struct bead_sweep_curves_asked {
     enum bead_sweep_show show;
     char *threshold; /* how the threshold is found: a name of statistics.h */
     char *against;   /* of sweeps over keys: the one along the axis; "": the first that is no seed */
+    char *measure;   /* of sweeps over keys: what is shown; "": peak forces */
 };
 
 /* ---- outputs: settings of one kind ---- */

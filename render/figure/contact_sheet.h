@@ -43,6 +43,7 @@ struct contact_sheet {
     struct bead_rect intro, bar; /* title and how to read the sheet; colours */
     double label_width;          /* of the rows */
     bool several;                /* sweeps */
+    bool by_key;                 /* each row has all values of the last key of a sweep over keys */
     double end;                  /* s */
     bool of_contacts, is_signed; /* values: of contacts; can be negative */
     bool behind;                 /* forces are measured behind the random cells */

@@ -12,6 +12,7 @@
 #include "render/figure/contact_sheet.h"
 #include "render/view/orientation.h"
 #include "sim/base/memory.h"
+#include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
 /* Contact sheets: the words that explain them, names of rows, and the colours of spins. */
@@ -72,6 +73,11 @@ static double draw_lines(cairo_t *cr, const struct bead_text_style *style, doubl
     return high;
 }
 
+static const struct bead_over *over_of(const struct contact_sheet *s)
+{
+    return &bead_sweep_panel(s->sweep, 0)->spec->over;
+}
+
 double contact_sheet_intro(const struct contact_sheet *s, cairo_t *cr, double width)
 {
     const struct bead_look *look = &s->look;
@@ -88,16 +94,16 @@ double contact_sheet_intro(const struct contact_sheet *s, cairo_t *cr, double wi
     bead_quantity(s->end > 0 ? s->end : 1.234e-3, "s", 3, end, sizeof end);
     y += draw_key(s, cr, s->intro.x, y) + 0.5 * look->gap;
     const bool down = s->orientation == BEAD_TIME_DOWN;
-    snprintf(
-        text, sizeof text,
-        "Pictures: %s from %s, time from 0 to %s %s. Numbers: configuration; " BEAD_SYMBOL("F") ", peak force%s; " BEAD_SYMBOL(
-            "P") ", beads that share the energy as the front arrives; " BEAD_SYMBOL("C") " and the line under the picture, "
-                                                                                         "clean index: 1 clean, 0 delocalised.",
-        s->of_contacts ? "contacts" : "beads",
-        down                            ? "left to right"
-        : s->orientation == BEAD_MATRIX ? "top to bottom"
-                                        : "bottom to top",
-        end, down ? "downwards" : "to the right", s->behind ? " behind the random cells" : "");
+    const char *clean = "; " BEAD_SYMBOL("C") " and the line under the picture, clean index: 1 clean, 0 delocalised";
+    snprintf(text, sizeof text,
+             "Pictures: %s from %s, time from 0 to %s %s. Numbers: configuration; " BEAD_SYMBOL("F") ", peak force%s; " BEAD_SYMBOL(
+                 "P") ", beads that share the energy as the front arrives%s.",
+             s->of_contacts ? "contacts" : "beads",
+             down                            ? "left to right"
+             : s->orientation == BEAD_MATRIX ? "top to bottom"
+                                             : "bottom to top",
+             end, down ? "downwards" : "to the right", s->behind && !over_of(s)->key_count ? " behind the random cells" : "",
+             over_of(s)->key_count ? "" : clean);
     y += draw_lines(cr, &line, width, s->intro.x, y, text);
     return y - start;
 }
@@ -107,6 +113,11 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
     char name[256] = "";
     if (s->several)
         bead_text_escape(bead_sweep_panel(s->sweep, row->panel)->spec->title, name, sizeof name);
+    if (s->by_key) {
+        char values[200] = "";
+        bead_sweep_curve_name(s->sweep, 0, row->first, over_of(s)->key_count - 1, values);
+        bead_text_escape(values, name, sizeof name);
+    }
     if (isnan(row->magnetism)) {
         snprintf(text, size, "%s", name);
         return;
@@ -122,6 +133,20 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
 }
 
 /* ---- words ---- */
+
+/* "seed 3": the last key's value of a configuration, those of all keys where rows do not have them; "": of spins. */
+static void name_values(const struct contact_sheet *s, size_t index, char *text, size_t size)
+{
+    const struct bead_over *over = over_of(s);
+    char value[150], escaped[200];
+    *text = '\0';
+    for (size_t k = s->by_key && over->key_count > 0 ? over->key_count - 1 : 0; k < over->key_count; k++) {
+        snprintf(value, sizeof value, "%s %s", strrchr(over->keys[k].path, '.') + 1, /* paths have a point */
+                 over->keys[k].text[bead_sweep_value(s->sweep, 0, index, k)]);
+        bead_text_escape(value, escaped, sizeof escaped);
+        snprintf(text + strlen(text), size - strlen(text), "  %s", escaped);
+    }
+}
 
 static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
 {
@@ -160,14 +185,16 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
     const double small = s->small, meter = fmax(1, round(0.16 * small));
     char left[320], right[160], force[64], name[160] = "";
     double y = image->words.y + round(0.3 * small);
-    contact_sheet_fill(cr, contact_sheet_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width,
-                       meter);
+    if (!over_of(s)->key_count)
+        contact_sheet_fill(cr, contact_sheet_mix(s->look.background, s->look.faint, 0.25), image->words.x, y, image->words.width,
+                           meter);
     if (found->clean_index > 0)
         contact_sheet_fill(cr, s->look.accent, image->words.x, y, fmax(1, found->clean_index * image->words.width), meter);
     if (s->several)
         bead_text_escape(bead_sweep_panel(s->sweep, image->panel)->spec->title, name, sizeof name);
     snprintf(left, sizeof left, "<b>%s%s%zu</b>", name, *name ? ":" : "#", image->index);
-    if (isnan(s->rows[image->row].magnetism) && isfinite(image->magnetism))
+    name_values(s, image->index, left + strlen(left), sizeof left - strlen(left));
+    if (over_of(s)->key_count == 0 && isnan(s->rows[image->row].magnetism) && isfinite(image->magnetism))
         snprintf(left + strlen(left), sizeof left - strlen(left), "  " BEAD_SYMBOL("M") " %.3g", image->magnetism);
     snprintf(right, sizeof right, BEAD_SYMBOL("C") " %.2f", found->clean_index);
     if (isnan(found->clean_index))

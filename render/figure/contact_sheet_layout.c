@@ -47,12 +47,27 @@ static void add_row(struct contact_sheet *s, size_t panel, size_t first, size_t 
     s->image_count += shown;
 }
 
+/* How many values the last key of a sweep over keys has, which configurations that follow each other differ in; 0: of no such. */
+static size_t last_values(const struct contact_sheet *s)
+{
+    const struct bead_over *over = &bead_sweep_panel(s->sweep, 0)->spec->over;
+    return over->key_count > 0 && over->combine == BEAD_COMBINE_GRID ? over->keys[over->key_count - 1].count : 0;
+}
+
 /* Configurations one after the other, in as many rows as they need and as fit. */
 static void add_wrapped(struct contact_sheet *s, size_t panel, size_t room)
 {
     size_t all = bead_sweep_panel(s->sweep, panel)->configurations;
     for (size_t row = 0; row < room && row * s->columns < all; row++)
         add_row(s, panel, row * s->columns, all - row * s->columns, NAN);
+}
+
+/* A row for each combination of the other keys, or for as many as fit, evenly spaced. */
+static void add_by_key(struct contact_sheet *s, size_t room)
+{
+    const size_t last = last_values(s), all = bead_sweep_panel(s->sweep, 0)->configurations / last, rows = all < room ? all : room;
+    for (size_t row = 0; row < rows; row++)
+        add_row(s, 0, (rows > 1 ? row * (all - 1) / (rows - 1) : 0) * last, last, NAN);
 }
 
 /* From the cleanest on. Forces fall with 1 - M^2, so rows are evenly spaced in 1 - M^2: closer in M where waves are clean. */
@@ -102,7 +117,9 @@ static enum bead_error sheet_choose(struct contact_sheet *s, size_t room, struct
     s->row_count = s->image_count = 0;
     for (size_t p = 0; p < panels; p++) {
         size_t share = room / panels > 0 ? room / panels : 1;
-        if (groups_of(bead_sweep_panel(s->sweep, p)) == 1)
+        if (s->by_key)
+            add_by_key(s, share);
+        else if (groups_of(bead_sweep_panel(s->sweep, p)) == 1)
             add_wrapped(s, p, share);
         else if (s->output->sheet.magnetism_count > 0)
             add_asked(s, p);
@@ -239,6 +256,8 @@ enum bead_error contact_sheet_arrange(struct contact_sheet *s, struct bead_messa
     if (s->output->sheet.configurations > 0)
         s->columns = s->output->sheet.configurations;
     s->columns = s->columns < most ? s->columns : most;
+    s->by_key = last_values(s) > 0;
+    s->columns = s->by_key && last_values(s) < s->columns ? last_values(s) : s->columns;
     BEAD_TRY(sheet_choose(s, (size_t)fmax(1, floor((height + gap) / row)), msg));
     s->label_width = find_label_width(s);
     BEAD_TRY(make_grid(s, &grid, msg));

@@ -129,12 +129,34 @@ static void add_curve(struct over_panel *p, const struct bead_output *output, co
         add_law(p, curve, at);
 }
 
+/* What is above the axis of values. */
+struct shown {
+    double *values; /* [configurations], of a measure; NULL: peak forces */
+    const char *unit;
+    char title[120];
+};
+
+/* Axes have prefixes for units of SI; counts of beads are no such. */
+static enum bead_error find_shown(const struct bead_output *output, const struct bead_run_context *context, struct shown *what,
+                                  struct bead_message *msg)
+{
+    const char *measure = output->sweep_curves.measure;
+    *what = (struct shown){.unit = "N", .title = "peak bead force"};
+    if (!*measure)
+        return BEAD_OK;
+    BEAD_TRY(bead_sweep_measured(context->sweep, measure, context->sweep_settings, &what->values, &what->unit, msg));
+    const bool count = strstr(what->unit, "bead") || strcmp(what->unit, "cells") == 0 || strcmp(what->unit, "contacts") == 0;
+    snprintf(what->title, sizeof what->title, "%s%s%s%s", measure, count ? " (" : "", count ? what->unit : "", count ? ")" : "");
+    what->unit = count ? "" : what->unit;
+    return BEAD_OK;
+}
+
 /* Several places have a panel each. */
 static enum bead_error fill(struct over_panel *p, struct bead_panel *shown, const struct bead_output *output,
-                            const struct bead_sweep *sweep, size_t place, struct bead_message *msg)
+                            const struct bead_sweep *sweep, size_t place, const struct shown *what, struct bead_message *msg)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, 0);
-    BEAD_TRY(bead_sweep_curves_find(sweep, 0, place, output->sweep_curves.against, &p->found, msg));
+    BEAD_TRY(bead_sweep_curves_find(sweep, 0, place, what->values, output->sweep_curves.against, &p->found, msg));
     const struct bead_over_key *key = &panel->spec->over.keys[p->found.key];
     const size_t curves = p->found.count;
     BEAD_TRY(bead_new(&p->series, SERIES * curves + 1, msg, "a plot of a sweep"));
@@ -143,30 +165,34 @@ static enum bead_error fill(struct over_panel *p, struct bead_panel *shown, cons
     double *at = p->numbers;
     for (size_t i = 0; i < curves; i++)
         add_curve(p, output, &p->found.curves[i], "", i, &at);
-    if (panel->places > 1)
+    if (panel->places > 1 && !what->values)
         bead_markup_quote(bead_sweep_place(sweep, 0, place), p->title, sizeof p->title);
     name_axis(key, p->axis, sizeof p->axis);
     const bool log_axes = output->plot.scale == BEAD_SCALE_LOG;
     *shown = (struct bead_panel){.title = *p->title ? p->title : NULL,
                                  .x = {p->axis, key->unit, NAN, NAN, output->plot.scale, false},
-                                 .y = {"peak bead force", "N", output->plot.range[0], output->plot.range[1], output->plot.scale,
+                                 .y = {what->title, what->unit, output->plot.range[0], output->plot.range[1], output->plot.scale,
                                        isnan(output->plot.range[0]) && !log_axes},
                                  .series = p->series,
                                  .series_count = p->count};
     return BEAD_OK;
 }
 
-enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
+enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                      uint64_t *bytes, struct bead_message *msg)
 {
-    const size_t places = bead_sweep_panel(sweep, 0)->places;
+    const struct bead_sweep *sweep = context->sweep;
+    const size_t places = *output->sweep_curves.measure ? 1 : bead_sweep_panel(sweep, 0)->places;
+    struct shown what;
     BEAD_FREED struct over_panel *panels = NULL;
     BEAD_FREED struct bead_panel *shown = NULL;
-    enum bead_error err = bead_new(&panels, places, msg, "a plot of a sweep");
+    enum bead_error err = find_shown(output, context, &what, msg);
+    if (!err)
+        err = bead_new(&panels, places, msg, "a plot of a sweep");
     if (!err)
         err = bead_new(&shown, places, msg, "a plot of a sweep");
     for (size_t i = 0; i < places && !err; i++)
-        err = fill(&panels[i], &shown[i], output, sweep, i, msg);
+        err = fill(&panels[i], &shown[i], output, sweep, i, &what, msg);
     const struct bead_graph graph = {.panels = shown, .panel_count = places, .letters = true, .share_x = true, .share_y = true};
     if (!err)
         err = bead_graph_write(&graph, output, bead_sweep_scene(sweep), path, bytes, msg);
@@ -176,5 +202,6 @@ enum bead_error bead_over_plot_write(const struct bead_output *output, const str
         free(panels[i].labels);
         free(panels[i].numbers);
     }
+    free(what.values);
     return err;
 }

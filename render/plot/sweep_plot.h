@@ -5,8 +5,8 @@
 #include "beadreel/sweep.h"
 
 /* The plot of a sweep over keys. Errors: USAGE, MEMORY, those of bead_graph_write. */
-BEAD_CHECK enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_sweep *sweep, const char *path,
-                                                uint64_t *bytes, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_run_context *context,
+                                                const char *path, uint64_t *bytes, struct bead_message *msg);
 /* How far energy has spread in the chains of one, which are run. Errors: those of bead_sweep_spreads_find and bead_graph_write. */
 BEAD_CHECK enum bead_error bead_spreading_plot_write(const struct bead_output *output, const struct bead_run_context *context,
                                                      const char *path, uint64_t *bytes, struct bead_message *msg);

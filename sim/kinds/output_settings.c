@@ -125,6 +125,7 @@ void bead_output_free(struct bead_output *output)
     free(output->paper.font);
     free(output->sweep_curves.threshold);
     free(output->sweep_curves.against);
+    free(output->sweep_curves.measure);
     free(output->sheet.magnetism);
     free(output->trajectory.xdmf);
     for (size_t i = 0; i < output->curves.measured_count; i++)

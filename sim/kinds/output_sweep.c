@@ -27,6 +27,9 @@ BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
             return BEAD_WRONG_KEY(reader, at, "scale", "is given, but the sweep is over spins, whose axes are linear");
         if (sweep->over.key_count && decay)
             return BEAD_WRONG_KEY(reader, at, "show", "decay is fitted for each magnetism, which a sweep over keys does not have");
+        if (*output->sweep_curves.measure &&
+            (!sweep->over.key_count || spreading || output->sweep_curves.show == BEAD_SWEEP_CONFIGURATIONS))
+            return BEAD_WRONG_KEY(reader, at, "measure", "is given, but means of a measure are those of a sweep over keys");
         if (spreading && !(sweep->over.key_count && reader->scene->sweep_count == 1))
             return BEAD_WRONG_KEY(reader, at, "show",
                                   "spreading is averaged over the seeds of one sweep over keys: `sweep: {over: ...}`");
@@ -60,12 +63,16 @@ const struct bead_option bead_threshold_row[1] = {
      .read = read_threshold, .help = "how the threshold in magnetism is found", .example = "half"},
 };
 
-const struct bead_option bead_against_row[1] = {
+const struct bead_option bead_against_row[2] = {
     {"against", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(sweep_curves.against), .initial = "",
      .help = "of sweeps `over` keys: the key along the axis; else the first that is no seed. Seeds are averaged over, and each "
              "combination of the others has a curve of its own. Of plots over spins: `domain length`, `spin correlation` or `spin "
              "correlation at 2` (--list measures), a point for each configuration, instead of magnetism",
      .example = "chain.striker.velocity"},
+    {"measure", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(sweep_curves.measure), .initial = "",
+     .help = "of sweeps `over` keys: one of --list measures instead of the peak force, of chains that are run for it as `show: "
+             "measures` runs one",
+     .example = "front speed"},
 };
 
 /* ---- their results ---- */
@@ -117,15 +124,15 @@ static const struct bead_option_rows sheet_shared[] = {{BEAD_OPTIONS(bead_field_
                                                        {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
                                                        {BEAD_OPTIONS(bead_orientation_row)}, {BEAD_OPTIONS(bead_page_rows)},
                                                        {BEAD_OPTIONS(bead_theme_rows)},      {NULL, 0}};
-static const struct bead_options sheet_options = {
-    "sheet", "contact sheet of a sweep: small space-time images of many configurations, in rows by magnetism; only these run",
-    BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
+static const struct bead_options sheet_options = {"sheet",
+                                                  "contact sheet of a sweep: small space-time images of many configurations, in "
+                                                  "rows by magnetism, or with the values of the last "
+                                                  "key `over` in each row; only these run",
+                                                  BEAD_OPTIONS(sheet_rows), sheet_shared, &bead_output_family};
 
 /* A row of a sheet must be a magnetism of one of the sweeps. */
 static BEAD_OUTPUT_CHECK(check_sheet)
 {
-    if (reader->scene->sweeps[0].over.key_count)
-        return BEAD_WRONG_KEY(reader, at, "sheet", "has a row for each magnetism, which a sweep over keys does not have");
     BEAD_TRY(bead_output_check_field(reader, at, output));
     struct bead_at list = bead_at_key(at, "magnetism");
     for (size_t i = 0; i < output->sheet.magnetism_count; i++) {

@@ -267,6 +267,14 @@ static double striker_velocity(const struct reading *r, int)
     return isnan(r->m->strike.opened) ? NAN : r->m->strike.velocity;
 }
 
+/* Of two free beads. */
+static double restitution(const struct reading *r, int)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(r->m->chain);
+    const bool collision = bead_chain_beads(r->m->chain) == 2 && spec->wall == BEAD_WALL_NONE && spec->start_count == 0;
+    return collision && !isnan(r->m->strike.opened) ? (r->m->v[1] - r->m->v[0]) / spec->striker_velocity : NAN;
+}
+
 #define PULSE(member) of_pulse, offsetof(struct bead_pulse_found, member)
 /* Widths are in beads: times at the probe, multiplied by the speed of the pulse there. */
 static const struct row {
@@ -350,6 +358,7 @@ static const struct row {
     {{"striker's compression", "m", "largest compression of its contact, until that opens"}, strike_compression, 0},
     {{"striker's contact time", "s", "time until its contact first opens"}, strike_time, 0},
     {{"striker's velocity", "m/s", "at the end, if its contact has opened; negative after a rebound"}, striker_velocity, 0},
+    {{"restitution", "", "of a striker and one bead: speed at which they part / that of the strike"}, restitution, 0},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 

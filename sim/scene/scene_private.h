@@ -100,6 +100,7 @@ struct bead_variation {
     size_t *materials; /* to draw from, one entry for each part; own; NULL: none */
     size_t material_count;
     size_t alike; /* so many neighbours draw the same */
+    bool shuffle; /* the beads of each cell are in random order */
     uint64_t seed;
 };
 extern const struct bead_variation bead_variation_none;

@@ -26,7 +26,7 @@ static const struct {
                                [BEAD_VARIED_MODULUS] = {"modulus", "Pa", offsetof(struct bead_material, modulus), 1, 1e15, 1002},
                                [BEAD_VARIED_GAP] = {"gap", "m", offsetof(struct bead_material, gap), 0, 1e3, 1004},
                                [BEAD_VARIED_SPRING] = {"spring", "N/m", offsetof(struct bead_material, spring), 0, 1e30, 1005}};
-enum { MATERIAL_DRAWS = 1003 };
+enum { MATERIAL_DRAWS = 1003, SHUFFLE_DRAWS = 1006 };
 
 static double *value_of(struct bead_material *material, enum bead_varied what)
 {
@@ -173,6 +173,9 @@ static const struct bead_option disorder_rows[] = {
     {"material", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]", .read = read_materials,
      .help = "each bead is one of these at random, instead of its own; `3 ptfe` has three chances",
      .example = "[large-steel, 3 ptfe]"},
+    {"shuffle", BEAD_OPTION_FLAG, offsetof(struct bead_variation, shuffle), .initial = "false",
+     .help = "the beads of each `cell` are in random order, each order as likely as the others: trimers in six ways, where `spins` "
+             "has two"},
     {"alike", BEAD_OPTION_COUNT, offsetof(struct bead_variation, alike), .initial = "1", .low = 1, .high = BEAD_SCENE_BEADS,
      .help = "so many beads in a row draw alike: with 2 and two materials, dimers of two equal beads", .example = "2"},
     {"seed", BEAD_OPTION_SEED, offsetof(struct bead_variation, seed), .initial = "0",
@@ -311,10 +314,23 @@ static enum bead_error spread(const struct bead_reader *reader, struct bead_segm
     return segment->each ? BEAD_OK : bead_no_memory(reader);
 }
 
+/* Puts the beads of each cell of a segment in random order; `k`: the number of its first bead. */
+static void shuffle(const struct bead_variation *v, size_t k, struct bead_segment *segment)
+{
+    for (size_t cell = 0; cell < segment->count; cell++) {
+        size_t *of = segment->each + cell * segment->cell_beads;
+        for (size_t i = segment->cell_beads; i > 1; i--) {
+            const size_t other = bead_draw_below(v->seed, SHUFFLE_DRAWS, k + cell * segment->cell_beads + i, i), keep = of[i - 1];
+            of[i - 1] = of[other];
+            of[other] = keep;
+        }
+    }
+}
+
 enum bead_error bead_scene_vary_each(const struct bead_reader *reader, const struct bead_at *at, const struct bead_variation *v,
                                      struct bead_segment *segments, size_t count)
 {
-    bool any = !isnan(v->ratio) || !isnan(v->ends[1]) || v->material_count > 0;
+    bool any = !isnan(v->ratio) || !isnan(v->ends[1]) || v->material_count > 0 || v->shuffle;
     size_t beads = 0, k = 0;
     for (size_t i = 0; i < BEAD_VARIED_COUNT; i++)
         any = any || v->random[i].kind != BEAD_ALWAYS;
@@ -327,6 +343,8 @@ enum bead_error bead_scene_vary_each(const struct bead_reader *reader, const str
     const double first = reader->scene->materials[segments[0].each ? segments[0].each[0] : segments[0].cell[0]].radius;
     for (size_t s = 0; s < count; s++) {
         BEAD_TRY(spread(reader, &segments[s]));
+        if (v->shuffle)
+            shuffle(v, k, &segments[s]);
         for (size_t i = 0; i < segments[s].cell_beads * segments[s].count; i++)
             BEAD_TRY(vary_bead(reader, at, v, k++, beads, first, &segments[s].each[i]));
     }

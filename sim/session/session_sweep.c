@@ -7,6 +7,7 @@
 #include "sim/base/memory.h"
 #include "sim/integrate/stepper.h"
 #include "sim/session/session_data.h"
+#include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -67,9 +68,11 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
 
 /* ---- running ---- */
 
-static bool is_spreading(const struct bead_made *made)
+/* Does the output show numbers of chains that it runs, instead of peaks? */
+static bool runs_own(const struct bead_made *made)
 {
-    return made->output->sweep_curves.show == BEAD_SWEEP_SPREADING;
+    const struct bead_sweep_curves_asked *curves = &made->output->sweep_curves;
+    return curves->show == BEAD_SWEEP_SPREADING || (curves->measure && *curves->measure);
 }
 
 /* Does an output show results of the sweep? Sheets run what they show themselves. */
@@ -77,7 +80,7 @@ static bool needs_results(const struct bead_session *s)
 {
     bool needs = false;
     for (size_t i = 0; i < s->made_count; i++)
-        needs = needs || (bead_session_makes(&s->made[i]) && !s->made[i].type->without_results && !is_spreading(&s->made[i]));
+        needs = needs || (bead_session_makes(&s->made[i]) && !s->made[i].type->without_results && !runs_own(&s->made[i]));
     return needs;
 }
 
@@ -86,7 +89,7 @@ static bool runs_chains(const struct bead_session *s)
 {
     bool runs = false;
     for (size_t i = 0; i < s->made_count; i++)
-        runs = runs || (bead_session_makes(&s->made[i]) && (s->made[i].type->runs_chains || is_spreading(&s->made[i])));
+        runs = runs || (bead_session_makes(&s->made[i]) && (s->made[i].type->runs_chains || runs_own(&s->made[i])));
     return runs;
 }
 
@@ -111,6 +114,11 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     for (size_t i = 0; i < s->made_count; i++) {
         if (bead_session_makes(&s->made[i]) && bead_session_holds_sweep(&s->made[i]))
             results = &s->made[i];
+    }
+    for (size_t i = 0; i < s->made_count; i++) { /* before a run of hours */
+        const char *measure = s->made[i].output->sweep_curves.measure, *unit;
+        if (measure && *measure)
+            BEAD_TRY(bead_sweep_measure_unit(measure, &unit, msg));
     }
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err)

@@ -81,8 +81,8 @@ static void fit_slope(struct bead_sweep_curve *curve)
 }
 
 /* All points of one curve: of each value along the axis the known results. */
-static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, size_t number, size_t key,
-                            struct bead_sweep_curve *curve, struct bead_message *msg)
+static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, const double *values, size_t number,
+                            size_t key, struct bead_sweep_curve *curve, struct bead_message *msg)
 {
     const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
     const struct bead_over_key *along = &shown->spec->over.keys[key];
@@ -97,7 +97,9 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
                 continue;
             if (!*curve->name)
                 bead_sweep_curve_name(sweep, panel, i, key, curve->name);
-            if (bead_sweep_configuration(sweep, panel, i, &found))
+            if (values && isfinite(values[i]))
+                forces[count++] = values[i];
+            else if (!values && bead_sweep_configuration(sweep, panel, i, &found))
                 forces[count++] = found.peaks[place].force;
         }
         if (count == 0)
@@ -111,8 +113,8 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
     return BEAD_OK;
 }
 
-enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place, const char *against,
-                                       struct bead_sweep_curves *curves, struct bead_message *msg)
+enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place, const double *values,
+                                       const char *against, struct bead_sweep_curves *curves, struct bead_message *msg)
 {
     const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
     size_t count = 1;
@@ -125,7 +127,7 @@ enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t pa
     BEAD_TRY(bead_new(&curves->curves, count, msg, "the curves of a sweep"));
     while (curves->count < count) {
         const size_t i = curves->count++;
-        BEAD_TRY(fill(sweep, panel, place, i, curves->key, &curves->curves[i], msg));
+        BEAD_TRY(fill(sweep, panel, place, values, i, curves->key, &curves->curves[i], msg));
     }
     return BEAD_OK;
 }

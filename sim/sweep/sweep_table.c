@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/base/number.h"
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_curves.h"
@@ -210,24 +211,36 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
     }
 }
 
+static enum bead_error write_place(const struct out *o, size_t place, const double *values, const char *unit,
+                                   struct bead_message *msg)
+{
+    struct bead_sweep_curves curves;
+    enum bead_error err = bead_sweep_curves_find(o->sweep, 0, place, values, o->output->sweep_curves.against, &curves, msg);
+    const struct bead_over_key *along = &bead_sweep_panel(o->sweep, 0)->spec->over.keys[curves.key];
+    static const char *const columns[] = {"mean",    "standard_error", "median",        "minimum",
+                                          "maximum", "lower_quartile", "upper_quartile"};
+    if (place == 0 && !err) {
+        fprintf(o->file, "%s%s,curve,configurations", o->places ? "place," : "", along->path);
+        for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
+            fprintf(o->file, ",%s%s%s", columns[i], *unit ? "_" : "", unit);
+        fputs(",slope,slope_error\n", o->file);
+    }
+    for (size_t i = 0; !err && i < curves.count; i++)
+        write_curve(o, place, &curves.curves[i], along);
+    bead_sweep_curves_free(&curves);
+    return err;
+}
+
 static enum bead_error write_statistics(const struct out *o, struct bead_message *msg)
 {
-    const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, 0);
-    enum bead_error err = BEAD_OK;
-    for (size_t place = 0; !err && place < panel->places; place++) {
-        struct bead_sweep_curves curves;
-        err = bead_sweep_curves_find(o->sweep, 0, place, o->output->sweep_curves.against, &curves, msg);
-        const struct bead_over_key *along = &panel->spec->over.keys[curves.key];
-        if (place == 0 && !err)
-            fprintf(o->file,
-                    "%s%s,curve,configurations,mean_N,standard_error_N,median_N,minimum_N,maximum_N,lower_quartile_N,"
-                    "upper_quartile_N,slope,slope_error\n",
-                    o->places ? "place," : "", along->path);
-        for (size_t i = 0; !err && i < curves.count; i++)
-            write_curve(o, place, &curves.curves[i], along);
-        bead_sweep_curves_free(&curves);
-    }
-    return err;
+    const char *measure = o->output->sweep_curves.measure, *unit = "N";
+    const size_t places = *measure ? 1 : bead_sweep_panel(o->sweep, 0)->places;
+    BEAD_FREED double *values = NULL;
+    if (*measure)
+        BEAD_TRY(bead_sweep_measured(o->sweep, measure, o->settings, &values, &unit, msg));
+    for (size_t place = 0; place < places; place++)
+        BEAD_TRY(write_place(o, place, values, unit, msg));
+    return BEAD_OK;
 }
 
 static enum bead_error write_spreading(const struct out *o, struct bead_message *msg)
@@ -300,6 +313,8 @@ static const struct kind *kind_for(const struct bead_sweep *sweep, const struct 
 
 static const char *sweep_table_why(const struct bead_output *output)
 {
+    if (*output->sweep_curves.measure)
+        return "means of a measure of chains that are run for it";
     return output->sweep_curves.show == BEAD_SWEEP_SPREADING
                ? "how far energy has spread, in chains that are run for it, averaged over seeds"
                : kind_of(output)->why;
@@ -326,7 +341,8 @@ static enum bead_error write_table(const struct bead_output *output, const struc
     const struct bead_sweep *sweep = context->sweep;
     struct out o = {.sweep = sweep, .output = output, .settings = context->sweep_settings, .several = bead_sweep_panels(sweep) > 1};
     for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
-        o.places = o.places || (kind_for(sweep, output)->of_places && bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
+        o.places = o.places || (!*output->sweep_curves.measure && kind_for(sweep, output)->of_places &&
+                                bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
     return bead_file_write(path, sweep_table_fill, &o, bytes, msg);
 }
 

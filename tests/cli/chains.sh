@@ -64,6 +64,11 @@ ok "... have their width, at equal radii" normal
 ok "random materials" chain '{bead: like, count: 3000, disorder: {material: [brass, 2 ptfe], seed: 1}}'
 shares() { local brass; brass=$(grep -c ',brass,' chain.csv); [ "$brass" -gt 900 ] && [ "$brass" -lt 1100 ] && [ "$(grep -c ',ptfe,' chain.csv)" -eq $((3000 - brass)) ]; }
 ok "... by their chances" shares
+ok "trimers in random order" chain '{cell: [like, ptfe, brass], count: 6000, disorder: {shuffle: true, seed: 3}}'
+# 1000 of each of 3! orders, with a standard deviation of 29; each cell keeps its beads.
+orders() { awk -F, 'NR > 2 { cell = cell $2; if ((NR - 2) % 3 == 0) { count[cell]++; cell = "" } }
+    END { for (order in count) { n++; if (count[order] < 900 || count[order] > 1100) bad++ } exit !(n == 6 && !bad) }' chain.csv; }
+ok "... in all six alike" orders
 ok "random cells of beads that differ" chain '{cell: [like, ptfe], count: 20, spins: random, seed: 1, disorder: {radius: normal 10 %}}'
 ok "... are as random as before" bash -c "'$beadsim' --info scene.yaml | grep -q '(20), M = 0'"
 

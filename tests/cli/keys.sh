@@ -83,7 +83,7 @@ base() {
 # What a key needs besides, or instead.
 needs() { # SECTION KEY
     case "$1: $2" in
-    'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against') scene=over ;;
+    'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against' | 'outputs ('*' of a sweep): measure') scene=over ;;
     'sweep: over' | 'sweep: combine') scene=over ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
     'outputs.measured: file' | 'outputs.measured: columns' | 'outputs.measured: time') before=('outputs=[{plot: p.svg, beads: 3, measured: {file: scope.csv}}]') ;;

@@ -26,7 +26,7 @@ short() { # FILE... : scenes of the chapters, none longer than fifteen lines
 }
 ok "scenes for common tasks have at most fifteen lines" short figure/figure.yaml lecture/lecture.yaml lecture/loop.yaml recipes/three.yaml \
     recipes/defect.yaml recipes/cells.yaml sweep/sweep.yaml ask/glass.yaml ask/velocity.yaml ask/mean.yaml \
-    ask/two.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml ask/pulse.yaml
+    ask/two.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml ask/pulse.yaml ask/decay.yaml
 
 broken() { # a chapter with a command that fails, a file that is not made, another message
     printf '```sh\n%s\n```\n%s\n' "$1" "${2:-}" >"$T/broken.md"

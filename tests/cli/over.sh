@@ -34,6 +34,33 @@ ok "on one thread the same" eval '"$beadsim" v.yaml -o alone --threads 1 >"$T/ou
 ok "--info names the keys" eval '"$beadsim" --info s.h5 | grep -qF "over 4 values of chain.striker.velocity"'
 ok "--plan, too" eval '"$beadsim" v.yaml --plan | grep -qF "over 4 of chain.striker.velocity"'
 
+# Without precompression c ~ v^(1/5), exactly; samples follow pulses to six digits.
+ok "a measure of them" exits 0 "$beadsim" v.yaml -o . --set 'chain.beads.0.count=40' --set 'outputs=[{table: c.csv, measure: front speed}]'
+ok "... speeds scale with its power 1/5" within "$(column c.csv 11 | head -n 1)" 0.2 1e-6
+ok "... in their unit" is "$(head -n 1 c.csv | cut -d, -f4)" mean_m/s
+ok "a chain of it, measured by itself" exits 0 "$beadsim" v.yaml --configuration 1 -o m.csv --set 'chain.beads.0.count=40' --set 'outputs=[{table: m.csv, show: measures}]'
+ok "... has the same speed" within "$(grep '^front speed,' m.csv | cut -d, -f2)" "$(sed -n 3p c.csv | cut -d, -f4)" 1e-3
+ok "a measure that is none" eval 'fails "1 2" "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, measure: speed}]" && says "there is no \`speed\`"'
+ok "... of peaks of each chain" eval 'fails "1 2" "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, show: configurations, measure: front speed}]" && says "means of a measure"'
+
+# Restitution of viscoelastic spheres, x = 0.04 at 1 m/s and half of it at 1/32: 1 - C1 x + C2 x^2 + (4/15) x^(5/2) - C3 x^3, good to
+# x^(7/2) (Ramirez et al., Phys. Rev. E 60, 4465 (1999), without pull: test_damped.c).
+cat >e.yaml <<'YAML'
+materials: {unit: {mass: 1 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}}
+chain:
+  law: {power: 1.5, coefficient: 1e9}
+  striker: {bead: unit}
+  beads: [{bead: unit}]
+  damping: {coefficient: 480.45, exponent: 1, compression: 0.5}
+simulate: {until: 1 ms, accuracy: 1e-9}
+sweep: {over: {chain.striker.velocity: [0.03125 m/s, 1 m/s]}}
+outputs: [{table: e.csv, measure: restitution}, {sheet: e.svg, size: [900, 600]}]
+YAML
+ok "a table of restitution against speed" exits 0 "$beadreel" e.yaml -o .
+expansion() { awk -v x="$1" 'BEGIN {c = 1.15344; printf "%.17g", 1 - c * x + 0.6 * c * c * x * x + 4 / 15 * x ^ 2.5 - 0.483582 * x ^ 3}'; }
+ok "... as the expansion in the speed has it" within "$(sed -n 3p e.csv | cut -d, -f4)" "$(expansion 0.04)" 1.3e-5
+ok "... at a lower one, too" within "$(sed -n 2p e.csv | cut -d, -f4)" "$(expansion 0.02)" 1.2e-6
+
 # Two keys and a seed: curves by radius, means over seeds. Twice the radius of all: eight times the mass.
 cat >g.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 8, disorder: {radius: normal 3 %, seed: 1}}]}
@@ -47,6 +74,8 @@ ok "... twenty in all" is "$(column each.csv 1 | wc -l)" 20
 mean() { awk -F, -v v="$1" -v m="$2" '$2 == v && $3 == m {s += $5; n++} END {print s / n}' each.csv; }
 ok "... their means" within "$(sed -n 2p g.csv | cut -d, -f4)" "$(mean '0.5 m/s' '2 g')" 1e-3
 ok "... against another key" is "$(head -n 1 m.csv | cut -d, -f1)" chain.striker.mass
+ok "a contact sheet of them" exits 0 "$beadreel" g.yaml -o . --set 'outputs=[{sheet: sheet.svg, size: [1400, 1000]}]'
+ok "... with a row for each combination, and the seeds in it" eval '[ "$(grep -c "mass 2 g" sheet.svg)" -eq 2 ] && grep -q "velocity 0.5 m/s" sheet.svg && grep -q "#19" sheet.svg'
 ok "pairs" exits 0 "$beadsim" g.yaml -o pairs --set sweep.combine=pairs --set 'sweep.over={chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [2 g, 4 g]}'
 ok "... are two chains" is "$(column pairs/each.csv 1 | wc -l)" 2
 
