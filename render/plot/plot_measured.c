@@ -38,7 +38,7 @@ static enum bead_error add(const struct bead_plot_data *data, const struct plot_
     struct bead_curves curves;
     enum bead_error err = reduce(data, part, k, difference, &curves, msg);
     if (!err)
-        *at = plot_sensors_points(&curves, 0, 1, *at, series);
+        *at = plot_curve_points(&curves, 0, 1, *at, series);
     bead_curves_free(&curves);
     return err;
 }

@@ -78,3 +78,21 @@ enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, 
     }
     return BEAD_OK;
 }
+
+double *plot_curve_points(const struct bead_curves *curves, size_t k, double factor, double *x, struct bead_series *series)
+{
+    double *y = x + 4 * curves->count;
+    size_t used = 0;
+    for (size_t s = 0; s < curves->count; s++) {
+        struct bead_point points[4];
+        const size_t more = bead_curves_points(curves, s, k, points);
+        for (size_t i = 0; i < more; i++) {
+            x[used] = points[i].time;
+            y[used++] = factor * points[i].value;
+        }
+    }
+    series->x = x;
+    series->y = y;
+    series->count = used;
+    return y + 4 * curves->count;
+}

@@ -161,24 +161,6 @@ static double plot_sensors_factor_of(const struct bead_plot_data *data, const st
     return peak > 0 ? 1 / peak : NAN;
 }
 
-double *plot_sensors_points(const struct bead_curves *curves, size_t k, double factor, double *x, struct bead_series *series)
-{
-    double *y = x + 4 * curves->count;
-    size_t used = 0;
-    for (size_t s = 0; s < curves->count; s++) {
-        struct bead_point points[4];
-        const size_t more = bead_curves_points(curves, s, k, points);
-        for (size_t i = 0; i < more; i++) {
-            x[used] = points[i].time;
-            y[used++] = factor * points[i].value;
-        }
-    }
-    series->x = x;
-    series->y = y;
-    series->count = used;
-    return y + 4 * curves->count;
-}
-
 static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, struct bead_message *msg)
 {
     struct plot_panel *part = &data->parts[p];
@@ -193,7 +175,7 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, 
         bead_markup_quote(bead_place_shown(data->output, data->context.chains[part->chain], k).name, part->labels[k],
                           sizeof part->labels[k]);
         part->series[k] = (struct bead_series){.mark = BEAD_MARK_LINE, .label = part->labels[k]};
-        at = plot_sensors_points(curves, k, plot_sensors_factor_of(data, part, k), at, &part->series[k]);
+        at = plot_curve_points(curves, k, plot_sensors_factor_of(data, part, k), at, &part->series[k]);
         plot_tell_apart(&part->series[k], k);
     }
     return data->residuals ? plot_measured_fill(data, p, at, msg) : BEAD_OK;

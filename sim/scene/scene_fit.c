@@ -3,15 +3,28 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/scene/scene_private.h"
+
+void bead_scene_naming(const char *naming[BEAD_NAMINGS])
+{
+    memset(naming, 0, BEAD_NAMINGS * sizeof *naming);
+    naming[0] = "name";
+    naming[1] = "sensor";
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
+        naming[2 + kind] = bead_output_key(kind);
+}
 
 /* A key must have a number, which is where the search begins. */
 static enum bead_error read_key(const struct bead_reader *reader, const struct bead_at *at, struct bead_fit_key *key)
 {
     const struct bead_node *node = NULL;
+    const char *naming[BEAD_NAMINGS];
+    struct bead_message unused;
     char why[200];
     BEAD_TRY(bead_read_text(reader, at, &key->path));
-    enum bead_error err = bead_scene_find_node(reader, key->path, &node);
+    bead_scene_naming(naming);
+    enum bead_error err = bead_yaml_find(reader->yaml, key->path, naming, &node, &unused);
     if (err == BEAD_ERROR_MEMORY)
         return bead_no_memory(reader);
     if (err || node->kind != BEAD_NODE_SCALAR)

@@ -111,29 +111,10 @@ static enum bead_error read_scene(struct bead_reader *reader, const char *text, 
     return err || reader->scene->sweep_count == 0 ? err : find_fingerprint(reader);
 }
 
-/* Elements of lists are called by their `name` or `sensor`, outputs by their file. */
-enum { NAMINGS = BEAD_OUTPUT_KINDS + 3 };
-static void find_naming(const char *naming[NAMINGS])
-{
-    memset(naming, 0, NAMINGS * sizeof *naming);
-    naming[0] = "name";
-    naming[1] = "sensor";
-    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++)
-        naming[2 + kind] = bead_output_key(kind);
-}
-
-enum bead_error bead_scene_find_node(const struct bead_reader *reader, const char *path, const struct bead_node **node)
-{
-    const char *naming[NAMINGS];
-    struct bead_message unused;
-    find_naming(naming);
-    return bead_yaml_find(reader->yaml, path, naming, node, &unused);
-}
-
 static enum bead_error lay(const struct bead_reader *reader, const struct bead_override *override)
 {
-    const char *naming[NAMINGS];
-    find_naming(naming);
+    const char *naming[BEAD_NAMINGS];
+    bead_scene_naming(naming);
     return bead_yaml_lay(reader->yaml, override, naming, reader->msg);
 }
 

@@ -105,8 +105,9 @@ struct bead_variation {
 };
 extern const struct bead_variation bead_variation_none;
 
-/* The node of a key of the scene, "chain.striker.velocity". Errors: SCENE (there is no such place), MEMORY. */
-BEAD_CHECK enum bead_error bead_scene_find_node(const struct bead_reader *reader, const char *path, const struct bead_node **node);
+/* What elements of lists are called by in paths: their `name` or `sensor`, outputs by their file. */
+enum { BEAD_NAMINGS = BEAD_OUTPUT_KINDS + 3 };
+void bead_scene_naming(const char *naming[BEAD_NAMINGS]);
 /* The SI unit of a number with one; "" where it has none, or is no number. */
 const char *bead_scene_unit_of(const struct bead_reader *reader, const char *text);
 BEAD_OPTION_READER(bead_scene_read_fit); /* behind `outputs` */
