@@ -227,20 +227,18 @@ static void draw_name(const struct bead_composer *c, size_t chain, struct bead_r
         bead_text_draw(cr, &style, rect->x + rect->width, rect->y + 0.5 * rect->height, markup);
 }
 
-/* The line of a chain's curve before its heading, which says whose it is without colours; where nothing gives way for it but labels
- * in a grid. */
+/* The line of a chain's curve before its heading, which says whose it is without colours; its label gives way. */
 static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect *rect)
 {
     static const double length = 1.8;
     const struct bead_look *look = &c->look;
     const struct bead_chain *own = c->setup.chains[chain];
     const struct bead_dashes *dashes = bead_look_dashes(chain % BEAD_DASHES);
-    const double label = c->layout.label_lines || c->layout.grid ? 0 : bead_heading_width(look, own),
-                 width = fmax(1.6, 1.8 * look->line);
+    const double width = fmax(1.6, 1.8 * look->line);
     const double line = rect->height - (c->layout.label_lines ? 1.35 * look->label : 0);
     const int room = (int)ceil((length + 0.5) * look->label);
     double lengths[6];
-    if (fmax(label, bead_heading_least(look, own)) + room > rect->width)
+    if (bead_heading_least(look, own) + room > rect->width)
         return;
     for (int i = 0; i < dashes->count; i++)
         lengths[i] = width * dashes->lengths[i];
