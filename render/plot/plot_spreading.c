@@ -21,7 +21,8 @@ static void set_axes(struct bead_panel *panel, const char *seconds, const double
     panel->y = (struct bead_graph_axis){"beads", "", range[0], range[1], BEAD_SCALE_LOG, false};
 }
 
-/* The curve of number `n`, and its power law, whose values go to `law`: times, then numbers. Returns how many series. */
+/* The curve of number `n`, and its power law in its colour, whose values go to `law`: times, then numbers. Returns how many series.
+ */
 static size_t add(struct bead_series *series, char (*labels)[256], int n, const double *time, const double *y, size_t count,
                   const struct bead_exponent *exponent, double law[LAW])
 {
@@ -39,8 +40,13 @@ static size_t add(struct bead_series *series, char (*labels)[256], int n, const 
     if (isfinite(exponent->error))
         bead_number(exponent->error, 3, off, sizeof off);
     snprintf(labels[1], sizeof *labels, "exponent %s%s%s", slope, *off ? " ± " : "", off);
-    series[1] = (struct bead_series){
-        .x = law, .y = law + 2, .count = 2, .mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED, .label = labels[1]};
+    series[1] = (struct bead_series){.x = law,
+                                     .y = law + 2,
+                                     .count = 2,
+                                     .mark = BEAD_MARK_LINE,
+                                     .colour = series->colour,
+                                     .dash = BEAD_DASH_DOTTED,
+                                     .label = labels[1]};
     return 2;
 }
 
