@@ -32,6 +32,11 @@ static double share_of(const struct bead_chain *chain)
     return beads > usual_beads ? bead_pow(usual_beads / fmin(beads, most_beads), length_power) : 1;
 }
 
+bool bead_is_long(const struct bead_chain *chain)
+{
+    return (double)chain->beads > most_beads;
+}
+
 /* Energy that would open a contact, J. */
 static double opening_energy(const struct bead_contact_walk *w)
 {

@@ -2,6 +2,8 @@
 /* Method choice: the method that a scene names or that `auto` picks, its step, and the reason. */
 #pragma once
 
+#include <stdbool.h>
+
 #include "beadreel/error.h"
 
 struct bead_chain;
@@ -18,6 +20,8 @@ struct bead_method_choice {
 /* Errors: SCENE, with the method's name. */
 BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, const struct bead_simulate *asked,
                                               struct bead_method_choice *choice, struct bead_message *msg);
+/* True of chains so long that steps no longer become shorter with their length: errors may be larger than asked. */
+bool bead_is_long(const struct bead_chain *chain);
 /* Step in units of 1/omega for peaks of this relative accuracy. */
 double bead_method_theta(const struct bead_method_choice *choice, double accuracy);
 /* Expected relative error of peaks with steps of theta/omega: the inverse of bead_method_theta, at most 1. */

@@ -5,6 +5,7 @@
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
 #include "sim/run/behind.h"
+#include "sim/run/method_choice.h"
 #include "sim/run/uncertainty.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
@@ -12,7 +13,7 @@
 /* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four allow for a pulse widened
  * by disorder. */
 enum { REACH = 4 };
-/* Every so many chains one is also played whole, and the next one finer. */
+/* Every so many chains one is also played whole, and the next one finer; long ones all are. */
 enum { ALSO_WHOLE = 64 };
 
 /* The measurements of one chain. */
@@ -195,7 +196,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
     m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
-    if (!err && m->row % ALSO_WHOLE == 1)
+    if (!err && m->panel->shown.places > 0 && (m->row % ALSO_WHOLE == 1 || bead_is_long(m->chain)))
         err = measure_errors(m, &play, *try, msg);
     if (!err && m->seen)
         err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);
