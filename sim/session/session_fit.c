@@ -126,10 +126,11 @@ static double survey(const struct fit *f, const struct bead_output *output, stru
             if (!counts(f, &m->points[i]))
                 continue;
             search->points++;
-            search->size = hypot(search->size, m->points[i].value);
+            search->size += m->points[i].value * m->points[i].value;
             last = fmax(last, m->points[i].time);
         }
     }
+    search->size = sqrt(search->size);
     return last;
 }
 

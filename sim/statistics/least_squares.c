@@ -53,8 +53,8 @@ static enum bead_error guess_step(void *context, size_t k, bool, struct bead_mes
         double moved = 0;
         BEAD_TRY(find_side(context, 2 * k, false, msg));
         for (size_t p = 0; p < f->points; p++)
-            moved = hypot(moved, side[p] - s->r[p]);
-        moved /= change * f->size;
+            moved += (side[p] - s->r[p]) * (side[p] - s->r[p]);
+        moved = sqrt(moved) / (change * f->size);
         if (moved > 0.1 && moved < 10)
             return BEAD_OK;
         s->step[k] *= moved > 0.1 ? 1 / moved : 10;

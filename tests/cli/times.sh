@@ -9,7 +9,7 @@ chain:
   beads: [{bead: large-steel, count: 10}, {bead: large-steel, sensor: first}, {bead: large-steel, count: 8}, {bead: large-steel, sensor: last}]
   wall: brass
 outputs:
-  - {table: sensors.csv, show: sensors, every: 1 us}
+  - {table: sensors.csv, show: sensors, every: 1 us, uncertainty: false}
   - {image: force.png, size: [320, 200]}
   - {table: peaks.csv}
   - {trajectory: run.h5}

@@ -136,7 +136,7 @@ static void test_own_views_draw(void **state)
     assert_int_equal(make("movie: a.png, views: [beads, green], fps: 10, duration: 1 s", &own, &msg), BEAD_OK);
     assert_int_equal(drawn, 10);
     assert_true(fed >= 10);
-    assert_true(count_green("a.png") > 320 * 240 / 4); /* an animated PNG's first frame */
+    assert_true(count_green("a.png") > 320 * 240 / 5); /* an animated PNG's first frame */
 }
 
 static void expect(const struct bead_own *own, enum bead_error error, const char *says)
