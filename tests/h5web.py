@@ -6,7 +6,6 @@ DIRECTORY has the files, and H5Web as main.js and main.css (h5web.jsx, bundled).
 """
 import functools
 import http.server
-import re
 import sys
 import threading
 import time

@@ -12,7 +12,7 @@ chain:
 simulate: {until: 0.6 ms}
 outputs:
   - {report: run.html, every: 1 us, range: [0, 30 N]}
-  - {table: force.csv, show: sensors, every: 1 us}
+  - {table: force.csv, show: sensors, every: 1 us, uncertainty: false}
   - {table: measures.csv, show: measures}
   - {image: still.png, size: [320, 200]}
   - {image: still.pdf}
