@@ -28,7 +28,7 @@ static double name_x(const struct bead_view *v, size_t i)
     return v->strip.x + (v->row.height > 0 ? in_row : on_stage);
 }
 
-/* Writes a word with its middle, or its end, at x, unless it would meet another or leave the frame's width. */
+/* Writes a word with its middle, or its end, at x, unless it would meet another, or a word of the stage to the right in a grid. */
 static bool add_word(struct words *w, double x, const char *markup, enum bead_align across, struct bead_rgb colour)
 {
     const struct bead_look *look = &w->v->look;
@@ -37,7 +37,7 @@ static bool add_word(struct words *w, double x, const char *markup, enum bead_al
     double width, height, gap = between * look->tick;
     bead_text_size(w->cr, &style, markup, &width, &height);
     const double from = x - (across == BEAD_ALIGN_END ? width : 0.5 * width), to = from + width;
-    bool free = w->count < MOST_WORDS;
+    bool free = w->count < MOST_WORDS && !(w->v->setup.small && to > w->v->strip.x + w->v->strip.width + 0.5);
     for (size_t i = 0; i < w->count; i++)
         free = free && (to + gap < w->taken[i][0] || from - gap > w->taken[i][1]);
     if (!free)

@@ -52,6 +52,24 @@ static void assert_legible(const struct texts *seen, const int size[2], const ch
     }
 }
 
+static bool is_number(const char *markup)
+{
+    return markup[strspn(markup, "0123456789")] == '\0';
+}
+
+/* Numbers of neighbouring axes are not read as one. */
+static void assert_numbers_part(const struct texts *seen, const char *what)
+{
+    for (size_t i = 0; i < seen->count; i++) {
+        for (size_t j = 0; j < seen->count; j++) {
+            const double gap = seen->text[j].x - seen->text[i].x - seen->text[i].width;
+            if (is_number(seen->text[i].markup) && is_number(seen->text[j].markup) &&
+                fabs(seen->text[i].y - seen->text[j].y) < 0.5 * seen->text[i].height && gap > 0 && gap < 0.5 * seen->text[i].height)
+                fail_msg("%s: '%s' is too close to '%s'", what, seen->text[i].markup, seen->text[j].markup);
+        }
+    }
+}
+
 static bool wrote(const struct texts *seen, const char *text)
 {
     for (size_t i = 0; i < seen->count; i++) {
@@ -325,6 +343,30 @@ static void test_numbers_at_the_end_are_whole(void **state)
     }
 }
 
+/* Forty beads: the last number of a stage in a grid would be beside the first one of the next. */
+static void test_numbers_of_a_grid_part(void **state)
+{
+    static const int sizes[][2] = {{1920, 1080}, {1080, 1080}, {1024, 768}};
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        static struct stage s;
+        char text[1024] = "chains:\n", what[80];
+        for (int c = 0; c < 4; c++)
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     "  - {name: c%d, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 40}]}\n",
+                     c);
+        snprintf(text + strlen(text), sizeof text - strlen(text), "outputs: [{movie: m.mp4, size: [%d, %d]}]\n", sizes[i][0],
+                 sizes[i][1]);
+        snprintf(what, sizeof what, "grid-%dx%d", sizes[i][0], sizes[i][1]);
+        open_stage(&s, text, sizes[i]);
+        show(&s, what);
+        assert_legible(&s.seen, sizes[i], what);
+        assert_numbers_part(&s.seen, what);
+        assert_true(wrote(&s.seen, "30"));
+        close_stage(&s);
+    }
+}
+
 /* ---- notes ---- */
 
 /* px: left, right and top of what is red within rows from..to. */
@@ -442,6 +484,7 @@ int main(void)
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),
         cmocka_unit_test(test_numbers_at_the_end_are_whole),
+        cmocka_unit_test(test_numbers_of_a_grid_part),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
