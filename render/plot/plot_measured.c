@@ -54,8 +54,9 @@ enum bead_error plot_measured_fill(struct bead_plot_data *data, size_t p, double
     BEAD_TRY(plot_reserve_series(data, data->count + p, count, room, msg));
     double *at = below->values;
     for (size_t k = 0; k < plot_measured_count(data, part); k++) {
-        char *label = part->labels[sensors + k];
-        snprintf(label, sizeof part->labels[k], "%.200s%smeasured", sensors > 1 ? part->labels[k] : "", sensors > 1 ? ", " : "");
+        char *label = part->labels[sensors + k], text[sizeof *part->labels];
+        snprintf(text, sizeof text, "%.200s%smeasured", sensors > 1 ? part->labels[k] : "", sensors > 1 ? ", " : "");
+        memcpy(label, text, sizeof text);
         part->series[sensors + k] = (struct bead_series){.mark = BEAD_MARK_POINTS, .label = label};
         plot_tell_apart(&part->series[sensors + k], sensors + k);
         BEAD_TRY(add(data, part, k, false, &values, &part->series[sensors + k], msg));
