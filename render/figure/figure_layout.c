@@ -13,7 +13,8 @@ static const double bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_lin
 /* Part of the line of trust that holds text; the rest is the gap to the plot. */
 static const double trust_share = 0.75;
 /* The height of a curve beside whose axis "force (N)" is as large as other names, unless it is more than this part of an equal
- * row's. */
+ * row's. Empirical, from a few stills with beads, a profile and an image, in the font of pictures: a quantity with a
+ * longer name, or low pictures of many views, still have a smaller name there. */
 static const double curve_height = 4.8, curve_share = 0.65;
 static const int smallest_plot = 12; /* px */
 enum { FAR = 8192 };                 /* px */

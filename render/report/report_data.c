@@ -91,20 +91,6 @@ static void write_materials(struct bead_json *json, const struct bead_scene *sce
     bead_json_close(json, "]");
 }
 
-static void write_sensors(struct bead_json *json, const struct bead_chain *chain)
-{
-    size_t count = 0;
-    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
-    bead_json_open(json, "sensors", '[');
-    for (size_t i = 0; i < count; i++) {
-        bead_json_open(json, NULL, '{');
-        bead_json_text(json, "name", sensors[i].name);
-        bead_json_number(json, "bead", (double)sensors[i].bead);
-        bead_json_close(json, "}");
-    }
-    bead_json_close(json, "]");
-}
-
 static void write_wall(struct bead_json *json, const struct bead_chain *chain)
 {
     static const double grey[3] = {0.5, 0.5, 0.5};
@@ -128,7 +114,7 @@ static void write_beads(struct bead_json *json, const struct report_chain *c)
     for (size_t i = c->bead.first; i <= c->bead.last; i++)
         bead_json_number(json, NULL, (double)material[i]);
     bead_json_close(json, "]");
-    write_sensors(json, c->chain);
+    bead_chain_write_sensors(json, c->chain);
     bead_json_number(json, "striker", spec->striker_velocity);
     if (*bead_chain_spins(c->chain))
         bead_json_number(json, "magnetism", bead_chain_magnetism(c->chain));

@@ -13,6 +13,9 @@ unsigned bead_chain_fields(const struct bead_chain *chain); /* BEAD_FIELD_BITs o
 BEAD_INTERNAL bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field);
 /* Colour of a bead, sRGB 0..1 [3]. */
 BEAD_INTERNAL const double *bead_chain_colour(const struct bead_chain *chain, size_t bead);
+/* "sensors": names and beads, within an open object. */
+struct bead_json;
+BEAD_INTERNAL void bead_chain_write_sensors(struct bead_json *json, const struct bead_chain *chain);
 /* A few words about the system: the formula of an equation; "" for beads. */
 BEAD_INTERNAL void bead_chain_describe(const struct bead_chain *chain, char *text, size_t size);
 /* Linear modes of an equation: which fields of a sample their energies follow from (0: it has no modes), what these are called, and

@@ -2,6 +2,7 @@
 /* Queries of a chain: its beads and contacts, its energy, and the bound on its frequencies, which limits the step. */
 #include <math.h>
 
+#include "sim/base/json.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/contact_walk.h"
 
@@ -79,6 +80,20 @@ const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, siz
 {
     *count = chain->sensor_count;
     return chain->sensors;
+}
+
+void bead_chain_write_sensors(struct bead_json *json, const struct bead_chain *chain)
+{
+    size_t count = 0;
+    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
+    bead_json_open(json, "sensors", '[');
+    for (size_t i = 0; i < count; i++) {
+        bead_json_open(json, NULL, '{');
+        bead_json_text(json, "name", sensors[i].name);
+        bead_json_number(json, "bead", (double)sensors[i].bead);
+        bead_json_close(json, "}");
+    }
+    bead_json_close(json, "]");
 }
 
 /* m: on a tilt gravity works on the striker while it pushes; allow for this way. */

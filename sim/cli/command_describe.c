@@ -17,20 +17,6 @@
 #include "sim/session/session_internal.h"
 #include "sim/sweep/sweep_internal.h"
 
-static void write_sensors(struct bead_json *json, const struct bead_chain *chain)
-{
-    size_t count = 0;
-    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
-    bead_json_open(json, "sensors", '[');
-    for (size_t i = 0; i < count; i++) {
-        bead_json_open(json, NULL, '{');
-        bead_json_text(json, "name", sensors[i].name);
-        bead_json_number(json, "bead", (double)sensors[i].bead);
-        bead_json_close(json, "}");
-    }
-    bead_json_close(json, "]");
-}
-
 static void write_chain(struct bead_json *json, const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
@@ -56,7 +42,7 @@ static void write_chain(struct bead_json *json, const struct bead_chain *chain)
                                                        : materials[spec->wall_material].name);
         bead_json_text(json, "spins", bead_chain_spins(chain));
         bead_json_number(json, "magnetism", *bead_chain_spins(chain) ? bead_chain_magnetism(chain) : NAN);
-        write_sensors(json, chain);
+        bead_chain_write_sensors(json, chain);
     }
     bead_json_close(json, "}");
 }
