@@ -355,10 +355,20 @@ static bool is_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/* Letters of all alphabets, and the sign of degrees: the s of µs and the C of °C are no symbols. */
+static bool belongs_to_word(const char *at)
+{
+    const gunichar c = g_utf8_get_char_validated(at, -1);
+    if (c == (gunichar)-1 || c == (gunichar)-2)
+        return false;
+    return c == 0xb0 || (g_unichar_isalpha(c) && g_unichar_type(c) != G_UNICODE_MODIFIER_LETTER); /* those are subscripts */
+}
+
 static bool is_single(const char *text, const char *at)
 {
-    char before = at > text ? at[-1] : ' ', after = at[1];
-    bool joined = is_letter(before) || is_letter(after) || (before >= '0' && before <= '9') || (before && strchr("*_^{\\", before));
+    const char *last = at > text ? g_utf8_prev_char(at) : " ", before = at > text ? at[-1] : ' ', after = at[1];
+    bool joined = belongs_to_word(last) || belongs_to_word(at + 1) || (before >= '0' && before <= '9') ||
+                  (before && strchr("*_^{\\", before));
     return is_letter(*at) && !joined && (*at != 'a' || after != ' ');
 }
 

@@ -51,6 +51,8 @@ static void test_markup(void **state)
     assert_string_equal(out, "*u*_{*t*} + 6 *u* *u*_{*x*} of a mode at *x*; *M*, *F*_m here");
     bead_markup_symbols("u\u2093\u2093\u2093 and N\u2081", out, sizeof out); /* tight: one subscript, numbers upright */
     assert_string_equal(out, "*u*_{*xxx*} and *N*_{1}");
+    bead_markup_symbols("t (\u00b5s) at 20 \u00b0C, s \u03a9", out, sizeof out); /* parts of units */
+    assert_string_equal(out, "*t* (\u00b5s) at 20 \u00b0C, *s* \u03a9");
     bead_markup("*long*", small, sizeof small); /* no room: as it stands, cut */
     assert_string_equal(small, "*lo");
 }
