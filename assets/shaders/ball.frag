@@ -22,6 +22,7 @@ void main()
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    float lit = max(0.0, dot(d, tilt.zw) + 0.74 * light * z) + 0.34;
-    pixel = vec4(min(paint * lit + 0.30 * shine, 1.0) * cover, cover);
+    float facing = max(0.0, dot(d, tilt.zw) + 0.8 * light * z + 0.2);
+    vec3 own = min(paint * (0.34 + 0.74 * facing * facing), 1.0);
+    pixel = vec4((own + 0.50 * shine * (1.0 - own)) * cover, cover);
 }

@@ -27,6 +27,6 @@ void main()
     float curvature = 1.0 / ball.z;
     disc = vec4(ball.xy, ball.z + 0.5, curvature * curvature);
     sides = vec2(0.5 - cut.x, 0.5 + cut.y);
-    tilt = vec4(halfway, 0.74 * light) * curvature;
+    tilt = vec4(halfway, 0.8 * light) * curvature;
     paint = colour.rgb;
 }

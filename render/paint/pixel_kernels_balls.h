@@ -12,7 +12,15 @@ static const float light[3] = {-0.36f, -0.56f, 0.746f}, halfway[3] = {-0.193f, -
 
 static inline reals along(const float direction[3], reals nx, float ny, reals nz)
 {
-    return LARGER((nz * direction[2] + ny * direction[1]) + nx * direction[0], all(0));
+    return (nz * direction[2] + ny * direction[1]) + nx * direction[0];
+}
+
+/* What a lamp that is not a point lights, as on the stage: it fades out beyond the edge of the shade, where a point would leave a
+ * line. */
+static inline reals facing(reals cosine)
+{
+    const reals part = LARGER(cosine * 0.8f + 0.2f, all(0));
+    return part * part;
 }
 
 /* From squares of distances from the centre to premultiplied levels; cover NULL: 1. */
@@ -24,9 +32,9 @@ static inline __attribute__((always_inline)) void shade(const struct sphere *s, 
     reals shine = LARGER(along(halfway, nx, ny, nz), all(0.1f)); /* less would be invisible, but slow: its power underflows */
     for (int i = 0; i < 5; i++)
         shine *= shine;
-    reals lit = 0.34f + 0.74f * along(light, nx, ny, nz), gloss = 0.30f * shine;
+    reals lit = 0.34f + 0.74f * facing(along(light, nx, ny, nz)), gloss = 0.50f * shine;
     for (int c = 0; c < 3; c++) {
-        reals level = SMALLER(s->bgr[c] * lit + gloss, all(1));
+        reals own = SMALLER(s->bgr[c] * lit, all(1)), level = own + gloss * (1 - own); /* of what is left up to white */
         bgr[c] = level_of(cover ? level * *cover : level);
     }
 }

@@ -259,6 +259,45 @@ static size_t make_balls(struct bead_ball *balls, struct bead_mark *marks)
 }
 
 /* The same bits whether drawn at once, in stripes, or again over what was there. */
+/* Mean level of 5 x 5 pixels of a ball of radius 400 px whose shade, under a point lamp, would begin in the middle of the canvas,
+ * `way` px further away from the lamp. */
+static double shade_at(const struct context *s, double way)
+{
+    static const double across[2] = {0.54, 0.84}; /* away from the lamp */
+    double sum = 0;
+    for (int k = 0; k < 25; k++)
+        sum += pixel(&s->frame, (int)(WIDTH / 2 + way * across[0]) + k % 5 - 2, (int)(HEIGHT / 2 + way * across[1]) + k / 5 - 2)[1];
+    return sum / 25;
+}
+
+/* The lamp is no point: where the shade begins there is no line. A point's light, 0.74 of the full, ends there with a slope of 1 /
+ * r in units of distance on the ball, which foreshortening makes steeper: half of that kink would be seen. */
+static void test_shades_begin_softly(void **state)
+{
+    const double r = 400, far = 0.746 * r, way = fmin(WIDTH, HEIGHT) / 3.0, level = 200;
+    struct context s;
+    open_stage(&s, *state, false);
+    const struct bead_ball ball = {.x = (float)(WIDTH / 2 - 0.54 * far),
+                                   .y = (float)(HEIGHT / 2 - 0.84 * far),
+                                   .r = (float)r,
+                                   .left = -1000,
+                                   .right = 2000,
+                                   .rgba = {(uint8_t)level, (uint8_t)level, (uint8_t)level, 255}};
+    draw(&s, whole, &ball, 1, NULL, 0);
+    const double bend = shade_at(&s, way) - 2 * shade_at(&s, 0) + shade_at(&s, -way), kink = 0.74 * level * way / r;
+    if (!(fabs(bend) < 0.5 * kink))
+        fail_msg("the slope of the shade jumps: levels bend by %.1f, a point lamp's by %.1f", bend, kink);
+    /* The highlight of a bright ball keeps its colour. */
+    const struct bead_ball bright = {
+        .x = WIDTH / 2, .y = HEIGHT / 2, .r = 0.45f * (float)HEIGHT, .left = -1000, .right = 2000, .rgba = {200, 210, 224, 255}};
+    draw(&s, whole, &bright, 1, NULL, 0);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint8_t *p = pixel(&s.frame, i % WIDTH, i / WIDTH);
+        assert_true(p[0] < 255 && p[1] < 255 && p[2] < 255);
+    }
+    close_stage(&s);
+}
+
 static void test_parts_are_as_the_whole(void **state)
 {
     struct context s;
@@ -443,6 +482,7 @@ int main(void)
         FOR_EACH(test_a_part_of_the_frame_only),
         FOR_EACH(test_what_lies_outside_is_refused),
         FOR_EACH(test_area_and_place_of_balls),
+        FOR_EACH(test_shades_begin_softly),
         FOR_EACH(test_parts_are_as_the_whole),
         cmocka_unit_test(test_opengl_has_the_same_pixels_everywhere),
         cmocka_unit_test(test_failures_are_told),
