@@ -2,7 +2,8 @@
 /* Camera of the stage: a window that stands still while the wave crosses it, and moves on in steps with eased pans.
  *
  * It follows the head of the wave, and once that has arrived at the end of the chain, the pulse that comes back from there: the
- * centre of squared loads near the place where it was before. Moving with the front would make beads of two materials alternate
+ * centre of squared loads near the place where it was before. Of waves that pass through each other it follows the one that goes
+ * its way, and both while they fit into the window. Moving with the front would make beads of two materials alternate
  * several times a second. All places are along the stage, in whole pixels where they are shown. */
 #pragma once
 
@@ -25,11 +26,21 @@ struct bead_step_camera {
     size_t front;       /* the foremost contact that the wave has been at */
     double last, speed; /* of the place, a frame */
     bool begun, arrived;
+    int way;      /* 1: to the right, -1: back from the end */
+    bool meets;   /* another wave comes, or came, to meet it, ... */
+    double other; /* whose middle is here, in contacts */
+};
+
+/* Loads of contacts (>= 0, 1: strong), and where they are going: 1, -1; NULL: that is not known. */
+struct bead_loads {
+    const double *load;
+    const signed char *way;
+    size_t count;
 };
 
 /* The part of a pan that has passed, from 0 to 1: starts and stops with neither speed nor acceleration. */
 double bead_pan_eased(double part);
-/* The head of the wave, in contacts, of `load` now (>= 0, 1: strong). */
-double bead_step_camera_find(struct bead_step_camera *camera, const double *load, size_t count);
-/* Moves on by a frame, with the wave's head at `place`. */
-void bead_step_camera_advance(struct bead_step_camera *camera, double place);
+/* The head of the wave, in contacts, now. */
+double bead_step_camera_find(struct bead_step_camera *camera, struct bead_loads wave);
+/* Moves on by a frame, with the wave's head at `place`, and one that meets it at `other`. */
+void bead_step_camera_advance(struct bead_step_camera *camera, double place, double other);

@@ -22,6 +22,17 @@ double bead_stage_between(const struct bead_view *v, double head)
     return v->place[i] + (head - whole + 0.5) * (v->place[next] - v->place[i]);
 }
 
+/* Waves go where beads that they press go, and away from where those go that they relieve. */
+static signed char way_of(const struct bead_view *v, size_t k, double excess)
+{
+    const double *now = v->u[v->latest.newest], *before = v->u[1 - v->latest.newest];
+    double moved = now[k] - before[k];
+    if (k + 1 < v->count)
+        moved += now[k + 1] - before[k + 1];
+    const double way = excess * moved;
+    return (signed char)((way > 0) - (way < 0));
+}
+
 void bead_stage_advance(struct bead_view *v, double time)
 {
     const struct bead_latest *l = &v->latest;
@@ -32,9 +43,12 @@ void bead_stage_advance(struct bead_view *v, double time)
     for (size_t k = 0; k < v->contacts; k++) {
         const double force = bead_latest_value(l, v->force, k, weight);
         v->load[k] = contact_load(v, force);
-        v->excess[k] = contact_load(v, force - (rest ? rest[k] : 0));
+        const double excess = force - (rest ? rest[k] : 0);
+        v->excess[k] = contact_load(v, excess);
+        v->way[k] = way_of(v, k, excess);
     }
-    const double head = v->has_contacts ? bead_step_camera_find(&v->camera, v->excess, v->contacts) : 0;
+    const struct bead_loads wave = {v->excess, v->way, v->contacts};
+    const double head = v->has_contacts ? bead_step_camera_find(&v->camera, wave) : 0;
     if (v->setup.camera) {
         const double middle = bead_camera_left(v->setup.camera) + 0.5 * bead_camera_width(v->setup.camera);
         size_t i = 0;
@@ -44,7 +58,8 @@ void bead_stage_advance(struct bead_view *v, double time)
         const double there = v->place[i] + part * (v->count < 2 ? 0 : v->place[i + 1] - v->place[i]);
         v->camera.middle = there * v->scale;
     } else if (v->camera.width > 0) {
-        bead_step_camera_advance(&v->camera, v->scale * bead_stage_between(v, head));
+        bead_step_camera_advance(&v->camera, v->scale * bead_stage_between(v, head),
+                                 v->scale * bead_stage_between(v, v->camera.other));
     }
     if (v->camera.width > 0)
         v->left = round(v->camera.middle - 0.5 * v->strip.width);

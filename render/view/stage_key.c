@@ -144,19 +144,70 @@ double bead_stage_draw_key_of(cairo_t *cr, const struct bead_view_setup *setup, 
     return right - key.right;
 }
 
+/* ---- which of several waves the window follows ---- */
+
+/* Waves that begin at a bead: in both directions, but at the ends. */
+static size_t waves_at(size_t bead, size_t beads)
+{
+    return bead > 0 && bead + 1 < beads ? 2 : 1;
+}
+
+/* Waves that the scene starts. Neighbours start one. */
+static size_t count_waves(const struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    const size_t beads = bead_chain_beads(chain);
+    size_t count = 0, next = 0; /* next: the bead after the last that moves */
+    if (spec->striker_velocity != 0)
+        count = next = 1;
+    if (spec->drive.displacement || spec->drive.force)
+        count += waves_at(spec->drive.bead, beads);
+    for (size_t i = 0; i < spec->start_count; i++) {
+        const struct bead_start *start = &spec->starts[i];
+        if (start->velocity == 0 && start->displacement == 0)
+            continue;
+        count += next > 0 && start->bead <= next ? 0 : waves_at(start->bead, beads);
+        next = start->bead + 1;
+    }
+    return count;
+}
+
+/* What says so, left of the rest of the key; returns its width, 0 where there is one wave. */
+static double draw_followed(cairo_t *cr, const struct bead_view_setup *setup, double right, double middle)
+{
+    const struct bead_look *look = setup->look;
+    const struct bead_chain_spec *spec = bead_chain_spec(setup->chain);
+    struct key key = {.cr = cr,
+                      .style = {.family = look->family,
+                                .size = look->tick,
+                                .colour = look->accent,
+                                .across = BEAD_ALIGN_END,
+                                .down = BEAD_ALIGN_MIDDLE},
+                      .right = right - between * look->tick,
+                      .middle = middle};
+    if (!spec->system->has_contacts || count_waves(setup->chain) < 2)
+        return 0;
+    add_word(&key, spec->striker_velocity != 0 ? "window: striker's wave" : "window: one wave");
+    return right - key.right;
+}
+
 double bead_stage_key_room(const struct bead_view_setup *setup)
 {
-    return setup->axes ? bead_stage_draw_key_of(NULL, setup, &setup->chain, 1, 0, 0, setup->look->tick) : 0;
+    if (!setup->axes)
+        return 0;
+    return bead_stage_draw_key_of(NULL, setup, &setup->chain, 1, 0, 0, setup->look->tick) + draw_followed(NULL, setup, 0, 0);
 }
 
 void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr)
 {
     const double right = v->strip.x + v->strip.width - 0.5 * v->look.tick, middle = v->strip.y + 0.75 * v->look.label;
-    const double most = v->strip.width - v->look.tick;
+    const double followed = v->camera.width > 0 ? draw_followed(NULL, &v->setup, 0, 0) : 0, most = v->strip.width - v->look.tick;
     for (int materials = 1; materials >= 0; materials--) {
-        if (bead_stage_draw_key_of(NULL, &v->setup, &v->setup.chain, (size_t)materials, 0, 0, v->look.tick) > most)
+        if (bead_stage_draw_key_of(NULL, &v->setup, &v->setup.chain, (size_t)materials, 0, 0, v->look.tick) + followed > most)
             continue;
-        bead_stage_draw_key_of(cr, &v->setup, &v->setup.chain, (size_t)materials, right, middle, v->look.tick);
+        const double used = bead_stage_draw_key_of(cr, &v->setup, &v->setup.chain, (size_t)materials, right, middle, v->look.tick);
+        if (followed > 0)
+            draw_followed(cr, &v->setup, right - used, middle);
         return;
     }
 }

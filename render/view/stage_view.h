@@ -26,6 +26,7 @@ struct bead_view {
 
     /* The last two samples: displacement (m), force (N) of each contact or value of each bead, and where they are now. */
     double *u[2], *force[2], *shift, *load, *excess; /* excess: of the force above that at rest */
+    signed char *way;                                /* where this goes: 1, -1, 0: nowhere */
     struct bead_latest latest;
     double *numbers; /* memory of these */
 

@@ -30,6 +30,7 @@ static void stage_destroy(struct bead_view *v)
     bead_frame_free(&v->on_grey);
     free(v->numbers);
     free(v->balls);
+    free(v->way);
     free(v);
 }
 
@@ -54,7 +55,8 @@ static bool make_arrays(struct bead_view *v)
     const size_t n = v->count, k = v->contacts;
     v->numbers = calloc(4 * n + 4 * k + 1, sizeof *v->numbers);
     v->balls = calloc(2 * n, sizeof *v->balls);
-    if (!v->numbers || !v->balls)
+    v->way = calloc(k + 1, sizeof *v->way);
+    if (!v->numbers || !v->balls || !v->way)
         return false;
     v->old_balls = v->balls + n;
     v->u[0] = v->numbers;

@@ -232,8 +232,8 @@ static double follow_pulse(double crossing)
         const double way = speed * f, at = way < 128 ? way : 256 - way;
         for (int k = 0; k < CONTACTS; k++)
             load[k] = fabs(k - at) < 2.5 ? 0.7 * pow(cos((k - at) * M_PI / 5), 3) : 0;
-        const double head = bead_step_camera_find(&c, load, CONTACTS);
-        bead_step_camera_advance(&c, (head + 0.5) * pitch);
+        const double head = bead_step_camera_find(&c, (struct bead_loads){load, NULL, CONTACTS});
+        bead_step_camera_advance(&c, (head + 0.5) * pitch, 0);
         const double left = round(c.middle - 0.5 * width), peak = (at + 0.5) * pitch;
         if (peak < left + pitch || peak > left + width - pitch)
             fail_msg("frame %d: the pulse at %g is not in the window from %g to %g", f, peak, left, left + width);
@@ -247,6 +247,49 @@ static double follow_pulse(double crossing)
     const double pans = ceil((c.ends[1] - c.ends[0] - width) / step);
     assert_true(moving <= BEAD_PAN_FRAMES * (2 * pans + 1));
     return (double)still / frames;
+}
+
+/* Adds a pulse five beads wide that goes this way. */
+static void add_pulse(double *load, signed char *ways, size_t count, double at, int way)
+{
+    for (size_t k = 0; k < count; k++) {
+        const double x = (double)k - at, own = fabs(x) < 2.5 ? 0.7 * pow(cos(x * M_PI / 5), 3) : 0;
+        if (own > load[k])
+            ways[k] = (signed char)way;
+        load[k] += own;
+    }
+}
+
+/* Two equal pulses from the ends pass through each other: the window holds the one from the left, on to the other end and back, and
+ * both while they are no further apart than fits. The window moves by whole pans only, never by jumps. */
+static void waves_that_meet_are_both_in_the_window(void **state)
+{
+    (void)state;
+    enum { CONTACTS = 80 };
+    const double pitch = 100, width = 14.5 * pitch, margin = 2.5 * pitch, speed = 0.2, end = CONTACTS - 1, fits = 9;
+    struct bead_step_camera c = {.width = width, .step = 9 * pitch, .margin = margin, .ends = {-200, CONTACTS * pitch + 200}};
+    double last = 0;
+    int both = 0;
+    for (int f = 0; f < (int)(1.8 * end / speed); f++) {
+        double load[CONTACTS] = {0};
+        signed char ways[CONTACTS] = {0};
+        const double at = speed * f, own = at < end ? at : 2 * end - at, other = at < end ? end - at : at - end;
+        add_pulse(load, ways, CONTACTS, own, at < end ? 1 : -1);
+        add_pulse(load, ways, CONTACTS, other, at < end ? -1 : 1);
+        const double head = bead_step_camera_find(&c, (struct bead_loads){load, ways, CONTACTS});
+        bead_step_camera_advance(&c, (head + 0.5) * pitch, (c.other + 0.5) * pitch);
+        const double left = c.middle - 0.5 * width, places[2] = {(own + 0.5) * pitch, (other + 0.5) * pitch};
+        const bool together = at < end && fabs(own - other) < fits;
+        for (int k = 0; k < 1 + together; k++) {
+            if (places[k] < left + pitch || places[k] > left + width - pitch)
+                fail_msg("frame %d: the pulse at %g is not in the window from %g to %g", f, places[k], left, left + width);
+        }
+        both += together;
+        /* The fastest part of a pan is 15/8 of its mean speed; beside it, the window goes along with a pulse. */
+        assert_true(f == 0 || fabs(left - last) < 2 * 15.0 / 8 * c.step / BEAD_PAN_FRAMES + 3 * speed * pitch);
+        last = left;
+    }
+    assert_true(both > 40);
 }
 
 static void camera_rests_and_follows(void **state)
@@ -560,6 +603,7 @@ int main(void)
         cmocka_unit_test(instruction_sets_give_the_same_pixels),
         cmocka_unit_test(light_rises_with_force),
         cmocka_unit_test(camera_rests_and_follows),
+        cmocka_unit_test(waves_that_meet_are_both_in_the_window),
         cmocka_unit_test(beads_touch_where_they_do),
         cmocka_unit_test(beads_are_over_their_numbers),
         cmocka_unit_test(names_have_room),
