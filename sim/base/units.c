@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <udunits2.h>
 
-#include "sim/base/yaml.h"
+#include "sim/base/text.h"
 
 /* The usual units, so that UDUNITS-2, which needs 5 ms to read its tables, is rarely needed: value in SI = number * factor *
  * 10^power. */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <yaml.h>
 
+#include "sim/base/text.h"
 #include "sim/base/yaml_private.h"
 
 /* The state of a parse. */

@@ -65,11 +65,6 @@ BEAD_CHECK enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, const st
 struct bead_node *bead_node_get(const struct bead_node *map, const char *key, struct bead_node **key_node);
 /* "a map", "a list", "`text`" (shortened, in one line): for messages; returns `shown`. */
 const char *bead_node_show(const struct bead_node *node, char *shown, size_t size);
-/* Any text for a message: one line, shortened; returns `shown`. */
-const char *bead_text_show(const char *text, char *shown, size_t size);
-/* Bytes of the character at `c` that a terminal would obey rather than show: a control character (C0, DEL, C1), or one that turns
- * the direction of the text or ends the line (U+061C, U+200E to U+200F, U+2028 to U+202E, U+2066 to U+2069). 0: it may be shown. */
-size_t bead_text_obeyed(const char *c);
 
 /* Make parts of trees; NULL if out of memory, or if the document has the largest number of nodes. */
 struct bead_node *bead_yaml_node(struct bead_yaml *yaml, enum bead_node_kind kind, struct bead_place place);

@@ -7,7 +7,7 @@
 #include "beadreel/chain.h"
 #include "beadreel/sweep.h"
 #include "sim/base/json.h"
-#include "sim/base/yaml.h"
+#include "sim/base/text.h"
 #include "sim/cli/command_line.h"
 #include "sim/session/session_internal.h"
 

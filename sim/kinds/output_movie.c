@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "sim/base/text.h"
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads a map of a scene into a structure, key by key, by the rows of an option table. */
 #include "sim/options/options.h"
+#include "sim/base/text.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -8,6 +8,7 @@
 
 #include "sim/base/assets.h"
 #include "sim/base/suggest.h"
+#include "sim/base/text.h"
 #include "sim/scene/scene_private.h"
 
 enum { DEEPEST = 4 };

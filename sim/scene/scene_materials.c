@@ -6,6 +6,7 @@
 #include "sim/base/assets.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
+#include "sim/base/text.h"
 #include "sim/scene/scene_private.h"
 
 /* As written; a bead_material is made of it. */

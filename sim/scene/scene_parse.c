@@ -2,6 +2,7 @@
 /* Scenes from text to structures: the document with its settings, a user's own files, the tables; and the end of a scene. */
 #include "beadreel/law.h"
 #include "sim/base/file.h"
+#include "sim/base/text.h"
 
 #include <stdlib.h>
 

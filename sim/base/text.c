@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "sim/base/text.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+size_t bead_text_obeyed(const char *text)
+{
+    const unsigned char *c = (const unsigned char *)text;
+    if (*c < ' ' || *c == 127)
+        return 1;
+    if ((c[0] == 0xC2 && c[1] >= 0x80 && c[1] <= 0x9F) || (c[0] == 0xD8 && c[1] == 0x9C))
+        return 2;
+    const bool marks = c[0] == 0xE2 && c[1] == 0x80 && (c[2] == 0x8E || c[2] == 0x8F || (c[2] >= 0xA8 && c[2] <= 0xAE));
+    return marks || (c[0] == 0xE2 && c[1] == 0x81 && c[2] >= 0xA6 && c[2] <= 0xA9) ? 3 : 0;
+}
+
+const char *bead_text_show(const char *text, char *shown, size_t size)
+{
+    size_t used = 0;
+    for (size_t obeyed; *text && used + 4 < size; text += obeyed ? obeyed : 1) {
+        obeyed = bead_text_obeyed(text);
+        shown[used++] = obeyed ? ' ' : *text;
+    }
+    if (*text) {
+        while (used > 0 && ((unsigned char)*text & 0xc0) == 0x80) /* not within a UTF-8 character */
+            text--, used--;
+        memcpy(shown + used, "...", 3);
+        used += 3;
+    }
+    shown[used] = 0;
+    return shown;
+}
