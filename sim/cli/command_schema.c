@@ -118,7 +118,7 @@ static void put_number(struct bead_json *json, const struct bead_option *row)
     const bool whole = row->type == BEAD_OPTION_COUNT || row->type == BEAD_OPTION_SEED;
     bead_json_texts(json, "type", (const char *const[]){whole ? "integer" : "number", "string", NULL});
     bead_json_text(json, "pattern", pattern);
-    if (row->low == 0 && row->high == 0 && !row->open)
+    if (!bead_option_is_bounded(row))
         return;
     bead_json_number(json, row->open & BEAD_OPEN_LOW ? "exclusiveMinimum" : "minimum", row->low);
     bead_json_number(json, row->open & BEAD_OPEN_HIGH ? "exclusiveMaximum" : "maximum", row->high);

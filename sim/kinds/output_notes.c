@@ -13,10 +13,7 @@ enum { MOST_NOTES = 100, MOST_STOPS = 200 };
 static enum bead_error read_index(const struct bead_reader *reader, const struct bead_at *at, size_t *index)
 {
     static const struct bead_option row = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
-    double number = 0;
-    BEAD_TRY(bead_read_number(reader, at, &row, &number));
-    *index = (size_t)number;
-    return BEAD_OK;
+    return bead_read_count(reader, at, &row, index);
 }
 
 /* "front", "wall" or a number. */

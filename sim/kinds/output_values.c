@@ -112,10 +112,8 @@ BEAD_OPTION_READER(bead_output_read_views)
 static enum bead_error read_bead(const struct bead_reader *reader, const struct bead_at *at, size_t *bead)
 {
     static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
-    double value = 0;
     size_t last = 0;
-    BEAD_TRY(bead_read_number(reader, at, &number, &value));
-    *bead = (size_t)value;
+    BEAD_TRY(bead_read_count(reader, at, &number, bead));
     for (size_t i = 0; i < reader->scene->chain_count; i++) {
         size_t beads = bead_scene_last_bead(reader->scene, i);
         last = beads > last ? beads : last;
@@ -143,9 +141,7 @@ BEAD_OPTION_READER(bead_output_read_listed)
         return bead_no_memory(reader);
     for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        double value = 0;
-        BEAD_TRY(bead_read_number(reader, &element, &number, &value));
-        all[i] = (size_t)value;
+        BEAD_TRY(bead_read_count(reader, &element, &number, &all[i]));
     }
     qsort(all, count, sizeof *all, ascending);
     for (size_t i = 0; i < count; i++) {

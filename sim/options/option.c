@@ -44,13 +44,18 @@ static void limit_words(const struct bead_option *option, double limit, char *te
         memmove(plus + 1, plus + (plus[2] == '0' ? 3 : 2), strlen(plus + 2) + 1 - (plus[2] == '0'));
 }
 
+bool bead_option_is_bounded(const struct bead_option *option)
+{
+    return option->type == BEAD_OPTION_COUNT || option->low != 0 || option->high != 0 || option->open;
+}
+
 /* "from 0 to 90", "above 0, at most 1", "": the range in words. */
 static void range_words(const struct bead_option *option, char *text, size_t size)
 {
     bool low_open = option->open & BEAD_OPEN_LOW, high_open = option->open & BEAD_OPEN_HIGH;
     char low[32], high[32];
     text[0] = 0;
-    if (option->low == 0 && option->high == 0 && !option->open)
+    if (!bead_option_is_bounded(option))
         return;
     limit_words(option, option->low, low, sizeof low);
     limit_words(option, option->high, high, sizeof high);

@@ -148,7 +148,7 @@ enum bead_error bead_read_scalar(const struct bead_reader *reader, const struct 
 
 static bool in_range(const struct bead_option *option, double value)
 {
-    if (option->low == 0 && option->high == 0 && !option->open)
+    if (!bead_option_is_bounded(option))
         return true;
     bool above = option->open & BEAD_OPEN_LOW ? value > option->low : value >= option->low;
     bool below = option->open & BEAD_OPEN_HIGH ? value < option->high : value <= option->high;
@@ -204,6 +204,15 @@ enum bead_error bead_read_number(const struct bead_reader *reader, const struct 
     if (likely)
         bead_doubt(reader, at, option->unit, likely);
     *value = read;
+    return BEAD_OK;
+}
+
+enum bead_error bead_read_count(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                size_t *value)
+{
+    double number = 0;
+    BEAD_TRY(bead_read_number(reader, at, option, &number));
+    *value = (size_t)number;
     return BEAD_OK;
 }
 
@@ -320,7 +329,6 @@ static BEAD_OPTION_READER(read_value)
 {
     char *field = (char *)settings + option->offset;
     char pair[200] = "[a, b], both ";
-    double number = 0;
     unsigned choice = 0;
     enum bead_error err = BEAD_OK;
     switch (option->type) {
@@ -330,10 +338,7 @@ static BEAD_OPTION_READER(read_value)
         bead_option_allowed(option, pair + strlen(pair), sizeof pair - strlen(pair));
         return bead_read_pair(reader, at, option, pair, (double *)(void *)field);
     case BEAD_OPTION_COUNT:
-        err = bead_read_number(reader, at, option, &number);
-        if (!err)
-            *(size_t *)(void *)field = (size_t)number;
-        return err;
+        return bead_read_count(reader, at, option, (size_t *)(void *)field);
     case BEAD_OPTION_SEED:
         return read_seed(reader, at, (uint64_t *)(void *)field);
     case BEAD_OPTION_FLAG:

@@ -145,6 +145,8 @@ const char *bead_options_heading(const struct bead_options *options, char *text,
 void bead_options_help(const struct bead_options *options, FILE *out);
 void bead_options_man(const struct bead_options *options, FILE *out);
 
+/* Does a number have limits? A count always has, also where they are equal. */
+bool bead_option_is_bounded(const struct bead_option *option);
 /* "must be ..." of a row: "from 0 to 10000 m/s or auto" into `text`; returns text. */
 const char *bead_option_allowed(const struct bead_option *option, char *text, size_t size);
 
@@ -177,6 +179,9 @@ BEAD_CHECK enum bead_error bead_read_scalar(const struct bead_reader *reader, co
                                             const char **text);
 BEAD_CHECK enum bead_error bead_read_number(const struct bead_reader *reader, const struct bead_at *at,
                                             const struct bead_option *option, double *value);
+/* The same for a row of counts. */
+BEAD_CHECK enum bead_error bead_read_count(const struct bead_reader *reader, const struct bead_at *at,
+                                           const struct bead_option *option, size_t *value);
 /* A list of two numbers, or the option's word for both; `wanted` says so in messages. */
 BEAD_CHECK enum bead_error bead_read_pair(const struct bead_reader *reader, const struct bead_at *at,
                                           const struct bead_option *option, const char *wanted, double value[2]);

@@ -102,26 +102,18 @@ struct starting {
 };
 #define STARTING(member) offsetof(struct starting, member)
 
-static enum bead_error read_starting_bead(const struct bead_reader *reader, const struct bead_at *at, size_t last, size_t *bead)
-{
-    const struct bead_option number = {
-        .type = BEAD_OPTION_COUNT, .low = 0, .high = (double)last, .word = "last", .word_value = (double)last};
-    double value = 0;
-    enum bead_error err = bead_read_number(reader, at, &number, &value);
-    *bead = (size_t)value;
-    return err;
-}
-
 static BEAD_OPTION_READER(read_starting_beads)
 {
     struct starting *starting = settings;
-    const size_t last = bead_scene_count_beads(starting->chain);
+    const size_t beads = bead_scene_count_beads(starting->chain); /* 0: they are wrong, and say so */
+    const double last = beads > 0 ? (double)beads : BEAD_SCENE_BEADS;
+    const struct bead_option bead = {.type = BEAD_OPTION_COUNT, .low = 0, .high = last, .word = "last", .word_value = last};
     if (at->node->kind == BEAD_NODE_MAP || (at->node->kind == BEAD_NODE_LIST && at->node->count != 2))
         return bead_must_be(reader, at, option->shape);
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; i < 2 && !err; i++) {
         const struct bead_at end = at->node->kind == BEAD_NODE_LIST ? bead_at_item(at, i) : *at;
-        err = read_starting_bead(reader, &end, last, &starting->beads[i]);
+        err = bead_read_count(reader, &end, &bead, &starting->beads[i]);
     }
     return !err && starting->beads[0] > starting->beads[1]
                ? bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", starting->beads[0],
