@@ -8,6 +8,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
+#include "sim/scene/scene_private.h"
 
 static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
                                              [COMMAND_PROGRESS_PLAIN] = "plain",
@@ -220,9 +221,11 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
         return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: takes no value", rows[optopt - 256].name);
     if (optopt)
         return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `-%c`; see --help", optopt);
-    char word[64];
+    char word[64], home[96];
     struct bead_suggest search;
     snprintf(word, sizeof word, "%.*s", (int)strcspn(argv[optind - 1], "="), argv[optind - 1]);
+    if (strncmp(word, "--", 2) == 0 && bead_scene_tables.home(word + 2, home, sizeof home))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`; it is a key of scenes: --set %s=VALUE", word, home);
     bead_suggest_begin(&search, word);
     char names[ROWS][32];
     for (size_t i = 0; i < ROWS; i++) {

@@ -278,6 +278,10 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     if (command_is_json(command) || command->watch || command->crate)
         return bead_fail(msg, BEAD_ERROR_USAGE,
                          "-o -: standard output has room for the file only, not for JSON, --watch or --crate");
+    const char *dot = strrchr(command->job.input, '.');
+    if (dot && strcmp(dot, ".h5") == 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "-o -: is for one file of a scene; of %s name the file to draw: -o picture.png",
+                         command->job.input);
     BEAD_TRY(command_make_temporary(directory, msg));
     piped.job.output = directory;
     piped.piped = true;

@@ -90,9 +90,12 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
             reader, at, "show",
             "panels show sensors, peaks, modes or profiles; this needs a picture of its own: {plot: FILE, show: %s}",
             bead_at_key(at, "show").node->text);
-    bool sensors = plot ? panel->curves.show == BEAD_SHOW_SENSORS : bead_views_any(&panel->views, BEAD_SHOWS_SENSORS);
+    const bool listed = panel->curves.beads.all || panel->curves.contacts.all;
+    const bool sensors =
+        plot ? panel->curves.show == BEAD_SHOW_SENSORS && !listed : bead_views_any(&panel->views, BEAD_SHOWS_SENSORS);
     if (!err && !reader->unsound && sensors && !bead_scene_has_sensors(reader->scene, panel->panel.chain))
-        err = BEAD_WRONG_KEY(reader, at, "chain", "has no bead with a `sensor` that could be shown");
+        err = BEAD_WRONG_KEY(reader, at, "chain", "has no bead with a `sensor` that could be shown%s",
+                             plot ? "; give one, or say which `beads`" : "");
     return err;
 }
 

@@ -23,9 +23,13 @@ static BEAD_OPTION_READER(read_columns)
 {
     struct wave_file *file = settings;
     char shown[64];
-    if (at->node->kind != BEAD_NODE_LIST || at->node->count != 2)
+    if (at->node->kind != BEAD_NODE_LIST)
         return bead_wrong(reader, at, "is %s; must be two names or numbers of columns",
                           bead_node_show(at->node, shown, sizeof shown));
+    if (at->node->count != 2)
+        return bead_wrong(reader, at,
+                          "has %zu entries; must be two names or numbers of columns, that of time and that of the value",
+                          at->node->count);
     for (size_t i = 0; i < 2; i++) {
         const struct bead_at item = bead_at_item(at, i);
         BEAD_TRY(bead_read_text(reader, &item, &file->columns[i]));
@@ -35,7 +39,9 @@ static BEAD_OPTION_READER(read_columns)
 
 static const struct bead_option file_rows[] = {
     {"file", BEAD_OPTION_TEXT, WAVE(name),
-     .help = "comma-separated values, seen from the directory of the scene; what is read becomes a part of the scene",
+     .help = "comma-separated values, seen from the directory of the scene, as an oscilloscope saves them: lines before the names "
+             "of the "
+             "columns, and before the first numbers, are passed over; what is read becomes a part of the scene",
      .example = "scope.csv"},
     {"columns", BEAD_OPTION_CUSTOM, .shape = "two names or numbers of columns", .like = "[2 text|number]", .read = read_columns,
      .help = "the columns of time and value; [1, 2] unless given", .example = "[time, force]"},
@@ -74,20 +80,54 @@ static const char *field_of(const char *line, size_t index, size_t *length)
     return line;
 }
 
-/* SIZE_MAX: the header has no such column. */
-static size_t column_of(const char *header, const char *name)
+/* Is the field this name? Blanks and quotation marks around it count for nothing. */
+static bool is_named(const char *field, size_t length, const char *name)
+{
+    static const char around[] = " \"";
+    for (; length > 0 && strchr(around, *field); field++)
+        length--;
+    while (length > 0 && strchr(around, field[length - 1]))
+        length--;
+    return length == strlen(name) && strncmp(field, name, length) == 0;
+}
+
+/* SIZE_MAX: the line has no such column; NULL: column `index`. */
+static size_t column_of(const char *line, const char *name, size_t index)
 {
     size_t length;
     const char *field;
     char *end = NULL;
+    if (!name)
+        return index;
     const unsigned long number = strtoul(name, &end, 10);
     if (*name && !*end)
         return number > 0 ? number - 1 : SIZE_MAX;
-    for (size_t i = 0; (field = field_of(header, i, &length)); i++) {
-        if (length == strlen(name) && strncmp(field, name, length) == 0)
+    for (size_t i = 0; (field = field_of(line, i, &length)); i++) {
+        if (is_named(field, length, name))
             return i;
     }
     return SIZE_MAX;
+}
+
+static const char *next_line(const char *line)
+{
+    const char *end = strchr(line, '\n');
+    return end ? end + 1 : "";
+}
+
+/* The first line that has both columns; NULL: there is none, and `missing` is one that no line has beside the other. */
+static const char *find_columns(const struct wave_file *file, const char *text, size_t columns[2], const char **missing)
+{
+    *missing = NULL;
+    for (const char *line = text; *line; line = next_line(line)) {
+        for (size_t i = 0; i < 2; i++)
+            columns[i] = column_of(line, file->columns[i], i);
+        if (columns[0] != SIZE_MAX && columns[1] != SIZE_MAX)
+            return line;
+        if (!*missing || columns[0] != SIZE_MAX || columns[1] != SIZE_MAX)
+            *missing = file->columns[columns[0] == SIZE_MAX ? 0 : 1];
+    }
+    return NULL;
 }
 
 static bool number_in(const char *line, size_t column, double *number)
@@ -101,29 +141,31 @@ static bool number_in(const char *line, size_t column, double *number)
     return end != field && (*end == '\0' || strchr(" \r\n", *end) || strchr(between, *end)) && isfinite(*number);
 }
 
-/* The first line may have names instead of numbers; lines without anything, and those that begin with #, count for nothing. */
+/* Instruments write their settings first, then the names of columns, and some of them units: numbers begin where both columns have
+ * one. From there on lines without anything, and those that begin with #, count for nothing. */
 static enum bead_error write_points(const struct bead_reader *reader, const struct bead_at *at, const struct wave_file *file,
                                     const char *text, FILE *out)
 {
     size_t columns[2], number = 1, points = 0;
-    for (size_t i = 0; i < 2; i++) {
-        columns[i] = file->columns[i] ? column_of(text, file->columns[i]) : i;
-        if (columns[i] == SIZE_MAX)
-            return bead_wrong(reader, at, "%s has no column `%s`", file->name, file->columns[i]);
-    }
-    for (const char *line = text; line && *line; line = strchr(line, '\n'), line += line != NULL, number++) {
+    const char *missing, *line = text, *header = find_columns(file, text, columns, &missing);
+    if (!header)
+        return missing ? bead_wrong(reader, at, "%s has no column `%s`", file->name, missing)
+                       : bead_wrong(reader, at, "%s is empty", file->name);
+    for (; line < header; line = next_line(line))
+        number++;
+    for (; *line; line = next_line(line), number++) {
         double time, value;
-        if (*line == '#' || *line == '\n' || *line == '\r')
+        if (strchr("#\n\r", *line))
             continue;
         if (number_in(line, columns[0], &time) && number_in(line, columns[1], &value)) {
             fputs(points++ ? ", " : "", out);
             bead_write_number(out, time * file->time);
             fputc(' ', out);
             bead_write_number(out, value);
-        } else if (number > 1)
+        } else if (points > 0)
             return bead_wrong(reader, at, "%s: line %zu has no two numbers in these columns", file->name, number);
     }
-    return BEAD_OK;
+    return points > 0 ? BEAD_OK : bead_wrong(reader, at, "%s: no line has two numbers in these columns", file->name);
 }
 
 static enum bead_error points_text(const struct bead_reader *reader, const struct bead_at *at, const struct wave_file *file,

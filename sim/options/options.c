@@ -391,6 +391,10 @@ static const struct called {
               {"material", "bead", ""},
               {"n", "count", ""},
               {"number", "count", ""},
+              {"width", "size", ": [WIDTH, HEIGHT]"},
+              {"height", "size", ": [WIDTH, HEIGHT]"},
+              {"dt", "step", ""},
+              {"youngs", "modulus", ""},
               {"cmap", "colormap", ""}};
 
 static const struct called *called_here(const char *key, const struct bead_options *options)

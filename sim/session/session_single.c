@@ -199,9 +199,11 @@ static enum bead_error find_movie(struct bead_session *s, const struct bead_scen
         if (bead_session_is_asked(s, output) && type && type->one_frame)
             return BEAD_OK;
     }
+    const char *option = s->job.still ? "still" : "frame";
     if (s->job.only_count > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: --only %s names no movie of %s", s->job.only[0], s->job.input);
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--frame: %s has no movie", s->job.input);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: --only %s names no movie of %s", option, s->job.only[0], s->job.input);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--%s: %s has no movie; add one to its outputs, such as {movie: film.mp4}", option,
+                     s->job.input);
 }
 
 /* "waves-2.1ms.png", "waves-50percent.png", "waves-peak.png". */
@@ -234,7 +236,8 @@ static enum bead_error find_frame_path(struct bead_session *s, const struct bead
         s->single = output;
         return bead_output_ends_like(BEAD_PIXEL_ENDINGS, output)
                    ? BEAD_OK
-                   : bead_fail(msg, BEAD_ERROR_USAGE, "--frame: makes a picture (%s), and -o names %s", BEAD_PIXEL_ENDINGS, output);
+                   : bead_fail(msg, BEAD_ERROR_USAGE, "--%s: makes a picture (%s), and -o names %s",
+                               s->job.still ? "still" : "frame", BEAD_PIXEL_ENDINGS, output);
     }
     char *name = own_name(movie, s->job.still ? s->job.still : s->job.frame);
     enum bead_error err = name ? bead_file_join(output ? output : ".", name, &s->frame_path, msg) : bead_session_out_of_memory(msg);

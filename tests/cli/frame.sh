@@ -171,5 +171,9 @@ ok "another output" wrong "--set outputs.1.colormap=grey: has no effect: the fra
 ok "one of a sweep" wrong "--frame: has no effect with --configuration" sweep --frame 50% --configuration 1
 ok "another kind of file" fails 2 "$beadreel" given.yaml --frame 50% -o no.mp4
 ok "... says so" says "--frame: makes a picture (.png, .jpg, .jpeg, .tif, .tiff, .webp or .avif), and -o names no.mp4"
+ok "a poster as PDF" fails 2 "$beadreel" slide.yaml --still poster -o poster.pdf
+ok "... is said of the option given" says "--still: makes a picture (.png"
+ok "a poster of a scene without a film" fails 2 "$beadreel" schematics --still poster
+ok "... is told what to add" says "--still: schematics has no movie; add one to its outputs, such as {movie: film.mp4}"
 ok "beadsim does not draw" fails 2 "$beadsim" given.yaml --frame 50%
 finish

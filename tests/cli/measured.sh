@@ -38,6 +38,17 @@ with() { printf '%s\n' 'chain: {beads: [{bead: large-steel, count: 12}]}' 'simul
 refused() { with "${@:2}" && fails "1 2" "$beadsim" --plan in/w.yaml && says "$1"; }
 with 'beads: 8, measured: plain.csv'
 ok "a name alone is that of a file of seconds and values" exits 0 "$beadreel" in/w.yaml
+# An oscilloscope saves its settings, names in quotation marks and units first; the points are those of the plain file.
+printf 'Model,TDS2024\r\nSerial,"C1,7"\r\nRecord Length,3\r\n\r\n"TIME", "CH1","CH2"\r\n(s),(V),(V)\r\n0,9,0\r\n1e-4,9,3\r\n3e-4,9,0\r\n' >in/scope.csv
+mv p.svg plain.svg
+with 'beads: 8, measured: {file: scope.csv, columns: [TIME, CH2]}'
+ok "a file as an oscilloscope saves it" exits 0 "$beadreel" in/w.yaml
+ok "... has the same points" cmp p.svg plain.svg
+ok "... but not a column of another name" refused 'scope.csv has no column `CH3`' 'beads: 8, measured: {file: scope.csv, columns: [TIME, CH3]}'
+ok "three columns" refused 'measured.columns: has 3 entries; must be two' 'beads: 8, measured: {file: scope.csv, columns: [TIME, CH1, CH2]}'
+printf 'us,volts\n-,-\n' >in/none.csv
+ok "a file without numbers" refused 'none.csv: no line has two numbers' 'beads: 8, measured: none.csv'
+rm in/none.csv
 ok "a file that is not there" refused 'none.csv: cannot be read' 'beads: 8, measured: none.csv'
 ok "no file" refused 'outputs.0.measured.file: is missing' 'beads: 8, measured: {gain: 2 N}'
 ok "a gain in another unit" refused 'measured.gain' 'beads: 8, measured: {file: plain.csv, gain: 2 m}'

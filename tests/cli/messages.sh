@@ -35,6 +35,7 @@ ok "a film as an image" told 'scene.yaml:2:19: outputs.0.image: `a.mp4` lacks th
 ok "a page as a table" told 'did you mean `report: a.html`?' "chain: {beads: [{bead: brass}]}\noutputs: [{table: a.html}]"
 ok "a key under another name" told 'scene.yaml:1:31: chain.beads.0.diameter: unknown key; did you mean `radius`, half of it?' "chain: {beads: [{bead: brass, diameter: 9 mm}]}$end"
 ok "... of a material" told 'materials.x.young: unknown key; did you mean `modulus`?' "materials: {x: {young: 1 GPa, poisson: .3, radius: 1 mm, mass: 1 g}}\nchain: {beads: [{bead: x}]}$end"
+ok "... of a picture" told 'outputs.0.width: unknown key; did you mean `size`: [WIDTH, HEIGHT]?' "chain: {beads: [{bead: brass}]}\noutputs: [{image: a.png, width: 86 mm}]"
 ok "a strike without speed" told 'scene.yaml: simulate.step: nothing moves at first, so no step follows from the motion: give `chain.striker.velocity` or a `start`, or a step' \
     "chain: {beads: [{bead: brass}], striker: {velocity: 0}}$end"
 ok "an odd size of a film" told 'scene.yaml:2:32: size: 641 x 361 is odd, and this codec needs even sizes; the nearest is 642 x 362' "chain: {beads: [{bead: brass}]}\noutputs: [{movie: a.mp4, size: [641, 361]}]"

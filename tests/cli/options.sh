@@ -62,6 +62,10 @@ ok "unknown long option" near_miss --threads --thraeds 2 scene.yaml
 ok "unknown long option with a value" near_miss --progress --progres5=plain scene.yaml
 ok "unknown long option far from all" fails 2 "$beadreel" --frobnicate scene.yaml
 ok "... says so" says '`--frobnicate`'
+for key in contacts:outputs.N dpi:outputs.N velocity:chain.striker until:simulate; do
+    ok "a key as an option, ${key%:*}" fails 2 "$beadreel" clean-vs-delocalised "--${key%:*}" 3
+    ok "... is set by its path" says "unknown option \`--${key%:*}\`; it is a key of scenes: --set ${key#*:}.${key%:*}=VALUE"
+done
 ok "unknown short option" fails 2 "$beadreel" -x scene.yaml
 ok "... says so" says '`-x`'
 ok "missing value" fails 2 "$beadreel" clean-vs-delocalised --set

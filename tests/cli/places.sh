@@ -46,6 +46,10 @@ outputs:
   - {plot: over.svg, beads: 5, overlay: true, size: [600, 400]}
   - {plot: profiles.svg, show: profiles, at: [50 us, 90 us], overlay: true, size: [600, 400]}
 YAML
+ok "panels need no sensor" exits 0 "$beadreel" two.yaml -o panels.svg --set 'outputs=[{image: panels.svg, panels: [[{show: sensors, chain: steel, beads: 5}], [{show: sensors, chain: brass, contacts: [2, 8]}]]}]'
+ok "... where they say which beads or contacts" grep -qF '>contact 8</tspan>' panels.svg
+ok "... but else they do" fails 2 "$beadreel" two.yaml --plan --set 'outputs=[{image: p.svg, panels: [[{show: sensors, chain: steel}]]}]'
+ok "... as they say" says "no bead of the chain has a \`sensor\`; give one, or say which \`beads\`"
 ok "an overlay" exits 0 "$beadreel" two.yaml -o .
 ok "... names the chains in its legend" grep -qF '>brass</tspan>' over.svg
 ok "... has one panel" eval '! grep -qF "(b)" over.svg && grep -qF "(b)" apart.svg'

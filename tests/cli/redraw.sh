@@ -52,6 +52,8 @@ if command -v ffmpeg >/dev/null; then ok "one file to standard output" piped; el
 ok "several files" fails 2 "$beadreel" scene.yaml -o -
 ok "... are too many" says "-o -: is for one file, which --only names, and not for 5: film.mp4, run.h5, sensor.png, force.png, force.pdf"
 ok "... with the results as JSON" fails 2 "$beadreel" scene.yaml --only force.png -o - --json
+ok "a trajectory" fails 2 "$beadreel" run/run.h5 -o -
+ok "... has no file of its own" says "-o -: is for one file of a scene; of run/run.h5 name the file to draw: -o picture.png"
 ok "... nothing is left" [ -z "$(ls tmp)" ]
 
 # ---- drawing again ----
