@@ -230,7 +230,8 @@ def trajectories_say_it_again(scene, every, field):
     times = f"{every} us"
     scene["outputs"] = [{"trajectory": "run.h5", "every": times, "fields": ["displacement", "velocity"]},
                         {"table": "extremes.csv", "show": "extremes", "field": field, "every": times},
-                        {"table": "profiles.csv", "show": "profiles", "field": field, "at": [times, f"{2 * every} us"]}]
+                        {"table": "profiles.csv", "show": "profiles", "field": field, "at": [times, f"{2 * every} us"],
+                         "uncertainty": False}]
     with tempfile.TemporaryDirectory(dir=WORK.name) as folder:
         with open(f"{folder}/scene.yaml", "w", encoding="utf-8") as file:
             file.write(text_of(scene))

@@ -5,6 +5,8 @@
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
+#include "sim/chain/system.h"
+#include "sim/equation/equation.h"
 #include "sim/output/spectra.h"
 #include "sim/output/table.h"
 
@@ -61,6 +63,16 @@ static enum bead_error create_table(const struct bead_output *output, const stru
     return sink->table->prepare ? sink->table->prepare(sink, msg) : BEAD_OK;
 }
 
+static bool can_check(const struct bead_sink *sink)
+{
+    bool other_grid = false;
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
+        const struct bead_equation *equation = bead_chain_spec(sink->context.chains[c])->system->equation;
+        other_grid = other_grid || (equation && equation->by_grid);
+    }
+    return sink->table->checked == TABLE_CHECKED || (sink->table->checked == TABLE_CHECKED_SAMPLES && !other_grid);
+}
+
 static enum bead_error table_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **made, struct bead_message *msg)
 {
@@ -70,7 +82,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
         return bead_output_wrong(output, msg, "show: tables cannot show this");
     BEAD_TRY(create_table(output, context, made, msg));
     sink = *made;
-    if (sink->table->checked && output->curves.uncertainty && !context->replayed)
+    if (can_check(sink) && output->curves.uncertainty && !context->replayed)
         BEAD_TRY(create_table(output, context, &sink->check, msg));
     BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
     BEAD_TRY(bead_file_part_name(sink->path, &sink->part, msg));
@@ -111,6 +123,7 @@ static enum bead_error table_sample(struct bead_sink *sink, const struct bead_sa
     sink->next_sample += sink->next_chain == 0;
     locale_t before = uselocale(sink->locale);
     enum bead_error error = sink->check && sample->check ? sink->table->sample(sink->check, sample->check, msg) : BEAD_OK;
+    sink->unknown = sink->unknown || !sample->check;
     if (!error)
         error = sink->table->sample(sink, sample, msg);
     uselocale(before);

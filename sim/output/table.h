@@ -9,6 +9,10 @@
 #include "sim/output/measure.h"
 #include "sim/output/profile_times.h"
 
+/* What a check run can tell, if `uncertainty` is asked for: nothing, numbers from samples, or also from outcomes. Samples on the
+ * other grid of an equation are none of the run's. */
+enum table_check { TABLE_UNCHECKED, TABLE_CHECKED_SAMPLES, TABLE_CHECKED };
+
 struct column {
     size_t chain, bead;    /* or contact */
     enum bead_field field; /* of sensors */
@@ -37,6 +41,7 @@ struct bead_sink {
     double *largest; /* [chains], of extremes: of the first run, so far */
     uint64_t rows;
     bool open, finished;
+    bool unknown; /* the check run ended before a sample */
 };
 
 /* A kind of table: its needs and how it is written. The sink asks for samples at the times of its grid, if it has one, and for the
@@ -51,7 +56,7 @@ struct table {
     enum bead_error (*finish)(struct bead_sink *sink, struct bead_message *msg); /* instead of `end`, where it can fail */
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
-    bool checked; /* a check run tells how uncertain its numbers are, if `uncertainty` is asked for */
+    enum table_check checked;
 };
 
 /* A text, in quotes if it contains a comma, a quote or a line break, and behind a ' if a spreadsheet would compute it. */
@@ -73,9 +78,15 @@ BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t 
 BEAD_CHECK enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg);
 /* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg);
+/* A second name for each column, where there is a check run. */
+void bead_table_uncertainties_header(const struct bead_sink *sink);
 /* With a check run, each column has a second one behind the last: the largest uncertainty so far, since errors of single samples
  * cross zero. */
 void bead_table_columns_header(struct bead_sink *sink);
+/* Compares the columns of a sample's chain with those of the check run, if there is one. */
+void bead_table_compare(struct bead_sink *sink, const struct bead_sample *sample);
+/* The uncertainty of a curve by that of the check run: of its worst value, since errors cross zero along a curve. NaN: unknown. */
+double bead_table_worst(const struct bead_sink *sink, const double *values, const double *checks, size_t count);
 /* Call this once the columns have the values of a sample. The row is written after the last chain, so that a stopped run leaves no
  * incomplete row; that of the check run is not written. */
 void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample);

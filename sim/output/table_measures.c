@@ -127,5 +127,5 @@ const struct table bead_table_measures = {.why = "measures of the run",
                                           .header = measures_header,
                                           .sample = measures_sample,
                                           .end = measures_end,
-                                          .checked = true,
+                                          .checked = TABLE_CHECKED,
                                           .begin = measures_begin};

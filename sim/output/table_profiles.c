@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of profiles: a row for each time and place. */
+#include <math.h>
+
 #include "sim/base/number.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
@@ -26,8 +28,8 @@ static void profiles_header(struct bead_sink *sink)
     const char *column = bead_chain_spec(chain)->system->names_fields ? field->title : field->name;
     fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
     bead_table_time_header(sink);
-    fprintf(sink->file, ",%s,%s%s%s\n", bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "",
-            field->unit);
+    fprintf(sink->file, ",%s,%s%s%s%s\n", bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "",
+            field->unit, sink->check ? ",uncertainty" : "");
 }
 
 static enum bead_error profiles_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -35,19 +37,29 @@ static enum bead_error profiles_sample(struct bead_sink *sink, const struct bead
     return bead_profile_times_feed(sink->moments, sample, msg);
 }
 
+/* The uncertainty is the largest of all moments so far: *worst. */
+static void write_profile(struct bead_sink *sink, size_t chain, size_t moment, double *worst)
+{
+    const double *places = bead_profile_times_places(sink->moments, chain);
+    const double *values = bead_profile_times_profile(sink->moments, chain, moment);
+    const double *checks = sink->check ? bead_profile_times_profile(sink->check->moments, chain, moment) : NULL;
+    const size_t count = bead_profile_times_values(sink->moments, chain);
+    if (checks)
+        *worst = fmax(*worst, bead_table_worst(sink, values, checks, count));
+    for (size_t i = 0; i < count; i++) {
+        bead_table_chain_name(sink, chain);
+        bead_write_number(sink->file, sink->output->curves.profile_times[moment]);
+        bead_table_numbers(sink->file, checks ? 3 : 2, (const double[]){places[i], values[i], sink->unknown ? NAN : *worst});
+        bead_table_end_row(sink);
+    }
+}
+
 static void profiles_end(struct bead_sink *sink, const struct bead_outcome *)
 {
     for (size_t c = 0; c < sink->context.chain_count; c++) {
-        const double *places = bead_profile_times_places(sink->moments, c);
-        for (size_t m = 0; m < sink->output->curves.profile_time_count; m++) {
-            const double *values = bead_profile_times_profile(sink->moments, c, m);
-            for (size_t i = 0; i < bead_profile_times_values(sink->moments, c); i++) {
-                bead_table_chain_name(sink, c);
-                bead_write_number(sink->file, sink->output->curves.profile_times[m]);
-                bead_table_numbers(sink->file, 2, (const double[]){places[i], values[i]});
-                bead_table_end_row(sink);
-            }
-        }
+        double worst = 0;
+        for (size_t m = 0; m < sink->output->curves.profile_time_count; m++)
+            write_profile(sink, c, m, &worst);
     }
 }
 
@@ -56,4 +68,5 @@ const struct table bead_table_profiles = {.why = "a field at some times",
                                           .needs = profiles_needs,
                                           .header = profiles_header,
                                           .sample = profiles_sample,
+                                          .checked = TABLE_CHECKED_SAMPLES,
                                           .end = profiles_end};

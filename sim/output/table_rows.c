@@ -94,6 +94,14 @@ void bead_table_time_header(const struct bead_sink *sink)
     fprintf(sink->file, "time%s%s", *unit ? "_" : "", unit);
 }
 
+void bead_table_uncertainties_header(const struct bead_sink *sink)
+{
+    for (size_t i = 0; sink->check && i < sink->column_count; i++) {
+        fputc(',', sink->file);
+        write_text(sink->file, sink->columns[i].name, "_uncertainty");
+    }
+}
+
 void bead_table_columns_header(struct bead_sink *sink)
 {
     bead_table_time_header(sink);
@@ -101,17 +109,13 @@ void bead_table_columns_header(struct bead_sink *sink)
         fputc(',', sink->file);
         bead_table_text(sink->file, sink->columns[i].name);
     }
-    for (size_t i = 0; sink->check && i < sink->column_count; i++) {
-        fputc(',', sink->file);
-        write_text(sink->file, sink->columns[i].name, "_uncertainty");
-    }
+    bead_table_uncertainties_header(sink);
     fputc('\n', sink->file);
 }
 
-/* Compares the columns of a sample's chain with those of the check run. */
-static void compare_columns(struct bead_sink *sink, const struct bead_sample *sample)
+void bead_table_compare(struct bead_sink *sink, const struct bead_sample *sample)
 {
-    for (size_t i = 0; i < sink->column_count; i++) {
+    for (size_t i = 0; sink->check && i < sink->column_count; i++) {
         struct column *c = &sink->columns[i];
         if (c->chain == sample->chain)
             c->uncertainty =
@@ -119,10 +123,17 @@ static void compare_columns(struct bead_sink *sink, const struct bead_sample *sa
     }
 }
 
+double bead_table_worst(const struct bead_sink *sink, const double *values, const double *checks, size_t count)
+{
+    double largest = NAN;
+    for (size_t i = 0; !sink->unknown && i < count; i++)
+        largest = fmax(largest, bead_uncertainty_measured(0, values[i], checks[i]));
+    return largest;
+}
+
 void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample)
 {
-    if (sink->check)
-        compare_columns(sink, sample);
+    bead_table_compare(sink, sample);
     if (!sink->file || sample->chain + 1 < sink->context.chain_count)
         return;
     bead_write_number(sink->file, sample->time);

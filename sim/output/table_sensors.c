@@ -62,5 +62,5 @@ const struct table bead_table_sensors = {.why = "curves of sensors, or of the be
                                          .prepare = sensors_prepare,
                                          .needs = sensors_needs,
                                          .header = bead_table_columns_header,
-                                         .checked = true,
+                                         .checked = TABLE_CHECKED_SAMPLES,
                                          .sample = sensors_sample};

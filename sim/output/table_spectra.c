@@ -24,6 +24,15 @@ static enum bead_error spectra_sample(struct bead_sink *sink, const struct bead_
     return bead_spectra_feed(sink->spectra, sample, msg);
 }
 
+/* Spectra of a chain and of its check run, if there is one; if it ended early the run's again, which are not looked at. */
+static enum bead_error spectra_of_both(const struct bead_sink *sink, size_t chain, struct bead_spectral *found,
+                                       struct bead_spectral *check, struct bead_message *msg)
+{
+    *check = (struct bead_spectral){.values = NULL};
+    BEAD_TRY(bead_spectra_of(sink->spectra, chain, found, msg));
+    return sink->check ? bead_spectra_of(sink->unknown ? sink->spectra : sink->check->spectra, chain, check, msg) : BEAD_OK;
+}
+
 static const char *frequency(const struct bead_sink *sink)
 {
     return *bead_chain_time_unit(sink->context.chains[0]) ? "frequency_Hz" : "frequency";
@@ -51,6 +60,7 @@ static void spectrum_header(struct bead_sink *sink)
         fputc(',', sink->file);
         bead_table_text(sink->file, sink->columns[i].name);
     }
+    bead_table_uncertainties_header(sink);
     fputc('\n', sink->file);
 }
 
@@ -63,6 +73,18 @@ static bool has_row(const struct bead_sink *sink, const struct bead_spectral *fo
             has = has || !isnan(found[c].values[p * found[c].rows + k]);
     }
     return has;
+}
+
+/* The uncertainties of the columns, in their order. */
+static void find_uncertainties(struct bead_sink *sink, const struct bead_spectral *found, const struct bead_spectral *checks)
+{
+    struct column *column = sink->columns;
+    for (size_t c = 0; c < sink->context.chain_count; c++) {
+        for (size_t p = 0; p < found[c].columns; p++, column++) {
+            const size_t first = p * found[c].rows;
+            column->uncertainty = bead_table_worst(sink, &found[c].values[first], &checks[c].values[first], found[c].rows);
+        }
+    }
 }
 
 /* All chains are sampled alike. */
@@ -79,20 +101,25 @@ static void write_spectrum(struct bead_sink *sink, const struct bead_spectral *f
             for (size_t p = 0; p < found[c].columns; p++)
                 bead_table_numbers(sink->file, 1, &found[c].values[p * found[c].rows + k]);
         }
+        for (size_t i = 0; sink->check && i < sink->column_count; i++)
+            bead_table_numbers(sink->file, 1, &sink->columns[i].uncertainty);
         bead_table_end_row(sink);
     }
 }
 
 static enum bead_error spectrum_finish(struct bead_sink *sink, struct bead_message *msg)
 {
-    BEAD_FREED struct bead_spectral *found = NULL;
-    BEAD_TRY(bead_new(&found, sink->context.chain_count, msg, "spectra"));
+    const size_t chains = sink->context.chain_count;
+    BEAD_FREED struct bead_spectral *found = NULL; /* of all chains; then those of their check runs */
+    BEAD_TRY(bead_new(&found, 2 * chains, msg, "spectra"));
     enum bead_error err = BEAD_OK;
-    for (size_t c = 0; c < sink->context.chain_count && !err; c++)
-        err = bead_spectra_of(sink->spectra, c, &found[c], msg);
+    for (size_t c = 0; c < chains && !err; c++)
+        err = spectra_of_both(sink, c, &found[c], &found[chains + c], msg);
+    if (!err && sink->check)
+        find_uncertainties(sink, found, found + chains);
     if (!err)
         write_spectrum(sink, found);
-    for (size_t c = 0; c < sink->context.chain_count; c++)
+    for (size_t c = 0; c < 2 * chains; c++)
         free(found[c].values);
     return err;
 }
@@ -102,19 +129,23 @@ const struct table bead_table_spectrum = {.why = "spectra",
                                           .needs = spectra_needs,
                                           .header = spectrum_header,
                                           .sample = spectra_sample,
+                                          .checked = TABLE_CHECKED_SAMPLES,
                                           .finish = spectrum_finish};
 
 /* ---- blocks of chains ---- */
 
-static enum bead_error each_chain(struct bead_sink *sink, void (*write)(struct bead_sink *, size_t, const struct bead_spectral *),
-                                  struct bead_message *msg)
+typedef void write_chain(struct bead_sink *sink, size_t chain, const struct bead_spectral *found,
+                         const struct bead_spectral *check);
+
+static enum bead_error each_chain(struct bead_sink *sink, write_chain *write, struct bead_message *msg)
 {
     for (size_t c = 0; c < sink->context.chain_count; c++) {
-        struct bead_spectral found;
-        enum bead_error err = bead_spectra_of(sink->spectra, c, &found, msg);
+        struct bead_spectral found = {.values = NULL}, check;
+        enum bead_error err = spectra_of_both(sink, c, &found, &check, msg);
         if (!err && found.columns > 0)
-            write(sink, c, &found);
+            write(sink, c, &found, &check);
         free(found.values);
+        free(check.values);
         BEAD_TRY(err);
     }
     return BEAD_OK;
@@ -124,18 +155,23 @@ static void spectrogram_header(struct bead_sink *sink)
 {
     fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
     bead_table_time_header(sink);
-    fprintf(sink->file, ",%s,amplitude\n", frequency(sink));
+    fprintf(sink->file, ",%s,amplitude%s\n", frequency(sink), sink->check ? ",uncertainty" : "");
 }
 
-static void write_spectrogram(struct bead_sink *sink, size_t chain, const struct bead_spectral *found)
+/* With a check run, the uncertainty is the largest of all segments so far. */
+static void write_spectrogram(struct bead_sink *sink, size_t chain, const struct bead_spectral *found,
+                              const struct bead_spectral *check)
 {
+    double largest = 0;
     for (size_t i = 0; i < found->columns * found->rows; i++) {
         const double at = (double)(i % found->rows) * found->step;
+        if (sink->check && i % found->rows == 0)
+            largest = fmax(largest, bead_table_worst(sink, &found->values[i], &check->values[i], found->rows));
         if (!is_shown(sink, at))
             continue;
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / found->rows) * found->between);
-        bead_table_numbers(sink->file, 2, (const double[]){at, found->values[i]});
+        bead_table_numbers(sink->file, sink->check ? 3 : 2, (const double[]){at, found->values[i], sink->unknown ? NAN : largest});
         bead_table_end_row(sink);
     }
 }
@@ -150,17 +186,34 @@ const struct table bead_table_spectrogram = {.why = "spectra over time",
                                              .needs = spectra_needs,
                                              .header = spectrogram_header,
                                              .sample = spectra_sample,
+                                             .checked = TABLE_CHECKED_SAMPLES,
                                              .finish = spectrogram_finish};
 
 static void dispersion_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%swave_number_cell_pi,band,exact_Hz,found_Hz,amplitude\n", sink->context.chain_count > 1 ? "chain," : "");
+    fprintf(sink->file, "%swave_number_cell_pi,band,exact_Hz,found_Hz,amplitude%s\n", sink->context.chain_count > 1 ? "chain," : "",
+            sink->check ? ",uncertainty" : "");
 }
 
-static void write_dispersion(struct bead_sink *sink, size_t chain, const struct bead_spectral *found)
+/* The uncertainty of the worst amplitude of all lines: how well a frequency is found follows from the time, not from the run. */
+static double worst_line(const struct bead_sink *sink, const struct bead_spectral *found, const struct bead_spectral *check,
+                         const struct bead_medium *medium, size_t bands)
+{
+    double worst = NAN;
+    for (size_t i = 0; sink->check && i < found->columns * bands; i++) {
+        const double amplitude = bead_spectral_line(found, medium, i / bands, i % bands).amplitude;
+        const double other = bead_spectral_line(check, medium, i / bands, i % bands).amplitude;
+        worst = fmax(worst, bead_table_worst(sink, &amplitude, &other, 1));
+    }
+    return worst;
+}
+
+static void write_dispersion(struct bead_sink *sink, size_t chain, const struct bead_spectral *found,
+                             const struct bead_spectral *check)
 {
     const struct bead_medium *medium = bead_spectra_medium(sink->spectra, chain);
     const size_t bands = medium ? medium->cell.count : 1;
+    const double worst = worst_line(sink, found, check, medium, bands);
     for (size_t i = 0; i < found->columns * bands; i++) {
         const struct bead_spectral_line line = bead_spectral_line(found, medium, i / bands, i % bands);
         if (!is_shown(sink, line.found))
@@ -168,7 +221,7 @@ static void write_dispersion(struct bead_sink *sink, size_t chain, const struct 
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / bands) * found->between);
         fprintf(sink->file, ",%zu", i % bands + 1);
-        bead_table_numbers(sink->file, 3, (const double[]){line.exact, line.found, line.amplitude});
+        bead_table_numbers(sink->file, sink->check ? 4 : 3, (const double[]){line.exact, line.found, line.amplitude, worst});
         bead_table_end_row(sink);
     }
 }
@@ -183,4 +236,5 @@ const struct table bead_table_dispersion = {.why = "amplitudes over wave number 
                                             .needs = spectra_needs,
                                             .header = dispersion_header,
                                             .sample = spectra_sample,
+                                            .checked = TABLE_CHECKED_SAMPLES,
                                             .finish = dispersion_finish};

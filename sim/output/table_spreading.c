@@ -9,8 +9,13 @@
 #include "sim/output/spreading.h"
 #include "sim/output/table.h"
 
+enum { EXPONENTS = 2, NUMBERS = BEAD_SPREADING_NUMBERS + EXPONENTS };
+static const char *const names[NUMBERS] = {"second_moment", "participation", "front", "gamma", "eta"};
+
 static enum bead_error spreading_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
+    for (size_t i = 0; i < sink->context.chain_count * NUMBERS; i++)
+        BEAD_TRY(bead_table_add_column(sink, i / NUMBERS, 0, names[i % NUMBERS], msg));
     return bead_table_choose_times(sink, "the energy of every bead", msg);
 }
 
@@ -40,29 +45,52 @@ static void spreading_header(struct bead_sink *sink)
     if (sink->context.chain_count > 1)
         fputs("chain,", sink->file);
     bead_table_time_header(sink);
-    fputs(",second_moment,participation,front,gamma,gamma_error,eta,eta_error\n", sink->file);
+    fputs(",second_moment,participation,front,gamma,gamma_error,eta,eta_error", sink->file);
+    for (size_t i = 0; sink->check && i < NUMBERS; i++)
+        fprintf(sink->file, ",%s_uncertainty", names[i]);
+    fputc('\n', sink->file);
+}
+
+/* Numbers that are not known yet are left out. */
+static void write_known(FILE *file, double number)
+{
+    fputc(',', file);
+    if (isfinite(number))
+        bead_write_number(file, number);
+}
+
+static void write_row(struct bead_sink *sink, const struct bead_sample *sample, const double errors[EXPONENTS])
+{
+    const struct column *columns = &sink->columns[sample->chain * NUMBERS];
+    bead_table_chain_name(sink, sample->chain);
+    bead_write_number(sink->file, sample->time);
+    for (size_t i = 0; i < NUMBERS; i++) {
+        write_known(sink->file, columns[i].value);
+        if (i >= BEAD_SPREADING_NUMBERS)
+            write_known(sink->file, errors[i - BEAD_SPREADING_NUMBERS]);
+    }
+    for (size_t i = 0; sink->check && i < NUMBERS; i++)
+        write_known(sink->file, columns[i].uncertainty);
+    bead_table_end_row(sink);
 }
 
 static enum bead_error spreading_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *)
 {
-    enum { EXPONENTS = 4 };
     struct bead_spreading *s = &sink->spreading[sample->chain];
-    double numbers[BEAD_SPREADING_NUMBERS + EXPONENTS];
+    struct column *columns = &sink->columns[sample->chain * NUMBERS];
+    double numbers[NUMBERS], errors[EXPONENTS];
     const size_t before = s->count;
     bead_spreading_feed(s, sample, bead_chain_beads(sink->context.chains[sample->chain]), numbers);
-    for (int i = 0; i < EXPONENTS / 2; i++) {
+    for (int i = 0; i < EXPONENTS; i++) {
         const struct bead_exponent e = s->count > before ? bead_spreading_exponent(s, i) : (struct bead_exponent){NAN, NAN, NAN};
-        numbers[BEAD_SPREADING_NUMBERS + 2 * i] = e.slope;
-        numbers[BEAD_SPREADING_NUMBERS + 2 * i + 1] = e.error;
+        numbers[BEAD_SPREADING_NUMBERS + i] = e.slope;
+        errors[i] = e.error;
     }
-    bead_table_chain_name(sink, sample->chain);
-    bead_write_number(sink->file, sample->time);
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
-        fputc(',', sink->file);
-        if (isfinite(numbers[i]))
-            bead_write_number(sink->file, numbers[i]);
-    }
-    bead_table_end_row(sink);
+    for (size_t i = 0; i < NUMBERS; i++)
+        columns[i].value = numbers[i];
+    bead_table_compare(sink, sample);
+    if (sink->file) /* that of the check run has none */
+        write_row(sink, sample, errors);
     return BEAD_OK;
 }
 
@@ -71,4 +99,5 @@ const struct table bead_table_spreading = {.why = "how far energy has spread",
                                            .needs = spreading_needs,
                                            .begin = spreading_begin,
                                            .header = spreading_header,
+                                           .checked = TABLE_CHECKED_SAMPLES,
                                            .sample = spreading_sample};

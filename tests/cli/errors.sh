@@ -72,6 +72,40 @@ for name in draw15 draw21 draw38; do
     done
 done
 
+# bounded TABLE COLUMN UNCERTAINTY : no number of the column is off by more than the column of uncertainties says, and the largest of
+# these is at most ten times the largest error. The reference is the table of the same name in exact/.
+bounded() {
+    awk -F, -v c="$2" -v u="$3" '
+        FNR == 1 {next}
+        NR == FNR {exact[FNR] = $c; largest = $c < 0 ? -$c : $c; if (largest > scale) scale = largest; next}
+        $c == "" || $c == "nan" {next}
+        {
+            rows++
+            error = $c - exact[FNR]; if (error < 0) error = -error
+            missed += error > $u + 1e-11 * scale
+            if (error > worst) worst = error
+            if ($u + 0 > said) said = $u + 0
+        }
+        END {print missed + 0, "missed of", rows, ":", said, worst; exit missed || !(said <= 10 * worst) || rows < 20}
+    ' "exact/$1" "t/$1"
+}
+curves='{table: p.csv, show: profiles, field: velocity, at: [1 ms, 2 ms]}, {table: s.csv, show: spectrum, beads: [2, 5, 9], field: velocity, every: 2 us},
+    {table: g.csv, show: spectrogram, beads: 9, field: velocity, every: 2 us}, {table: d.csv, show: dispersion, field: velocity, every: 2 us},
+    {table: m.csv, show: spreading, every: 2 us}'
+short=(--set 'simulate.until=2 ms')
+"$beadsim" "$top/tests/errors/draw21.yaml" -o exact --quiet "${short[@]}" --set simulate.accuracy=1e-11 --set "outputs=[${curves//\}/, uncertainty: false\}}]" >quiet
+for accuracy in 1e-4 1e-6; do
+    "$beadsim" "$top/tests/errors/draw21.yaml" -o t --quiet "${short[@]}" --set simulate.accuracy=$accuracy --set "outputs=[$curves]" >quiet
+    ok "spectra at $accuracy" columns t/s.csv exact/s.csv
+    ok "spectrograms" bounded g.csv 3 4
+    ok "dispersion" bounded d.csv 5 6
+    ok "profiles" bounded p.csv 3 4
+    ok "second moments" bounded m.csv 2 9
+    ok "participations" bounded m.csv 3 10
+    ok "exponents of second moments" bounded m.csv 5 12
+    ok "... of participations" bounded m.csv 7 13
+done
+
 # bound : what run.h5 says of its velocities, and the largest that the last row of v.csv says of the same samples
 bound() {
     awk -v a="$(h5dump -m %.17g -d /parameters/beadreel/uncertainty/velocity s/run.h5 | sed -n 's/.*(0): *\([-0-9.e]*\)$/\1/p' | head -n 1)" \

@@ -88,8 +88,8 @@ done
 cat >scene.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 30}]}
 outputs:
-  - {table: [a.csv, again.csv], show: profiles, field: velocity, at: [0.1 ms, 0.2 ms]}
-  - {table: b.csv, show: profiles, field: velocity, at: [0.1 ms, 0.2 ms, 0.2345678 ms]}
+  - {table: [a.csv, again.csv], show: profiles, field: velocity, at: [0.1 ms, 0.2 ms], uncertainty: false}
+  - {table: b.csv, show: profiles, field: velocity, at: [0.1 ms, 0.2 ms, 0.2345678 ms], uncertainty: false}
 YAML
 ok "profiles of beads" exits 0 "$beadsim" scene.yaml -o p
 ok "... in both files of one output" cmp p/a.csv p/again.csv
