@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Read reports as people do, in a headless Chromium: report.py CHROMIUM ASSETS DIRECTORY. Prints TAP.
+"""Read reports as people do, in a headless Chromium: report.py CHROMIUM ASSETS DIRECTORY PAGE... Prints TAP.
 
-DIRECTORY has run.html with force.csv, the forces at its sensors at the same times; and sweep.html with force of configurations.csv and
-image.png, the pixels of configuration 3 in inferno."""
+DIRECTORY has run.html with force.csv, the forces at its sensors at the same times, and peaks.csv; and sweep.html with the forces of
+configurations.csv and image.png, the pixels of configuration 3 in inferno. All pages, and those further ones, fit on phones."""
 import base64
 import csv
 import math
+import os
 import re
 import sys
+import xml.etree.ElementTree
 
 from devtools import Browser
 from tap import finish, ok
@@ -166,6 +168,203 @@ def check_touch(page, directory):
     page.call("Emulation.setTouchEmulationEnabled", enabled=False)
 
 
+def saved(page, what, kind):
+    """The bytes of the file that the button `Save WHAT as KIND` makes."""
+    before = set(os.listdir(page.downloads))
+    spot = page.run("(() => { const button = document.querySelector('button[aria-label=\"Save %s as %s\"]'); "
+                    "button.scrollIntoView({block: 'center'}); const b = button.getBoundingClientRect(); "
+                    "return {x: b.x + b.width / 2, y: b.y + b.height / 2}; })()" % (what, kind))
+    page.click(spot["x"], spot["y"])
+    for _ in range(600):
+        new = [name for name in os.listdir(page.downloads) if name not in before and name.endswith("." + kind.lower())]
+        if new:
+            with open(os.path.join(page.downloads, new[0]), "rb") as file:
+                content = file.read()
+            os.remove(os.path.join(page.downloads, new[0]))
+            return content
+        page.run("new Promise(done => setTimeout(done, 50))")  # also reads what the browser says, which waits for that
+    raise TimeoutError("no file of " + what)
+
+
+def table(content):
+    return list(csv.DictReader(content.decode().splitlines()))
+
+
+def check_saving(page, rows, directory):
+    """What buttons save: numbers as in the program's own tables, pictures as on the page."""
+    page.downloads = directory + "/saved"
+    os.makedirs(page.downloads, exist_ok=True)
+    page.call("Page.setDownloadBehavior", behavior="allow", downloadPath=page.downloads)
+    step = page.run("report.chains[0].field.step")
+    for name in (n for n in rows[0] if n != "time_s"):
+        bead = page.run("report.chains[0].sensors.find(s => s.name === '%s').bead" % name)
+        page.run("report.choose(%d)" % bead)
+        mine = table(saved(page, "these curves", "CSV"))
+        ok(list(mine[0]) == ["time_s", "bead", "force_N"], "a saved curve has the columns of a table of profiles", mine[0])
+        worst = max(abs(float(a["force_N"]) - float(b[name])) for a, b in zip(mine, rows))
+        ok(len(mine) == len(rows) and all(int(a["bead"]) == bead for a in mine) and worst <= 0.51 * step
+           and max(abs(float(a["time_s"]) - float(b["time_s"])) for a, b in zip(mine, rows)) < 1e-12,
+           "the curve at %s is the table's, to the %.2g N of the page" % (name, step), worst)
+        at = rows[len(rows) // 2]
+        page.run("report.seek(%r)" % float(at["time_s"]))
+        profile = table(saved(page, "this picture", "CSV"))
+        found = [float(p["force_N"]) for p in profile if int(p["bead"]) == bead]
+        ok(len(profile) == page.run("report.chains[0].values") and abs(found[0] - float(at[name])) <= 0.51 * step, "so is the profile", found)
+    with open(directory + "/peaks.csv", "rb") as file:
+        wanted = table(file.read())
+    peaks = table(saved(page, "the peaks", "CSV"))
+    same = all(set(a) == set(b) and all(abs(float(a[k] or 0) - float(b[k] or 0)) <= 1e-11 * abs(float(b[k] or 0)) for k in b if k != "state")
+               for a, b in zip(peaks, wanted))
+    ok(len(peaks) == len(wanted) > 20 and same, "saved peaks are those of the table", peaks[:2])
+    for what, words in (("this picture", "force (N)"), ("these curves", "bead force (N), bead"), ("the peaks", "peak force (N)")):
+        drawn = xml.etree.ElementTree.fromstring(saved(page, what, "SVG"))
+        texts = " ".join(t for e in drawn.iter() for t in e.itertext())
+        ok(words in texts and "var(" not in xml.etree.ElementTree.tostring(drawn).decode(), "%s as SVG has its words and colours" % what, texts[:200])
+        ok(not [e for e in drawn.iter() for k, v in e.items() if "href" in k and not v.startswith("data:")], "... and nothing from elsewhere")
+        size = page.run("(() => { const b = document.getElementById('%s').getBoundingClientRect(); return [b.width, b.height]; })()"
+                        % {"this picture": "stage", "these curves": "one-chart", "the peaks": "peaks-chart"}[what])
+        picture = saved(page, what, "PNG")
+        width, height = (int.from_bytes(picture[i:i + 4], "big") for i in (16, 20))
+        ok(picture[:8] == b"\x89PNG\r\n\x1a\n" and width >= 2 * size[0] and height >= 2 * size[1], "... as PNG it is sharp", width, height, size)
+        if what == "this picture":
+            stage = picture
+    check_stage(page, stage)
+
+
+def check_stage(page, picture):
+    """A saved picture of the chain has the pixels of the canvas, but for the edges of type and beads."""
+    far_off = page.run("""(async () => {
+        const image = new Image(), canvas = document.createElement('canvas'), stage = document.getElementById('stage').getBoundingClientRect();
+        image.src = 'data:image/png;base64,%s';
+        await image.decode();
+        const shown = report.canvases[0], box = shown.getBoundingClientRect(), w = shown.width, h = shown.height, margin = (image.width / 2 - stage.width) / 2;
+        canvas.width = w, canvas.height = h;
+        const context = canvas.getContext('2d');
+        context.fillStyle = getComputedStyle(document.documentElement).backgroundColor;
+        context.fillRect(0, 0, w, h);
+        context.drawImage(shown, 0, 0);
+        const wanted = context.getImageData(0, 0, w, h).data;
+        context.drawImage(image, 2 * (box.left - stage.left + margin), 2 * (box.top - stage.top + margin), 2 * box.width, 2 * box.height, 0, 0, w, h);
+        const got = context.getImageData(0, 0, w, h).data;
+        let count = 0;
+        for (let i = 0; i < got.length; i += 4)
+            count += Math.abs(got[i] - wanted[i]) + Math.abs(got[i + 1] - wanted[i + 1]) + Math.abs(got[i + 2] - wanted[i + 2]) > 40;
+        return count / (got.length / 4); })()""" % base64.b64encode(picture).decode())
+    ok(far_off < 0.03, "the saved picture is the one on the page", "%.3f of its pixels differ" % far_off)
+
+
+def check_still(page, directory):
+    """A click moves nothing but what it is for."""
+    for width, height in ((1280, 700), (390, 700)):
+        page.resize(width, height, mobile=width < 500)
+        page.open("file://%s/run.html" % directory)
+        page.settle()
+        for what in ("canvas", "peaks"):
+            page.run("scrollTo(0, %s)" % ("60" if what == "canvas" else "document.getElementById('peaks-chart').getBoundingClientRect().top + scrollY - 100"))
+            page.settle()
+            before = page.run("scrollY")
+            spot = page.run("(() => { const b = %s.getBoundingClientRect(); return {x: b.x + b.width * .4, y: b.y + b.height * .5}; })()"
+                            % ("report.canvases[0]" if what == "canvas" else "document.getElementById('peaks-chart')"))
+            page.run("report.state.bead = null")
+            page.click(spot["x"], spot["y"])
+            page.run("new Promise(done => setTimeout(done, 700))")
+            ok(page.run("report.state.bead !== null && scrollY === %r" % before), "%d px: a click on the %s chooses a bead and scrolls nowhere" % (width, what),
+               before, page.run("scrollY"))
+
+
+def check_link(page, directory):
+    """An address shows its moment, and follows what is done."""
+    shown = "[report.data.time.start + report.state.sample * report.data.time.every, report.state.bead]"
+    page.resize(1280, 800)
+    for link in ("t=0.3ms&bead=20", "t=300us&bead=20", "bead=20&t=300%C2%B5s", "t=3e-4&bead=20"):
+        page.open("about:blank")
+        page.open("file://%s/run.html#%s" % (directory, link))
+        page.settle()
+        seconds, bead = page.run(shown)
+        ok(abs(seconds - 3e-4) < 1e-9 and bead == 20, "#%s opens at that moment and bead" % link, seconds, bead)
+    ok(page.run("document.getElementById('bead').value") == "20" and page.run("document.getElementById('clock').textContent").startswith(("300", "0.300")),
+       "... and says so", page.run("document.getElementById('clock').textContent"))
+    page.run("report.canvases[0].focus()")
+    page.press("ArrowRight")
+    page.press(".", ".")
+    page.run("new Promise(done => setTimeout(done, 700))")
+    moved, link = page.run(shown), page.run("location.hash")
+    ok(moved[1] == 21 and moved[0] > 3e-4 and re.search(r"bead=21\b", link), "moving changes the address", link)
+    page.open("about:blank")
+    page.open("file://%s/run.html%s" % (directory, link))
+    page.settle()
+    again = page.run(shown)
+    ok(abs(again[0] - moved[0]) < 0.51e-6 and again[1] == 21, "... which leads back there", moved, again)
+    page.run("location.hash = '#t=0.1ms&bead=5'")
+    page.settle()
+    ok(page.run(shown)[1] == 5, "another address of the same page is followed")
+    for link, wanted in (("t=soon&bead=x", None), ("t=9s&bead=9999", page.run("report.chains[0].values - 1")), ("t=-3ms&bead=-7", 0), ("controls", None), ("t=1kg", None)):
+        page.open("about:blank")
+        page.open("file://%s/run.html#%s" % (directory, link))
+        page.settle()
+        ok(page.run(shown)[1] == wanted, "#%s shows what there is" % link, page.run(shown))
+    page.open("about:blank")
+    page.open("file://%s/sweep.html#configuration=3" % directory)
+    page.settle()
+    ok(page.run("report.state.image.index") == 3, "the address of a configuration shows it")
+    page.press("ArrowRight")
+    page.run("new Promise(done => setTimeout(done, 700))")
+    ok(page.run("location.hash === '#configuration=' + report.state.image.index && report.state.image.index !== 3"), "... and follows",
+       page.run("location.hash"))
+
+
+def check_phones(page, pages):
+    """Nothing is wider than the window: not a box, and no text in its box; what is longer scrolls by itself."""
+    for name in pages:
+        for width in (390, 320):
+            page.resize(width, 800, mobile=True)
+            page.open("file://" + name)
+            page.settle()
+            page.run("document.querySelectorAll('details').forEach(d => { d.open = true; })")
+            page.settle()
+            wide = page.run("""[...document.querySelectorAll('body *')].filter(e => !e.closest('#tip, .hidden, .skip, #peaks-table')).filter(e => {
+                const box = e.getBoundingClientRect();
+                return box.width > 0 && (box.right > innerWidth + 0.5 || box.left < -0.5 || e.clientWidth > 0 && e.scrollWidth > e.clientWidth + 1 && !e.closest('svg') && !e.querySelector('#peaks-table'));
+                }).map(e => `${e.tagName}#${e.id}.${e.className.baseVal ?? e.className}: ${e.textContent.slice(0, 30)}`)""")
+            ok(not wide and page.run("document.documentElement.scrollWidth <= innerWidth"), "%s: nothing is cut at %d px" % (os.path.basename(name), width), wide)
+            cut = page.run("""[...document.querySelectorAll('select')].filter(s => s.offsetWidth > 0).filter(s => {
+                const context = document.createElement('canvas').getContext('2d'), look = getComputedStyle(s);
+                context.font = `${look.fontSize} ${look.fontFamily}`;
+                const text = Math.max(...[...s.options].map(o => context.measureText(o.text).width));
+                return text + parseFloat(look.paddingLeft) + parseFloat(look.paddingRight) > s.clientWidth + 1; }).map(s => s.id)""")
+            ok(not cut, "... nor in a menu", cut)
+
+
+def of_round(value):
+    """1, 2 or 5 times a power of ten."""
+    return ("%.6e" % value).split("e")[0] in ("1.000000", "2.000000", "5.000000")
+
+
+def check_ticks(page):
+    """Round numbers at the bar that do not crowd, of any range."""
+    found = page.run("""(() => { const out = [];
+        for (const [scale, length, room] of [['sqrt', 480, 28], ['sqrt', 300, 28], ['linear', 480, 28], ['log', 480, 28]])
+            for (let high = 0.013; high < 3e4; high *= 1.17)
+                out.push([scale, high, length, room, report.ticks(scale, scale === 'log' ? high / 3000 : 0, high, length, room).sort((a, b) => a.place - b.place)]);
+        return out; })()""")
+    crowded, uneven, few, hollow = [], [], [], []
+    for scale, high, length, room, ticks in found:
+        values, places = [t["value"] for t in ticks], [t["place"] * length for t in ticks]
+        gaps = [b - a for a, b in zip(places, places[1:])]
+        even = values[-1] - values[-2]
+        crowded += [(scale, high, values)] if min(gaps) < room - 1e-6 or len(ticks) > 1.3 * length / room + 2 else []
+        uneven += [(scale, high, values)] if any(v and not of_round(v) and (scale == "log" or not of_round(even) or abs(v / even - round(v / even)) > 1e-6)
+                                                 for v in values) else []
+        few += [(scale, high, values)] if len(ticks) < 3 else []
+        hollow += [(scale, high, values)] if max(gaps) > 0.45 * length else []
+        if scale == "sqrt":  # numbers near zero stand apart: 0, 0.05, 0.2, 0.5 is a crowd
+            near = [p for v, p in zip(values, places) if v < even * 1.0001]
+            crowded += [(scale, high, values)] if any(b - a < 2 * room - 1e-6 for a, b in zip(near, near[1:])) and len(ticks) > 5 else []
+    ok(len(found) > 200 and not crowded, "numbers at the bar do not crowd", crowded[:3])
+    ok(not uneven, "they are round", uneven[:3])
+    ok(not few and not hollow, "there are some, all along the bar", few[:3], hollow[:3])
+
+
 def check_text(page, scene):
     ok(page.run("document.title") == scene["title"], "the title is the scene's, whatever it contains", page.run("document.title"))
     ok(page.run("document.querySelectorAll('h1 *, #scene-text *').length") == 0, "no element comes from the scene")
@@ -219,7 +418,7 @@ def check_sweep(page, directory):
 
 
 def main():
-    chromium, assets, directory = sys.argv[1:4]
+    chromium, assets, directory, *further = sys.argv[1:]
     with open(directory + "/force.csv") as file:
         rows = [row for row in csv.DictReader(file)]
     page = Browser(chromium)
@@ -228,6 +427,7 @@ def main():
         page.settle()
         for scheme in ("dark", "light"):
             check_pixels(page, assets, scheme, rows)
+        check_ticks(page)
         check_playing(page)
         check_pointer(page, rows)
         check_reading(page)
@@ -240,8 +440,15 @@ def main():
             ok(fits, "%d x %d: nothing is wider than the window, and the controls are in it" % (width, height))
         check_touch(page, directory)
         check_sweep(page, directory)
+        page.prefer("light")
+        check_phones(page, ["%s/%s" % (directory, name) for name in ["run.html", "sweep.html", *further]])
+        check_still(page, directory)
+        check_link(page, directory)
+        page.open("file://%s/run.html" % directory)
+        page.settle()
+        check_saving(page, rows, directory)
         ok(not page.errors, "no error in the console", page.errors)
-        ok(all(r.startswith("file://%s/" % directory) and r.endswith(".html") for r in page.requests), "nothing is asked for but the page",
+        ok(all(re.match(r"file://%s/[^#]*\.html(#.*)?$|about:blank$|blob:" % re.escape(directory), r) for r in page.requests), "nothing is asked for but the page",
              page.requests)
     finally:
         page.close()

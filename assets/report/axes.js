@@ -21,18 +21,30 @@ function tickLabels(ticks) {
     return ticks.map(v => Math.abs(v) >= 1e6 || String(v).includes('e') ? figures(v, 4) : v.toFixed(decimals).replace('-', '−'));
 }
 
-/* Ticks of an uneven scale: even steps first, then smaller round numbers where there is room for a label. */
+/* Ticks of the colour bar, `room` px apart at least. With square roots: the smallest even steps whose labels fit up to the high end,
+ * and small round numbers near zero where they have twice the room, so that those do not crowd. With logarithms: powers of ten. */
 function scaledTicks(scale, low, high, length, room) {
-    const wanted = roundTicks(low, high, Math.max(2, length / room / 2)), ticks = [];
-    const reach = Math.max(Math.abs(low), Math.abs(high));
-    for (let e = Math.floor(Math.log10(reach)); scale !== 'linear' && e > Math.log10(reach) - 2.5; e--) {
-        for (const s of [5, 2, 1])
-            wanted.push(s * Math.pow(10, e), -s * Math.pow(10, e));
-    }
-    for (const value of wanted) {
-        const place = along(scale, low, high, value);
-        if (value >= low && value <= high && ticks.every(t => Math.abs(t.place - place) * length >= room))
-            ticks.push({value, place});
+    const at = value => along(scale, low, high, value) * length, ticks = [];
+    const inside = value => at(value) > -1e-9 * length && at(value) < length * (1 + 1e-9);
+    const add = (values, apart) => values.forEach(value => {
+        if (inside(value) && ticks.every(t => Math.abs(t.place * length - at(value)) >= apart - 1e-9 * length))
+            ticks.push({value, place: at(value) / length});
+    });
+    const times = (k, step, e) => Number(`${k * step}e${e}`), top = Math.floor(Math.log10(Math.max(Math.abs(low), Math.abs(high))));
+    if (scale === 'linear') {
+        add(roundTicks(low, high, Math.max(2, length / room)), room);
+    } else if (scale === 'log') {
+        const decade = length / Math.log10(high / low), every = Math.ceil(room / decade - 1e-9);
+        add(Array.from({length: 1 + Math.ceil(length / decade)}, (_, i) => times(1, 1, top - every * i)), room);
+        for (let e = top; every === 1 && e >= top - 1 - length / decade; e--)
+            add([5, 2].map(k => times(k, 1, e)), room);
+    } else {
+        const multiples = (step, e) => Array.from({length: 41}, (_, k) => times(k - 20, step, e)).filter(inside);
+        const fits = list => list.length > 0 && list.every((v, i) => i === 0 || at(v) - at(list[i - 1]) >= room);
+        const steps = [-1, 0, 1].flatMap(e => [1, 2, 5].map(step => multiples(step, top + e)));
+        add(steps.find(fits) || [], room);
+        for (let e = top; e > top - 3; e--)
+            add([5, 2, 1].flatMap(k => [times(k, 1, e), times(-k, 1, e)]), ticks.length < 4 ? room : 2 * room);
     }
     return ticks;
 }
@@ -65,17 +77,18 @@ function barWidth() {
 }
 
 /* The colour bar: upright beside the chains, lying above them on narrow screens. */
-function drawBar(canvas, upright, width, height) {
-    const context = prepare(canvas, width, height), {low, high, scale} = data.range;
+function drawBar(context, upright, width, height) {
+    const {low, high, scale} = data.range;
     const box = upright ? {x: 6, y: 44, w: 14, h: height - 44 - 34} : {x: 12, y: 2, w: width - 24, h: 9};
     const {factor, title} = fieldTitle(), map = colourMap();
     const length = upright ? box.h : box.w;
-    for (let i = 0; i < 256; i++) {
-        context.fillStyle = `rgb(${map[3 * i]},${map[3 * i + 1]},${map[3 * i + 2]})`;
+    for (let i = 0; i < 256; i++) { /* each up to the end, so that no gap shines through */
+        const from = i / 256, c = 3 * (upright ? 255 - i : i);
+        context.fillStyle = `rgb(${map[c]},${map[c + 1]},${map[c + 2]})`;
         if (upright)
-            context.fillRect(box.x, box.y + box.h * (255 - i) / 256, box.w, box.h / 256 + 0.6);
+            context.fillRect(box.x, box.y + box.h * from, box.w, box.h * (1 - from));
         else
-            context.fillRect(box.x + box.w * i / 256, box.y, box.w / 256 + 0.6, box.h);
+            context.fillRect(box.x + box.w * from, box.y, box.w * (1 - from), box.h);
     }
     /* A pointed end where there are values beyond. */
     for (const [beyond, index, from, to] of [[data.range.over, 255, 1, 1.03], [data.range.under, 0, 0, -0.03]]) {
@@ -104,5 +117,13 @@ function drawBar(canvas, upright, width, height) {
     }
     context.textAlign = upright ? 'left' : 'right';
     context.fillText(title, upright ? 0 : width - 4, upright ? 12 : box.y + box.h + 10);
+}
+/* Beside the pictures, or above them where they are `narrow`. */
+const bar = {narrow: false, width: 0, height: 0};
+function showBar(narrow, height) {
+    const canvas = element('bar'), {low, high} = data.range;
+    canvas.style.width = narrow ? '100%' : barWidth() + 'px';
+    Object.assign(bar, {narrow, height, width: narrow ? canvas.parentElement.clientWidth : barWidth()});
+    drawBar(prepare(canvas, bar.width, bar.height), !narrow, bar.width, bar.height);
     canvas.setAttribute('aria-label', `Colours: ${data.field.title} from ${quantity(low, data.field.unit)} to ${quantity(high, data.field.unit)}`);
 }

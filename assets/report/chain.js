@@ -87,13 +87,14 @@ class Chain {
         return best;
     }
 
-    /* Rectangles of the views in a canvas of this size. */
+    /* Rectangles of the views in a canvas of this size. Returns the height of the beads. */
     arrange(width, height, labels) {
         const left = labels ? 46 : 6, right = this.beads && this.displacement ? 16 : 6;
         const box = {x: left, w: width - left - right};
         let y = 2;
         this.width = width, this.height = height, this.labels = labels;
         this.image = {...box, y: 0, h: 0};
+        this.profile = {...box, y: 0, h: 0};
         this.row = this.lens = null;
         this.fit = 1;
         if (this.displacement) {
@@ -110,11 +111,15 @@ class Chain {
                 y += 10 + room;
             }
         }
-        const title = 24, below = 22, rest = height - y - below - 2 * title;
-        this.profile = {...box, y: y + title, h: Math.round(clamp(0.23 * rest, 34, 150))};
-        this.image.y = this.profile.y + this.profile.h + title;
-        this.image.h = height - this.image.y - below;
         this.picture = null;
+        return y;
+    }
+    /* Profile and image below that height: the same of all chains, as those of the first column have the labels. */
+    arrangeBelow(y) {
+        const title = 24, below = 22, rest = this.height - y - below - 2 * title;
+        Object.assign(this.profile, {y: y + title, h: Math.round(clamp(0.23 * rest, 34, 150))});
+        this.image.y = this.profile.y + this.profile.h + title;
+        this.image.h = this.height - this.image.y - below;
     }
 
     /* ---- the image ---- */
@@ -163,8 +168,7 @@ class Chain {
 
     /* ---- drawing ---- */
 
-    draw(canvas, others) {
-        const context = prepare(canvas, this.width, this.height);
+    draw(context, others) {
         if (!this.picture)
             this.paint();
         if (this.displacement) {

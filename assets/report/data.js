@@ -67,6 +67,15 @@ const timeName = data.time && data.time.unit ? timeUnit[1] + data.time.unit : ''
 const timeDigits = data.time ? Math.max(0, Math.min(6, Math.ceil(-Math.log10(data.time.every / timeUnit[0])))) : 0;
 const clockText = time => (time / timeUnit[0]).toFixed(timeDigits) + (timeName ? ' ' + timeName : '');
 
+/* A time with or without a unit, such as 1.2ms, else null. */
+function readTime(text) {
+    const found = /^([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?) *([^\d ]*)$/i.exec(text || ''), unit = data.time.unit;
+    const words = found && (found[2] || unit).replace(/^[uμ]/, 'µ'), sign = words && words.slice(0, words.length - unit.length);
+    const known = found && words.endsWith(unit) && (unit || !words) && prefixes.find(p => p[1] === (sign || ''));
+    return known ? Number(found[1]) * known[0] : null;
+}
+const writtenTime = time => clockText(time).replace(' ', '').replace('µ', 'u');
+
 /* ---- colours ---- */
 
 const dark = matchMedia('(prefers-color-scheme: dark)');

@@ -12,6 +12,7 @@ function buildTable(table, head, rows) {
         parent.append(cell);
     };
     table.textContent = '';
+    table.style.setProperty('--values', head.length - 1);
     const top = table.createTHead().insertRow(), body = table.createTBody();
     head.forEach(text => add(top, 'th', text, 'col'));
     for (const [name, ...values] of rows) {
@@ -20,6 +21,24 @@ function buildTable(table, head, rows) {
         values.forEach(value => add(row, 'td', value));
     }
 }
+
+/* ---- a link to what is shown ---- */
+
+/* The part of the address behind `#`, such as t=1.2ms&bead=40. It follows what the reader does, with a pause, as browsers limit how often
+ * an address may change; where a page may not change it, as within another page, it stays. */
+const link = {
+    timer: 0,
+    read: () => new URLSearchParams(location.hash.slice(1)),
+    write(parts) {
+        clearTimeout(link.timer);
+        link.timer = setTimeout(() => {
+            const text = Object.entries(parts()).map(([key, value]) => `${key}=${encodeURIComponent(value)}`).join('&');
+            try {
+                history.replaceState(null, '', `#${text}`);
+            } catch { /* stays */ }
+        }, 300);
+    }
+};
 
 /* ---- the scene ---- */
 

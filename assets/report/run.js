@@ -47,23 +47,28 @@ function addWords(caption, chain) {
 function layOut() {
     const narrow = matchMedia('(max-width: 760px)').matches, count = chains.length;
     const columns = narrow || count === 1 ? 1 : innerWidth > 1100 && count > 2 ? Math.min(count, 4) : 2;
+    /* The first column has the labels; all pictures are alike in size. */
+    const labels = 40, grid = element('chains'), barHeight = narrow ? 28 : 0;
+    const captions = canvases.map(canvas => canvas.previousSibling);
+    showBar(narrow, barHeight); /* its width counts */
+    const plot = Math.floor((grid.clientWidth - labels - 14 * (columns - 1)) / columns);
+    grid.style.gridTemplateColumns = Array.from({length: columns}, (_, i) => `${plot + (i ? 0 : labels)}px`).join(' ');
+    captions.forEach((caption, i) => { caption.style.paddingLeft = narrow ? '0' : i % columns ? '6px' : `${labels + 6}px`; });
     const rows = Math.ceil(count / columns), top = element('stage').getBoundingClientRect().top + scrollY;
-    const barHeight = narrow ? 28 : 0, caption = narrow ? 20 : 24;
+    const caption = Math.max(...captions.map(c => c.offsetHeight));
     const free = innerHeight - top - element('controls').offsetHeight - 12 - barHeight - (narrow ? 4 : 26);
     const height = Math.round(clamp(free / rows - caption - 10, narrow ? 240 : 300, narrow ? 640 : 1100));
-    const bar = element('bar');
-    bar.style.width = narrow ? '100%' : barWidth() + 'px';
-    /* The first column has the labels; all pictures are alike in size. */
-    const labels = 40, grid = element('chains'), plot = Math.floor((grid.clientWidth - labels - 14 * (columns - 1)) / columns);
-    grid.style.gridTemplateColumns = Array.from({length: columns}, (_, i) => `${plot + (i ? 0 : labels)}px`).join(' ');
-    canvases.forEach((canvas, i) => {
-        canvas.previousSibling.style.paddingLeft = narrow ? '0' : i % columns ? '6px' : `${labels + 6}px`;
-        chains[i].arrange(plot + (i % columns ? 0 : labels), height, i % columns === 0);
-    });
-    drawBar(bar, !narrow, narrow ? bar.parentElement.clientWidth : barWidth(), narrow ? barHeight : rows * (height + caption) + (rows - 1) * 10);
+    chains.forEach((chain, i) => Object.assign(chain, {width: plot + (i % columns ? 0 : labels), height, labels: i % columns === 0}));
+    showBar(narrow, narrow ? barHeight : rows * (height + caption) + (rows - 1) * 10);
+    arrange();
 }
+function arrange() {
+    const below = Math.max(...chains.map(c => c.arrange(c.width, c.height, c.labels)));
+    chains.forEach(c => c.arrangeBelow(below));
+}
+const othersOf = chain => chains.filter(c => c !== chain);
 function draw() {
-    canvases.forEach((canvas, i) => chains[i].draw(canvas, chains.filter(c => c !== chains[i])));
+    canvases.forEach((canvas, i) => chains[i].draw(prepare(canvas, chains[i].width, chains[i].height), othersOf(chains[i])));
     element('clock').textContent = clockText(timeOf(state.sample));
     element('time').value = Math.round(state.sample);
     if (!state.playing)
@@ -100,10 +105,12 @@ function play(on) {
     element('play-shape').setAttribute('d', on ? 'M4 3h4v14H4zM12 3h4v14h-4z' : 'M5 2.5v15l12-7.5z');
     element('play-name').textContent = on ? 'Pause' : 'Play';
     redraw();
+    remember();
 }
 function seek(sample) {
     state.sample = clamp(sample, 0, samples - 1);
     redraw();
+    remember();
 }
 function buildControls() {
     const time = element('time'), speed = element('speed');
@@ -151,7 +158,7 @@ function setZoom(zoom) {
         zoom = all ? null : zoom;
     }
     state.zoom = zoom;
-    canvases.forEach((canvas, i) => chains[i].arrange(chains[i].width, chains[i].height, chains[i].labels));
+    arrange();
     say(zoom ? `Zoomed to ${chains[0].axis.title} ${figures(Math.ceil(zoom.places[0]), 4)} to ${Math.floor(zoom.places[1])}, ${clockText(timeOf(zoom.samples[0]))} to ${clockText(timeOf(zoom.samples[1]))}` : 'Everything is shown');
     redraw();
 }
@@ -252,34 +259,32 @@ function arrows(chain, event) {
     const from = state.bead === null ? Math.round(chain.front[Math.round(state.sample)]) : state.bead;
     if (move[1])
         state.sample = clamp(Math.round(state.sample) + move[1] * Math.max(1, Math.round(samples / 200)), 0, samples - 1);
-    choose({place: clamp(from + move[0], 0, chain.values - 1), sample: null}, true);
+    choose({place: clamp(from + move[0], 0, chain.values - 1), sample: null});
     say(`${chain.axis.title} ${figures(chain.number(state.bead), 6)}, ${clockText(timeOf(state.sample))}: ${quantity(chain.value(state.bead, state.sample), data.field.unit)}`);
 }
 
 /* ---- one bead ---- */
 
-function choose(found, stay) {
+function choose(found) {
     if (!found)
         return;
     state.bead = found.place;
     if (found.sample !== null)
         seek(found.sample);
     showOne();
-    if (!stay)
-        element('one-chart').scrollIntoView({block: 'nearest', behavior: matchMedia('(prefers-reduced-motion: reduce)').matches ? 'auto' : 'smooth'});
     redraw();
+    remember();
 }
 /* The field at the chosen bead against time, of every chain that has it. */
 function showOne() {
-    const place = state.bead === null ? Math.round(Math.min(...chains.map(c => c.values)) / 2) : state.bead;
+    const {place, number, words} = shownBead();
     const times = Array.from({length: samples}, (_, s) => timeOf(s)), unit = data.field.unit;
     const series = chains.filter(c => place < c.values).map(c => ({
         name: chains.length > 1 ? c.name : '', colour: c.colourName(), x: times, y: times.map((_, s) => c.value(place, s)), chain: c
     }));
     const all = series.flatMap(s => s.y), high = Math.max(...series.map(s => s.y.reduce((a, b) => Math.max(a, b), 0)), 1e-300);
     const low = all.reduce((a, b) => Math.min(a, b), 0), [factor, sign] = prefix(Math.max(high, -low), unit);
-    const number = figures(chains[0].number(place), 6), words = `${chains[0].axis.title} ${number}`;
-    element('bead').value = number;
+    element('bead').value = number.replace('−', '-');
     oneChart = drawChart(element('one-chart'), {
         x: {title: timeName ? `time (${timeName})` : 'time', low: times[0], high: times[samples - 1], factor: timeUnit[0]},
         y: {title: `${data.field.title}${unit ? ` (${sign}${unit})` : ''}, ${words}`, low: low * 1.06, high: high * 1.08, factor},
@@ -294,11 +299,61 @@ function showOne() {
 }
 function buildOne() {
     const input = element('bead'), chain = chains[0], most = Math.max(...chains.map(c => c.values));
-    element('one-title').textContent = `${data.field.title[0].toUpperCase()}${data.field.title.slice(1)} against time`;
+    const title = data.field.title; /* a symbol stays as it is */
+    element('one-title').textContent = `${title.length > 1 ? title[0].toUpperCase() + title.slice(1) : title} against time`;
     element('one-what').textContent = chain.axis.title;
     input.min = chain.number(0), input.max = chain.number(most - 1), input.step = chain.axis.spacing;
     input.addEventListener('change', () => {
         const place = Math.round((Number(input.value) - chain.axis.first) / chain.axis.spacing);
-        choose({place: clamp(place, 0, most - 1), sample: null}, true);
+        choose({place: clamp(place, 0, most - 1), sample: null});
     });
+    addSaves(element('one-title').parentElement, 'these curves', () => shownBead().words, oneRows, () => chartDrawing(element('one-chart')));
+}
+/* The bead that the chart shows: the chosen one, else one half way. */
+function shownBead() {
+    const place = state.bead === null ? Math.round(Math.min(...chains.map(c => c.values)) / 2) : state.bead;
+    const number = figures(chains[0].number(place), 6);
+    return {place, number, words: `${chains[0].axis.title} ${number}`};
+}
+
+/* ---- files ---- */
+
+const fieldColumn = () => data.field.name + (data.field.unit ? `_${data.field.unit}` : '');
+const timeColumn = () => data.time.unit ? `time_${data.time.unit}` : 'time';
+const chainColumn = chain => chains.length > 1 ? {chain: chain.name} : {};
+/* As tables of profiles have them. */
+const fieldRow = (chain, place, sample) =>
+    ({...chainColumn(chain), [timeColumn()]: timeOf(sample), [chain.axis.title]: chain.number(place), [fieldColumn()]: chain.value(place, sample)});
+function oneRows() {
+    const {place} = shownBead();
+    return chains.filter(c => place < c.values).flatMap(c => Array.from({length: samples}, (_, s) => fieldRow(c, place, s)));
+}
+function profileRows() {
+    return chains.flatMap(c => Array.from({length: c.values}, (_, place) => fieldRow(c, place, state.sample)));
+}
+/* The stage as it is shown, with its colour bar. */
+function stageDrawing() {
+    const stage = element('stage').getBoundingClientRect(), paper = new Paper(), corner = canvas => {
+        const box = canvas.getBoundingClientRect();
+        return [box.left - stage.left, box.top - stage.top];
+    };
+    chains.forEach((chain, i) => {
+        paper.at(0, 0, () => paper.words(canvases[i].previousSibling, stage));
+        paper.at(...corner(canvases[i]), () => chain.draw(paper, othersOf(chain)));
+    });
+    paper.at(...corner(element('bar')), () => drawBar(paper, !bar.narrow, bar.width, bar.height));
+    return drawing(stage.width, stage.height, `${data.title} ${clockText(timeOf(state.sample))}`, paper.parts.join(''));
+}
+
+/* ---- the link ---- */
+
+const remember = () => link.write(() =>
+    ({t: writtenTime(timeOf(state.sample)), ...(state.bead === null ? {} : {[chains[0].axis.title]: shownBead().number.replace('−', '-')})}));
+/* Shows the moment and the bead of the address, where it has them. */
+function followLink() {
+    const asked = link.read(), axis = chains[0].axis, time = readTime(asked.get('t')), number = parseFloat(asked.get(axis.title));
+    if (time !== null)
+        state.sample = clamp((time - data.time.start) / data.time.every, 0, samples - 1);
+    if (isFinite(number))
+        state.bead = clamp(Math.round((number - axis.first) / axis.spacing), 0, Math.max(...chains.map(c => c.values)) - 1);
 }

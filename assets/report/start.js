@@ -20,13 +20,18 @@ function showPeaks() {
         })),
         label: 'Peak force of each contact. ' + with_.map(c => `${chainName(c)}: from ${quantity(c.peaks.force[0], 'N')} at the striker to ${quantity(c.peaks.force[c.peaks.force.length - 1], 'N')} at the end`).join('; '),
         tip: (series, k) => [[`var(${series.colour})`, `${series.name ? series.name + ', ' : ''}contact ${k}`, ''], ['', 'peak', peakText(series.chain, k)], ['', 'at', quantity(series.chain.peaks.time[k], 's')]],
-        pick: k => choose({place: clamp(k - chains[0].first, 0, Math.max(...chains.map(c => c.values)) - 1), sample: null}, true)
+        pick: k => choose({place: clamp(k - chains[0].first, 0, Math.max(...chains.map(c => c.values)) - 1), sample: null})
     });
     const open = with_.some(c => c.peaks.open.length > 0);
     element('peaks-note').textContent = 'Contact k is between beads k and k + 1; the striker is bead 0. Bars are uncertainties, drawn where they are seen.' + (open ? ' Hollow: still rising at the end.' : '');
     buildTable(element('peaks-table'), ['contact', ...with_.flatMap(c => [`${c.name ? c.name + ': ' : ''}peak force`, 'time'])],
                Array.from({length: count}, (_, k) => [String(k), ...with_.flatMap(c => k < c.peaks.force.length ? [peakText(c, k) + (c.peaks.open.includes(k) ? ' (open)' : ''), quantity(c.peaks.time[k], 's')] : ['', ''])]));
 }
+
+/* As tables of peaks have them. */
+const peakRows = () => chains.filter(c => c.peaks).flatMap(c => c.peaks.force.map((force, k) => ({
+    ...chainColumn(c), contact: k, peak_force_N: force, time_s: c.peaks.time[k], state: c.peaks.open.includes(k) ? 'open' : '', uncertainty_N: c.peaks.uncertainty[k]
+})));
 
 /* ---- numbers ---- */
 
@@ -52,7 +57,7 @@ const numberRows = [
         if (!c.peaks || !c.peaks.uncertainty.length)
             return '';
         const part = k => c.peaks.uncertainty[k] / c.peaks.force[k] || 0;
-        const k = c.peaks.force.reduce((b, _, i) => part(i) > part(b) ? i : b, 0);
+        const k = c.peaks.force.reduce((b, _, i) => !c.peaks.open.includes(i) && part(i) > part(b) ? i : b, 0); /* open ones still rise */
         return `${peakText(c, k)} (contact ${k})`;
     }],
     ['front arrives at the end', c => c.run && c.run.arrival ? quantity(c.run.arrival, data.time.unit, 5) : ''],
@@ -93,6 +98,8 @@ function showFacts() {
         facts.push(`striker ${chains[0].striker} m/s`);
     if (chains[0].displacement && data.magnify !== 1)
         facts.push(`displacements × ${figures(data.magnify, 3)}`);
+    if (data.time.held)
+        facts.push(`${data.field.name.replace('-', ' ')}: the largest in ${quantity(data.time.every, data.time.unit, 2)}`);
     for (const fact of facts) {
         const made = document.createElement('b');
         made.textContent = fact;
@@ -110,6 +117,9 @@ function startRun() {
     buildStage();
     buildControls();
     buildOne();
+    addSaves(element('saves'), 'this picture', () => clockText(timeOf(state.sample)), profileRows, stageDrawing);
+    if (chains.some(c => c.peaks))
+        addSaves(element('peaks-title').parentElement, 'the peaks', () => 'peaks', peakRows, () => chartDrawing(element('peaks-chart')));
     element('pictures').hidden = !document.querySelector('#pictures figure');
     showFacts();
     showNumbers();
@@ -118,7 +128,10 @@ function startRun() {
     const first = arrivals.length ? 0.62 * (Math.min(...arrivals) - data.time.start) / data.time.every : 0.4 * (samples - 1);
     state.sample = clamp(Math.round(first), 0, samples - 1);
     play(false);
+    clearTimeout(link.timer);
+    followLink();
     refresh();
+    addEventListener('hashchange', () => { followLink(); showOne(); redraw(); });
     let wide = innerWidth, high = innerHeight;
     addEventListener('resize', () => { /* phones resize as they scroll */
         if (innerWidth === wide && Math.abs(innerHeight - high) < 120)
@@ -135,6 +148,6 @@ startRun();
 window.report = {
     data, state, chains, canvases, play, setZoom,
     seek(time) { seek((time - data.time.start) / data.time.every); draw(); },
-    choose(place) { choose({place, sample: null}, true); draw(); },
-    colour: beadColour,
+    choose(place) { choose({place, sample: null}); draw(); },
+    colour: beadColour, ticks: scaledTicks,
 };

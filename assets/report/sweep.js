@@ -21,9 +21,9 @@ function pixels(image) {
     return out;
 }
 /* With axes: places along, time down. */
-function drawImage(canvas, image, height) {
-    const width = canvas.parentElement.clientWidth, box = {x: 46, y: 20, w: width - 46 - 6, h: height - 20 - 24};
-    const context = prepare(canvas, width, height), source = document.createElement('canvas');
+function drawImage(context, image, width, height) {
+    const box = {x: 46, y: 20, w: width - 46 - 6, h: height - 20 - 24};
+    const source = document.createElement('canvas');
     const [factor, sign] = prefix(data.end, 's'), title = data.field.contacts ? 'contact' : 'bead';
     source.width = image.places, source.height = data.times;
     source.getContext('2d').putImageData(pixels(image), 0, 0);
@@ -44,6 +44,7 @@ function drawImage(canvas, image, height) {
 
 /* ---- what is chosen ---- */
 
+const shownSize = {width: 0, height: 0}; /* of an image */
 const panelNow = () => data.panels[state.panel];
 const placeNow = () => panelNow().places[state.place];
 const cleanImage = () => panelNow().images.find(i => i.index === null);
@@ -65,8 +66,9 @@ function show(image) {
     heading(element('clean-title'), clean, ` · all upright · F = 1 (${quantity(placeNow().clean, 'N')})`);
     const free = element('force-chart').clientHeight - 66, narrow = matchMedia('(max-width: 760px)').matches;
     const height = narrow ? 240 : Math.max(170, Math.round(free / 2));
-    drawImage(element('shown-image'), image, height);
-    drawImage(element('clean-image'), clean, height);
+    Object.assign(shownSize, {height, width: element('shown').clientWidth});
+    for (const [name, shown] of [['shown-image', image], ['clean-image', clean]])
+        drawImage(prepare(element(name), shownSize.width, height), shown, shownSize.width, height);
     element('shown-image').setAttribute('aria-label', `${data.field.title} over beads and time, configuration ${image.index}, magnetism ${figures(image.magnetism, 3)}, force ${figures(force, 3)} of the clean chain's`);
     element('clean-image').setAttribute('aria-label', `${data.field.title} over beads and time of the chain with all cells upright`);
     const spins = element('spins');
@@ -78,12 +80,44 @@ function show(image) {
 function step(by) {
     const all = shownImages(), at = all.indexOf(state.image);
     show(all[clamp(at + by, 0, all.length - 1)]);
+    remember();
     say(element('shown-title').textContent);
 }
 /* The nearest configuration that has an image. */
 function choose(index) {
     const near = shownImages().reduce((a, b) => Math.abs(b.index - index) < Math.abs(a.index - index) ? b : a);
     show(near);
+    remember();
+}
+
+/* ---- files and the link ---- */
+
+/* As tables of configurations have them. */
+function forceRows() {
+    const {rows, indices, values, clean} = placeNow(), magnetism = rows.flatMap(([m, count]) => Array(count).fill(m));
+    return indices.map((index, i) => ({configuration: index, magnetism: magnetism[i], peak_force_N: values[i] * clean}));
+}
+function imagesDrawing() {
+    const corner = element('shown').getBoundingClientRect(), {width, height} = shownSize, paper = new Paper();
+    for (const [name, title, image] of [['shown-image', 'shown-title', state.image], ['clean-image', 'clean-title', cleanImage()]]) {
+        const box = element(name).getBoundingClientRect();
+        paper.at(0, 0, () => paper.words(element(title), corner));
+        paper.at(box.left - corner.left, box.top - corner.top, () => drawImage(paper, image, width, height));
+    }
+    return drawing(corner.width, corner.height, element('shown-title').textContent, paper.parts.join(''));
+}
+function remember() {
+    link.write(() => ({configuration: state.image.index, ...(data.panels.length > 1 ? {sweep: state.panel} : {}), ...(panelNow().places.length > 1 ? {place: state.place} : {})}));
+}
+/* Shows what the address asks for, where it is there. */
+function followLink() {
+    const asked = link.read(), whole = key => /^\d+$/.test(asked.get(key) || '') ? Number(asked.get(key)) : -1;
+    if (data.panels[whole('sweep')])
+        state.panel = whole('sweep'), state.place = 0;
+    if (panelNow().places[whole('place')])
+        state.place = whole('place');
+    fillPicks();
+    enter(shownImages().find(i => i.index === whole('configuration')));
 }
 
 /* ---- the chart ---- */
@@ -120,35 +154,39 @@ function showRows(rows, place) {
 }
 
 function drawAll() {
-    const narrow = matchMedia('(max-width: 760px)').matches, bar = element('bar');
+    const narrow = matchMedia('(max-width: 760px)').matches;
     drawForces();
     show(state.image);
-    bar.style.width = narrow ? '100%' : barWidth() + 'px';
-    drawBar(bar, !narrow, narrow ? bar.parentElement.clientWidth : barWidth(), narrow ? 28 : element('plot').clientHeight - 10);
+    showBar(narrow, narrow ? 28 : element('plot').clientHeight - 10);
 }
 /* Another sweep or place begins in the middle of its magnetisms. */
-function enter() {
-    state.image = shownImages().reduce((a, b) => Math.abs(b.magnetism - 0.5) < Math.abs(a.magnetism - 0.5) ? b : a);
+function enter(image) {
+    state.image = image || shownImages().reduce((a, b) => Math.abs(b.magnetism - 0.5) < Math.abs(a.magnetism - 0.5) ? b : a);
     drawAll();
+}
+function fillPicks() {
+    const place = element('place');
+    element('panel').value = state.panel;
+    place.textContent = '';
+    panelNow().places.forEach((p, i) => place.add(new Option(p.name, i)));
+    place.value = state.place;
+    element('place-label').hidden = panelNow().places.length < 2;
 }
 function buildPicks() {
     const panel = element('panel'), place = element('place');
     data.panels.forEach((p, i) => panel.add(new Option(p.name || `sweep ${i + 1}`, i)));
-    const fill = () => {
-        place.textContent = '';
-        panelNow().places.forEach((p, i) => place.add(new Option(p.name, i)));
-        element('place-label').hidden = panelNow().places.length < 2;
-    };
     element('panel-label').hidden = data.panels.length < 2;
-    panel.addEventListener('change', () => { state.panel = Number(panel.value), state.place = 0; fill(); enter(); });
-    place.addEventListener('change', () => { state.place = Number(place.value); drawAll(); });
-    fill();
+    panel.addEventListener('change', () => { state.panel = Number(panel.value), state.place = 0; fillPicks(); enter(); remember(); });
+    place.addEventListener('change', () => { state.place = Number(place.value); drawAll(); remember(); });
 }
 
 const all = data.panels.reduce((sum, p) => sum + p.configurations, 0);
 element('facts').textContent = `${all} configurations of ${panelNow().cells} random cells`;
 buildPicks();
-enter();
+followLink();
+addEventListener('hashchange', followLink);
+addSaves(element('plot-title').parentElement, 'these forces', () => 'forces', forceRows, () => chartDrawing(element('force-chart')));
+addSaves(element('saves'), 'these images', () => `configuration ${state.image.index}`, null, imagesDrawing);
 element('previous').addEventListener('click', () => step(-1));
 element('next').addEventListener('click', () => step(1));
 addEventListener('keydown', event => {

@@ -8,6 +8,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/chain/system.h"
 
 /* Larger pictures are not put into the page. */
 enum { MOST_PICTURE = 1500000, MOST_MEASURES = 128 };
@@ -244,7 +245,8 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
 {
     const struct bead_sink *s = context;
     const enum bead_field field = s->output->shown.field;
-    const struct bead_field_info *own = bead_chain_field(s->context.chains[0], field);
+    const struct bead_field_info *own = bead_chain_field(s->context.chains[0], field), *info = own ? own : bead_field_info(field);
+    const bool named = bead_chain_spec(s->context.chains[0])->system->names_fields;
     struct bead_json json = REPORT_JSON(file);
     report_open(&json, "run", s->context.scene);
     bead_json_open(&json, "time", '{');
@@ -252,8 +254,9 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     bead_json_number(&json, "every", s->grid.every);
     bead_json_number(&json, "count", (double)s->chains[0].kept);
     bead_json_text(&json, "unit", bead_chain_time_unit(s->context.chains[0]));
+    bead_json_flag(&json, "held", s->held);
     bead_json_close(&json, "}");
-    report_field(&json, own ? own : bead_field_info(field), field);
+    report_field(&json, info, named ? info->title : bead_field_info(field)->name);
     report_range(&json, &s->range, s->output->colours.scale);
     report_maps(&json, s->maps);
     bead_json_number(&json, "magnify", s->magnify);
@@ -265,6 +268,7 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     return BEAD_OK;
 }
 
-static const char *const scripts[] = {"data.js", "axes.js", "chain.js", "chart.js", "page.js", "run.js", "start.js", NULL};
+static const char *const scripts[] = {"data.js", "axes.js", "chain.js", "chart.js", "page.js",
+                                      "save.js", "run.js",  "start.js", NULL};
 static const struct report_part parts[] = {{"pictures", write_pictures}, {"data", write_data}, {NULL, NULL}};
 const struct report_page report_run_page = {"controls", "run.html", scripts, parts};

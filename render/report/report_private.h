@@ -18,6 +18,7 @@ struct report_chain {
     size_t beads_shown, values;     /* how many */
     float *field;                   /* [samples][values] */
     float *displacement;            /* [samples][beads_shown]; NULL without beads */
+    double *largest;                /* of values since the last sample kept, in size; NULL: the values themselves are kept */
     size_t fed, kept;               /* samples */
     struct bead_measures *measures; /* NULL: too few samples for them */
     struct bead_area *area;         /* finds the strike that would hide the wave */
@@ -29,7 +30,7 @@ struct bead_sink {
     char *path;
     struct bead_grid grid; /* of the samples kept */
     size_t stride;         /* of all samples, each stride-th is kept */
-    bool measured;
+    bool measured, held;   /* samples kept are far apart: each holds the largest values since the one before */
     size_t samples, chain_count;
     struct report_chain *chains;
     struct bead_tale *tale;

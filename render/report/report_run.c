@@ -19,6 +19,8 @@ static const double wanted_bytes = 1.2e6, most_bytes = 12e6;
 static const double most_samples = 1201, fewest_samples = 201;
 /* Pixels along time of the image that finds the range of colours. */
 enum { IMAGE_TIMES = 400 };
+/* A pulse lasts as many times the spacing that shows every oscillation. Samples farther apart miss some. */
+static const double pulse = 4;
 
 static void report_destroy(struct bead_sink *s)
 {
@@ -27,6 +29,7 @@ static void report_destroy(struct bead_sink *s)
     for (size_t c = 0; s->chains && c < s->chain_count; c++) {
         free(s->chains[c].field);
         free(s->chains[c].displacement);
+        free(s->chains[c].largest);
         bead_area_destroy(s->chains[c].area);
         bead_measures_destroy(s->chains[c].measures);
     }
@@ -98,14 +101,16 @@ static enum bead_error choose_times(struct bead_sink *s, struct bead_message *ms
     return s->samples > 1 ? BEAD_OK : bead_output_wrong(s->output, msg, "every: a report needs two samples or more");
 }
 
-/* Measures are of the whole run and need samples dense enough for its pulses. */
+/* Measures are of the whole run and need samples dense enough for its pulses; so do samples kept that are too far apart for them,
+ * as those of the short impacts of a long run. */
 static void choose_stride(struct bead_sink *s)
 {
     const struct bead_shown *shown = &s->output->shown;
     const double native = s->context.native.every, most = BEAD_MEASURE_SPACING * s->context.resolution;
     const double every = native > 0 ? native : most;
     s->measured = s->peaks && isnan(shown->time[0]) && isnan(shown->time[1]) && every <= most * (1 + 1e-9) && isfinite(every);
-    s->stride = s->measured ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1;
+    s->held = s->grid.every > pulse * s->context.resolution && every < s->grid.every && isfinite(s->context.resolution);
+    s->stride = s->measured || s->held ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1;
 }
 
 static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
@@ -165,9 +170,11 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
                                           c->values < IMAGE_TIMES ? (int)c->values : IMAGE_TIMES,
                                           IMAGE_TIMES,
                                           BEAD_SAMPLING_AREA};
+    const size_t all = bead_chain_beads(c->chain) + 1; /* contacts with both walls */
+    c->largest = s->held ? calloc(all, sizeof *c->largest) : NULL;
     c->field = calloc(s->samples * c->values, sizeof *c->field);
     c->displacement = c->beads ? calloc(s->samples * c->beads_shown, sizeof *c->displacement) : NULL;
-    if (!c->field || (c->beads && !c->displacement))
+    if (!c->field || (c->beads && !c->displacement) || (s->held && !c->largest))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
     enum bead_error err = bead_area_create(&setup, &c->area, msg);
     return err || !s->measured ? err : bead_measures_create(c->chain, &c->measures, msg);
@@ -188,22 +195,34 @@ static void keep(const double *values, struct bead_span span, size_t sample, flo
         kept[sample * count + i] = (float)values[span.first + i];
 }
 
+/* Values farther from zero than those since the last sample kept. */
+static void hold(double *largest, const double *values, struct bead_span span)
+{
+    for (size_t i = span.first; i <= span.last; i++)
+        largest[i] = fabs(values[i]) > fabs(largest[i]) ? values[i] : largest[i];
+}
+
 static enum bead_error report_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
 {
     struct report_chain *c = &s->chains[sample->chain];
     const double *values = sample->field[s->output->shown.field];
     enum bead_error err = c->measures ? bead_measures_feed(c->measures, sample, msg) : BEAD_OK;
+    if (c->largest)
+        hold(c->largest, values, c->value);
     if (err || c->fed++ % s->stride > 0)
         return err;
+    const double *shown = c->largest ? c->largest : values;
     if (sample->index != c->fed - 1 || c->kept == s->samples)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu arrived out of order", s->path, sample->index,
                          sample->chain);
-    keep(values, c->value, c->kept, c->field);
+    keep(shown, c->value, c->kept, c->field);
     if (c->beads)
         keep(sample->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->kept, c->displacement);
-    bead_area_feed(c->area, sample->time, values, sample->active);
+    bead_area_feed(c->area, sample->time, shown, sample->active);
     bead_tale_feed(s->tale, sample);
     c->kept++;
+    for (size_t i = c->value.first; c->largest && i <= c->value.last; i++)
+        c->largest[i] = 0;
     return BEAD_OK;
 }
 

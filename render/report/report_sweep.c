@@ -282,7 +282,7 @@ static enum bead_error sweep_data(const void *context, FILE *file, struct bead_m
     report_open(&json, "sweep", bead_sweep_scene(r->sweep));
     bead_json_number(&json, "end", r->end);
     bead_json_number(&json, "times", r->times);
-    report_field(&json, &r->field, r->output->shown.field);
+    report_field(&json, &r->field, bead_field_info(r->output->shown.field)->name);
     report_range(&json, &r->range, r->output->colours.scale);
     report_maps(&json, r->maps);
     bead_json_open(&json, "panels", '[');
@@ -295,7 +295,7 @@ static enum bead_error sweep_data(const void *context, FILE *file, struct bead_m
 static enum bead_error write_report(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                     uint64_t *bytes, struct bead_message *msg)
 {
-    static const char *const scripts[] = {"data.js", "axes.js", "chart.js", "page.js", "sweep.js", NULL};
+    static const char *const scripts[] = {"data.js", "axes.js", "chart.js", "page.js", "save.js", "sweep.js", NULL};
     static const struct report_part parts[] = {{"data", sweep_data}, {NULL, NULL}};
     static const struct report_page page = {NULL, "sweep.html", scripts, parts};
     struct sweep_report r = {.output = output, .sweep = context->sweep};

@@ -50,11 +50,11 @@ void report_open(struct bead_json *json, const char *kind, const struct bead_sce
     bead_json_text(json, "title", scene->title ? scene->title : "");
 }
 
-void report_field(struct bead_json *json, const struct bead_field_info *info, enum bead_field field)
+void report_field(struct bead_json *json, const struct bead_field_info *info, const char *name)
 {
     bead_json_open(json, "field", '{');
     bead_json_text(json, "title", info->title);
-    bead_json_text(json, "name", bead_field_info(field)->name);
+    bead_json_text(json, "name", name);
     bead_json_text(json, "unit", info->unit);
     bead_json_flag(json, "contacts", info->of_contacts);
     bead_json_close(json, "}");

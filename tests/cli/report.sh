@@ -14,6 +14,7 @@ outputs:
   - {report: run.html, every: 1 us, range: [0, 30 N]}
   - {table: force.csv, show: sensors, every: 1 us, uncertainty: false}
   - {table: measures.csv, show: measures}
+  - {table: peaks.csv, show: peaks}
   - {image: still.png, size: [320, 200]}
   - {image: still.pdf}
 YAML
@@ -68,6 +69,29 @@ ok "a trajectory becomes a report" again
 ok "... of its samples, without peaks" json 'd["time"]["count"] == 301 and "peaks" not in d["chains"][0]' again/run.html
 equation() { exits 0 "$beadreel" kdv -o kdv --set 'outputs=[{report: kdv.html}]' && json '"radius" not in d["chains"][0] and d["time"]["unit"] == ""' kdv/kdv.html; }
 ok "equations have reports without beads" equation
+# Impacts of a tenth of a millisecond, in samples further apart than that.
+cat >cradle.yaml <<'YAML'
+chain: {cradle: {length: 20 cm}, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 4}]}
+simulate: {until: 0.5 s}
+outputs: [{report: cradle.html, field: contact-force}, {report: few.html, field: contact-force, every: 1 ms, time: [0, 0.5 s]}]
+YAML
+ok "a cradle has a report" exits 0 "$beadreel" cradle.yaml -o cradle
+impacts() { # FILE : each contact has its largest force in some sample
+    /usr/bin/python3 - "$1" <<'PY'
+import base64, json, re, struct, sys
+d = json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', open(sys.argv[1]).read(), re.S).group(1))
+chain, field = d["chains"][0], d["chains"][0]["field"]
+raw = base64.b64decode(field["data"])
+whole = struct.unpack("<%d%s" % (len(raw) // 2, "h" if field["signed"] else "H"), raw)
+n = chain["values"]
+largest = [max(whole[k::n]) * field["step"] for k in range(n)]
+parts = [a / b for a, b in zip(largest, chain["peaks"]["force"])]
+print("# the largest samples are", [round(p, 4) for p in parts], "of the peaks, samples every", d["time"]["every"])
+sys.exit(not (d["time"]["held"] and len(parts) == 4 and all(0.95 < p < 1.0001 for p in parts)))
+PY
+}
+ok "... whose short impacts are not between its samples" impacts cradle/cradle.html
+ok "... nor where few are asked for" impacts cradle/few.html
 body() { # TEXT MESSAGE : of assets whose body of pages is the text
     rm -rf made assets && cp -rs "$BEADREEL_ASSETS" assets && rm assets/report/run.html && printf "$1" >assets/report/run.html &&
         BEADREEL_ASSETS=$T/assets fails 1 "$beadreel" scene.yaml -o made --set 'outputs=[{report: r.html}]' && says "report/run.html: $2" &&
@@ -104,7 +128,7 @@ no_peaks() { fails 2 "$beadreel" sweep.yaml -o made --set 'outputs=[{report: r.h
 ok "peaks that are not measured are missed" no_peaks
 
 if find_browser; then
-    run timeout 240 /usr/bin/python3 "$top/tests/report.py" "$browser" "$top/assets" "$T"
+    run timeout 240 /usr/bin/python3 "$top/tests/report.py" "$browser" "$top/assets" "$T" demo/run.html kdv/kdv.html cradle/cradle.html
     relay
 else
     skip "a Chromium that runs here (chromium)" "a browser reads a report"
