@@ -217,7 +217,7 @@ $(BUILD)/late/$(1).h: $(4) $(wildcard $(3)) sim/base/late.awk $(BUILD)/.ready | 
 $(4:%.c=$(BUILD)/%.o): $(BUILD)/late/$(1).h
 $(4:%.c=$(BUILD)/%.o): private late = -include $(BUILD)/late/$(1).h
 endef
-$(eval $(call opened_late,hdf5,H5,sim/base/h5_private.h,$(wildcard sim/base/h5*.c)))
+$(eval $(call opened_late,hdf5,H5,sim/hdf5/h5_private.h,$(wildcard sim/hdf5/h5*.c)))
 $(eval $(call opened_late,libav,av,render/encode/libav.h,$(wildcard render/encode/*.c)))
 $(eval $(call opened_late,gl,gl[A-Z],render/paint/gl.h,render/paint/gl.c render/paint/paint_gl.c render/paint/stage_gl.c))
 $(eval $(call opened_late,egl,egl,EGL/egl.h,render/paint/gl_egl.c))

@@ -12,7 +12,7 @@ root=$(cd "$1" && pwd) build=${2:-}
 # Rooms with their floors, `5 sim/scene`, from the ground up.
 floors() {
     for hall in sim render; do
-        sed -n "s,^| \[\`\([a-z]*\)/\`\](.*,$hall/\1,p" "$root/$hall/README.md" | tac
+        sed -n "s,^| \[\`\([a-z0-9]*\)/\`\](.*,$hall/\1,p" "$root/$hall/README.md" | tac
     done
     echo render
 }

@@ -20,7 +20,7 @@ ok "a plot that includes a figure's header" runs_up render/plot/graph.h render/f
 ok "sim that includes render" runs_up sim/cli/beadsim.c render/draw/markup.h
 ok "the copy without these passes" tests/arrows.sh "$T/house"
 
-mkdir "$T/house/sim/attic" && echo '#include "sim/base/yaml.h"' >"$T/house/sim/attic/box.c"
+mkdir "$T/house/sim/attic" && echo '#include "sim/yaml/yaml.h"' >"$T/house/sim/attic/box.c"
 no_room() { run tests/arrows.sh "$T/house"; [ "$status" -eq 1 ] && prints "sim/attic: is in no README"; }
 ok "a room that no README names" no_room
 

@@ -9,12 +9,12 @@
 
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
-#include "sim/base/yaml.h"
 #include "sim/chain/chain_data.h"
 #include "sim/chain/contact_walk.h"
 #include "sim/chain/drive.h"
 #include "sim/chain/spins.h"
 #include "sim/chain/system.h"
+#include "sim/yaml/yaml.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
 /* Radius of the drawn masses of a string, as a part of their distance. */

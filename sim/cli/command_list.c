@@ -6,9 +6,9 @@
 
 #include "beadreel/law.h"
 #include "beadreel/scene.h"
-#include "sim/base/h5.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/equation/equation.h"
+#include "sim/hdf5/h5.h"
 #include "sim/integrate/methods.h"
 #include "sim/output/measure.h"
 #include "sim/scene/scene_internal.h"

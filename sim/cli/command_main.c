@@ -8,10 +8,10 @@
 #include <string.h>
 
 #include "beadreel/scene.h"
-#include "sim/base/h5.h"
 #include "sim/base/sandbox.h"
 #include "sim/base/stop.h"
 #include "sim/base/suggest.h"
+#include "sim/hdf5/h5.h"
 #include "sim/scene/scene_internal.h"
 
 /* The table of options in words: --help, man pages, completion of shells. */

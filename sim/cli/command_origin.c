@@ -6,10 +6,10 @@
 #include <strings.h>
 
 #include "sim/base/file.h"
-#include "sim/base/h5.h"
 #include "sim/base/memory.h"
-#include "sim/base/yaml.h"
 #include "sim/cli/command_line.h"
+#include "sim/hdf5/h5.h"
+#include "sim/yaml/yaml.h"
 
 /* Films, PDF and SVG files say "beadreel 0.1.0, scene:", and the scene from the next line on. */
 static const char program[] = "beadreel ", mark[] = ", scene:\n", html_mark[] = "<code id=\"scene-text\">";

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/base/yaml.h"
+#include "sim/yaml/yaml.h"
 
 /* The value that `path` leads to, "captions.1.at"; as far as there is one. */
 static const struct bead_node *find(const struct bead_node *node, const char *path)

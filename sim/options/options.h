@@ -9,7 +9,7 @@
 
 #include "beadreel/error.h"
 #include "sim/base/units.h"
-#include "sim/base/yaml.h"
+#include "sim/yaml/yaml.h"
 
 /* The type of a value in its structure. */
 enum bead_option_type {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "beadreel/trajectory.h"
-#include "sim/base/h5.h"
+#include "sim/hdf5/h5.h"
 #include "sim/output/trajectory_layout.h"
 
 /* A stored series and the samples read ahead. */

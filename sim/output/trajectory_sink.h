@@ -3,7 +3,7 @@
  * trajectory_xdmf.c the XDMF file. */
 #pragma once
 
-#include "sim/base/h5.h"
+#include "sim/hdf5/h5.h"
 #include "sim/output/trajectory_layout.h"
 
 struct bead_series {

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "beadreel/scene.h"
-#include "sim/base/yaml.h"
+#include "sim/yaml/yaml.h"
 
 /* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
  * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */

@@ -7,9 +7,9 @@
 #include "beadreel/session.h"
 #include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
-#include "sim/base/yaml.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/run/play.h"
+#include "sim/yaml/yaml.h"
 
 /* One output of the scene, in its order. */
 struct bead_made {

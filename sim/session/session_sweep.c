@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include "sim/base/file.h"
-#include "sim/base/h5.h"
 #include "sim/base/memory.h"
+#include "sim/hdf5/h5.h"
 #include "sim/integrate/stepper.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_curves.h"

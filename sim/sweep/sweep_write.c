@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "sim/base/file.h"
-#include "sim/base/h5.h"
 #include "sim/base/memory.h"
+#include "sim/hdf5/h5.h"
 #include "sim/output/file_kinds.h"
 #include "sim/sweep/sweep_data.h"
 

@@ -15,7 +15,7 @@
 #include "beadreel/scene.h"
 #include "beadreel/session.h"
 #include "beadreel/sweep.h"
-#include "sim/base/h5.h"
+#include "sim/hdf5/h5.h"
 #include "sim/scene/scene_internal.h"
 
 static uint32_t state = 1;

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <sys/syscall.h>
 
-#include "sim/base/h5.h"
+#include "sim/hdf5/h5.h"
 #include "sim/output/trajectory_data.h"
 #include "sim/output/trajectory_sink.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <yaml.h>
 
-#include "sim/base/yaml_private.h"
+#include "sim/yaml/yaml_private.h"
 
 /* Add the node and all below it; returns its number in the document, 0: out of memory. The depth of trees is bounded. */
 static int add(yaml_document_t *document, const struct bead_node *node)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parses YAML text into trees of nodes, from libyaml's events; the scene reader starts here. */
-#include "sim/base/yaml.h"
+#include "sim/yaml/yaml.h"
 
 #include <stdlib.h>
 #include <yaml.h>
 
 #include "sim/base/text.h"
-#include "sim/base/yaml_private.h"
+#include "sim/yaml/yaml_private.h"
 
 /* The state of a parse. */
 struct builder {

@@ -6,7 +6,7 @@
  * answers and data are in memory that both share; a byte through a socket passes the turn. */
 #pragma once
 
-#include "sim/base/h5.h"
+#include "sim/hdf5/h5.h"
 
 enum bead_h5_what {
     BEAD_H5_HAS,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens HDF5's libraries, once for the process: see h5_private.h. */
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_private.h"
 
 /* HDF5's structures and identifiers change with the number in these names: they must be those of the build. The Makefile gets the
  * names from the linker, and their packages from the packaging system. */

@@ -9,7 +9,7 @@
 #include <H5FDdevelop.h>
 #endif
 
-#include "sim/base/h5.h"
+#include "sim/hdf5/h5.h"
 
 /* Calls of HDF5 go through this table (late.awk). NULL until bead_h5_load has succeeded; opening and making a file call that first.
  */

@@ -6,7 +6,7 @@
 
 #include <hdf5.h>
 
-#include "sim/base/h5_seal.h"
+#include "sim/hdf5/h5_seal.h"
 
 /* Shared by the driver and its caller; must outlive the file. */
 struct bead_h5_check {

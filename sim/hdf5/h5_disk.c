@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The HDF5 driver of h5_disk.h: holds changes of flushed blocks until the next flush, and keeps unwritten bytes, so that HDF5 never
  * sees a failure. */
-#include "sim/base/h5_disk.h"
+#include "sim/hdf5/h5_disk.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_private.h"
 
 /* Bytes that are not in the file yet. */
 struct kept {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "sim/base/text.h"
-#include "sim/base/yaml_private.h"
+#include "sim/yaml/yaml_private.h"
 
 enum { CHUNK = 16384 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes growing datasets: see h5.h. The trajectory sink streams its samples through these. */
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_private.h"
 
 /* Columns in a chunk, at most, so that no chunk nears HDF5's limit of 4 GB. */
 static const hsize_t widest_chunk = 1 << 20;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads HDF5 files that are not trusted, trajectories and files of sweeps: see h5.h. */
-#include "sim/base/h5_apart.h"
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_apart.h"
+#include "sim/hdf5/h5_private.h"
 
 #include <stdlib.h>
 

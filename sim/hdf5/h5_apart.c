@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The process that reads HDF5 files, and how it is asked: see h5_apart.h. */
-#include "sim/base/h5_apart.h"
+#include "sim/hdf5/h5_apart.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/base/h5_private.h"
 #include "sim/base/sandbox.h"
+#include "sim/hdf5/h5_private.h"
 
 /* Room for what is read at once: a chunk of any trajectory, or a row of one with many beads, which is no longer than its file. */
 static const size_t least_room = 16 << 20, most_room = 1 << 30;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The HDF5 driver of h5_check.h. */
-#include "sim/base/h5_check.h"
+#include "sim/hdf5/h5_check.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_private.h"
 
 enum { SLOTS = 8 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes and finds the seal of a file: see h5_seal.h. */
-#include "sim/base/h5_seal.h"
+#include "sim/hdf5/h5_seal.h"
 
 #include <endian.h>
 #include <errno.h>

@@ -2,7 +2,7 @@
 /* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets, h5_open.c opens files, h5_read.c
  * reads. */
 #include "sim/base/file.h"
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_private.h"
 
 #include <errno.h>
 #include <fcntl.h>

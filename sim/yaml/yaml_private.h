@@ -2,7 +2,7 @@
 /* The insides of YAML documents, shared by yaml*.c. */
 #pragma once
 
-#include "sim/base/yaml.h"
+#include "sim/yaml/yaml.h"
 
 struct bead_yaml_chunk {
     struct bead_yaml_chunk *next;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Opens HDF5 files for reading in this process, looks at their seals, and closes files: see h5.h. */
-#include "sim/base/h5_apart.h"
-#include "sim/base/h5_private.h"
+#include "sim/hdf5/h5_apart.h"
+#include "sim/hdf5/h5_private.h"
 
 #include <errno.h>
 #include <sys/stat.h>

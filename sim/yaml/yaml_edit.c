@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sim/base/yaml_private.h"
+#include "sim/yaml/yaml_private.h"
 
 /* One override being laid. */
 struct edit {
