@@ -218,8 +218,8 @@ static void posters_are_covers(void **state)
 static void captions_are_chapters(void **state)
 {
     (void)state;
-    static const char *const names[] = {"a.mp4", "a.mkv", "a.webm"};
-    for (size_t k = 0; k < 3; k++) {
+    static const char *const names[] = {"a.mp4", "a.mov", "a.mkv", "a.webm"};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         char path[256], text[400];
         struct decoded movie;
         snprintf(text, sizeof text,
@@ -251,8 +251,10 @@ static void captions_are_chapters(void **state)
 static void words_are_subtitles(void **state)
 {
     (void)state;
-    static const char *const names[] = {"a.mp4", "a.mkv", "a.webm"}, *const captions[] = {"", "captions: [{at: 0 ms, text: A}], "};
-    for (size_t k = 0; k < 6; k++) {
+    static const char *const names[] = {"a.mp4", "a.mov", "a.mkv", "a.webm"}, *const captions[] = {
+                                                                                  "", "captions: [{at: 0 ms, text: A}], "};
+    char words[1000] = "";
+    for (size_t k = 0; k < 2 * sizeof names / sizeof *names; k++) {
         char path[256], text[400];
         struct decoded movie;
         snprintf(text, sizeof text, "movie: %s, card: 2 s, subtitles: words, %s" SMALL, names[k / 2], captions[k % 2]);
@@ -261,10 +263,13 @@ static void words_are_subtitles(void **state)
         in_directory(names[k / 2], path, sizeof path);
         decode(path, &movie);
         remove(path);
-        assert_true(strncmp(movie.description, "In Ten one pulse of 10", 22) == 0 && movie.description[22] != '.');
-        assert_non_null(strstr(movie.description, "N, 1 bead wide, crosses 10 beads"));
+        if (k == 0)
+            snprintf(words, sizeof words, "%s", movie.description);
+        assert_true(strncmp(words, "In Ten one pulse of 10", 22) == 0 && words[22] != '.');
+        assert_non_null(strstr(words, "N, 1 bead wide, crosses 10 beads"));
+        assert_string_equal(movie.description, strstr(names[k / 2], ".mov") ? "" : words); /* QuickTime's files have no such tag */
         assert_int_equal(movie.subtitles, 1);
-        assert_string_equal(movie.subtitle[0], k % 2 ? "A" : movie.description);
+        assert_string_equal(movie.subtitle[0], k % 2 ? "A" : words);
         assert_true(movie.subtitle_span[0][0] == 2 && (k % 2 || fabs(movie.subtitle_span[0][1] - 3) < 0.04));
         decoded_free(&movie);
         release_chain(&built);
