@@ -96,6 +96,7 @@ struct bead_view_setup {
     enum bead_sampling sampling;       /* spacetime */
     double magnify;                    /* beads, stage: factor on displacements, > 0 */
     enum bead_light light;             /* stage */
+    bool fine;                         /* stage: of several values in each pixel, for pictures that stand still */
     const struct bead_camera *camera;  /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
     size_t modes;                      /* modes: how many */
     bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */

@@ -108,6 +108,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
             .over_beads = bead_views_any(views, BEAD_SHOWS_BEADS) &&
                           bead_orientation_across(bead_orientation_of(f->output), panel->type->info) == BEAD_ACROSS_CHAIN,
             .light = f->output->views.light,
+            .fine = true,
             .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }

@@ -91,6 +91,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .magnify = c->magnify,
         .over_beads = along && over_beads(c, place, view),
         .light = output->views.light,
+        .fine = c->setup.fine,
         .camera = c->cameras && !(stage && bead_view_has(type_of(c, index), BEAD_OVERLAYS)) ? c->cameras[chain] : NULL,
         .modes = output->movie.modes,
         .trust = output->shown.trust};
@@ -357,7 +358,8 @@ enum bead_error bead_composer_card(struct bead_composer *c, struct bead_changes 
                                           .look = &c->look,
                                           .fill = true,
                                           .magnify = c->magnify,
-                                          .light = output->views.light};
+                                          .light = output->views.light,
+                                          .fine = true};
     BEAD_TRY(bead_card_draw(c->cr, &c->facts, beads ? &stage : NULL, &c->look, c->setup.title, output->movie.card.text,
                             (const int[]){c->frame.width, c->frame.height}, msg));
     cairo_surface_flush(c->surface);

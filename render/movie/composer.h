@@ -30,6 +30,7 @@ struct bead_composer_setup {
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
     const struct bead_text_watch *watch; /* told of all texts; NULL: none */
     bool interest;                       /* will bead_composer_interest be asked? */
+    bool fine;                           /* see bead_view_setup */
     const struct bead_preview *preview;  /* all samples of the field, for images that show their future; NULL: none */
 };
 

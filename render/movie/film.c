@@ -107,6 +107,7 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
                                         .tolerance_factor = film->context.tolerance_factor,
                                         .canvas = film->context.canvas,
                                         .interest = interest,
+                                        .fine = film->context.frame || output->movie.quality >= BEAD_QUALITY_HIGH,
                                         .preview = film->preview && bead_preview_whole(film->preview) ? film->preview : NULL};
     bead_colour_range_ends(output, first, &colours, &setup.over, &setup.under);
     return bead_composer_create(&setup, composer, msg);

@@ -83,9 +83,11 @@ enum bead_error bead_paint_stage(struct bead_canvas *canvas, const struct bead_s
     const struct bead_rect clip = {0, skip, place.width, place.height - skip};
     if (clip.width <= 0 || clip.height <= 0)
         return BEAD_OK;
-    if (!inside(place, frame->width, frame->height) || place.width > stage->width || place.height > stage->height)
+    const int fine = bead_stage_fine(stage);
+    if (!inside(place, frame->width, frame->height) || place.width * fine > stage->width || place.height * fine > stage->height)
         return bead_fail(msg, BEAD_ERROR_GRAPHICS, "painting a stage of %d x %d pixels at %d, %d: outside its frame", place.width,
                          place.height, place.x, place.y);
     const struct bead_ground ground = {frame->pixels, frame->stride, {place.x, place.y}, clip};
-    return canvas->driver->painting->stage(canvas, stage, &ground, msg);
+    const struct bead_painting *painting = fine > 1 ? &bead_painting_plain : canvas->driver->painting; /* the others are alike */
+    return painting->stage(canvas, stage, &ground, msg);
 }

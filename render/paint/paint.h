@@ -52,6 +52,6 @@ BEAD_CHECK enum bead_error bead_paint_end(struct bead_canvas *canvas, struct bea
 
 struct bead_stage; /* stage.h */
 /* Paint a prepared stage, all of it but its first `skip` rows, at `place` of a frame. Not between begin and end: it has no
- * background. Errors: GRAPHICS, MEMORY. */
+ * background. Fine stages are painted by the plain painter on any canvas. Errors: GRAPHICS, MEMORY. */
 BEAD_CHECK enum bead_error bead_paint_stage(struct bead_canvas *canvas, const struct bead_stage *stage, struct bead_rect place,
                                             int skip, struct bead_frame *frame, struct bead_message *msg);

@@ -270,13 +270,47 @@ static void stage_picture(const struct bead_stage *s, const struct bead_ground *
     }
 }
 
+/* A row of the stage's own pixels, in linear light. */
+static void stage_light(const struct bead_stage *s, int y)
+{
+    spread_floor(s, y);
+    stage_wall(s, y);
+    for (size_t i = 0; i < s->count; i++)
+        stage_bead(s, &s->beads[i], y);
+}
+
+/* The mean of a fine stage's pixels in a row of the picture. */
+static void stage_mean(const struct bead_stage *s, int y)
+{
+    const int fine = s->fine, wide = s->width / fine;
+    const size_t all = 3 * (size_t)s->row_width;
+    const float part = 1 / (float)(fine * fine);
+    float *sum = s->row + all + s->grid_width;
+    memset(sum, 0, all * sizeof *sum);
+    for (int k = 0; k < fine; k++) {
+        stage_light(s, y * fine + k);
+        for (size_t i = 0; i < all; i++)
+            sum[i] += s->row[i];
+    }
+    for (int c = 0; c < 3; c++) {
+        const float *from = sum + (size_t)c * (size_t)s->row_width;
+        float *to = s->row + (size_t)c * (size_t)s->row_width;
+        for (int x = 0; x < wide; x++) {
+            float all_of_it = 0;
+            for (int k = 0; k < fine; k++)
+                all_of_it += from[x * fine + k];
+            to[x] = part * all_of_it;
+        }
+    }
+}
+
 static void stage_rows(const struct bead_ground *g, const struct bead_stage *s)
 {
     for (int y = g->clip.y; y < g->clip.y + g->clip.height; y++) {
-        spread_floor(s, y);
-        stage_wall(s, y);
-        for (size_t i = 0; i < s->count; i++)
-            stage_bead(s, &s->beads[i], y);
+        if (s->fine > 1)
+            stage_mean(s, y);
+        else
+            stage_light(s, y);
         stage_picture(s, g, y);
     }
 }

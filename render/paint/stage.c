@@ -205,7 +205,7 @@ enum bead_error bead_stage_open(struct bead_stage *s, struct bead_message *msg)
     s->row_width = (s->width / BEAD_STAGE_PAD + 2) * BEAD_STAGE_PAD;
     s->beads = calloc(s->room, sizeof *s->beads);
     s->grid = calloc((size_t)s->grid_rows * BEAD_STAGE_CHANNELS * (size_t)s->grid_width, sizeof *s->grid);
-    s->row = calloc(3 * (size_t)s->row_width + (size_t)s->grid_width, sizeof *s->row);
+    s->row = calloc(6 * (size_t)s->row_width + (size_t)s->grid_width, sizeof *s->row);
     if (s->beads && s->grid && s->row)
         return BEAD_OK;
     bead_stage_close(s);

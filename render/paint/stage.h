@@ -4,7 +4,8 @@
  * All light is linear, and only ever added: what a contact sends rises with its force in every colour, so more force is brighter on
  * any bead. The picture is sqrt(t / sqrt(1 + t^2)) of it, which never clips. A bead's own look is baked once for each material and
  * radius; the camera does not turn, so the light of a contact on a bead depends on the column of pixels only, unless it is tilted.
- * The floor is computed every BEAD_STAGE_CELL x BEAD_STAGE_STEP pixels. Painters: pixel_kernels_stage.h, and
+ * The floor is computed every BEAD_STAGE_CELL x BEAD_STAGE_STEP pixels. A fine stage has several of its own pixels for each of the
+ * picture, whose light is their mean: for stills, in which edges are looked at. Painters: pixel_kernels_stage.h, and
  * assets/shaders/stage_*. Lengths in pixels, y downwards, unless said otherwise. */
 #pragma once
 
@@ -83,6 +84,7 @@ struct bead_stage_wall {
 
 struct bead_stage {
     const struct bead_stage_theme *theme;
+    int fine; /* pixels of the stage for one of the picture, along and across; 0: as 1 */
     int width, height;
     float unit;   /* radius of the largest bead */
     float centre; /* row of the centre of such a bead */
@@ -95,7 +97,7 @@ struct bead_stage {
     float *columns;
     size_t column_room;
     float *grid; /* [grid_rows][CHANNELS][grid_width]: what is left of the floor's own light, and light of contacts */
-    float *row;  /* one row of the picture, three colours; then one of the grid */
+    float *row;  /* one row of the picture, three colours; then one of the grid; then the sum of rows, three colours */
     int grid_rows, grid_width, row_width; /* the widths are multiples of 16 */
 };
 
@@ -124,6 +126,11 @@ static inline const float *bead_stage_row(const struct bead_stage_bake *bake, en
 {
     const int span = bake->wide + 2 * BEAD_STAGE_PAD;
     return bake->picture[picture] + ((size_t)y * BEAD_STAGE_PLANES + (size_t)plane) * (size_t)span + BEAD_STAGE_PAD;
+}
+
+static inline int bead_stage_fine(const struct bead_stage *stage)
+{
+    return stage->fine > 1 ? stage->fine : 1;
 }
 
 /* Radii of the largest bead above the row of its centre. */

@@ -80,9 +80,10 @@ static float shown_radius(const struct bead_view *v, size_t i)
     return fmaxf(2, (float)steps * v->stage.unit / BEAD_STAGE_RADII);
 }
 
-static double stage_x(const struct bead_view *v, size_t i)
+/* px of the stage. */
+static double stage_x(const struct bead_view *v, double place)
 {
-    return v->scale * (v->place[i] + v->shift[i]) - v->left;
+    return v->stage.fine * (v->scale * place - v->left);
 }
 
 static void set_colour(const double *from, float to[3])
@@ -126,8 +127,8 @@ static void put_wall(struct bead_view *v)
     const struct bead_chain_spec *spec = bead_chain_spec(v->setup.chain);
     struct bead_stage_wall *w = &v->stage.wall;
     *w = (struct bead_stage_wall){.width = 0};
-    const double x = v->scale * v->ends[1] - v->left;
-    if (!v->wall || x > v->strip.width)
+    const double x = stage_x(v, v->ends[1]);
+    if (!v->wall || x > v->stage.width)
         return;
     w->x = on_grid(x);
     w->width = 1.2f * v->stage.unit;
@@ -148,7 +149,7 @@ void bead_stage_compose(struct bead_view *v)
     s->count = 0;
     size_t before = 0;
     for (size_t i = 0; i < v->count; i++) {
-        const double x = stage_x(v, i);
+        const double x = stage_x(v, v->place[i] + v->shift[i]);
         if (x < -reach * s->unit || x > s->width + reach * s->unit || s->count == s->room)
             continue;
         struct bead_stage_bead *b = &s->beads[s->count++];
@@ -217,7 +218,8 @@ enum bead_error bead_stage_paint(struct bead_view *v, struct bead_canvas *canvas
         err = bead_paint_stage(canvas, &v->stage, all, v->head, &v->on_grey, msg);
     v->stage.theme = own;
     for (int y = v->head; !err && y < place.height; y++) {
-        const float part = (float)(place.height - y) / (fade * v->stage.unit); /* light on the floor ends without an edge */
+        const float part =
+            (float)(v->stage.fine * (place.height - y)) / (fade * v->stage.unit); /* light on the floor ends without an edge */
         uint8_t *pixel = frame->pixels + (size_t)(place.y + y) * frame->stride + 4 * (size_t)place.x;
         for (int x = 0; x < place.width; x++)
             set_alpha(pixel + 4 * (size_t)x, v->on_grey.pixels + (size_t)y * v->on_grey.stride + 4 * (size_t)x,

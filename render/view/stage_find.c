@@ -50,7 +50,8 @@ bool bead_stage_find(struct bead_view *v, enum bead_note_of of, size_t number, s
         return false;
     const double x = v->scale * (thing.place + thing.shift) - v->left, r = v->scale * thing.radius;
     *spot = (struct bead_spot){.x = v->strip.x + x,
-                               .y = v->strip.y + v->stage.centre + BEAD_STAGE_COSINE * (v->stage.unit - r),
+                               .y = v->strip.y + v->stage.centre / v->stage.fine +
+                                    BEAD_STAGE_COSINE * (v->stage.unit / v->stage.fine - r),
                                .r = r,
                                .front = (double)v->camera.front,
                                .arrived = v->camera.arrived,

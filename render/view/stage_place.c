@@ -17,6 +17,8 @@ static const double bare_across = 9;
 static const double small_across = 11;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
+/* Along and across a pixel of a fine stage. */
+static const int rays = 3;
 /* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. */
 static const double pulse = 5;
 
@@ -116,10 +118,11 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
     const double centre = ceil(head + least_above * r + more);
     v->head = (int)fmax(fmax(0, head), floor(centre - light_above * r));
     v->stage.theme = look->dark ? &bead_stage_dark : &bead_stage_light;
-    v->stage.width = v->strip.width;
-    v->stage.height = v->strip.height;
-    v->stage.unit = (float)r;
-    v->stage.centre = (float)centre;
+    const int fine = v->stage.fine = v->setup.fine ? rays : 1;
+    v->stage.width = fine * v->strip.width;
+    v->stage.height = fine * v->strip.height;
+    v->stage.unit = (float)(fine * r);
+    v->stage.centre = (float)(fine * centre);
     v->stage.room = v->count;
     return bead_stage_open(&v->stage, msg);
 }
@@ -130,7 +133,7 @@ static void draw_backdrop(const struct bead_view *v, cairo_t *cr)
 {
     for (int y = 0; y < v->strip.height; y++) {
         float base[3];
-        bead_stage_base(&v->stage, (float)y + 0.5f, base);
+        bead_stage_base(&v->stage, (float)v->stage.fine * ((float)y + 0.5f), base);
         cairo_set_source_rgb(cr, bead_stage_shown(base[0]), bead_stage_shown(base[1]), bead_stage_shown(base[2]));
         cairo_rectangle(cr, v->strip.x, v->strip.y + y, v->strip.width, 1);
         cairo_fill(cr);

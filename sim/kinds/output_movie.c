@@ -180,7 +180,8 @@ static const struct bead_option movie_rows[] = {
      .example = "0.8 ms"},
     {"quality", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.quality), .initial = "standard", .choices = qualities,
      .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture "
-             "that does not change for as long as that lasts: a variable rate, while all others have a constant one"},
+             "that does not change for as long as that lasts: a variable rate, while all others have a constant one; high and "
+             "lossless have a stage of nine values in each pixel, as `--frame` and stills do"},
     {"codec", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.codec), .initial = "auto", .choices = codecs,
      .help =
          "auto: the file's usual one; av1: in mp4, mkv and webm half the size or less, encoded more slowly, with SVT-AV1 (libaom "

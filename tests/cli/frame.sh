@@ -35,7 +35,7 @@ same() {
 }
 if command -v ffmpeg >/dev/null; then
     same plain "beads, profile, space-time" "views: [beads, profile, spacetime]"
-    same stage "a stage, with what is to come" "views: [stage, profile, spacetime]"
+    same stage "a stage, with what is to come" "views: [stage, profile, spacetime], quality: high"
     ok "... at a time" shows plain.yaml 0.46ms plain 20
     ok "... at the last" shows plain.yaml "0.9 ms" plain 39
     ok "... of its trajectory" exits 0 "$beadreel" plain/run.h5 -o again/film.apng

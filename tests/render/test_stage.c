@@ -136,6 +136,95 @@ static void instruction_sets_give_the_same_pixels(void **state)
     }
 }
 
+/* ---- fine stages ---- */
+
+static void paint_fine(const char *canvas, uint32_t seed, int fine, struct bead_frame *frame)
+{
+    struct bead_message msg = {""};
+    struct bead_canvas *c;
+    struct bead_stage coarse, s;
+    open_stage(&coarse, themes[seed % 2], (float)(20 + seed % 40));
+    fill_stage(&coarse, seed);
+    const float times = (float)fine;
+    s = (struct bead_stage){.fine = fine, .theme = coarse.theme, .width = fine * WIDTH, .height = fine * HEIGHT};
+    s.unit = times * coarse.unit;
+    s.centre = times * coarse.centre;
+    s.room = s.count = coarse.count;
+    require(bead_stage_open(&s, &msg), &msg);
+    for (size_t i = 0; i < s.count; i++) {
+        struct bead_stage_bead *b = &s.beads[i];
+        *b = coarse.beads[i];
+        b->x *= times;
+        b->r *= times;
+        b->edge[0] *= times;
+        b->edge[1] *= times;
+    }
+    s.wall = coarse.wall;
+    s.wall.x *= times;
+    s.wall.width *= times;
+    require(bead_canvas_create(canvas, WIDTH, HEIGHT, &c, &msg), &msg);
+    require(bead_frame_create(WIDTH, HEIGHT, frame, &msg), &msg);
+    require(bead_stage_prepare(&s, &msg), &msg);
+    require(bead_paint_stage(c, &s, (struct bead_rect){0, 0, WIDTH, HEIGHT}, 0, frame, &msg), &msg);
+    bead_stage_close(&s);
+    bead_stage_close(&coarse);
+    bead_canvas_destroy(c);
+}
+
+/* Mean square of what two pictures differ by, levels. */
+static double difference(const struct bead_frame *a, const struct bead_frame *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < a->stride * (size_t)a->height; i++)
+        sum += (a->pixels[i] - b->pixels[i]) * (a->pixels[i] - b->pixels[i]);
+    return sum / (WIDTH * HEIGHT * 3);
+}
+
+/* Fine stages look as those of films do, whose beads stand on whole pixels, by half a pixel too high or low, and are moved by
+ * blending two: what a fine one shows is among what their neighbours show there,
+ * but for gaps narrower than a pixel. At edges they are nearer to the truth, that of 9 x
+ * 9 values a pixel. On all canvases they are the same. */
+static void fine_stages_look_the_same(void **state)
+{
+    struct bead_message msg = {""};
+    struct bead_canvas *c;
+    const bool has_gl = !bead_canvas_create("osmesa", 1, 1, &c, &msg);
+    (void)state;
+    if (has_gl)
+        bead_canvas_destroy(c);
+    for (uint32_t seed = 1; seed < 7; seed++) {
+        struct bead_frame film, fine, truth, other;
+        paint_fine("plain", 7 * seed, 1, &film);
+        paint_fine("plain", 7 * seed, 3, &fine);
+        paint_fine("plain", 7 * seed, 9, &truth);
+        paint_fine(has_gl ? "osmesa" : "plain", 7 * seed, 3, &other);
+        assert_memory_equal(fine.pixels, other.pixels, fine.stride * HEIGHT);
+        int outside = 0;
+        for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
+            const int x = i / 3 % WIDTH, y = i / 3 / WIDTH;
+            int low = 255, high = 0;
+            for (int k = 0; k < 25; k++) {
+                const int nx = x + k % 5 - 2, ny = y + k / 5 - 2;
+                if (nx < 0 || nx >= WIDTH || ny < 0 || ny >= HEIGHT)
+                    continue;
+                const int level = film.pixels[(size_t)ny * film.stride + 4 * (size_t)nx + i % 3];
+                low = level < low ? level : low;
+                high = level > high ? level : high;
+            }
+            const int level = fine.pixels[(size_t)y * fine.stride + 4 * (size_t)x + i % 3];
+            outside += level < low - 3 || level > high + 3;
+        }
+        if (getenv("SHOW"))
+            printf("stage %u: %.2f, fine %.2f; %d outside\n", seed, difference(&film, &truth), difference(&fine, &truth), outside);
+        assert_true(outside < 3 * WIDTH * HEIGHT / 1000);
+        assert_true(difference(&fine, &truth) < 0.25 * difference(&film, &truth));
+        bead_frame_free(&film);
+        bead_frame_free(&fine);
+        bead_frame_free(&truth);
+        bead_frame_free(&other);
+    }
+}
+
 /* Mean lightness of a square of 8 x 8 pixels, over which levels are rounded in turn. */
 static double lightness(const struct bead_frame *f, int x, int y)
 {
@@ -602,6 +691,7 @@ int main(void)
         cmocka_unit_test(painters_agree),
         cmocka_unit_test(instruction_sets_give_the_same_pixels),
         cmocka_unit_test(light_rises_with_force),
+        cmocka_unit_test(fine_stages_look_the_same),
         cmocka_unit_test(camera_rests_and_follows),
         cmocka_unit_test(waves_that_meet_are_both_in_the_window),
         cmocka_unit_test(beads_touch_where_they_do),
