@@ -325,9 +325,9 @@ tarball: all ## programs with all they need, to unpack anywhere, and what is in 
 	@assets/package/tarball.sh $(BUILD) $(bundle)
 image: tarball ## an image for containers (OCI), of the tarball and Debian's C library: build/image (root, mmdebstrap, umoci)
 	@assets/package/image.sh $(BUILD)/$(bundle).tar.gz $(BUILD)/image $(VERSION)
-bare-test: image ## the demo from the image, and from the tarball on bare Debian 12 and 13 (root, debootstrap; by hand, minutes)
+bare-test: image ## the demo from the image, and from the tarball on bare Debian 12, 13 and Ubuntu 24.04 (root, debootstrap; by hand, minutes)
 	@tests/bare.sh image $(BUILD)/image $(VERSION)
-	@for suite in bookworm trixie; do tests/bare.sh tarball $(BUILD)/$(bundle).tar.gz $$suite || exit 1; done
+	@for suite in bookworm trixie noble; do tests/bare.sh tarball $(BUILD)/$(bundle).tar.gz $$suite || exit 1; done
 
 twice: ## the programs and libraries, built in two directories: same bytes? (by hand; two builds)
 	@rm -rf $(BUILD)/twice && tests/twice.sh $(BUILD)/twice $(notdir $(PROGRAMS) $(LIBRARIES))

@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Archives for other machines, where nothing else is: the demo runs there, and all its files come.
-#   tests/bare.sh tarball FILE SUITE       (make tarball) on a minimal bookworm, trixie, or, with MIRROR=URL of Ubuntu's, noble
+#   tests/bare.sh tarball FILE SUITE       (make tarball) on a minimal Debian (bookworm, trixie) or Ubuntu (noble)
 #   tests/bare.sh image LAYOUT VERSION     (make image) unpacked by umoci, in a chroot
 # As root, with debootstrap or umoci. Ends with `N passed, M failed`; exit status 77: it cannot be tried here.
 set -u
@@ -15,6 +15,7 @@ check() { # WHAT COMMAND...
 }
 case $kind in
 tarball)
+    [ "$suite" != noble ] || MIRROR=${MIRROR:-http://archive.ubuntu.com/ubuntu}
     make_root "$suite"
     mkdir -p "$root/some place" "$root/demo" && tar -xf "$file" -C "$root/some place" || exit 1
     program=/$(cd "$root" && echo "some place"/*/bin/beadreel)

@@ -53,7 +53,10 @@ make_root() {
         exit 1
     fi
     say "minimal system from $mirror"
-    alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
+    # A release of Ubuntu that is newer than this debootstrap is made as its others are.
+    local script=/usr/share/debootstrap/scripts/$suite
+    [ -e "$script" ] || script=gutsy
+    alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" "${script##*/}" >"$root.log" 2>&1 ||
         { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/temporary" # nothing here outlives a power cut
     [ -z "${BARE:-}" ] || cp -a "$root" "$BARE/$suite" || exit 1
