@@ -88,7 +88,7 @@ def _write(bundle, folder, level):
             record.append(f"{name},sha256={digest},{len(content)}")
             entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
             entry.external_attr, entry.compress_type = (0o100000 | mode) << 16, zipfile.ZIP_DEFLATED
-            wheel.writestr(entry, content)
+            wheel.writestr(entry, content, compresslevel=level)  # an entry of its own does not take that of the file
 
         for file in sorted(file for file in bundle.rglob("*") if file.is_file()):
             place = file.relative_to(bundle).as_posix()

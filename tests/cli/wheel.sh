@@ -9,8 +9,10 @@ done
 unset MAKEFLAGS MAKELEVEL MFLAGS PYTHONPATH BEADREEL BEADREEL_ASSETS
 
 ok "pip makes a wheel of the source tree" exits 0 env BUILD="$BUILD" "$python" -m pip wheel -q --no-index --no-deps \
-    --config-settings level=1 --wheel-dir "$T" "$top"
+    --config-settings level=0 --wheel-dir "$T" "$top"
 wheel=$(ls "$T"/*.whl)
+uncompressed() { "$python" -c 'import sys, zipfile; assert all(i.compress_size >= i.file_size for i in zipfile.ZipFile(sys.argv[1]).infolist())' "$wheel"; }
+ok "... compressed as much as asked: not at all" uncompressed
 sources() {
     "$python" -c "import sys; sys.path.insert(0, '$top/assets/package'); import wheel; print(wheel.build_sdist('$T'))" >"$T/out" &&
         tar -tf "$T/$(cat "$T/out")" | grep -q '/PKG-INFO$'
