@@ -39,9 +39,12 @@ shortened() {
     esac
 }
 
+# That of OpenSSL uses the processor's own instructions: four times as fast.
+sums() { if command -v openssl >/dev/null; then openssl dgst -r -sha256 "$@" | sed 's/ \*/ /'; else sha256sum "$@"; fi; }
+
 # of_files SCENE DIRECTORY : one line a file.
 of_files() {
-    (cd "$2" && find . -type f | LC_ALL=C sort | xargs -r sha256sum) | while read -r hash file; do
+    (cd "$2" && mapfile -t files < <(find . -type f | LC_ALL=C sort) && sums "${files[@]}") | while read -r hash file; do
         echo "$1 ${file#./} ${hash:0:16}"
     done
 }

@@ -60,7 +60,7 @@ columns() {
 }
 
 # Light beads that rattle between heavy ones: forces were off by up to 40 times, velocities by up to 110 times what was asked.
-places='{table: f.csv, show: sensors, beads: [2, 5, 9]}, {table: v.csv, show: sensors, beads: [2, 5, 9], field: velocity}'
+places='{table: f.csv, show: sensors, beads: [2, 5, 9], every: 0.2 us}, {table: v.csv, show: sensors, beads: [2, 5, 9], field: velocity, every: 0.2 us}'
 for name in draw15 draw21 draw38; do
     for accuracy in 1e-4 1e-6 1e-8; do
         "$beadsim" "$top/tests/errors/$name.yaml" -o s --quiet --set simulate.accuracy=$accuracy --set "outputs=[$places]" >quiet

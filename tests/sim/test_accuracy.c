@@ -219,7 +219,7 @@ static void sensors_of_the_experiment(void **state)
                  "    - {cell: [large-steel, aluminium], count: 4}\n    - {bead: small-steel, sensor: second}\n"
                  "    - {cell: [large-steel, aluminium], count: 10}\n",
                  cases[i].spins);
-        struct built built = build(chain, "method: rkn8, step: 0.1 us");
+        struct built built = build(chain, "accuracy: 1e-8");
         assert_int_equal(built.chain->sensors[0].bead, 39);
         assert_int_equal(built.chain->sensors[1].bead, 48);
         struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = true, .bead_peaks = true});
@@ -246,7 +246,7 @@ static double largest_behind(const char *bits)
              "chain:\n  beads:\n    - {cell: [large-steel, aluminium], spins: \"%s\"}\n"
              "    - {cell: [large-steel, aluminium], count: 15}\n",
              bits);
-    struct built built = build(chain, "method: rkn8, step: 0.1 us");
+    struct built built = build(chain, "accuracy: 1e-8");
     struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = true, .bead_peaks = true});
     while (isnan(bead_run_arrival(run)))
         run_until(run, bead_run_time(run) + 1e-9);

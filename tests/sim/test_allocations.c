@@ -75,7 +75,7 @@ static const char beads[] =
     "     beads: [{cell: [large-steel, aluminium], count: 3, spins: random, magnetism: 0.3, seed: 7}, {bead: crystal, sensor: "
     "s}]}\n"
     "  - {name: b, beads: [{bead: small-steel, count: 3}, {bead: ptfe, sensor: t}], damping: {coefficient: 1, exponent: 1}}\n"
-    "simulate: {until: 30 us}\n"
+    "simulate: {until: 12 us}\n"
     "outputs:\n"
     "  - {trajectory: run.h5, every: 5 us, fields: all}\n"
     "  - {table: peaks.csv, show: peaks}\n"
@@ -84,12 +84,13 @@ static const char beads[] =
     "  - {table: profiles.csv, field: force, show: profiles, at: [5 us, 10 us]}\n"
     "  - {table: chain.csv, show: chain}\n";
 
-static const char equations[] = "chains:\n"
-                                "  - {name: a, equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
-                                "  - {name: b, equation: kdv, length: 32, points: 32, start: {solitons: [{speed: 0.3, at: 10}]}}\n"
-                                "  - {name: c, equation: shock, epsilon: 0.1, length: 32, start: {pulse: 1, width: 5, at: 10}}\n"
-                                "simulate: {until: 2}\n"
-                                "outputs: [{table: measures.csv, show: measures}, {trajectory: run.h5, every: 1}]\n";
+static const char equations[] =
+    "chains:\n"
+    "  - {name: a, equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
+    "  - {name: b, equation: kdv, length: 32, points: 32, start: {solitons: [{speed: 0.3, at: 10}]}}\n"
+    "  - {name: c, equation: shock, epsilon: 0.1, length: 32, points: 64, start: {pulse: 1, width: 5, at: 10}}\n"
+    "simulate: {until: 2}\n"
+    "outputs: [{table: measures.csv, show: measures}, {trajectory: run.h5, every: 1}]\n";
 
 static const char sweep[] = "sweeps:\n"
                             "  - {name: a, cells: 3, magnetism: [0, 1], configurations: 2}\n"
