@@ -240,6 +240,16 @@ static enum bead_error play(const struct command *command, struct bead_session *
     return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s", bead_session_warning(session, last));
 }
 
+/* Has a sweep that was stopped no file from which the same command could go on? */
+static bool is_forgotten(const struct bead_session *session)
+{
+    struct bead_planned planned;
+    bool kept = false;
+    for (size_t i = 0; session && bead_session_planned(session, i, &planned); i++)
+        kept = kept || (planned.made && strcmp(planned.kind, "sweep") == 0);
+    return session && bead_session_sweep(session) && bead_session_counts(session)->chains > 0 && !kept;
+}
+
 static enum bead_error open_and_play(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     struct command_meter meter;
@@ -261,7 +271,8 @@ static enum bead_error open_and_play(const struct command *command, const volati
     if (!err && command->crate)
         err = command_crate(command, session, date, msg);
     if (err == BEAD_ERROR_STOPPED && *stop)
-        bead_fail(msg, err, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
+        bead_fail(msg, err, "stopped by signal %d (%s)%s", (int)*stop, strsignal(*stop),
+                  is_forgotten(session) ? "; the same command begins anew: no output {sweep: sweep.h5} keeps the chains" : "");
     if (command_is_json(command))
         command_print_result(session, err, command_status(err, *stop), bead_clock() - began, msg);
     command_guard(NULL);

@@ -85,6 +85,25 @@ scouting() {
 }
 ok "stopped while scouting: nothing is left" scouting
 
+# A sweep without a file of its results cannot be continued, and says so; with one it can.
+cat >"$T/sweep.yaml" <<'YAML'
+sweep: {cells: 60, configurations: 400}
+outputs: [{table: a.csv}, {sweep: a.h5}]
+YAML
+sweeping() { # OUTPUT...
+    "$beadsim" "$T/sweep.yaml" "${@/#/--only=}" -o "$T/swept" --progress json >"$T/out" 2>"$T/err" &
+    local pid=$!
+    await grep -q '"chains": [1-9]' "$T/err"
+    kill -TERM $pid
+    wait $pid
+    status=$?
+    status_is 143 && says "stopped by signal 15"
+}
+ok "a sweep without a file is stopped" sweeping a.csv
+ok "... which loses its chains" says "the same command begins anew: no output {sweep: sweep.h5} keeps the chains"
+ok "a sweep with one is stopped" sweeping a.csv a.h5
+ok "... which loses nothing" eval '! says "begins anew" >/dev/null && [ -s "$T/swept/a.h5.part" ]'
+
 # A run that is stopped over the results of an earlier one.
 short=(--set simulate.until='1 ms')
 "$beadreel" "$T/long.yaml" "${short[@]}" -o "$T/again" >/dev/null
