@@ -65,7 +65,7 @@ static enum bead_error sensors_create(const struct bead_view_setup *setup, struc
     char place[128];
     if (count == 0)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%sthere is no sensor to show; give a bead one: {bead: steel, sensor: first}",
-                         bead_chain_place(setup->chain, place, sizeof place));
+                         bead_chain_place(setup->chain, "chain", place, sizeof place));
     BEAD_TRY(bead_new(view, 1, msg, "a plot of sensors"));
     struct bead_view *v = *view;
     BEAD_TRY(bead_new(&v->values, count, msg, "a plot of sensors"));

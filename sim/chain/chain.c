@@ -20,13 +20,37 @@ static const double gravity = 9.80665; /* m/s^2, standard */
 /* Radius of the drawn masses of a string, as a part of their distance. */
 static const double radius_of_points = 0.3;
 
-const char *bead_chain_place(const struct bead_chain *chain, char *text, size_t size)
+/* The last part of a path that the scene has. NULL: the scene was not read from a text. */
+static const struct bead_node *last_given(const struct bead_chain *chain, const char *path)
 {
-    const struct bead_node *node = chain->spec->node;
+    const char *const own = "chain";
+    const struct bead_node *node = chain->scene->tree ? bead_yaml_root(chain->scene->tree) : NULL;
+    if (strncmp(path, own, strlen(own)) == 0 && chain->spec->node) {
+        node = chain->spec->node;
+        path += strlen(own) + strspn(path + strlen(own), ".");
+    }
+    while (node && *path) {
+        char key[32];
+        const size_t length = strcspn(path, ".");
+        snprintf(key, sizeof key, "%.*s", (int)length, path);
+        const struct bead_node *value = bead_node_get(node, key, NULL);
+        if (!value)
+            break;
+        node = value;
+        path += length + strspn(path + length, ".");
+    }
+    return node;
+}
+
+const char *bead_chain_place(const struct bead_chain *chain, const char *path, char *text, size_t size)
+{
+    const struct bead_node *node = last_given(chain, path);
+    const char *file = node && node->origin ? node->origin : chain->scene->file;
     *text = '\0';
     if (node)
-        snprintf(text, size, "%.64s:%zu:%zu: ", node->origin ? node->origin : chain->scene->file, node->place.line,
-                 node->place.column);
+        snprintf(text, size, "%.64s:%zu:%zu: ", file, node->place.line, node->place.column);
+    else if (file && *file)
+        snprintf(text, size, "%.64s: ", file);
     return text;
 }
 
@@ -47,7 +71,7 @@ uint64_t bead_chain_bytes(const struct bead_chain *chain)
 static enum bead_error check_memory(const struct bead_chain *chain, struct bead_message *msg)
 {
     char what[200], place[128];
-    snprintf(what, sizeof what, "%schain: %zu beads", bead_chain_place(chain, place, sizeof place), chain->beads);
+    snprintf(what, sizeof what, "%schain: %zu beads", bead_chain_place(chain, "chain", place, sizeof place), chain->beads);
     return bead_memory_check(bead_chain_bytes(chain), what, msg);
 }
 
@@ -170,7 +194,7 @@ static enum bead_error check_contacts(struct bead_chain *chain, struct bead_mess
         if (!(w.stiffness > 0) || !isfinite(w.stiffness) || !isfinite(w.static_compression))
             return bead_fail(msg, BEAD_ERROR_SCENE,
                              "%schain: a contact's stiffness is not a positive finite number: check materials and law",
-                             bead_chain_place(chain, place, sizeof place));
+                             bead_chain_place(chain, "chain", place, sizeof place));
         count_spring(chain, w.left);
         count_spring(chain, w.right);
     }

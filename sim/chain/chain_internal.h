@@ -7,7 +7,7 @@
 #include "sim/base/internal.h"
 
 /* `file:line:column: ` of the chain in its scene, or `--set:number:column: `, into `text`; "" without a scene. Returns text. */
-BEAD_INTERNAL const char *bead_chain_place(const struct bead_chain *chain, char *text, size_t size);
+BEAD_INTERNAL const char *bead_chain_place(const struct bead_chain *chain, const char *path, char *text, size_t size);
 unsigned bead_chain_fields(const struct bead_chain *chain); /* BEAD_FIELD_BITs of those it has */
 /* May its values have either sign: is a colour map for both wanted? */
 BEAD_INTERNAL bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field);

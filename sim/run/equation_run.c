@@ -58,10 +58,12 @@ static enum bead_error create_motion(const struct bead_chain *chain, size_t poin
         equation_of(chain)->destroy(*motion);
         *motion = NULL;
     }
-    if (err == BEAD_ERROR_MEMORY)
-        return bead_fail(msg, err, "%s", inner.text);
-    return err ? bead_fail(msg, err, "%s: %s%s%s%s", chain->scene->file, *name ? "chain " : "", name, *name ? ": " : "", inner.text)
-               : BEAD_OK;
+    if (!err || err == BEAD_ERROR_MEMORY)
+        return err ? bead_fail(msg, err, "%s", inner.text) : BEAD_OK;
+    char at[128];
+    const char *const key = strncmp(inner.text, "simulate.", 9) == 0 ? "simulate.step" : "chain";
+    return bead_fail(msg, err, "%s%s%s%s%s", bead_chain_place(chain, key, at, sizeof at), *name ? "chain " : "", name,
+                     *name ? ": " : "", inner.text);
 }
 
 static enum bead_error pace(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,

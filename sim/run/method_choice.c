@@ -82,19 +82,19 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
     const bool any = strcmp(asked->method, "auto") == 0;
     const double share = share_of(chain);
     const struct reason reason = any ? automatic(chain, share, asked->accuracy) : (struct reason){asked->method, "as asked"};
-    const char *file = chain->scene->file, *name = reason.method;
+    char at[128];
+    const char *file = bead_chain_place(chain, "simulate.method", at, sizeof at), *name = reason.method;
     const struct bead_method *method = bead_method_row(name);
     if (!method)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: there is no method `%s`: see --list methods", file, name);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: there is no method `%s`: see --list methods", file, name);
     if (chain->spec->damping_coefficient > 0 && !method->info.damping)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` is for forces without damping; use rk4 or auto", file,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
     if (bead_is_driven(chain->spec) && method->composition)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.method: `%s` does not know drives; use rk4, rkn8 or auto", file,
-                         name);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` does not know drives; use rk4, rkn8 or auto", file, name);
     if (method->events && chain->law->one_sided && isnan(bead_chain_exponent(chain)))
         return bead_fail(msg, BEAD_ERROR_SCENE,
-                         "%s: simulate.method: `%s` corrects contact events, which law `%s` does not allow; use rkn8-plain or auto",
+                         "%ssimulate.method: `%s` corrects contact events, which law `%s` does not allow; use rkn8-plain or auto",
                          file, name, chain->law->name);
     *choice =
         (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, reason.why};

@@ -22,8 +22,8 @@ enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_mes
     return bead_fail(msg, BEAD_ERROR_NUMBERS,
                      "%schain%s%s: after %.3g s the front has not reached the end: give simulate.until, such as "
                      "`until: %.2g s`%s",
-                     bead_chain_place(chain, place, sizeof place), *bead_chain_name(chain) ? " " : "", bead_chain_name(chain), time,
-                     fmin(time, 10 * bead_chain_passage(chain, bead_chain_energy(chain))),
+                     bead_chain_place(chain, "chain", place, sizeof place), *bead_chain_name(chain) ? " " : "",
+                     bead_chain_name(chain), time, fmin(time, 10 * bead_chain_passage(chain, bead_chain_energy(chain))),
                      chain->spec->damping_coefficient > 0 ? ", or less damping" : "");
 }
 

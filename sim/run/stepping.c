@@ -41,11 +41,24 @@ double bead_run_effective_factor(const struct bead_chain *chain, const struct be
     return fmin(factor, bead_pow(choice.cap / bead_method_theta(&choice, asked->accuracy), choice.order));
 }
 
+/* Steps are a part of the periods of contacts, and contacts that nothing presses have none. */
+static enum bead_error nothing_moves(const struct bead_chain *chain, struct bead_message *msg)
+{
+    char at[128];
+    const bool starts = chain->spec->start_count > 0;
+    const char *const key = starts ? "chain.start" : "chain.striker.velocity";
+    return bead_fail(msg, BEAD_ERROR_SCENE,
+                     "%s%s: nothing moves at first, so no step follows from the motion: give a velocity, such as `%s`, or a step, "
+                     "such as `simulate: {step: 1 us}`",
+                     bead_chain_place(chain, key, at, sizeof at), key,
+                     starts ? "start: [{bead: 0, velocity: 0.4 m/s}]" : "velocity: 0.4 m/s");
+}
+
 enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked, double tolerance_factor,
                                   struct bead_stepping *stepping, struct bead_message *msg)
 {
     struct bead_method_choice choice;
-    const char *file = chain->scene->file;
+    char at[128];
     BEAD_TRY(bead_choose_method(chain, asked, &choice, msg));
     tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
     const struct bead_method_info *method = &choice.method->info;
@@ -60,14 +73,10 @@ enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct b
                                        .why = choice.why};
     /* omega is a generous bound: only steps of more than twice the limit are certainly unstable. */
     if (step * omega > 2 * method->theta_max)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: simulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s", file,
-                         step, method->name, method->theta_max / omega);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.step: %.3g s is too long for `%s` to be stable: at most %.3g s",
+                         bead_chain_place(chain, "simulate.step", at, sizeof at), step, method->name, method->theta_max / omega);
     if (!(stepping->step > 0) || !isfinite(stepping->step))
-        return bead_fail(
-            msg, BEAD_ERROR_SCENE,
-            "%s: simulate.step: nothing moves at first, so no step follows from the motion: give `chain.striker.velocity` or "
-            "a `start`, or a step",
-            file);
+        return nothing_moves(chain, msg);
     return BEAD_OK;
 }
 
@@ -79,14 +88,15 @@ struct bead_long_step bead_run_long_step(const struct bead_chain *chain, const s
     struct bead_long_step step = {""};
     struct bead_method_choice choice;
     struct bead_message msg;
+    char at[128];
     const double omega = bead_chain_omega(chain, bead_chain_energy(chain));
     if (!(asked->step > 0) || bead_choose_method(chain, asked, &choice, &msg) ||
         !(bead_method_error(&choice, asked->step * omega) > poor))
         return step;
     snprintf(step.text, sizeof step.text,
-             "%s: simulate.step: steps of %.3g us are too long: for peak forces to %.3g `%s` takes at most %.2g us here; "
+             "%ssimulate.step: steps of %.3g us are too long: for peak forces to %.3g `%s` takes at most %.2g us here; "
              "leave `step` out, or check the uncertainties of the peaks",
-             chain->scene->file, 1e6 * asked->step, asked->accuracy, choice.method->info.name,
+             bead_chain_place(chain, "simulate.step", at, sizeof at), 1e6 * asked->step, asked->accuracy, choice.method->info.name,
              1e6 * bead_method_theta(&choice, asked->accuracy) / omega);
     return step;
 }

@@ -26,9 +26,9 @@ void bead_session_judge(struct bead_session *s, const struct bead_chain *const *
         bead_validity_add_peaks(&found, chains[i], outcomes[i].contact_peaks);
         if (bead_validity_fails(&found))
             snprintf(s->warning[SESSION_INVALID], sizeof s->warning[SESSION_INVALID],
-                     "%schain%s%s: beyond the model of elastic spheres: %s", bead_chain_place(chains[i], place, sizeof place),
-                     *bead_chain_name(chains[i]) ? " " : "", bead_chain_name(chains[i]),
-                     bead_validity_words(&found, words, sizeof words));
+                     "%schain%s%s: beyond the model of elastic spheres: %s",
+                     bead_chain_place(chains[i], "chain", place, sizeof place), *bead_chain_name(chains[i]) ? " " : "",
+                     bead_chain_name(chains[i]), bead_validity_words(&found, words, sizeof words));
     }
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verifies the accuracy before the run (`simulate: {verify: true}`), and warns of steps that are too long. */
 
+#include "sim/chain/chain_internal.h"
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
@@ -52,13 +53,14 @@ static void tell(struct bead_session *s, const struct verdict *verdict)
     const struct bead_outcome *w = &verdict->worst;
     const char *name = bead_chain_name(s->chains[verdict->chain]);
     const bool bead = !isnan(w->worst_bead);
+    char at[128];
     s->unverified = true;
     snprintf(s->warning[SESSION_UNVERIFIED], sizeof s->warning[SESSION_UNVERIFIED],
-             "%s: simulate.verify: %zu of %zu peaks did not reach the requested accuracy of %.3g; least certain: %s %.0f%s%s, %.6g "
+             "%ssimulate.verify: %zu of %zu peaks did not reach the requested accuracy of %.3g; least certain: %s %.0f%s%s, %.6g "
              "N to %.2g of that",
-             s->source->file, verdict->poor, verdict->peaks, s->source->simulate.accuracy, bead ? "bead" : "contact",
-             bead ? w->worst_bead : w->worst_contact, *name ? " of chain " : "", name, w->worst_force,
-             w->worst_uncertainty / w->worst_force);
+             bead_chain_place(s->chains[verdict->chain], "simulate.verify", at, sizeof at), verdict->poor, verdict->peaks,
+             s->source->simulate.accuracy, bead ? "bead" : "contact", bead ? w->worst_bead : w->worst_contact,
+             *name ? " of chain " : "", name, w->worst_force, w->worst_uncertainty / w->worst_force);
 }
 
 enum bead_error bead_session_verify(struct bead_session *s, struct bead_message *msg)

@@ -36,8 +36,20 @@ ok "a page as a table" told 'did you mean `report: a.html`?' "chain: {beads: [{b
 ok "a key under another name" told 'scene.yaml:1:31: chain.beads.0.diameter: unknown key; did you mean `radius`, half of it?' "chain: {beads: [{bead: brass, diameter: 9 mm}]}$end"
 ok "... of a material" told 'materials.x.young: unknown key; did you mean `modulus`?' "materials: {x: {young: 1 GPa, poisson: .3, radius: 1 mm, mass: 1 g}}\nchain: {beads: [{bead: x}]}$end"
 ok "... of a picture" told 'outputs.0.width: unknown key; did you mean `size`: [WIDTH, HEIGHT]?' "chain: {beads: [{bead: brass}]}\noutputs: [{image: a.png, width: 86 mm}]"
-ok "a strike without speed" told 'scene.yaml: simulate.step: nothing moves at first, so no step follows from the motion: give `chain.striker.velocity` or a `start`, or a step' \
+ok "a strike without speed" told 'scene.yaml:1:53: chain.striker.velocity: nothing moves at first, so no step follows from the motion: give a velocity, such as `velocity: 0.4 m/s`, or a step' \
     "chain: {beads: [{bead: brass}], striker: {velocity: 0}}$end"
+ok "... a start without one" told 'scene.yaml:3:10: chain.start: nothing moves at first, so no step follows from the motion: give a velocity, such as `start: [{bead: 0, velocity: 0.4 m/s}]`' \
+    "chain:\n  beads: [{bead: brass, count: 3}]\n  start: [{bead: 2, velocity: 0}]\nsimulate: {until: 1 ms}$end"
+ok "... of the second chain" told 'scene.yaml:3:70: chain.striker.velocity: nothing moves at first' \
+    "chains:\n- {name: a, beads: [{bead: brass}]}\n- {name: b, beads: [{bead: brass}], striker: {bead: brass, velocity: 0}}$end"
+ok "... on the command line" fails 2 "$beadreel" clean-vs-delocalised -o none.png --set chains.1.striker.velocity=0
+ok "... is said of that" says '--set:1:27: chain.striker.velocity: nothing moves at first'
+ok "a step that is too long" told 'scene.yaml:2:18: simulate.step: 0.001 s is too long for `rk4` to be stable: at most' \
+    "chain: {beads: [{bead: brass, count: 9}]}\nsimulate: {step: 1 ms, until: 9 ms, method: rk4}$end"
+ok "... for an equation" told 'scene.yaml:2:18: simulate.step: 9 is too long for' \
+    "chain: {equation: fput, points: 31, start: {mode: 1, amplitude: 1}}\nsimulate: {step: 9, until: 99}$end"
+ok "a method that does not suit the scene" told 'scene.yaml:2:20: simulate.method: `pefrl` does not know drives' \
+    "chain: {precompression: 20 N, beads: [{bead: brass, count: 9}], drive: {displacement: sine, amplitude: 10 nm, frequency: 1 kHz}}\nsimulate: {method: pefrl, until: 1 ms}$end"
 ok "an odd size of a film" told 'scene.yaml:2:32: size: 641 x 361 is odd, and this codec needs even sizes; the nearest is 642 x 362' "chain: {beads: [{bead: brass}]}\noutputs: [{movie: a.mp4, size: [641, 361]}]"
 
 ok "several mistakes" told 'scene.yaml:5:26: outputs.0.colour: unknown key' "title: x\nchain:\n  walll: brass\n  beads: [{bead: brss, count: 0}]\noutputs: [{image: a.png, colour: grey}, {movie: b.doc}]"
