@@ -8,6 +8,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
+#include "sim/kinds/outputs.h"
 #include "sim/scene/scene_private.h"
 
 static const char *const progress_words[] = {[COMMAND_PROGRESS_AUTO] = "auto",
@@ -121,13 +122,13 @@ static const struct command_option rows[] = {
      .text = COMMAND(job.output)},
     {"set", 0, "KEY=VALUE", "change the scene, as in --set chain.striker.velocity='1 m/s' (repeatable)", .apply = set_setting},
     {"only", 0, "NAME", "make only this output, named by its file (repeatable)", .apply = set_only},
-    {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", .separators = ""},
+    {"field", 0, "NAME", "of the file -o: what it shows, such as velocity", .separators = "", .key = bead_field_row},
     {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps, or a text file of them", .separators = ""},
     {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", .separators = ":,-"},
     {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", .separators = ":,"},
     {"beads", 0, "FIRST:LAST", "of the file -o: which beads", .separators = ":,-"},
     {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", .separators = "x,"},
-    {"style", 0, "NAME", "of the file -o: paper, slide or movie", .separators = ""},
+    {"style", 0, "NAME", "of the file -o: paper, slide or movie", .separators = "", .key = bead_page_rows},
     {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", .separators = ","},
     {"frame", 0, "MOMENT", "draw only a frame of the scene's film as a picture: 2.1ms of the motion, 50% of the film, or peak",
      .text = COMMAND(job.frame), .draws = true},

@@ -82,6 +82,8 @@ struct bead_overrides command_overrides(const struct command *command);
 void command_print_config(FILE *out, const struct bead_config *config);
 struct bead_json;
 void command_write_config(struct bead_json *json, const struct bead_config *config);
+struct bead_option;
+
 /* A row of the table of options. */
 struct command_option {
     const char *name;
@@ -95,6 +97,7 @@ struct command_option {
     enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg); /* NULL: no more than that */
     const char
         *separators; /* for keys of the output -o: characters between the values of a list; "": one value; NULL: no such key */
+    const struct bead_option *key; /* that key, where it has choices; NULL: those of the list of its name, if any */
 };
 
 /* Row i of the table; NULL: there are no more. */

@@ -8,10 +8,12 @@
 #include <string.h>
 
 #include "beadreel/scene.h"
+#include "sim/base/memory.h"
 #include "sim/base/sandbox.h"
 #include "sim/base/stop.h"
 #include "sim/base/suggest.h"
 #include "sim/hdf5/h5.h"
+#include "sim/options/options.h"
 #include "sim/scene/scene_internal.h"
 
 /* The table of options in words: --help, man pages, completion of shells. */
@@ -104,6 +106,26 @@ static void command_print_man(const struct command_program *program, FILE *out)
     }
 }
 
+/* What may stand behind an option for a key of the output: the choices of that key, or the names in --list colormaps and views. */
+static void print_likely(const struct command_program *program, const struct command_option *row, FILE *out)
+{
+    for (const char *const *choice = row->key ? row->key->choices : NULL; choice && *choice; choice++)
+        fprintf(out, " %s", *choice);
+    for (const struct command_list *l = program->lists; row->separators && !row->key && l->name; l++) {
+        struct bead_message msg;
+        BEAD_FREED char *text = NULL;
+        size_t length = 0;
+        FILE *list = strncmp(l->name, row->name, strlen(row->name)) == 0 ? open_memstream(&text, &length) : NULL;
+        if (!list)
+            continue;
+        const bool listed = l->print(list, &msg) == BEAD_OK;
+        if (fclose(list) == 0 && listed) {
+            for (const char *line = text; *line; line += strcspn(line, "\n") + 1)
+                fprintf(out, " %.*s", (int)strcspn(line, " \n"), line);
+        }
+    }
+}
+
 /* For the completion of shells: a line for each option, "--name -n", its argument where it has one, the values it may have; a tab;
  * help. */
 static void command_print_words(const struct command_program *program, FILE *out)
@@ -119,6 +141,7 @@ static void command_print_words(const struct command_program *program, FILE *out
         const size_t count = command_words(program, row, words);
         for (size_t w = 0; w < count; w++)
             fprintf(out, " %s", words[w]);
+        print_likely(program, row, out);
         fprintf(out, "\t%s\n", row_help(program, row, text, sizeof text));
     }
 }

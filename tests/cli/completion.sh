@@ -19,6 +19,10 @@ cases=(
     'any file behind an option that takes one' 'beadreel --info no' 'beadreel --info notes.txt'
     'any file behind =' 'beadreel --output=no' 'beadreel --output=notes.txt'
     'nothing where nothing is known' 'beadreel --set a=' 'beadreel --set a='
+    'a colour map' 'beadreel --colormap vir' 'beadreel --colormap viridis'
+    'a style behind =' 'beadreel --style=sl' 'beadreel --style=slide'
+    'a field' 'beadreel --field contact-f' 'beadreel --field contact-force'
+    'a view' 'beadreel --views spacet' 'beadreel --views spacetime'
     'a part of --list keys' 'beadsim --list keys mov' 'beadsim --list keys movie'
 )
 completed() { # SHELL : $T/made has a line for each case
