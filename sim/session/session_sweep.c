@@ -93,8 +93,7 @@ static bool runs_chains(const struct bead_session *s)
     return runs;
 }
 
-/* The file of all results is written before others that might fail. */
-static enum bead_error compute(struct bead_session *s, struct bead_made *results, const char *journal, struct bead_message *msg)
+static enum bead_error compute(struct bead_session *s, const char *journal, struct bead_message *msg)
 {
     struct bead_sweep_settings settings = bead_session_sweep_settings(s);
     settings.journal = journal;
@@ -104,7 +103,17 @@ static enum bead_error compute(struct bead_session *s, struct bead_made *results
                  "%.480s; %zu of %zu chains have no results, as their fronts "
                  "never arrive",
                  s->sweep->why.text, s->sweep->lost, bead_sweep_count(s->sweep, &(size_t){0}));
-    return !err && results ? bead_session_finish(s, results, msg) : err;
+    return err;
+}
+
+/* The file of all results is written before others that might fail, but not where the run was stopped: it is the last file of a
+ * part of a sweep, and whoever finds it may take it that nothing is left to do. */
+static enum bead_error judge_and_keep(struct bead_session *s, struct bead_made *results, struct bead_message *msg)
+{
+    const enum bead_error judged = bead_session_judge_sweep(s, msg);
+    if (results && judged != BEAD_ERROR_STOPPED)
+        BEAD_TRY(bead_session_finish(s, results, msg));
+    return judged;
 }
 
 enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_message *msg)
@@ -128,9 +137,9 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     if (!err && results)
         err = bead_file_part_name(results->path, &journal, msg);
     if (!err && !s->sweep_read && needs_results(s))
-        err = compute(s, results, journal, msg);
+        err = compute(s, journal, msg);
     if (!err && !s->sweep_read)
-        err = bead_session_judge_sweep(s, msg);
+        err = judge_and_keep(s, results, msg);
     if (!err)
         err = bead_session_finish_all(s, msg);
     /* Not before: after a plot has failed or the run was stopped, the same command need not compute the chains again. */

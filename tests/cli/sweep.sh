@@ -86,6 +86,28 @@ ok "... with a word on why" says "another scene"
 ok "the same scene goes on" exits 0 "$beadsim" "$T/sweep.yaml" --set sweep.configurations=200 --only sweep.h5 -o "$T/stopped"
 ok "... from what was there" prints "there before"
 
+# What is found beside its journal would seem to be unfinished: the file of a part is there when nothing is left to do.
+cat >"$T/late.yaml" <<'YAML'
+sweep: {cells: 800, magnetism: [1], configurations: 1}
+outputs: [{sweep: sweep.h5}]
+YAML
+late() { # FILE BYTES : stopped as soon as that file of a part is there, and longer
+    local pid
+    rm -rf "$T/late"
+    "$beadsim" "$T/late.yaml" --shard 1/2 -o "$T/late" >/dev/null 2>"$T/err" &
+    pid=$!
+    for ((i = 0; i < 3000; i++)); do [ "$(stat -c %s "$T/late/$1" 2>/dev/null || echo 0)" -gt "$2" ] && break; sleep 0.01; done
+    kill -TERM $pid 2>/dev/null
+    wait $pid
+}
+one_file() { [ "$(ls "$T/late")" = "$1" ] || { ls "$T/late"; return 1; }; }
+late sweep.1of2.h5 0
+ok "SIGTERM after a part: it is there, without a journal" one_file sweep.1of2.h5
+late sweep.1of2.h5.part 72 # its head
+ok "... and before: the journal alone" one_file sweep.1of2.h5.part
+ok "... with which the part goes on" exits 0 "$beadsim" "$T/late.yaml" --shard 1/2 -o "$T/late"
+ok "... to its end" one_file sweep.1of2.h5
+
 # Parts, by GNU parallel where it is installed.
 if command -v parallel >/dev/null && parallel --version 2>/dev/null | grep -q 'GNU parallel'; then
     ok "parts by GNU parallel" exits 0 parallel --will-cite -j 2 "$beadsim" "$T/sweep.yaml" --shard {}/4 -o "$T/parts" ::: 1 2 3 4
