@@ -20,6 +20,8 @@ static const double least_part = 1e-9;
 struct bead_peaks {
     bool of_beads;
     size_t first, count; /* first..count-1 are searched */
+    const double *after; /* [beads]: s; NULL: all maxima count */
+    double earliest;     /* of these times; 0 */
     struct bead_peak *best;
     struct bead_peak *rival; /* [beads]: the last other maximum; time NaN: none. NULL: not asked */
     unsigned char *mark;     /* [beads]: has a maximum in this step */
@@ -111,6 +113,14 @@ enum bead_error bead_peaks_keep_rivals(struct bead_peaks *p, const struct bead_s
     return BEAD_OK;
 }
 
+void bead_peaks_only_after(struct bead_peaks *p, const double *after)
+{
+    p->after = after;
+    p->earliest = INFINITY;
+    for (size_t i = p->first; i < p->count; i++)
+        p->earliest = fmin(p->earliest, after[i]);
+}
+
 const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks)
 {
     return peaks->rival;
@@ -198,9 +208,17 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
         p->best[index] = (struct bead_peak){.value = value, .time = s->t0};
 }
 
+/* Does the step begin before maxima count? */
+static bool is_early(const struct bead_peaks *p, const struct bead_stepper *s, size_t index)
+{
+    return p->after && s->t0 < p->after[index];
+}
+
 /* The force of a bead, the sum of two contacts, may have more than one maximum within a step. */
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
+    if (is_early(p, s, index))
+        return;
     if (!bead_stepper_damped(s) && force_bound(p, s, index) < interest(p, index))
         return;
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
@@ -221,7 +239,7 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     struct bead_peak *best = &p->best[index];
-    if (!bead_stepper_damped(s) && force_bound(p, s, index) < best->value)
+    if (is_early(p, s, index) || (!bead_stepper_damped(s) && force_bound(p, s, index) < best->value))
         return;
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     double x = (limit - s->t0) / s->h, value = bead_force_curve_value(&curve, x);
@@ -340,7 +358,7 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
 {
     size_t n = s->active < p->count ? s->active : p->count;
     p->first = s->first > p->first ? s->first : p->first; /* the others have been dropped */
-    if (n <= p->first)
+    if (n <= p->first || s->t0 < p->earliest)
         return;
     if (s->t0 > limit) {
         follow_late(p, s, n, over);

@@ -21,6 +21,8 @@ BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper,
  * which answers most strongly, or the one before the highest if that is the last. Before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, const struct bead_stepper *stepper,
                                                   struct bead_message *msg);
+/* Counts maxima of each after its time only, s. The times must outlive the peaks. Before the first step. */
+void bead_peaks_only_after(struct bead_peaks *peaks, const double *after);
 void bead_peaks_destroy(struct bead_peaks *peaks);
 /* Searches the last step; maxima after time `limit` do not count. When the step contains `limit`, forces still rising then are
  * marked as open; these are followed until `over`, and are no longer open after a maximum.

@@ -146,15 +146,16 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
         compared->of.end = compared->of.end > 0 ? fmin(compared->of.end, over) : fmin(outcome->end, over);
 }
 
-/* Runs a chain again, as far as its run went, and looks for peaks from a time on. */
-static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor, double from,
-                                 struct bead_runner *again, struct bead_message *msg)
+/* Runs a chain again, as far as its run went, and looks for peaks, after some times only if these are given. */
+static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor,
+                                 double *const after[2], struct bead_runner *again, struct bead_message *msg)
 {
     struct bead_run_settings settings = settings_of(p, tolerance_factor);
     const bool is_over = !isnan(run->kind->over(run->run));
     const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
     settings.chain = run->chain;
-    settings.peaks_from = from;
+    for (size_t kind = 0; after && kind < 2; kind++)
+        settings.peaks_after[kind] = after[kind];
     BEAD_TRY(bead_runner_create(&settings, again, msg));
     BEAD_TRY(bead_play_run(again, &way, msg));
     if (p->counts) {
@@ -165,18 +166,33 @@ static enum bead_error run_again(const struct bead_play *p, const struct bead_ru
     return BEAD_OK;
 }
 
-/* Two more runs for what comes after the horizon. */
-static enum bead_error run_late(const struct bead_play *p, const struct bead_runner *run, double factor, double from,
+/* Two more runs for what comes after the horizon, and after the peaks. */
+static enum bead_error run_late(const struct bead_play *p, const struct bead_runner *run, double factor, double *const after[2],
                                 struct bead_runner late[BEAD_UNCERTAINTY_LATE], struct compared *compared, struct bead_message *msg)
 {
     for (size_t i = 0; i < BEAD_UNCERTAINTY_LATE; i++, factor /= 2) {
         struct bead_outcome found;
-        BEAD_TRY(run_again(p, run, factor, from, &late[i], msg));
+        BEAD_TRY(run_again(p, run, factor, after, &late[i], msg));
         late[i].kind->finish(late[i].run, late[i].kind->time(late[i].run), &found);
         compared->kinds[0].late[i] = found.contact_peaks;
         compared->kinds[1].late[i] = found.bead_peaks;
     }
     return BEAD_OK;
+}
+
+static enum bead_error look_late(const struct bead_play *p, const struct bead_runner *run, double factor, double from,
+                                 struct bead_runner late[BEAD_UNCERTAINTY_LATE], struct compared *compared,
+                                 struct bead_message *msg)
+{
+    const size_t beads = bead_chain_beads(run->chain);
+    BEAD_FREED double *times = NULL;
+    BEAD_TRY(bead_new(&times, 2 * beads, msg, "the peaks of %zu beads", beads));
+    double *const after[2] = {times, times + beads};
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < compared->kinds[kind].count; i++)
+            after[kind][i] = bead_uncertainty_after(&compared->of, &compared->kinds[kind], i, from);
+    }
+    return run_late(p, run, factor, after, late, compared, msg);
 }
 
 /* Keeps what is found of the peaks: their uncertainties, and which of them are not predictable. */
@@ -236,14 +252,14 @@ static enum bead_error compare_peaks(void *context, size_t chain, bool, struct b
     double from = INFINITY;
     enum bead_error err = BEAD_OK;
     if (!is_fine && bead_uncertainty_wants_fine(&compared.of, compared.kinds)) {
-        err = run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, 0, &fine, msg);
+        err = run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, NULL, &fine, msg);
         if (!err)
             add_run(&fine, true, outcome, &compared);
     }
     if (!err)
         from = bead_uncertainty_find(&compared.of, compared.kinds);
     if (!err && from < outcome->end)
-        err = run_late(p, run, c->factor, from, late, &compared, msg);
+        err = look_late(p, run, c->factor, from, late, &compared, msg);
     if (!err)
         err = keep(&compared, from, c->played, chain, msg);
     bead_runner_destroy(&fine);

@@ -101,6 +101,11 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         err = bead_peaks_create(r->stepper, false, span, &r->contact_peaks, msg);
     if (!err && settings->bead_peaks)
         err = bead_peaks_create(r->stepper, true, span, &r->bead_peaks, msg);
+    struct bead_peaks *const kinds[] = {r->contact_peaks, r->bead_peaks};
+    for (int kind = 0; !err && kind < 2; kind++) {
+        if (kinds[kind] && settings->peaks_after[kind])
+            bead_peaks_only_after(kinds[kind], settings->peaks_after[kind]);
+    }
     if (!err && settings->rivals && r->contact_peaks)
         err = bead_peaks_keep_rivals(r->contact_peaks, r->stepper, msg);
     if (!err && settings->rivals && r->bead_peaks)
@@ -341,8 +346,6 @@ static void look_for_peaks(struct bead_run *run)
         limit = run->front.arrival;
         over = isnan(bead_run_over(run)) ? INFINITY : bead_run_over(run);
     }
-    if (s->t0 < run->settings.peaks_from)
-        return;
     if (run->contact_peaks)
         bead_peaks_step(run->contact_peaks, s, limit, over);
     if (run->bead_peaks)

@@ -35,7 +35,7 @@ struct bead_run_settings {
     enum bead_passage passage; /* ends the run if `end` is unknown; peaks count until the front arrives, forces still rising then
                                   until the passage is over */
     bool contact_peaks, bead_peaks;
-    double peaks_from;                 /* s: after this time only */
+    const double *peaks_after[2];      /* [contacts], [beads]: after these times only, s; NULL: all. They must outlive the run */
     bool rivals;                       /* and their rivals: see peaks.h */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */

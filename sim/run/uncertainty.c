@@ -113,6 +113,18 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
     return from;
 }
 
+/* Is peak i not known as well as asked? */
+static bool is_poor(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
+{
+    return p->uncertainty[i] > of->accuracy * p->peaks[i].value;
+}
+
+double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from)
+{
+    const double own = p->peaks[i].time + of->apart;
+    return own > from && !is_poor(of, p, i) ? own : from;
+}
+
 /* Did the run find a maximum after the horizon? */
 static bool is_late(const struct bead_peak *peak, double from)
 {
@@ -138,7 +150,7 @@ double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double
     return count > 0 ? bead_exp(deviations * sqrt(0.75 * sum / (double)count)) : 1;
 }
 
-/* May a maximum after the horizon be higher than peak i, which comes before? In other runs it is, or nearly. */
+/* May a later maximum after the horizon be higher than peak i? In other runs it is, or nearly. */
 static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
                              double reach)
 {
@@ -163,8 +175,8 @@ bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct
 {
     const struct bead_peak *peak = &p->peaks[i];
     const double uncertainty = p->uncertainty[i];
-    if (!(peak->time < from))
-        return uncertainty > of->accuracy * peak->value;
+    if (!(peak->time < from) && is_poor(of, p, i))
+        return true;
     return uncertainty > lost * peak->value || (peak->value > 0 && may_be_overtaken(of, p, i, from, reach));
 }
 

@@ -18,7 +18,7 @@
  *
  * From the first peak on that is lost in this way, the horizon, the motion of any run is one of many that are equally likely. A
  * later maximum of the true motion may then overtake an earlier one that is known well. Two more coarse runs look for maxima after
- * the horizon only: how high they are, and by how much two such motions differ.
+ * the horizon and the peak only: how high they are, and by how much two such motions differ.
  *
  * A peak at which P - P_q happens to cross zero has an error nonetheless: at least its answer to the coarser run, times the usual
  * ratio of the measured errors to the answers in this chain. */
@@ -45,7 +45,7 @@ struct bead_uncertainty_of {
 struct bead_uncertain_peaks {
     const struct bead_peak *peaks;
     const struct bead_peak *coarse, *fine;               /* of the other runs; NULL: none */
-    const struct bead_peak *late[BEAD_UNCERTAINTY_LATE]; /* of other runs: the highest after the horizon; NULL: none */
+    const struct bead_peak *late[BEAD_UNCERTAINTY_LATE]; /* of other runs: the highest after bead_uncertainty_after; NULL: none */
     size_t count;                                        /* 0: unknown */
     double *uncertainty;                                 /* N: out */
 };
@@ -56,10 +56,13 @@ bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const str
 /* Sets the uncertainties, at least the accuracy asked for. Returns the time from which peaks are not predictable, s: that of the
  * first one that is not known to a tenth of itself; INFINITY: all are. */
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
+/* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
+ */
+double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from);
 /* The factor by which a maximum after the horizon `from` may exceed what the late runs say of it: 1 or more. */
 double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from);
-/* True if peak i is not predictable: it comes after the horizon and is not known as accurately as asked, or it comes before, and
- * one after it may be higher. */
+/* True if peak i is not predictable: it comes after the horizon and is not known as accurately as asked, or one that comes after
+ * both, it and the horizon, may be higher. */
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
                               double reach);
 /* The uncertainty of a force, or of any number, by a finer run alone: at least the accuracy asked for, as a part of it. */

@@ -127,7 +127,7 @@ static void later_maxima_may_overtake(void **state)
     struct made m;
     make(&m, (const double[PEAKS]){0}, (const double[]){0, 0, 0.1, 0});
     struct bead_peak late[BEAD_UNCERTAINTY_LATE][PEAKS];
-    const double reach = exp(3 * sqrt(0.75)), heights[PEAKS] = {0.99 * 10 / reach, 1.01 * 10 / reach, 1, 1};
+    const double reach = exp(3 * sqrt(0.75)), heights[PEAKS] = {0.99 * 10 / reach, 1.01 * 10 / reach, 1, 0.5};
     for (size_t i = 0; i < PEAKS; i++) {
         late[0][i] = (struct bead_peak){.value = heights[i] * exp(0.5), .time = 4e-3};
         late[1][i] = (struct bead_peak){.value = heights[i] * exp(-0.5), .time = 5e-3};
@@ -140,6 +140,11 @@ static void later_maxima_may_overtake(void **state)
     assert_false(bead_uncertainty_is_lost(&usual, kinds, 0, from, reach));
     assert_true(bead_uncertainty_is_lost(&usual, kinds, 1, from, reach));
     assert_true(bead_uncertainty_is_lost(&usual, kinds, 2, from, reach));
+    assert_false(bead_uncertainty_is_lost(&usual, kinds, 3, from, reach));
+    late[0][3].value = late[1][3].value = 9.9; /* a peak after the horizon that is known, as the front outruns what is lost */
+    assert_true(bead_uncertainty_is_lost(&usual, kinds, 3, from, reach));
+    assert_near(bead_uncertainty_after(&usual, kinds, 0, from), from, 1e-15);
+    assert_near(bead_uncertainty_after(&usual, kinds, 3, from), m.peaks[3].time + usual.apart, 1e-15);
     m.fine[0] = (struct bead_peak){.value = 10.1, .time = 3.5e-3};
     const struct bead_uncertain_peaks overtaken = {.peaks = m.peaks, .fine = m.fine, .count = PEAKS, .uncertainty = m.u};
     assert_true(bead_uncertainty_is_lost(&usual, &overtaken, 0, from, 1));
