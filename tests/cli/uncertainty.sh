@@ -62,7 +62,7 @@ simulate: {method: rkn8, step: 20 us}
 outputs: [{table: peaks.csv}]
 YAML
 ok "steps that are too long" exits 0 "$beadsim" steel.yaml -o long
-ok "... are told in words" says 'warning: steel.yaml: simulate.step: steps of 20 us are too long'
+ok "... are told in words" says 'warning: steel.yaml:2:32: simulate.step: steps of 20 us are too long'
 ok "steps that are short enough" exits 0 "$beadsim" steel.yaml -o short --quiet --set 'simulate.step=4 us'
 ok "... are not" test ! -s err
 finish
