@@ -10,6 +10,7 @@ In a chapter, ``` {.LANGUAGE file=NAME} is the text of a file, and ```sh are com
 
     <!-- test: ARGUMENTS -->            the tests give each beadreel and beadsim of the next block these arguments as well: smaller pictures
     <!-- elsewhere: SCRIPT: TEXT -->    the next block is not run here, but in SCRIPT, which has TEXT
+    <!-- needs: COMMAND -->            the tests leave the next block out where this command fails: a program is not there
     <!-- fails: STATUS -->              the next block ends with this status, and prints the block behind it
     <!-- makes: FILE... -->             these are there now
     <!-- picture: FILE | WORDS | COMMAND --> the picture that COMMAND makes; without a command, FILE of assets
@@ -26,7 +27,8 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ASSETS = os.path.dirname(HERE)
-CHAPTERS = ['first-film', 'figure', 'lecture', 'report', 'recipes', 'ask', 'settings', 'sweep', 'cluster', 'publish', 'python', 'library', 'troubleshooting']
+CHAPTERS = ['first-film', 'figure', 'lecture', 'report', 'recipes', 'ask', 'settings', 'sweep', 'cluster', 'publish', 'python', 'elsewhere',
+            'library', 'sound', 'help', 'troubleshooting']
 PAGES = ['beadreel.1', 'beadsim.1', 'beadreel-scene.5']
 COMMENT = re.compile(r'<!-- (\w+): (.*?) -->', re.S)
 TOKENS = re.compile(r'^```(?P<info>[^\n]*)\n(?P<text>.*?)^```$|' + COMMENT.pattern, re.S | re.M)
@@ -58,10 +60,12 @@ def fails(status, commands, message):
 def script(chapter):
     lines = ['set -euo pipefail', 'extra=()', 'beadreel() { command beadreel "$@" "${extra[@]}"; }',
              'beadsim() { command beadsim "$@" "${extra[@]}"; }']
-    extra, skip, failing = '', False, None
+    extra, skip, failing, needs = '', False, None, None
     for kind, first, *rest in blocks(read(chapter)):
         if kind == 'test':
             extra = first
+        elif kind == 'needs':
+            needs = first
         elif kind == 'elsewhere':
             skip = True
             where, words = first.split(': ', 1)
@@ -79,8 +83,8 @@ def script(chapter):
             if failing:
                 failing[1] = rest[0]
             elif not skip:
-                lines += [f'extra=({extra})', rest[0].rstrip()]
-            extra, skip = '', False
+                lines += [f'extra=({extra})', f'if {needs} >/dev/null 2>&1; then\n{rest[0].rstrip()}\nfi' if needs else rest[0].rstrip()]
+            extra, skip, needs = '', False, None
     return '\n'.join(lines) + '\n'
 
 
@@ -136,6 +140,10 @@ class Manual:
     def man_page(self, name):
         made = subprocess.run(['mandoc', '-T', 'html', '-O', 'fragment,man=%N.%S.html', os.path.join(ASSETS, 'man', name)],
                               capture_output=True, text=True, check=True).stdout
+        made = re.sub(r'<pre>.*?</pre>', lambda m: m[0].replace('<br/>\n', ''), made, flags=re.S)  # lines end by themselves there
+        heads = re.findall(r'<h([12]) class="S[hs]" id="([^"]*)"><a [^>]*>(.*?)</a>', made, re.S)
+        items = ''.join(f'<li class="level{level}"><a href="#{name}">{words}</a></li>' for level, name, words in heads)
+        made = made.replace('<div class="manual-text">', f'<nav class="contents" aria-label="Contents"><ul>{items}</ul></nav>\n<div class="manual-text">', 1)
         title = re.sub(r'(.*)\.(\d)', r'\1(\2)', name)
         self.page(name, f'```{{=html}}\n{made}\n```\n', f'--metadata=title:{title}', '--variable=man:yes')
 

@@ -37,7 +37,7 @@ static const struct bead_option rows[] = {
      .like = "text", .read = read_spins, .help = "orientation of each cell: up (1) as written, down (0) reversed",
      .example = "random"},
     {"magnetism", BEAD_OPTION_NUMBER, SEGMENT(magnetism), .initial = "0", .low = 0, .high = 1,
-     .help = "magnetism of random spins, (up - down) / all, as exactly as the count allows", .example = "0.5"},
+     .help = "magnetism of random spins, |up - down| / all, as exactly as the count allows", .example = "0.5"},
     {"seed", BEAD_OPTION_SEED, SEGMENT(seed), .initial = "0",
      .help = "seed of random spins; the same seed gives the same spins on every machine", .example = "7"},
     {"sensor", BEAD_OPTION_TEXT, SEGMENT(sensor), .help = "name of a sensor in this single bead, which records its bead force",

@@ -48,7 +48,7 @@ static const struct bead_option rows[] = {
     {"cell", BEAD_OPTION_CUSTOM, .shape = "[MATERIAL, MATERIAL, ...]", .like = "[text]",
      .help = "the beads of a cell; without it [large-steel, aluminium]", .example = "[large-steel, ptfe]"},
     {"magnetism", BEAD_OPTION_CUSTOM, .shape = "all, a number, or a list of numbers from 0 to 1", .like = "all|number|[number]",
-     .help = "M = (up - down) / all, the nearest that the number of cells allows; all: each that it allows. Without it: all with "
+     .help = "M = |up - down| / all, the nearest that the number of cells allows; all: each that it allows. Without it: all with "
              "`cells`, else as each segment of `chain` has it",
      .example = "[0, 0.5, 1]"},
     {"configurations", BEAD_OPTION_COUNT, SWEEP(configurations), .initial = "20", .low = 1, .high = 1000000,

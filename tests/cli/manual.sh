@@ -26,7 +26,7 @@ short() { # FILE... : scenes of the chapters, none longer than fifteen lines
 }
 ok "scenes for common tasks have at most fifteen lines" short figure/figure.yaml lecture/lecture.yaml lecture/loop.yaml recipes/three.yaml \
     recipes/defect.yaml recipes/cells.yaml sweep/sweep.yaml ask/glass.yaml ask/velocity.yaml ask/mean.yaml \
-    ask/two.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml ask/pulse.yaml ask/decay.yaml
+    ask/two.yaml sound/heard.yaml elsewhere/wave.yaml ask/gaps.yaml ask/run.yaml ask/spreading.yaml ask/pulse.yaml ask/decay.yaml
 
 broken() { # a chapter with a command that fails, a file that is not made, another message
     printf '```sh\n%s\n```\n%s\n' "$1" "${2:-}" >"$T/broken.md"
@@ -46,11 +46,42 @@ if command -v pandoc >/dev/null && command -v mandoc >/dev/null; then
                 [ -s "$T/html/$link" ] || { echo "${page##*/}: $link"; return 1; }
             done
         done
-        ! grep -lE '<script|src="http|@import|url\(' "$T"/html/*.html "$T"/html/*.css
+        ! grep -lE '<script[^>]|src="http|@import|url\(|fetch\(' "$T"/html/*.html "$T"/html/*.css
     }
     ok "... whose links lead to files, and which needs no network" linked
     listed() { for f in "$manual"/*.md; do f=$(basename "$f" .md); grep -q "\"$f.html\"" "$T/html/index.html" || { echo "$f"; return 1; }; done; }
     ok "... with every chapter in its contents" listed
+    reference() { # the page of a scene's keys: its headings in contents, the lines of its examples one below the other
+        /usr/bin/python3 - "$T/html/beadreel-scene.5.html" "$top/assets/man/beadreel-scene.5" <<'PY'
+import html, re, sys
+page, source = (open(name, encoding="utf-8").read() for name in sys.argv[1:])
+heads = re.findall(r'<h[12] class="S[hs]" id="([^"]*)"', page)
+links = re.findall(r'href="#([^"]*)"', re.search(r'<nav class="contents".*?</nav>', page, re.S)[0])
+assert len(heads) > 40 and links == heads, (len(heads), len(links))
+shown = [html.unescape(e).strip().count("\n") for e in re.findall(r"<pre>(.*?)</pre>", page, re.S) if e.startswith("title: My first wave")]
+written = re.search(r"\.EX\n(title: My first wave.*?)\n\.EE", source, re.S)[1].count("\n")
+assert shown == [written] and "<br" not in "".join(re.findall(r"<pre>.*?</pre>", page, re.S)), (shown, written)
+PY
+    }
+    ok "... the keys of a scene with contents and whole examples" reference
+    searched() { # WORD : only the entries that have it are left
+        /usr/bin/python3 - "$browser" "$T/html/beadreel-scene.5.html" "$1" <<PY
+import sys
+sys.path.insert(0, "$top/tests")
+from devtools import Browser
+page = Browser(sys.argv[1])
+page.open("file://" + sys.argv[2])
+page.run("document.getElementById('search').focus()")
+page.call("Input.insertText", text=sys.argv[3])
+page.settle()
+left = page.run("[...document.querySelectorAll('.man dt')].filter(e => e.offsetHeight > 0).map(e => e.textContent + ' ' + (e.nextElementSibling || e).textContent)")
+every = page.run("[...document.querySelectorAll('.man dt')].length")
+page.close()
+assert 0 < len(left) < every and all(sys.argv[3] in text for text in left), (len(left), every)
+assert not page.errors, page.errors
+PY
+    }
+    if find_browser; then ok "... and a search" searched magnify; else skip "a Chromium that runs here (chromium)" "... and a search"; fi
 else
     skip pandoc,mandoc "the manual becomes HTML"
 fi
