@@ -14,6 +14,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
+#include "sim/yaml/yaml.h"
 
 static const char *base_name(const char *path)
 {
@@ -54,32 +55,61 @@ static enum bead_error parse(const struct command *command, const struct command
                             msg);
 }
 
-/* Tables and GIF files have no room for a scene: one that another file of the directory has, and which names this file. */
+static bool is_scene_file(const char *path)
+{
+    return strcasecmp(ending(path), ".yaml") == 0 || strcasecmp(ending(path), ".yml") == 0;
+}
+
+/* The scene of a file, or that a file of results has in it. Errors: as of command_find_origin. */
+static enum bead_error read_origin(const struct command *command, const char *path, struct command_origin *origin)
+{
+    size_t length = 0;
+    if (!is_scene_file(path))
+        return command_find_origin(command, path, origin, NULL);
+    *origin = (struct command_origin){.scene = NULL};
+    snprintf(origin->file, sizeof origin->file, "%s", path);
+    return bead_file_read(path, BEAD_YAML_BYTES, &origin->scene, &length, NULL);
+}
+
+/* Does the scene of this file name the input? If so it is kept in `origin`. */
+static bool names_input(const struct command *command, const char *path, struct command_origin *origin)
+{
+    char names[64];
+    struct bead_scene *scene = NULL;
+    bool found = read_origin(command, path, origin) == BEAD_OK && origin->scene;
+    if (found) {
+        found =
+            parse(command, origin, &scene, NULL) == BEAD_OK && find_output(scene, command->job.input, false, names, sizeof names);
+        bead_scene_free(scene);
+    }
+    if (found)
+        snprintf(origin->beside, sizeof origin->beside, "%.255s", base_name(path));
+    else
+        free(origin->scene);
+    if (!found)
+        origin->scene = NULL;
+    return found;
+}
+
+/* Tables and GIF files have no room for a scene: one of the directory that names this file, rather as another file of results has
+ * it, which is as it was run, than as its own file has it now. */
 static enum bead_error find_beside(const struct command *command, struct command_origin *origin, struct bead_message *msg)
 {
     const char *path = command->job.input, *base = base_name(path);
-    char directory[PATH_MAX], names[64];
+    char directory[PATH_MAX];
     snprintf(directory, sizeof directory, "%.*s", base > path ? (int)(base - path) : 2, base > path ? path : "./");
     struct dirent **entries = NULL;
     const int count = scandir(directory, &entries, NULL, alphasort);
     bool found = false;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < 2 * count && !found; i++) {
+        const struct dirent *entry = entries[i % count];
         char beside[PATH_MAX];
-        struct bead_scene *scene = NULL;
-        const int length = snprintf(beside, sizeof beside, "%s%s", directory, entries[i]->d_name);
-        if (!found && length < (int)sizeof beside && entries[i]->d_type == DT_REG && strcmp(entries[i]->d_name, base) != 0 &&
-            command_find_origin(command, beside, origin, NULL) == BEAD_OK && origin->scene) {
-            found = parse(command, origin, &scene, NULL) == BEAD_OK && find_output(scene, path, false, names, sizeof names);
-            bead_scene_free(scene);
-            if (found)
-                snprintf(origin->beside, sizeof origin->beside, "%s", entries[i]->d_name);
-            else
-                free(origin->scene);
-        }
-        if (!found)
-            origin->scene = NULL;
-        free(entries[i]);
+        const int length = snprintf(beside, sizeof beside, "%s%s", directory, entry->d_name);
+        found = length < (int)sizeof beside && entry->d_type == DT_REG && strcmp(entry->d_name, base) != 0 &&
+                is_scene_file(beside) == (i >= count) && names_input(command, beside, origin);
     }
+    for (int i = 0; i < count; i++)
+        free(entries[i]);
     free(entries);
     return found
                ? BEAD_OK

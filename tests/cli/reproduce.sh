@@ -21,7 +21,7 @@ outputs:
 YAML
 made=(a.png a.pdf a.svg a.mp4 a.webm a.mkv a.gif a.csv a.h5 a.html)
 ok "a scene with a file of each kind" exits 0 "$beadreel" scene.yaml -o all --set simulate.until='0.25 ms'
-rm scene.yaml
+mv scene.yaml kept.yaml
 for f in "${made[@]}"; do
     ok "$f is made again" exits 0 "$beadreel" --reproduce "all/$f"
     ok "... with the same bits" prints "all/$f: same bits"
@@ -53,6 +53,17 @@ ok "another version is named" older
 mkdir alone && cp all/a.csv alone
 ok "a table alone has no scene" fails 1 "$beadreel" --reproduce alone/a.csv
 ok "... and says so" says "no scene is stored in it, nor one that names it in a file beside it"
+cp new/a.csv alone && cp kept.yaml alone/run.yaml
+ok "its scene's file beside it serves" exits 1 "$beadreel" --reproduce alone/a.csv
+ok "... but was run with another value" says "a.csv: other bits from line"
+sed -i 's/0\.2 ms}/0.25 ms}/' alone/run.yaml
+ok "a scene's file as it was run" exits 0 "$beadreel" --reproduce alone/a.csv
+ok "... is named" prints "alone/a.csv: same bits"
+ok "... with its name" prints "by the scene of run.yaml"
+cp all/a.h5 alone && sed -i 's/0\.25 ms}/0.3 ms}/' alone/run.yaml
+ok "a scene as it was run goes before one that may have changed" exits 0 "$beadreel" --reproduce alone/a.csv
+ok "... and is named" prints "by the scene of a.h5"
+rm alone/run.yaml
 stranger() { cp all/a.csv alone/b.csv && cp all/a.h5 alone && fails 1 "$beadreel" --reproduce alone/b.csv && cp all/a.pdf alone/x.pdf &&
     sed -i 's/a\.pdf/a.abc/' alone/x.pdf && fails 2 "$beadreel" --reproduce alone/x.pdf; }
 ok "a file that its scene does not make" stranger
