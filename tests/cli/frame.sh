@@ -87,6 +87,43 @@ else
     skip ffmpeg "a race"
 fi
 
+# ---- the window of a camera, on the map of all beads ----
+
+cat >window.yaml <<'YAML'
+chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 99}]}
+simulate: {until: 3 ms}
+outputs: [{movie: w.mp4, duration: 2 s, fps: 20, views: [beads, spacetime], size: [640, 480], follow: front, window: 20, beads: [20, 99]}]
+YAML
+# window MOMENT : pixels where the line of the present begins, where the window begins and ends on it, and where the line ends. The
+# window has the colour of the line of progress, in the lowest row.
+window() {
+    exits 0 "$beadreel" window.yaml --frame "$1" -o window.png || return
+    pixels window.png | od -An -v -tx4 -w2560 | awk '
+        { row[NR] = $0; accent = $1 }
+        END {
+            for (y = 1; y <= NR; y++) {
+                runs = 0; colour[0] = ""; n = split(row[y], pixel, " ")
+                for (x = 1; x <= n; x++) if (pixel[x] != colour[runs]) { colour[++runs] = pixel[x]; from[runs] = x - 1 }
+                from[runs + 1] = n; colour[runs + 1] = ""
+                for (k = 2; k <= runs; k++) if (colour[k] == accent && from[k - 1] > 0 && from[k] - from[k - 1] > 100) {
+                    print from[k - 1], from[k], from[k + 1], colour[k + 1] == colour[k - 1] ? from[k + 2] : from[k + 1]; exit
+                }
+            }
+        }'
+}
+# 20 of 80 beads; at the end from 1 to 3 radii beyond the last bead, of which the map has one (test_camera).
+amid() { read -r left from to right < <(window 40%) && awk -v w=$((to - from)) -v all=$((right - left)) 'BEGIN {d = w - .25 * all; exit !(d * d < 2.25)}'; }
+at_the_end() {
+    local l f t r
+    read -r l f t r < <(window 90%) && [ "$l $t $r" = "$left $right $right" ] && awk -v w=$((t - f)) -v all=$((r - l)) 'BEGIN {w /= all; exit !(w > .235 && w < .25)}'
+}
+if command -v ffmpeg >/dev/null; then
+    ok "the map shows the camera's window" amid
+    ok "... which ends at the last bead" at_the_end
+else
+    skip ffmpeg "the map shows the camera's window"
+fi
+
 # ---- how much is computed ----
 
 cat >given.yaml <<'YAML'
