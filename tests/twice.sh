@@ -11,8 +11,10 @@ export CC=${CC:-cc}
 CC=${CC#ccache }
 mkdir -p "$folder" || exit 1
 folder=$(cd "$folder" && pwd)
-for place in a another/place; do
+for place in a another/place; do # both before the first build: nobody waits for that to edit
     mkdir -p "$folder/$place" && cp -r Makefile include sim render assets "$folder/$place" || exit 1
+done
+for place in a another/place; do
     # What may differ between two machines: time, language, order of work.
     (cd "$folder/$place" && TZ=$([ $place = a ] && echo UTC || echo Asia/Tokyo) LC_ALL=$([ $place = a ] && echo C || echo C.UTF-8) \
         make -s -j"$([ $place = a ] && nproc || echo 1)" CC="$CC" CCACHE_DISABLE=1 "${@/#/build/}") || exit 1

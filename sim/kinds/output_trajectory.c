@@ -34,10 +34,9 @@ static const struct bead_option trajectory_rows[] = {
      .like = "all|[text]", .read = bead_output_read_fields, .help = "the fields to store; strain: of fput and shock",
      .example = "[displacement, force]"},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "false",
-     .help =
-         "how far the samples of each field may be off, chain by chain, in the group `/parameters/beadreel/uncertainty`: five "
-         "times the "
-         "largest difference to a run with a hundredth of the tolerance (equations: a tenth), which takes as long again or longer",
+     .help = "how far the samples of each field may be off, chain by chain, in the group `/parameters/beadreel/uncertainty`: five "
+             "times the largest difference to a run with a hundredth of the tolerance (equations: a tenth), which takes as long "
+             "again or longer",
      .example = "true"},
     {"xdmf", BEAD_OPTION_CUSTOM, .initial = "false", .shape = "true or false", .like = "flag", .read = read_xdmf,
      .help = "an .xdmf file beside it, by which ParaView (its XDMF Reader) opens it: beads where they are, at each time",

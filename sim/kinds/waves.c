@@ -40,8 +40,7 @@ static BEAD_OPTION_READER(read_columns)
 static const struct bead_option file_rows[] = {
     {"file", BEAD_OPTION_TEXT, WAVE(name),
      .help = "comma-separated values, seen from the directory of the scene, as an oscilloscope saves them: lines before the names "
-             "of the "
-             "columns, and before the first numbers, are passed over; what is read becomes a part of the scene",
+             "of the columns, and before the first numbers, are passed over; what is read becomes a part of the scene",
      .example = "scope.csv"},
     {"columns", BEAD_OPTION_CUSTOM, .shape = "two names or numbers of columns", .like = "[2 text|number]", .read = read_columns,
      .help = "the columns of time and value; [1, 2] unless given", .example = "[time, force]"},

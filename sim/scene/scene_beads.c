@@ -71,8 +71,7 @@ static const struct bead_option rows[] = {
      .help = "how many times the entries `of` follow each other; random spins are the same each time", .example = "3"},
     {"of", BEAD_OPTION_CUSTOM, .shape = "a list of entries", .like = "[chain.beads]", .read = read_group,
      .help = "a group: entries as in `beads`, instead of `bead` or `cell`; radius, mass, modulus, gap, spring, taper and disorder "
-             "apply to the "
-             "whole",
+             "apply to the whole",
      .example = "[{bead: brass, count: 5}, {cell: [large-steel, ptfe], count: 2}]"},
 };
 
