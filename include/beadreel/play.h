@@ -91,6 +91,7 @@ struct bead_outcome {
     struct bead_moment arrived, final;   /* as the front arrives; at `end` */
     const struct bead_measure *measures; /* what an equation's run has measured; NULL: none */
     size_t measure_count;
+    double absorbed;                  /* J: taken by an absorbing end; NaN: there is none */
     const struct bead_outcome *check; /* that of a run with a hundredth of the tolerance; NULL: not asked, or not possible */
 };
 

@@ -58,7 +58,7 @@ struct bead_budget {
     double contacts, wall; /* elastic, above the chain at rest, less the work of what precompresses it */
     double gravity;        /* potential: minus the work of gravity on a tilt, and that of pendulums */
     double springs;        /* that hold beads at their places */
-    double dissipated;     /* lost to damping */
+    double dissipated;     /* lost to damping and to an absorbing end */
     double work;           /* of the drive, which is in the sum of the others */
     /* Of every bead, J, its share of contacts and of gravity included (their sum is that of the parts but the lost one); of every
      * contact, N, less the static force; of every bead, m/s. Borrowed. */

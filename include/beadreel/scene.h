@@ -142,6 +142,8 @@ struct bead_chain_spec {
     size_t segment_count;
     enum bead_wall wall;
     size_t wall_material; /* BEAD_WALL_MATERIAL */
+    bool absorbs;         /* BEAD_WALL_NONE: a dashpot holds the last bead */
+    double impedance;     /* kg/s: force over velocity of the dashpot; NaN: that of the chain */
     struct bead_law_spec law;
     double precompression;      /* N, >= 0: static force in every contact */
     double gap;                 /* m, >= 0: free space between every two beads behind the striker, besides those of materials */

@@ -255,6 +255,12 @@ static enum bead_error outline(struct bead_chain *chain, struct bead_message *ms
         err = find_sensors(chain, msg);
     if (!err)
         err = check_contacts(chain, msg);
+    char place[128];
+    if (!err && !bead_chain_find_end(chain))
+        err = bead_fail(msg, BEAD_ERROR_SCENE,
+                        "%schain.wall: `absorbing` needs a stiffness of the contacts at rest: give `precompression`, or the "
+                        "impedance, {absorbing: 20 kg/s}",
+                        bead_chain_place(chain, "chain.wall", place, sizeof place));
     if (err || !spec->system->has_contacts)
         return err;
     find_start(chain);

@@ -8,19 +8,25 @@
 #include "beadreel/law.h"
 #include "sim/chain/chain_internal.h"
 
+/* Holds a bead with the force coefficient |v|^exponent against its velocity v. */
+struct bead_dashpot {
+    double coefficient, exponent; /* N (s/m)^exponent; 0: there is none */
+};
+
 struct bead_chain {
     void *own; /* scene and specification of a chain made without a scene; NULL: they are the caller's */
     const struct bead_scene *scene;
     const struct bead_chain_spec *spec;
     const struct bead_law *law; /* NULL: no contacts; then only beads, position, mass and radius mean anything */
     size_t beads, contacts;
-    double slope;         /* m/s^2: gravity along the chain */
-    double striker_mass;  /* kg */
-    double striker_force; /* N: constant force on the striker: its weight, on a tilt */
-    double spring_rate;   /* 1/s^2: the largest stiffness over mass of the springs that hold beads at their places */
-    double started;       /* J: energy of the beads that do not start at rest, without the striker's velocity */
-    double speed;         /* m/s: bead_chain_speed */
-    double energy, omega; /* bead_chain_energy, and bead_chain_omega at this energy */
+    double slope;            /* m/s^2: gravity along the chain */
+    double striker_mass;     /* kg */
+    double striker_force;    /* N: constant force on the striker: its weight, on a tilt */
+    double spring_rate;      /* 1/s^2: the largest stiffness over mass of the springs that hold beads at their places */
+    struct bead_dashpot end; /* of the last bead */
+    double started;          /* J: energy of the beads that do not start at rest, without the striker's velocity */
+    double speed;            /* m/s: bead_chain_speed */
+    double energy, omega;    /* bead_chain_energy, and bead_chain_omega at this energy */
     char *spins;
     double magnetism;
     struct bead_sensor *sensors;
@@ -67,7 +73,19 @@ BEAD_CHECK enum bead_error bead_chain_lay(struct bead_chain *chain, struct bead_
 BEAD_CHECK enum bead_error bead_chain_create_of(const struct bead_scene *scene, const struct bead_chain_spec *spec,
                                                 struct bead_chain **chain, struct bead_message *msg);
 
-/* Do its forces depend on displacements only? */
+/* The dashpot of an absorbing end, from the scene or as the chain's own waves need it. Call this when contacts can be walked.
+ * False: nothing presses the beads together, and the law has no exponent. */
+bool bead_chain_find_end(struct bead_chain *chain);
+/* Force of a dashpot on a bead of velocity v, N. */
+double bead_dashpot_force(const struct bead_dashpot *dashpot, double v);
+
+/* Does any force depend on velocities: damping, or an absorbing end? */
+static inline bool bead_chain_is_damped(const struct bead_chain *chain)
+{
+    return chain->spec->damping_coefficient > 0 || chain->end.coefficient > 0;
+}
+
+/* Do its contacts' forces depend on displacements only? */
 bool bead_chain_forces_follow(const struct bead_chain *chain);
 
 /* The derivatives of a quantity by the numbers of a chain. */

@@ -37,7 +37,8 @@ static void write_chain(struct bead_json *json, const struct bead_chain *chain)
         bead_json_number(json, "compression_radius_most", most.compression > 0 ? most.compression : NAN);
         bead_json_number(json, "pressure_yield_most", most.pressure > 0 ? most.pressure : NAN);
         bead_json_text(json, "wall",
-                       spec->wall == BEAD_WALL_NONE    ? "none"
+                       spec->absorbs                   ? "absorbing"
+                       : spec->wall == BEAD_WALL_NONE  ? "none"
                        : spec->wall == BEAD_WALL_RIGID ? "rigid"
                                                        : materials[spec->wall_material].name);
         bead_json_text(json, "spins", bead_chain_spins(chain));

@@ -31,6 +31,10 @@ static void print_wall(FILE *out, const struct bead_chain *chain)
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
     if (spec->wall == BEAD_WALL_MATERIAL)
         fprintf(out, ", wall %s", bead_chain_scene(chain)->materials[spec->wall_material].name);
+    else if (spec->absorbs && chain->end.exponent == 1)
+        fprintf(out, ", absorbing end of %.4g kg/s", chain->end.coefficient);
+    else if (spec->absorbs)
+        fprintf(out, ", absorbing end of %.4g N (s/m)^%.3g", chain->end.coefficient, chain->end.exponent);
     else
         fprintf(out, ", %s", spec->wall == BEAD_WALL_RIGID ? "rigid wall" : "free end");
 }

@@ -18,11 +18,11 @@ static double rate(const struct bead_state *state, size_t k)
     return state->v[k] - state->v[k + 1];
 }
 
-/* Force of a closed contact, N; negative if it would have to stick. */
+/* Force of a closed contact, N; negative if it would have to stick, 0 where it has opened and nothing damps it. */
 static double closed_force(const struct bead_stepper *s, size_t k, double d, double change)
 {
     double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
-    return elastic + bead_damping_force(&s->table, d, change);
+    return s->table.damping > 0 ? elastic + bead_damping_force(&s->table, d, change) : elastic;
 }
 
 double bead_damped_contacts_within(const struct bead_stepper *s, size_t k, double d, double change)
@@ -59,7 +59,8 @@ static double pushing(const void *context, double x)
 {
     const struct contact_curve *c = context;
     double d = bead_polynomial_value(&c->compression, x), change = bead_polynomial_slope(&c->compression, x) / c->stepper->h;
-    return closed_force(c->stepper, c->contact, d, change);
+    const double force = closed_force(c->stepper, c->contact, d, change);
+    return force != 0 ? force : d;
 }
 
 static double change_of(const struct bead_stepper *s, size_t k)

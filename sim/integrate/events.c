@@ -196,7 +196,7 @@ static void refresh(struct bead_stepper *s, size_t first, size_t last)
     table.static_force += from;
     s->force(to - from, &table, s->end.u + from, NULL, s->end.f + from);
     s->accelerate(bead_to - from, s->end.f + from, s->inverse_mass + from, s->end.a + from);
-    bead_stepper_pull(s, s->end.u, s->end.a, (struct bead_part){from, bead_to});
+    bead_stepper_pull(s, s->end.u, s->end.v, s->end.a, (struct bead_part){from, bead_to});
 }
 
 /* Largest remaining error of kinks at..at + count - 1, m/s. */

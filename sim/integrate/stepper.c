@@ -137,6 +137,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
     s->kernels = kernels;
     s->beads = chain->beads;
     s->full = full;
+    s->damped = bead_chain_is_damped(chain);
     s->driven = bead_is_driven(chain->spec) ? chain->spec->drive.bead : SIZE_MAX;
     s->force = choose_force(chain, kernels);
     s->fused = s->force == kernels->hertz && !has_static(chain);
@@ -150,7 +151,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
                                            .damping_compression = chain->spec->damping_compression};
     s->event_tolerance = ldexp(chain->speed, -43);
     enum bead_error err = allocate(s, msg);
-    if (!err && chain->spec->damping_coefficient > 0 && chain->law->one_sided) {
+    if (!err && s->damped && chain->law->one_sided) {
         s->table.closed = s->closed = calloc(s->beads + 1, 1);
         s->was_closed = calloc(s->beads + 1, 1);
         if (!s->closed || !s->was_closed)
@@ -239,7 +240,7 @@ void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, c
     table.stiffness += from;
     if (s->fused) {
         s->kernels->hertz_move(part.to - from, &table, u + from, s->inverse_mass + from, f + from, a + from);
-        bead_stepper_pull(s, u, a, part);
+        bead_stepper_pull(s, u, v, a, part);
         return;
     }
     const size_t to = part.to < s->active ? part.to : s->active;
@@ -250,7 +251,7 @@ void bead_stepper_evaluate_part(const struct bead_stepper *s, const double *u, c
     table.closed = table.closed ? table.closed + from : NULL;
     s->force(to - from, &table, u + from, v ? v + from : NULL, f + from);
     s->accelerate(to - from, f + from, s->inverse_mass + from, a + from);
-    bead_stepper_pull(s, u, a, (struct bead_part){from, to});
+    bead_stepper_pull(s, u, v, a, (struct bead_part){from, to});
 }
 
 void bead_stepper_advance(struct bead_stepper *s, double t1)

@@ -46,6 +46,7 @@ struct bead_stepper {
     size_t active;    /* beads that the last step may have moved */
     size_t span;      /* `active` rounded up to whole vectors: the beads in between are at rest */
     size_t first;     /* beads before this one have been dropped; whole vectors */
+    bool damped;      /* forces depend on velocities */
     bool full;        /* no window */
     size_t driven;    /* bead with a drive; SIZE_MAX: none */
     double now;       /* s: time of the stage that is being evaluated, for drives */
@@ -82,7 +83,7 @@ const struct bead_method *bead_method_row(const char *name);
 /* True if forces depend on velocities. */
 static inline bool bead_stepper_damped(const struct bead_stepper *stepper)
 {
-    return stepper->table.damping > 0;
+    return stepper->damped;
 }
 
 /* Contacts in the active window. */
@@ -122,9 +123,14 @@ struct bead_part {
 };
 void bead_stepper_evaluate_part(const struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a,
                                 struct bead_part part);
-/* Adds the accelerations by what holds beads from..to - 1 at their places, and by the drive at the time `now`. */
-static inline void bead_stepper_pull(const struct bead_stepper *stepper, const double *u, double *a, struct bead_part part)
+/* Adds the accelerations by what holds beads from..to - 1 at their places, by an absorbing end, and by the drive at the time `now`.
+ * v may be NULL where nothing depends on velocities. */
+static inline void bead_stepper_pull(const struct bead_stepper *stepper, const double *u, const double *v, double *a,
+                                     struct bead_part part)
 {
+    const size_t last = stepper->beads - 1;
+    if (stepper->chain->end.coefficient > 0 && last >= part.from && last < part.to)
+        a[last] -= bead_dashpot_force(&stepper->chain->end, v[last]) * stepper->chain->inverse_mass[last];
     for (size_t j = part.from; stepper->pull && j < part.to; j++)
         a[j] -= stepper->pull[j] * u[j];
     if (stepper->driven >= part.from && stepper->driven < part.to)

@@ -69,6 +69,9 @@ static enum bead_error check_derivatives(const struct bead_reader *reader, const
             return BEAD_WRONG_KEY(reader, at, key,
                                   "%s do not exist for chain%s%s: it has `damping`, whose forces jump when contacts close", what,
                                   chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
+        if (chain->absorbs)
+            return BEAD_WRONG_KEY(reader, at, key, "%s are not known for chain%s%s: its end absorbs", what,
+                                  chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
         if (chain->drive.amplitude > 0)
             return BEAD_WRONG_KEY(reader, at, key, "%s are not known for chain%s%s: it has a `drive`", what,
                                   chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");

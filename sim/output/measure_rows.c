@@ -233,6 +233,13 @@ static double at_wall(const struct reading *r, int reflected)
     return (reflected ? probe->late.force : wall->pulse[0].force) / probe->pulse[0].force;
 }
 
+/* Once all waves have met an absorbing end. */
+static double reflected_energy(const struct reading *r, int)
+{
+    const struct bead_outcome *o = r->outcome;
+    return o && o->energy_end + o->absorbed > 0 ? o->energy_end / (o->energy_end + o->absorbed) : NAN;
+}
+
 /* ---- is the model valid? ---- */
 
 static double strike_speed(const struct reading *r, int)
@@ -343,6 +350,10 @@ static const struct row {
     {{"energy past defect", "", "the same to the power 1 + 1/n for forces ~ d^n (5/3 for Hertz's law)"}, past_defect, 1},
     {{"force at wall", "", "first maximum at the wall / leading force at the probe"}, at_wall, 0},
     {{"reflected force", "", "largest force at the probe after the wall's first maximum / leading force there"}, at_wall, 1},
+    {{"reflected energy", "",
+      "with an absorbing end: energy of the chain at the end of the run, as a part of that and what was absorbed"},
+     reflected_energy,
+     0},
     {{"compression / radius", "", "largest of a contact, as a part of its smaller radius; Hertz's law holds up to a tenth or so"},
      strain,
      0},

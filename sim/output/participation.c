@@ -7,6 +7,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
+#include "sim/chain/drive.h"
 #include "sim/output/measure_private.h"
 #include "sim/run/play.h"
 
@@ -127,7 +128,9 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
 {
     size_t most = BEAD_PLACE_PERIOD;
     *clean = NAN;
-    if (chain->spec->segment_count == 0 || !(bead_chain_energy(chain) > 0))
+    /* Where more than the striker moves at first, no front is watched. */
+    if (chain->spec->segment_count == 0 || chain->spec->start_count > 0 || bead_is_driven(chain->spec) ||
+        !(bead_chain_energy(chain) > 0))
         return BEAD_OK;
     for (size_t s = 0; s < chain->spec->segment_count; s++)
         most = chain->spec->segments[s].cell_beads > most ? chain->spec->segments[s].cell_beads : most;

@@ -15,7 +15,7 @@ const char *bead_behind_refusal(const struct bead_chain *chain)
 {
     if (!chain->law->hertz || chain->law->as_printed)
         return "only Hertz's law lets no signal catch up";
-    if (chain->spec->damping_coefficient > 0)
+    if (bead_chain_is_damped(chain))
         return "damping changes the speed of signals";
     if (chain->striker_force != 0)
         return "gravity acts on all beads";

@@ -44,6 +44,28 @@ double bead_dissipation(const struct bead_stepper *s)
     return sum * s->h;
 }
 
+/* Of a bead over the step, from its state at both ends. */
+static struct bead_polynomial displacement(const struct bead_stepper *s, size_t j)
+{
+    const double at0[4] = {s->start.u[j], s->h * s->start.v[j], s->h * s->h * s->start.a[j]};
+    const double at1[4] = {s->end.u[j], s->h * s->end.v[j], s->h * s->h * s->last_a[j]};
+    return bead_polynomial_quintic(at0, at1);
+}
+
+double bead_absorption(const struct bead_stepper *s)
+{
+    const struct bead_dashpot *end = &s->chain->end;
+    if (!(end->coefficient > 0) || s->active < s->beads)
+        return 0;
+    const struct bead_polynomial u = displacement(s, s->beads - 1);
+    double sum = 0;
+    for (int i = 0; i < NODES; i++) {
+        const double v = bead_polynomial_slope(&u, node[i]) / s->h;
+        sum += weight[i] * bead_dashpot_force(end, v) * v;
+    }
+    return sum * s->h;
+}
+
 /* The work against a contact of a bead whose displacement is given, in steps from..to. Its force is not smooth at both ends, where
  * the contact opens or closes: x runs as 3 y^2 - 2 y^3, so that a force d^(3/2) is smooth in y. */
 static double work_between(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double from, double to)
@@ -101,9 +123,7 @@ double bead_drive_work(const struct bead_stepper *s, struct bead_dense *dense, d
         return 0;
     if (s->chain->spec->drive.displacement)
         return work_of_displacement(s, dense, until);
-    const double at0[4] = {s->start.u[j], s->h * s->start.v[j], s->h * s->h * s->start.a[j]};
-    const double at1[4] = {s->end.u[j], s->h * s->end.v[j], s->h * s->h * s->last_a[j]};
-    const struct bead_polynomial u = bead_polynomial_quintic(at0, at1);
+    const struct bead_polynomial u = displacement(s, j);
     double sum = 0;
     for (int i = 0; i < NODES; i++) {
         const double x = until * node[i];
@@ -175,13 +195,13 @@ enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double 
         return BEAD_OK;
     }
     if (t >= s->t1) {
-        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s), work, beads);
+        *budget = add_up(s, &s->end, dissipated + bead_dissipation(s) + bead_absorption(s), work, beads);
         return BEAD_OK;
     }
     enum bead_error err = bead_stepper_branch(s, &part, msg);
     while (!err && part->t1 < t) { /* repeated if damped contacts close or open */
         bead_stepper_advance(part, t);
-        dissipated += bead_dissipation(part);
+        dissipated += bead_dissipation(part) + bead_absorption(part);
     }
     if (!err)
         *budget = add_up(part, &part->end, dissipated, work, beads);

@@ -116,7 +116,7 @@ static double energy_behind(const struct bead_stepper *s)
         if (j < n)
             energy += c->law->energy(c->stiffness[j], s->table.law, bead_stepper_compression(s, &s->end, j));
     }
-    return c->spec->wall == BEAD_WALL_NONE ? energy - 0.5 * momentum * momentum / mass : energy;
+    return c->spec->wall == BEAD_WALL_NONE && !c->spec->absorbs ? energy - 0.5 * momentum * momentum / mass : energy;
 }
 
 bool bead_front_is_lost(const struct bead_front *front, const struct bead_stepper *s)

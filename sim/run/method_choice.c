@@ -62,7 +62,7 @@ struct reason {
 /* The method that `auto` picks. */
 static struct reason automatic(const struct bead_chain *chain, double share, double accuracy)
 {
-    if (chain->spec->damping_coefficient > 0)
+    if (bead_chain_is_damped(chain))
         return (struct reason){"rk4", "damping: forces depend on velocities"};
     if (!chain->law->one_sided)
         return (struct reason){"rkn8-plain", "contacts pull as well as push: nothing opens"};
@@ -87,7 +87,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
     const struct bead_method *method = bead_method_row(name);
     if (!method)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: there is no method `%s`: see --list methods", file, name);
-    if (chain->spec->damping_coefficient > 0 && !method->info.damping)
+    if (bead_chain_is_damped(chain) && !method->info.damping)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` is for forces without damping; use rk4 or auto", file,
                          name);
     if (bead_is_driven(chain->spec) && method->composition)
@@ -98,7 +98,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
                          file, name, chain->law->name);
     *choice =
         (struct bead_method_choice){method, method->info.theta, method->info.theta_order, method->info.theta_cap, 1, reason.why};
-    if (chain->spec->damping_coefficient > 0)
+    if (bead_chain_is_damped(chain))
         choice->theta *= damped_part;
     if (method->events && chain->law->one_sided)
         choice->share = share;

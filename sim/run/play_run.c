@@ -24,7 +24,7 @@ enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_mes
                      "`until: %.2g s`%s",
                      bead_chain_place(chain, "chain", place, sizeof place), *bead_chain_name(chain) ? " " : "",
                      bead_chain_name(chain), time, fmin(time, 10 * bead_chain_passage(chain, bead_chain_energy(chain))),
-                     chain->spec->damping_coefficient > 0 ? ", or less damping" : "");
+                     bead_chain_is_damped(chain) ? ", or less damping" : "");
 }
 
 enum bead_error bead_play_run(const struct bead_runner *runner, const struct bead_way *way, struct bead_message *msg)

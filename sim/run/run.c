@@ -49,7 +49,8 @@ struct bead_run {
     double *field[BEAD_FIELD_COUNT];
     double *arrived, *final;   /* [2][beads] u, v when the front arrives and at the end; NULL: not requested */
     double work[2];            /* J, of the drive until the start and the end of the step */
-    double lost[2];            /* J, to damping until the start and the end of the step */
+    double lost[2];            /* J, to damping and an absorbing end until the start and the end of the step */
+    double absorbed;           /* J, by an absorbing end */
     struct bead_budget budget; /* of the last sample */
     double *budget_beads;      /* what it points to; NULL: not requested */
     double drift_bound;        /* of the energy error: beyond it steps become shorter */
@@ -214,7 +215,7 @@ static double energy_off(const struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
     double change = bead_stepper_energy(s, &s->end) - run->energy_start - run->work[1];
-    if (s->chain->spec->damping_coefficient > 0 && change < 0)
+    if (bead_stepper_damped(s) && change < 0)
         return 0;
     return run->input > 0 ? fabs(change) / run->input : fabs(change);
 }
@@ -393,8 +394,10 @@ enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg)
     run->work[1] += bead_drive_work(s, &run->dense, 1);
     run->input = fmax(run->input, fabs(run->work[1]));
     run->lost[0] = run->lost[1];
+    const double absorbed = bead_absorption(s);
+    run->absorbed += absorbed;
     if (run->settings.budget)
-        run->lost[1] += bead_dissipation(s);
+        run->lost[1] += bead_dissipation(s) + absorbed;
     look_for_peaks(run);
     drop_behind(run);
     if (run->settings.hash)
@@ -501,6 +504,7 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .event_error = s->events && speed > 0 ? run->event_error / speed : NAN,
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,
+        .absorbed = s->chain->spec->absorbs ? run->absorbed : NAN,
         .worst_contact = NAN,
         .worst_bead = NAN,
         .worst_force = NAN,

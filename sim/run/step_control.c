@@ -115,11 +115,24 @@ double bead_step_control_next(struct bead_step_control *control, const struct be
 /* Damping makes velocities decay within 1/rate. Runge-Kutta 4 has this accuracy with steps of theta/rate, at most cap/rate. */
 static const double damped_theta = 0.06, damped_accuracy = 1e-6, damped_cap = 0.5;
 
+/* Decay rate of the last bead's velocity by an absorbing end. */
+static double end_rate(const struct bead_stepper *s)
+{
+    const struct bead_dashpot *end = &s->chain->end;
+    const size_t last = s->beads - 1;
+    if (!(end->coefficient > 0) || s->active < s->beads)
+        return 0;
+    const double v = fabs(s->end.v[last]);
+    return end->coefficient * end->exponent * (end->exponent != 1 ? pow(v, end->exponent - 1) : 1) * s->chain->inverse_mass[last];
+}
+
 /* Bound of the decay rates at the end of the step: gamma a |D|^(a-1) of each closed contact takes the place of a stiffness. */
 static double damping_rate(const struct bead_stepper *s)
 {
     const size_t n = bead_stepper_contacts(s);
     const double a = s->table.damping_exponent;
+    if (!(s->table.damping > 0))
+        return end_rate(s);
     double *k = s->w[0];
     for (size_t i = 0; i < n; i++) {
         const double change = fabs(s->end.v[i] - s->end.v[i + 1]);
@@ -129,7 +142,7 @@ static double damping_rate(const struct bead_stepper *s)
             k[i] *= pow(fmax(bead_stepper_compression(s, &s->end, i), 0) + change * s->h, s->table.damping_compression);
     }
     k[n] = 0;
-    return circles_of(s, n, k);
+    return fmax(circles_of(s, n, k), end_rate(s));
 }
 
 /* A step near a turn takes one part in so many of the time from it. */

@@ -69,7 +69,7 @@ enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct b
                                        .omega = omega,
                                        .theta = theta,
                                        .accuracy = choice.share * tolerance_factor * asked->accuracy,
-                                       .variable = !(step > 0) && (method->variable || chain->spec->damping_coefficient > 0),
+                                       .variable = !(step > 0) && (method->variable || bead_chain_is_damped(chain)),
                                        .why = choice.why};
     /* omega is a generous bound: only steps of more than twice the limit are certainly unstable. */
     if (step * omega > 2 * method->theta_max)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `chain`: its beads, its striker, and its forces. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "beadreel/law.h"
@@ -9,11 +10,31 @@
 
 #define CHAIN(member) offsetof(struct bead_chain_spec, member)
 
+static const struct bead_option wall_rows[] = {
+    {"absorbing", BEAD_OPTION_NUMBER, CHAIN(impedance), .unit = "kg/s", .required = true, .low = 0, .high = 1e12,
+     .help =
+         "a dashpot instead of a wall, which holds the last bead with this times its velocity: the impedance. Waves in a chain of "
+         "impedance Z0 leave ((Z - Z0) / (Z + Z0))^2 of their energy where they are long. `wall: absorbing` takes that of the "
+         "chain",
+     .example = "20 kg/s"},
+};
+const struct bead_options bead_wall_options = {"chain.wall", "an absorbing end of a given impedance", BEAD_OPTIONS(wall_rows), NULL,
+                                               NULL};
+
 static BEAD_OPTION_READER(read_wall)
 {
     struct bead_chain_spec *chain = settings;
     const char *text = NULL;
+    chain->wall = BEAD_WALL_NONE;
+    chain->impedance = NAN;
+    chain->absorbs = at->node->kind == BEAD_NODE_MAP;
+    if (chain->absorbs)
+        return bead_options_read(reader, at, &bead_wall_options, chain);
     BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
+    chain->absorbs = strcmp(text, "absorbing") == 0;
+    if (chain->absorbs)
+        return BEAD_OK;
+    chain->impedance = 0;
     chain->wall = strcmp(text, "none") == 0 ? BEAD_WALL_NONE : strcmp(text, "rigid") == 0 ? BEAD_WALL_RIGID : BEAD_WALL_MATERIAL;
     return chain->wall == BEAD_WALL_MATERIAL ? bead_scene_find_material(reader, at, false, &chain->wall_material) : BEAD_OK;
 }
@@ -262,8 +283,13 @@ static const struct bead_option chain_rows[] = {
      .help = "a bead that is driven; where the striker has no velocity of its own, nothing else moves at first; needs "
              "simulate.until: see chain.drive",
      .example = "{bead: 0, displacement: sine, amplitude: 0.1 um, frequency: 5 kHz, ramp: 1 ms}"},
-    {"wall", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none, rigid or a material", .like = "text", .read = read_wall,
-     .help = "the wall behind the last bead", .example = "brass"},
+    {"wall", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none, rigid, absorbing or a material", .like = "text|chain.wall",
+     .read = read_wall,
+     .help =
+         "the wall behind the last bead; absorbing: a dashpot of the impedance of the chain, sqrt(k m), through which long waves "
+         "leave; of waves in beads that nothing presses together it sends 3 % of the energy back: see `reflected energy` in "
+         "--list measures",
+     .example = "brass"},
     {"law", BEAD_OPTION_CUSTOM, .initial = "hertz",
      .shape = "a law of --list laws: its name, or a map of its settings such as {power: 2.5, coefficient: 1e9}",
      .like = "text|chain.law", .read = read_law, .help = "the force between two beads",

@@ -74,7 +74,7 @@ static const struct bead_option rows[] = {
      .help = "keep all beads to the end of each run; else those too far behind the front to change the measured peaks are dropped, "
              "which is faster"},
     OF_CHAIN("striker", "with `cells`: what strikes the chain; else as in `chain`", "{velocity: 1 m/s}", "chain.striker"),
-    OF_CHAIN("wall", "with `cells`: the wall behind the last bead", "brass", "text"),
+    OF_CHAIN("wall", "with `cells`: the wall behind the last bead", "brass", "text|chain.wall"),
     OF_CHAIN("law", "with `cells`: the force between two beads", "thesis-appendix", "text|chain.law"),
     OF_CHAIN("precompression", "with `cells`: static force that presses the chain together", "10 N", "number"),
     OF_CHAIN("tilt", "with `cells`: slope of the chain, with its wall at the lower end", "3.5 deg", "number"),

@@ -55,6 +55,7 @@ base() {
     chain.drive) prefix=chain.drive. before=('chain.drive={force: sine, amplitude: 1 N, frequency: 1 kHz}' simulate.until=1ms) ;;
     chain.drive.file) prefix=chain.drive.force. before=('chain.drive={force: {file: scope.csv}, amplitude: 1 N}' simulate.until=1ms) ;;
     chain.beads.disorder) prefix=chain.beads.0.disorder. ;;
+    chain.wall) prefix=chain.wall. before=('chain.wall={absorbing: 1 kg/s}') ;;
     'chain.law ('*')') prefix=chain.law. before=("chain.law={$(all_of "$1")}") ;;
     materials.NAME) prefix=materials.x. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
     materials.NAME.tolerance) prefix=materials.x.tolerance. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;

@@ -79,6 +79,8 @@ static void budgets_close(void **state)
                  {"chain: {" BEADS ", wall: rigid, tilt: 40 deg}\n", "simulate: {until: 0.5 ms}\n", true, true, false},
                  {"chain: {" BEADS ", wall: rigid, tilt: 40 deg, damping: {coefficient: 20, exponent: 1.8}}\n",
                   "simulate: {until: 0.4 ms}\n", true, true, true},
+                 {"chain: {" BEADS ", wall: absorbing}\n", "simulate: {until: 0.5 ms}\n", false, false, true},
+                 {"chain: {" BEADS ", wall: absorbing, precompression: 5 N}\n", "simulate: {until: 0.5 ms}\n", false, false, true},
                  {"chain: {" BEADS ", wall: brass, damping: {coefficient: 20, exponent: 1.8}}\n", "simulate: {until: 0.5 ms}\n",
                   true, false, true},
                  {"chain: {" BEADS ", wall: brass, law: {power: 2.2, coefficient: 1e12}}\n", "simulate: {until: 1 ms}\n", true,
