@@ -19,7 +19,7 @@ static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1, never =
 enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
 
 /* From top to bottom. */
-enum { CLOCK, BADGE, TITLE, FACTS, KEY, TRUST, CELLS, CAPTION, ROWS };
+enum { CLOCK, BADGE, TITLE, FACTS, KEY, TRUST, BAR, CELLS, CAPTION, ROWS };
 
 /* The surroundings of the cells at one level, px. */
 struct frame {
@@ -29,6 +29,7 @@ struct frame {
     int bar_gap, bar_width;
     bool badge_beside, title_beside; /* the clock; else in a line of their own, or nowhere */
     bool lying;                      /* the bar */
+    bool bar_beside, bar_below;      /* the clock, all words; neither: there is no room */
     bool key_beside;                 /* the facts */
 };
 
@@ -37,8 +38,21 @@ static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *l
     return w->axes && level->axes && !w->colourless;
 }
 
-/* Clock and badge, the title beside them or below, lines of facts; the bar beside the cells, or lying beside the clock. The clock
- * is above the first panel. */
+/* In units of the ticks' size: beside a lying bar, for its outer numbers; its least length. */
+static const double bar_pad = 1.2, least_bar = 4;
+
+/* Where a lying bar has room: beside clock and badge, else in a line of its own, until images give way. */
+static void place_for_bar(const struct bead_movie_wants *w, const struct bead_level *level, double room, double beside,
+                          struct frame *f)
+{
+    const struct bead_look *look = w->look;
+    const double most = room - w->bar_title - 2 * bar_pad * look->tick, least = least_bar * look->tick;
+    f->bar_beside = f->lying && most - (room - beside) - 1.5 * look->gap >= least;
+    f->bar_below = f->lying && !f->bar_beside && level->images && most >= least;
+}
+
+/* Clock and badge, the title beside them or below, lines of facts; the bar beside the cells, or lying beside the clock or below
+ * them. The clock is above the first panel. */
 static void measure_words(const struct bead_movie_wants *w, const struct bead_level *level, bool bar, bool stage, struct frame *f)
 {
     const struct bead_look *look = w->look;
@@ -51,12 +65,15 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
         f->right = f->bar_gap + bead_cells_whole(fmax(f->bar_width + w->bar, w->bar_title));
     double room = w->width - 2.0 * (f->margin + f->inset) - f->right - (stage ? 0 : w->left),
            beside = room - w->time_width - 2 * look->gap;
-    double least_bar = f->lying ? w->bar_title + 8 * look->tick : 0;
+    const double bar_beside = f->lying ? w->bar_title + 8 * look->tick : 0;
     bool title = w->title_width > 0 && level->titles;
-    f->badge_beside = w->badge_width > 0 && w->badge_width + least_bar <= beside;
+    f->badge_beside = w->badge_width > 0 && w->badge_width + bar_beside <= beside;
     beside -= f->badge_beside ? w->badge_width + 2 * look->gap : 0;
     f->title_beside = title && !f->lying && w->title_width <= beside;
-    f->row[CLOCK].least = f->lying ? bead_cells_whole(fmax(clock, 0.5 * (clock + f->bar_width) + w->bar_below)) : clock;
+    const int lying = bead_cells_whole(fmax(clock, 0.5 * (clock + f->bar_width) + w->bar_below));
+    place_for_bar(w, level, room, beside, f);
+    f->row[CLOCK].least = f->bar_beside ? lying : clock;
+    f->row[BAR].least = f->bar_below ? lying : 0;
     f->row[BADGE].least = w->badge_width > 0 && !f->badge_beside ? bead_cells_whole(1.5 * look->label) : 0;
     f->row[TITLE].least = title && !f->title_beside ? (w->title_width > room ? 2 : 1) * line : 0;
     f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
@@ -164,23 +181,24 @@ static void place_standing_bar(const struct bead_movie_wants *w, const struct fr
         layout->bar_title = (struct bead_rect){0};
 }
 
-/* Right of the clock, level with it, as far as there is room. */
+/* Right of the clock, level with it, as far as there is room; or in its line, below the words. */
 static void place_lying_bar(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
 {
-    int pad = bead_cells_whole(1.2 * w->look->tick), title = bead_cells_whole(w->bar_title + 0.5 * w->look->gap),
+    const bool below = f->bar_below;
+    int pad = bead_cells_whole(bar_pad * w->look->tick), title = bead_cells_whole(w->bar_title + (below ? 0 : 0.5 * w->look->gap)),
         most = (int)(0.4 * w->width);
     int right = w->width - f->margin - pad,
         left = layout->time.x + layout->time.width + bead_cells_whole(w->look->gap) + title + pad;
     if (f->badge_beside)
         left = layout->badge.x + layout->badge.width + bead_cells_whole(w->look->gap) + title + pad;
-    int length = right - left;
-    length = length < most ? length : most;
-    if (length < 4 * w->look->tick)
+    if (below)
+        left = layout->time.x + title + pad;
+    int length = right - left, top = below ? (int)f->row[BAR].at : f->margin;
+    length = length < most || below ? length : most;
+    if (length < least_bar * w->look->tick)
         return;
-    layout->bar = (struct bead_rect){right - length, f->margin + (layout->time.height - f->bar_width) / 2, f->bar_width, 0};
-    layout->bar.height = layout->bar.width;
-    layout->bar.width = length;
-    layout->bar_title = (struct bead_rect){layout->bar.x - pad - title, f->margin, title, layout->time.height};
+    layout->bar = (struct bead_rect){right - length, top + (layout->time.height - f->bar_width) / 2, length, f->bar_width};
+    layout->bar_title = (struct bead_rect){layout->bar.x - pad - title, top, title, layout->time.height};
 }
 
 /* ---- the choice ---- */
@@ -213,9 +231,9 @@ static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
     to->beyond[0] = c->beyond[0];
     to->beyond[1] = c->beyond[1];
     place_words(w, &f, to->chains[0].plot[0].x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? to->beyond[0] : 0), to);
-    if (f.lying)
+    if (f.bar_beside || f.bar_below)
         place_lying_bar(w, &f, to);
-    else if (has_bar(w, c->level))
+    else if (has_bar(w, c->level) && !f.lying)
         place_standing_bar(w, &f, c, to);
     if (f.row[CAPTION].size > 0)
         to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);

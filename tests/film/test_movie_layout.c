@@ -289,6 +289,36 @@ static void test_bars_are_for_colours(void **state)
     bead_movie_layout_free(&with);
 }
 
+/* On phones, a bar that has no room beside the clock has a line of its own, below the words; what has room is where it was. */
+static void test_bars_on_phones(void **state)
+{
+    (void)state;
+    bool was_below = false, begins_below = false;
+    for (int words = 2; words < 16; words++) { /* of the bar's title, letters */
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, 390, 844, true, false);
+        struct bead_movie_wants w = wants_of(&look, 390, 844);
+        w.chain_count = 1;
+        w.headings = false;
+        w.badge_width = 12 * look.label;
+        w.bar_title = 0.5 * words * look.label;
+        w.views[w.view_count++] = bead_view_find(BEAD_VIEW_BEADS);
+        w.views[w.view_count++] = bead_view_find(BEAD_VIEW_PROFILE);
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        const bool below = found.bar.y > found.title.y;
+        assert_true(found.bar.width >= 4 * look.tick && found.bar.height > 0 && found.bar_title.width >= w.bar_title);
+        assert_true(below ? found.bar.y >= found.title.y + found.title.height && found.bar_title.x == found.time.x
+                          : found.bar_title.x >= found.time.x + found.time.width);
+        assert_true(below || !was_below); /* of longer titles, too */
+        was_below = below;
+        begins_below = begins_below || (words == 2 && below);
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+    }
+    assert_true(was_below && !begins_below);
+}
+
 static void test_too_small(void **state)
 {
     (void)state;
@@ -330,6 +360,7 @@ int main(void)
         cmocka_unit_test(test_automatic_layouts),
         cmocka_unit_test(test_full_size_keeps_everything),
         cmocka_unit_test(test_bars_are_for_colours),
+        cmocka_unit_test(test_bars_on_phones),
         cmocka_unit_test(test_too_small),
         cmocka_unit_test(test_levels_leave_out_more_and_more),
     };
