@@ -373,6 +373,8 @@ def check_text(page, scene):
     page.run("document.getElementById('copy').click()")
     page.settle()
     ok(page.run("window.copied === document.getElementById('scene-text').textContent"), "its button copies it")
+    facts = page.run("document.getElementById('facts').textContent")
+    ok(facts.count("large steel") == 1, "beads that differ in size only are named once", facts)
     table = page.run("document.getElementById('numbers-table').textContent")
     ok(re.search(r"\d ± 0\.0*\d", table), "numbers have their uncertainty", table)
 

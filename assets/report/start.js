@@ -90,7 +90,8 @@ function showNumbers() {
 /* What the films say in their second line. */
 function showFacts() {
     const facts = [];
-    const used = chains[0].material ? [...new Set(chains.flatMap(c => c.material))].map(m => data.materials[m].name) : [];
+    const named = chains[0].material ? chains.flatMap(c => c.material).map(m => data.materials[m].name) : [];
+    const used = [...new Set(named)]; // those that differ in size only have one name
     if (used.length)
         facts.push(used.join(' : '));
     const speeds = new Set(chains.map(c => c.striker));

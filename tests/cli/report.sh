@@ -7,7 +7,7 @@ cat >scene.yaml <<'YAML'
 title: 'A </script><b>title</b> & "more"'
 chain:
   striker: {bead: large-steel, velocity: 0.443 m/s}
-  beads: [{cell: [large-steel, aluminium], count: 12, spins: random, seed: 5}, {bead: small-steel, sensor: first}, {bead: large-steel, count: 6}, {bead: small-steel, sensor: second}]
+  beads: [{cell: [large-steel, aluminium], count: 12, spins: random, seed: 5}, {bead: small-steel, sensor: first}, {bead: large-steel, count: 6, radius: 4.7 mm}, {bead: small-steel, sensor: second}]
   wall: brass
 simulate: {until: 0.6 ms}
 outputs:
