@@ -183,7 +183,7 @@ void bead_parts_labels(struct bead_plan_row *row, const struct bead_text_style *
     }
 }
 
-/* Composes name, number of beads, M, tilt and precompression, as much as fits. */
+/* Composes name, number of beads, M, tilt or absorbing end, and precompression, as much as fits. */
 void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *style, int decimals, double width)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
@@ -202,6 +202,8 @@ void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *
     if (spec->tilt > 0)
         snprintf(pieces[3], sizeof pieces[3], "tilt %.3g°%s", spec->tilt * 180 / M_PI,
                  fabs(row->slope - tan(spec->tilt)) > 1e-9 ? " (drawn flatter)" : "");
+    if (spec->absorbs) /* without a wall, and so without a tilt */
+        snprintf(pieces[3], sizeof pieces[3], "absorbing end");
     if (spec->precompression > 0) {
         bead_quantity(spec->precompression, "N", 3, number, sizeof number);
         snprintf(pieces[4], sizeof pieces[4], "precompressed by %s", number);

@@ -79,6 +79,18 @@ static void the_experiment_is_all_there(void **state)
     clear_stage(s);
 }
 
+static void ends_that_absorb_are_no_free_ends(void **state)
+{
+    (void)state;
+    struct seen seen = {.count = 0};
+    struct staged *s =
+        set_stage("chain: {beads: [{bead: brass, count: 9}], precompression: 5 N, wall: absorbing}\noutputs: [{plot: "
+                  "a.png, show: setup}]\n");
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "absorbing end") && wrote(&seen, "precompressed by 5.00"));
+    clear_stage(s);
+}
+
 /* Many entries and many chains: what is left out is said. */
 static void what_is_left_out_is_said(void **state)
 {
@@ -241,6 +253,7 @@ int main(void)
         cmocka_unit_test(tapered_chains_are_one_row),
         cmocka_unit_test(setups_of_all_lengths),
         cmocka_unit_test(the_experiment_is_all_there),
+        cmocka_unit_test(ends_that_absorb_are_no_free_ends),
         cmocka_unit_test(what_is_left_out_is_said),
         cmocka_unit_test(long_cells),
         cmocka_unit_test(too_small_is_an_error),
