@@ -24,7 +24,8 @@ struct medium {
     size_t count;
 };
 
-/* Bead from which on the chain is of one kind: the last segment that repeats anything, if there is one. */
+/* Bead from which on the chain is of one kind, with the contact before it: the second cell of the last segment that repeats
+ * anything, if there is one. */
 static size_t last_medium(const struct bead_chain_spec *spec, size_t *end)
 {
     size_t beads = 1, from = 0;
@@ -32,7 +33,7 @@ static size_t last_medium(const struct bead_chain_spec *spec, size_t *end)
     for (size_t s = 0; s < spec->segment_count; s++) {
         const size_t next = beads + spec->segments[s].cell_beads * spec->segments[s].count;
         if (spec->segments[s].count > 1 || *end == 0) {
-            from = beads;
+            from = beads + (spec->segments[s].count > 1 ? spec->segments[s].cell_beads : 0);
             *end = next;
         }
         beads = next;

@@ -106,12 +106,41 @@ static void cells_have_the_impedance_of_long_waves(void **state)
     equal(b.chain->end.coefficient, sqrt(20 * 2), 1e-12); /* 25 d^2 = 4: k = 50 d = 20 */
     equal(b.chain->end.exponent, 1, 0);
     release(&b);
+    /* Hertz's contact of steel and aluminium: k = 3/2 A^(2/3) F^(1/3). That of the striker, steel on steel, does not count. */
+    b = build("chain: {precompression: 20 N, beads: [{cell: [large-steel, aluminium], count: 3}], wall: absorbing}\n",
+              "until: 1 s");
+    equal(b.chain->end.coefficient, 155.9864, 1e-4);
+    release(&b);
+}
+
+/* A pulse of 50 beads in a chain of dimers, from a driven end: matched, and with other impedances as lines of that of long waves.
+ */
+static void long_pulses_see_the_mean_of_the_cell(void **state)
+{
+    (void)state;
+    static const double z = 155.9864; /* sqrt(k (m + M) / 2), k = 3/2 A^(2/3) F^(1/3) with Hertz's A of both kinds */
+    static const struct {
+        const char *end;
+        double impedance, tolerance;
+    } cases[] = {{"absorbing", z, 2e-4}, {"{absorbing: 50 kg/s}", 50, 2e-3}, {"{absorbing: 300 kg/s}", 300, 2e-3}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        char scene[700];
+        snprintf(scene, sizeof scene,
+                 "chain:\n  striker: {velocity: 0 m/s}\n  beads: [{cell: [large-steel, aluminium], count: 100}]\n  precompression: "
+                 "20 N\n  wall: %s\n  drive: {bead: 0, force: '0 0, 0.4e-3 1, 0.8e-3 0', amplitude: 0.1 N}\nsimulate: {until: 4.4 "
+                 "ms, accuracy: 1e-5}\noutputs: [{table: m.csv, show: measures, uncertainty: false}]\n",
+                 cases[c].end);
+        measure(scene);
+        const double ratio = cases[c].impedance / z, part = (1 - ratio) / (1 + ratio);
+        near("reflected energy", part * part, cases[c].tolerance);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(packets_leave_but_for_their_reflected_part), cmocka_unit_test(solitary_waves_come_back_by_three_per_cent),
-        cmocka_unit_test(contacts_open_as_without_it), cmocka_unit_test(cells_have_the_impedance_of_long_waves)};
+        cmocka_unit_test(contacts_open_as_without_it), cmocka_unit_test(long_pulses_see_the_mean_of_the_cell),
+        cmocka_unit_test(cells_have_the_impedance_of_long_waves)};
     return cmocka_run_group_tests_name("absorbing", tests, make_directory, remove_directory);
 }
