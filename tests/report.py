@@ -352,7 +352,7 @@ def check_ticks(page):
         values, places = [t["value"] for t in ticks], [t["place"] * length for t in ticks]
         gaps = [b - a for a, b in zip(places, places[1:])]
         even = values[-1] - values[-2]
-        crowded += [(scale, high, values)] if min(gaps) < room - 1e-6 or len(ticks) > 1.3 * length / room + 2 else []
+        crowded += [(scale, high, values)] if min(gaps) < room - 1e-6 or len(ticks) > 12 else []
         uneven += [(scale, high, values)] if any(v and not of_round(v) and (scale == "log" or not of_round(even) or abs(v / even - round(v / even)) > 1e-6)
                                                  for v in values) else []
         few += [(scale, high, values)] if len(ticks) < 3 else []

@@ -32,7 +32,7 @@ function scaledTicks(scale, low, high, length, room) {
     });
     const times = (k, step, e) => Number(`${k * step}e${e}`), top = Math.floor(Math.log10(Math.max(Math.abs(low), Math.abs(high))));
     if (scale === 'linear') {
-        add(roundTicks(low, high, Math.max(2, length / room)), room);
+        add(roundTicks(low, high, clamp(length / room, 2, 10)), room);
     } else if (scale === 'log') {
         const decade = length / Math.log10(high / low), every = Math.ceil(room / decade - 1e-9);
         add(Array.from({length: 1 + Math.ceil(length / decade)}, (_, i) => times(1, 1, top - every * i)), room);

@@ -109,7 +109,10 @@ static void choose_stride(struct bead_sink *s)
     const double native = s->context.native.every, most = BEAD_MEASURE_SPACING * s->context.resolution;
     const double every = native > 0 ? native : most;
     s->measured = s->peaks && isnan(shown->time[0]) && isnan(shown->time[1]) && every <= most * (1 + 1e-9) && isfinite(every);
-    s->held = s->grid.every > pulse * s->context.resolution && every < s->grid.every && isfinite(s->context.resolution);
+    /* Only forces of contacts come and go; what swings would be distorted. */
+    const bool comes_and_goes =
+        s->chains[0].beads && (shown->field == BEAD_FIELD_FORCE || shown->field == BEAD_FIELD_CONTACT_FORCE);
+    s->held = comes_and_goes && s->grid.every > pulse * s->context.resolution && every < s->grid.every;
     s->stride = s->measured || s->held ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1;
 }
 

@@ -69,6 +69,10 @@ ok "a trajectory becomes a report" again
 ok "... of its samples, without peaks" json 'd["time"]["count"] == 301 and "peaks" not in d["chains"][0]' again/run.html
 equation() { exits 0 "$beadreel" kdv -o kdv --set 'outputs=[{report: kdv.html}]' && json '"radius" not in d["chains"][0] and d["time"]["unit"] == ""' kdv/kdv.html; }
 ok "equations have reports without beads" equation
+swings() { # nothing that goes on swinging is replaced by its largest values
+    exits 0 "$beadreel" fput -o kdv --set 'outputs=[{report: fput.html}]' && json 'not d["time"]["held"] and d["time"]["every"] > 5' kdv/fput.html &&
+        exits 0 "$beadreel" cradle.yaml -o kdv --set 'outputs=[{report: speed.html, field: velocity}]' && json 'not d["time"]["held"]' kdv/speed.html
+}
 # Impacts of a tenth of a millisecond, in samples further apart than that.
 cat >cradle.yaml <<'YAML'
 chain: {cradle: {length: 20 cm}, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 4}]}
@@ -92,6 +96,7 @@ PY
 }
 ok "... whose short impacts are not between its samples" impacts cradle/cradle.html
 ok "... nor where few are asked for" impacts cradle/few.html
+ok "... but speeds and strings are as they are at each time" swings
 body() { # TEXT MESSAGE : of assets whose body of pages is the text
     rm -rf made assets && cp -rs "$BEADREEL_ASSETS" assets && rm assets/report/run.html && printf "$1" >assets/report/run.html &&
         BEADREEL_ASSETS=$T/assets fails 1 "$beadreel" scene.yaml -o made --set 'outputs=[{report: r.html}]' && says "report/run.html: $2" &&
