@@ -9,6 +9,7 @@ import math
 import os
 import re
 import sys
+import time
 import xml.etree.ElementTree
 
 from devtools import Browser
@@ -169,21 +170,28 @@ def check_touch(page, directory):
 
 
 def saved(page, what, kind):
-    """The bytes of the file that the button `Save WHAT as KIND` makes."""
-    before = set(os.listdir(page.downloads))
+    """The bytes of the file that the button `Save WHAT as KIND` makes. Browsers keep ten files of a page without asking, so this looks
+    at what the page hands over."""
     spot = page.run("(() => { const button = document.querySelector('button[aria-label=\"Save %s as %s\"]'); "
-                    "button.scrollIntoView({block: 'center'}); const b = button.getBoundingClientRect(); "
+                    "button.scrollIntoView({block: 'center'}); const b = button.getBoundingClientRect(); window.handed = null; "
                     "return {x: b.x + b.width / 2, y: b.y + b.height / 2}; })()" % (what, kind))
     page.click(spot["x"], spot["y"])
+    return base64.b64decode(page.run("""(async () => {
+        while (!window.handed)
+            await new Promise(done => setTimeout(done, 20));
+        const bytes = new Uint8Array(await window.handed.arrayBuffer());
+        return btoa([...bytes].map(c => String.fromCharCode(c)).join('')); })()"""))
+
+
+def kept(directory):
+    """The first file that comes there."""
     for _ in range(600):
-        new = [name for name in os.listdir(page.downloads) if name not in before and name.endswith("." + kind.lower())]
-        if new:
-            with open(os.path.join(page.downloads, new[0]), "rb") as file:
-                content = file.read()
-            os.remove(os.path.join(page.downloads, new[0]))
-            return content
-        page.run("new Promise(done => setTimeout(done, 50))")  # also reads what the browser says, which waits for that
-    raise TimeoutError("no file of " + what)
+        names = [name for name in os.listdir(directory) if not name.endswith("download")]
+        if names:
+            with open(os.path.join(directory, names[0]), "rb") as file:
+                return names[0], file.read()
+        time.sleep(0.05)
+    return None, b""
 
 
 def table(content):
@@ -192,9 +200,12 @@ def table(content):
 
 def check_saving(page, rows, directory):
     """What buttons save: numbers as in the program's own tables, pictures as on the page."""
-    page.downloads = directory + "/saved"
-    os.makedirs(page.downloads, exist_ok=True)
-    page.call("Page.setDownloadBehavior", behavior="allow", downloadPath=page.downloads)
+    os.makedirs(directory + "/saved", exist_ok=True)
+    page.call("Page.setDownloadBehavior", behavior="allow", downloadPath=directory + "/saved")
+    page.run("(() => { const make = URL.createObjectURL; URL.createObjectURL = blob => { window.handed = blob; return make.call(URL, blob); }; })()")
+    curve = saved(page, "these curves", "CSV")
+    name, content = kept(directory + "/saved")
+    ok(content == curve and re.fullmatch(r"A-script-b-title-b-more-bead-\d+\.csv", name or ""), "a saved file has the name of what it shows", name)
     step = page.run("report.chains[0].field.step")
     for name in (n for n in rows[0] if n != "time_s"):
         bead = page.run("report.chains[0].sensors.find(s => s.name === '%s').bead" % name)
