@@ -8,7 +8,7 @@
 #include "tests/scratch.h"
 
 #include "beadreel/session.h"
-#include "sim/output/measure.h"
+#include "sim/measure/measure.h"
 
 /* Contacts f = d^1.5, masses of 1 kg a metre apart; and strikers of other masses. */
 #define UNIT_OF(more)                                                                                                   \

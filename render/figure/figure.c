@@ -4,7 +4,7 @@
 
 #include "render/draw/picture_times.h"
 #include "render/figure/figure.h"
-#include "render/view/magnify.h"
+#include "render/stage/magnify.h"
 #include "render/view/orientation.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"

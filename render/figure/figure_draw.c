@@ -7,8 +7,8 @@
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/figure/figure.h"
+#include "render/stage/panel.h"
 #include "render/view/horizon.h"
-#include "render/view/panel.h"
 
 struct words {
     char letter[128], magnetism[128], moment[160];

@@ -8,7 +8,7 @@
 #include "render/movie/film.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
-#include "sim/output/sink_grid.h"
+#include "sim/measure/sink_grid.h"
 
 struct bead_sink {
     struct bead_film film;

@@ -4,8 +4,8 @@
 
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
+#include "render/stage/panel.h"
 #include "render/view/horizon.h"
-#include "render/view/panel.h"
 
 void bead_composer_bar_title(const struct bead_composer *c, char *out, size_t size)
 {

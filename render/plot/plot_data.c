@@ -6,7 +6,7 @@
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
-#include "sim/output/profile_times.h"
+#include "sim/measure/profile_times.h"
 
 /* `const struct plot_kind bead_plot_NAME`; the first is the default. */
 #define PLOTS(PLOT)                                                                                                         \

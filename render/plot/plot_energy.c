@@ -4,7 +4,7 @@
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
-#include "sim/output/energy_parts.h"
+#include "sim/measure/energy_parts.h"
 
 static enum bead_error plot_energy_create(struct bead_plot_data *data, struct bead_message *msg)
 {

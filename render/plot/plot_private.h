@@ -4,9 +4,9 @@
 
 #include "render/plot/plot_data.h"
 #include "render/view/sensor_curves.h"
-#include "sim/output/recorded.h"
-#include "sim/output/spectra.h"
-#include "sim/output/spreading.h"
+#include "sim/measure/recorded.h"
+#include "sim/measure/spectra.h"
+#include "sim/measure/spreading.h"
 
 /* A panel's data. */
 struct plot_panel {

@@ -5,8 +5,8 @@
 #include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/output/compacton.h"
-#include "sim/output/profile_times.h"
+#include "sim/measure/compacton.h"
+#include "sim/measure/profile_times.h"
 
 /* One unit and number of decimals for all times: as many as they need, up to five digits for the last. */
 struct time_words {

@@ -7,7 +7,7 @@
 #include "render/draw/picture_times.h"
 #include "render/plot/plot_private.h"
 #include "render/view/horizon.h"
-#include "sim/output/places.h"
+#include "sim/measure/places.h"
 
 /* Number of times that a plot can distinguish. */
 static const double moments = 2000;

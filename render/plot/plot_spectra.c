@@ -6,7 +6,7 @@
 #include "render/draw/markup.h"
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
-#include "sim/output/places.h"
+#include "sim/measure/places.h"
 
 /* Automatic axes leave out what is less than this part of the largest; colours reach down to `deepest`. */
 static const double least = 1e-3, least_log = 1e-6, deepest = -60 /* dB */;

@@ -7,7 +7,7 @@
 #include "render/report/report_write.h"
 #include "render/view/area.h"
 #include "render/view/tale.h"
-#include "sim/output/measure.h"
+#include "sim/measure/measure.h"
 
 /* The samples of a chain. */
 struct report_chain {

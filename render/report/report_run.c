@@ -6,12 +6,12 @@
 #include "render/draw/axis.h"
 #include "render/draw/picture_times.h"
 #include "render/report/report_private.h"
-#include "render/view/magnify.h"
+#include "render/stage/magnify.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
-#include "sim/output/sink_grid.h"
+#include "sim/measure/sink_grid.h"
 
 /* Bytes of samples: wanted, and at most. Base64 makes four of three. */
 static const double wanted_bytes = 1.2e6, most_bytes = 12e6;

@@ -6,9 +6,9 @@
 
 #include "render/paint/canvas_private.h"
 #include "render/paint/pixel_kernels.h"
-#include "render/view/along.h"
-#include "render/view/beads.h"
-#include "render/view/magnify.h"
+#include "render/stage/along.h"
+#include "render/stage/beads.h"
+#include "render/stage/magnify.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"

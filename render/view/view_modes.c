@@ -5,8 +5,8 @@
 
 #include "render/draw/axis.h"
 #include "render/draw/raster.h"
-#include "render/view/latest.h"
-#include "render/view/panel.h"
+#include "render/stage/latest.h"
+#include "render/stage/panel.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"

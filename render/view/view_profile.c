@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "render/draw/smooth_curve.h"
-#include "render/view/along.h"
-#include "render/view/camera.h"
-#include "render/view/latest.h"
-#include "render/view/moving_labels.h"
-#include "render/view/panel.h"
+#include "render/stage/along.h"
+#include "render/stage/camera.h"
+#include "render/stage/latest.h"
+#include "render/stage/moving_labels.h"
+#include "render/stage/panel.h"
 #include "render/view/profile_hold.h"
 #include "render/view/profile_scan.h"
 #include "render/view/views.h"

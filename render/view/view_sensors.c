@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "render/draw/raster.h"
+#include "render/stage/panel.h"
 #include "render/view/horizon.h"
-#include "render/view/panel.h"
 #include "render/view/sensor_curves.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"

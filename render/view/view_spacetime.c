@@ -7,12 +7,12 @@
 #include <string.h>
 
 #include "render/draw/raster.h"
-#include "render/view/along.h"
+#include "render/stage/along.h"
+#include "render/stage/camera.h"
+#include "render/stage/panel.h"
 #include "render/view/area.h"
-#include "render/view/camera.h"
 #include "render/view/horizon.h"
 #include "render/view/orientation.h"
-#include "render/view/panel.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/view_kinds.h"

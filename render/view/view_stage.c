@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/view/stage_view.h"
+#include "render/stage/stage_view.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"

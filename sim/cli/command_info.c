@@ -19,9 +19,9 @@
 #include "sim/chain/validity.h"
 #include "sim/hdf5/h5.h"
 #include "sim/kinds/output_kinds.h"
-#include "sim/output/measure.h"
-#include "sim/output/trajectory_data.h"
+#include "sim/measure/measure.h"
 #include "sim/sweep/sweep_internal.h"
+#include "sim/trajectory/trajectory_data.h"
 
 enum { MOST_STARTS = 8 };
 #define SHOWN 72 /* longer spin strings are cut */

@@ -10,7 +10,7 @@
 #include "sim/equation/equation.h"
 #include "sim/hdf5/h5.h"
 #include "sim/integrate/methods.h"
-#include "sim/output/measure.h"
+#include "sim/measure/measure.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/statistics/statistics.h"
 

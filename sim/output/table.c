@@ -7,7 +7,7 @@
 #include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/equation/equation.h"
-#include "sim/output/spectra.h"
+#include "sim/measure/spectra.h"
 #include "sim/output/table.h"
 
 /* Word of `show` and `const struct table bead_table_NAME`. */

@@ -6,8 +6,8 @@
 #include <stdio.h>
 
 #include "beadreel/sink.h"
-#include "sim/output/measure.h"
-#include "sim/output/profile_times.h"
+#include "sim/measure/measure.h"
+#include "sim/measure/profile_times.h"
 
 /* What a check run can tell, if `uncertainty` is asked for: nothing, numbers from samples, or also from outcomes. Samples on the
  * other grid of an equation are none of the run's. */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
-#include "sim/output/energy_parts.h"
+#include "sim/measure/energy_parts.h"
 #include "sim/output/table.h"
 
 static enum bead_error energy_prepare(struct bead_sink *sink, struct bead_message *msg)

@@ -4,8 +4,8 @@
 
 #include "sim/chain/validity.h"
 #include "sim/kinds/scene_facts.h"
-#include "sim/output/places.h"
-#include "sim/output/sink_grid.h"
+#include "sim/measure/places.h"
+#include "sim/measure/sink_grid.h"
 #include "sim/output/table.h"
 
 static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "sim/base/number.h"
-#include "sim/output/sink_grid.h"
+#include "sim/measure/sink_grid.h"
 #include "sim/output/table.h"
 #include "sim/run/uncertainty.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of sensors: a row for each time, a column for the force on each bead with a sensor, or for what is asked of others. */
-#include "sim/output/places.h"
+#include "sim/measure/places.h"
 #include "sim/output/table.h"
 
 /* "bead_20", "bead_20_velocity": sensors keep their names. */

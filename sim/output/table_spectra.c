@@ -6,7 +6,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/base/number.h"
-#include "sim/output/spectra.h"
+#include "sim/measure/spectra.h"
 #include "sim/output/table.h"
 
 static enum bead_error spectra_prepare(struct bead_sink *sink, struct bead_message *msg)

@@ -6,7 +6,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/base/number.h"
-#include "sim/output/spreading.h"
+#include "sim/measure/spreading.h"
 #include "sim/output/table.h"
 
 enum { EXPONENTS = 2, NUMBERS = BEAD_SPREADING_NUMBERS + EXPONENTS };

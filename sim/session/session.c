@@ -7,8 +7,8 @@
 #include "sim/base/memory.h"
 #include "sim/base/settings.h"
 #include "sim/chain/chain_data.h"
-#include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
+#include "sim/trajectory/trajectory_data.h"
 
 static enum bead_error create_chains(struct bead_session *s, struct bead_message *msg)
 {

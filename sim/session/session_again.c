@@ -2,9 +2,9 @@
 /* Opens a trajectory as a session that draws it again. */
 #include <stdlib.h>
 
-#include "sim/output/sink_grid.h"
-#include "sim/output/trajectory_data.h"
+#include "sim/measure/sink_grid.h"
 #include "sim/session/session_data.h"
+#include "sim/trajectory/trajectory_data.h"
 
 /* A stored run cannot change: settings may only say how it is shown. */
 static enum bead_error check_settings(const struct bead_session *s, struct bead_message *msg)

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
-#include "sim/output/places.h"
-#include "sim/output/recorded.h"
+#include "sim/measure/places.h"
+#include "sim/measure/recorded.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 #include "sim/statistics/least_squares.h"

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
-#include "sim/output/trajectory_data.h"
 #include "sim/session/session_data.h"
+#include "sim/trajectory/trajectory_data.h"
 
 /* A chain of one of the files. */
 struct joined_chain {

@@ -3,10 +3,10 @@
 #include <errno.h>
 #include <stdlib.h>
 
-#include "sim/output/trajectory_data.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_internal.h"
+#include "sim/trajectory/trajectory_data.h"
 
 /* Always with the user's own settings, and with those of the command line unless they are to change a part of the scene only. */
 static enum bead_error load(const struct bead_session *s, bool with_settings, struct bead_scene **scene, struct bead_message *msg)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
-#include "sim/output/measure.h"
+#include "sim/measure/measure.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"

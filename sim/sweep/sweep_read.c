@@ -5,10 +5,10 @@
 
 #include "sim/base/memory.h"
 #include "sim/hdf5/h5.h"
-#include "sim/output/file_kinds.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
+#include "sim/trajectory/file_kinds.h"
 #include "sim/yaml/yaml.h"
 
 enum bead_error bead_sweep_is(const char *path, bool *is, struct bead_message *msg)

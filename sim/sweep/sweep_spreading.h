@@ -3,7 +3,7 @@
 #pragma once
 
 #include "beadreel/sweep.h"
-#include "sim/output/spreading.h"
+#include "sim/measure/spreading.h"
 
 /* Times of the samples, evenly from 0 to the end of the runs. */
 enum { BEAD_SWEEP_TIMES = 401 };

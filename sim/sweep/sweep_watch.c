@@ -4,7 +4,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/chain/chain_data.h"
-#include "sim/output/participation.h"
+#include "sim/measure/participation.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 

@@ -6,8 +6,8 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/hdf5/h5.h"
-#include "sim/output/file_kinds.h"
 #include "sim/sweep/sweep_data.h"
+#include "sim/trajectory/file_kinds.h"
 
 /* Rows of a panel in the file: numbers of jobs within the panel. */
 struct rows {

@@ -13,7 +13,7 @@
 
 #include "render/draw/looks.h"
 #include "render/figure/figure.h"
-#include "render/view/along.h"
+#include "render/stage/along.h"
 #include "render/view/area.h"
 #include "tests/sweeps.h"
 

@@ -21,8 +21,8 @@
 #include "render/movie/composer.h"
 #include "render/movie/film.h"
 #include "render/paint/canvas.h"
-#include "render/view/camera.h"
-#include "render/view/magnify.h"
+#include "render/stage/camera.h"
+#include "render/stage/magnify.h"
 #include "render/view/views.h"
 
 extern const struct bead_sink_type bead_movie_sink;

@@ -12,8 +12,8 @@
 #include <cmocka.h>
 
 #include "render/movie/composer_private.h"
-#include "render/view/camera.h"
-#include "render/view/magnify.h"
+#include "render/stage/camera.h"
+#include "render/stage/magnify.h"
 
 static void require(enum bead_error err, const struct bead_message *msg)
 {

@@ -9,7 +9,7 @@
 #include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "render/paint/pixel_kernels.h"
-#include "render/view/stage_view.h"
+#include "render/stage/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/system.h"
 #include "tests/eyes.h"

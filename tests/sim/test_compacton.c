@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The solitary wave of long waves: found again where it is, and beside that of beads, whose speed is known. */
-#include "sim/output/compacton.h"
+#include "sim/measure/compacton.h"
 #include "support.h"
 
 #define BEADS                                                                     \

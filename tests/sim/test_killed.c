@@ -8,8 +8,8 @@
 #include <sys/syscall.h>
 
 #include "sim/hdf5/h5.h"
-#include "sim/output/trajectory_data.h"
-#include "sim/output/trajectory_sink.h"
+#include "sim/trajectory/trajectory_data.h"
+#include "sim/trajectory/trajectory_sink.h"
 
 /* What the program did to its file: bytes written at an offset, or (with no bytes) its new length; or it waited for the disk. */
 struct change {

@@ -3,7 +3,7 @@
  * a pulse. */
 #include "support.h"
 
-#include "sim/output/measure_private.h"
+#include "sim/measure/measure_private.h"
 
 static struct bead_places places_of(const char *beads)
 {

@@ -5,9 +5,9 @@
 #include <hdf5_hl.h>
 
 #include "sim/base/file.h"
-#include "sim/output/sink_grid.h"
-#include "sim/output/trajectory_data.h"
-#include "sim/output/trajectory_sink.h"
+#include "sim/measure/sink_grid.h"
+#include "sim/trajectory/trajectory_data.h"
+#include "sim/trajectory/trajectory_sink.h"
 
 #define ALL_FIELDS "fields: [displacement, velocity, force, contact-force, energy]"
 

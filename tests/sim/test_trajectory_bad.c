@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 
 #include "sim/base/file.h"
-#include "sim/output/trajectory_data.h"
+#include "sim/trajectory/trajectory_data.h"
 
 /* A good file of two chains and 300 samples, and one of its name to spoil. */
 struct bad {

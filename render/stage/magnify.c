@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Chooses, from the first hit, the factor by which displacements are drawn larger, for stills and movies whose scene gives none. */
+#include "render/stage/magnify.h"
+
+#include <math.h>
+
+#include "beadreel/law.h"
+#include "sim/chain/chain_internal.h"
+
+/* In radii: the compression of the striker's hit as drawn, and the limit for any contact that stores all of the hit's energy. */
+static const double share = 0.25, limit = 0.5;
+
+/* Energy of the hit that the first contact stores, J; or would, were it hit with the largest velocity. */
+static double hit_energy(const struct bead_chain *chain)
+{
+    const double *mass = bead_chain_mass(chain), v = bead_chain_speed(chain);
+    double reduced = bead_chain_beads(chain) < 2 ? mass[0] : mass[0] * mass[1] / (mass[0] + mass[1]);
+    return 0.5 * reduced * v * v;
+}
+
+/* Compression of a contact that stores `energy`, m; 0 if it cannot store any. */
+static double magnify_compression(const struct bead_chain *chain, size_t contact, double energy)
+{
+    const struct bead_law_spec *spec = &bead_chain_spec(chain)->law;
+    const struct bead_law *law = spec->row;
+    double d = law && energy > 0 ? law->energy_compression(bead_chain_stiffness(chain)[contact], spec, energy) : 0;
+    return isfinite(d) && d > 0 ? d : 0;
+}
+
+double bead_compression_scale(const struct bead_chain *chain)
+{
+    return bead_chain_contacts(chain) > 0 ? magnify_compression(chain, 0, hit_energy(chain)) : 0;
+}
+
+/* The factor for one chain, not rounded; infinite if nothing is struck. */
+static double magnify_factor_of(const struct bead_chain *chain)
+{
+    const double *radius = bead_chain_radius(chain);
+    double energy = hit_energy(chain), factor = INFINITY;
+    for (size_t k = 0; k < bead_chain_contacts(chain); k++) {
+        double d = magnify_compression(chain, k, energy);
+        double r = k + 1 < bead_chain_beads(chain) ? fmin(radius[k], radius[k + 1]) : radius[k];
+        if (d > 0)
+            factor = fmin(factor, (k == 0 ? share : limit) * r / d);
+    }
+    return factor;
+}
+
+static double round_factor(double x)
+{
+    static const double steps[] = {8, 6, 5, 4, 3, 2, 1.5, 1};
+    if (!(x > 1))
+        return 1;
+    double unit = pow(10, floor(log10(x)));
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        if (x >= steps[i] * unit)
+            return steps[i] * unit;
+    }
+    return unit;
+}
+
+double bead_magnify_auto(const struct bead_chain *const *chains, size_t count)
+{
+    double factor = INFINITY;
+    for (size_t c = 0; c < count; c++)
+        factor = fmin(factor, magnify_factor_of(chains[c]));
+    return isfinite(factor) ? round_factor(factor) : 1;
+}

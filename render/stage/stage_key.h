@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The key of a stage: materials and the scale of its light; and room that a film leaves for its numbers. */
+#pragma once
+
+#include "beadreel/view.h"
+
+/* Room, px, that the key of a stage takes at the right of its headroom. */
+double bead_stage_key_room(const struct bead_view_setup *setup);
+/* Draws one key for the stages of several chains, which ends at `right` px, or with `cr` NULL measures it; returns its width.
+ * `setup`: of the first chain. */
+double bead_stage_draw_key_of(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_chain *const *chains,
+                              size_t count, double right, double middle, double size);
+
+/* The line of numbers below a stage, in units of the ticks' font size. */
+#define BEAD_STAGE_NUMBERS 1.45

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The measures of a run: feeds its samples to the pulses, the trace and the striker, and keeps the state at the arrival. */
+#include "sim/measure/measure.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "sim/measure/measure_private.h"
+#include "sim/measure/participation.h"
+
+enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures, struct bead_message *msg)
+{
+    size_t beads = bead_chain_beads(chain);
+    struct bead_measures *m = *measures = calloc(1, sizeof *m);
+    if (!m || !(m->u = calloc(2 * beads, sizeof *m->u))) {
+        free(m);
+        *measures = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the measures of %zu beads", beads);
+    }
+    m->v = m->u + beads;
+    m->chain = chain;
+    m->places = bead_places_find(chain);
+    m->time = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
+    m->validity = bead_validity_begin(chain);
+    enum bead_error err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
+    if (!err)
+        err = bead_participation_clean(chain, &m->clean, msg);
+    if (err) {
+        bead_measures_destroy(m);
+        *measures = NULL;
+    }
+    return err;
+}
+
+void bead_measures_destroy(struct bead_measures *measures)
+{
+    if (!measures)
+        return;
+    bead_pulses_destroy(measures->pulses);
+    bead_trace_free(&measures->trace);
+    free(measures->u);
+    free(measures);
+}
+
+/* The front has arrived when the last contact's force exceeds this part of the largest so far. */
+static const double front_part = 1e-4;
+
+static bool at_end(const struct bead_measures *m, const struct bead_sample *sample)
+{
+    size_t last = bead_chain_contacts(m->chain) - 1;
+    return last < sample->active &&
+           sample->field[BEAD_FIELD_CONTACT_FORCE][last] - bead_chain_static_force(m->chain)[last] > front_part * m->pulses->record;
+}
+
+/* The largest compression of contact k since the last sample: the largest of the cubic through both with their rates. */
+static double deepest(const struct bead_measures *m, const struct bead_sample *sample, size_t k)
+{
+    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *v = sample->field[BEAD_FIELD_VELOCITY], h = sample->time - m->time;
+    const bool wall = k + 1 == bead_chain_beads(m->chain);
+    const double d[2] = {m->u[k] - (wall ? 0 : m->u[k + 1]), u[k] - (wall ? 0 : u[k + 1])};
+    const double r[2] = {h * (m->v[k] - (wall ? 0 : m->v[k + 1])), h * (v[k] - (wall ? 0 : v[k + 1]))};
+    const double x = r[0] > 0 && r[1] < 0 ? r[0] / (r[0] - r[1]) : 1;
+    const double rise = x * r[0] + x * x * (3 * (d[1] - d[0]) - 2 * r[0] - r[1] + x * (r[0] + r[1] - 2 * (d[1] - d[0])));
+    return bead_chain_static_compression(m->chain)[k] + fmax(d[1], d[0] + rise);
+}
+
+enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sample *sample, struct bead_message *msg)
+{
+    size_t beads = bead_chain_beads(m->chain), moving = sample->active < beads ? sample->active : beads;
+    bead_pulses_feed(m->pulses, sample);
+    bead_strike_feed(m, sample);
+    for (size_t k = 0; k < moving && k < bead_chain_contacts(m->chain); k++)
+        bead_validity_add(&m->validity, m->chain, k, deepest(m, sample, k));
+    memcpy(m->u, sample->field[BEAD_FIELD_DISPLACEMENT], moving * sizeof *m->u);
+    memcpy(m->v, sample->field[BEAD_FIELD_VELOCITY], moving * sizeof *m->v);
+    m->time = sample->time;
+    if (isnan(m->arrived) && at_end(m, sample)) {
+        m->arrived = bead_chain_participation(m->chain, m->u, m->v);
+        m->arrived_time = sample->time;
+    }
+    return bead_trace_feed(m, sample, msg);
+}

@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Records the motion at the probe and at the striker, sample by sample, for measure_rows.c. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "beadreel/law.h"
+#include "sim/measure/measure_private.h"
+
+/* The trace begins when the probe's force exceeds this part of the largest so far. It ends this many rise times of the pulse after
+ * the maximum of the cell's last contact. */
+static const double begin_part = 1e-10, tail_rises = 3;
+/* A pulse ends with the first minimum below this part of its maximum. */
+static const double end_part = 0.05;
+/* Contacts on each side of the probe for the local speed, if no cell repeats there. */
+enum { IRREGULAR = 10 };
+
+void bead_trace_free(struct bead_trace *trace)
+{
+    free(trace->force[0]);
+    *trace = (struct bead_trace){0};
+}
+
+/* All rows in one block of memory, `room` numbers each. */
+static enum bead_error grow(struct bead_trace *t, struct bead_message *msg)
+{
+    enum { ROWS = 3 * BEAD_PLACE_PERIOD + 2 };
+    size_t room = t->room ? 2 * t->room : 512;
+    double *memory = calloc(room * ROWS, sizeof *memory), *old = t->force[0];
+    if (!memory)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the trace of a pulse");
+    for (size_t i = 0; old && i < ROWS; i++)
+        memcpy(memory + i * room, old + i * t->room, t->count * sizeof *memory);
+    free(old);
+    t->room = room;
+    for (size_t i = 0; i <= BEAD_PLACE_PERIOD; i++) {
+        t->force[i] = memory + i * room;
+        t->displacement[i] = memory + (BEAD_PLACE_PERIOD + 1 + i) * room;
+        if (i < BEAD_PLACE_PERIOD)
+            t->velocity[i] = memory + (2 * BEAD_PLACE_PERIOD + 2 + i) * room;
+    }
+    return BEAD_OK;
+}
+
+/* Number of contacts in the trace, from the probe on: those of the cell and, if the chain has it, the next. */
+static size_t trace_contacts(const struct bead_measures *m)
+{
+    size_t there = bead_chain_contacts(m->chain) - m->places.probe, wanted = m->places.cell + 1;
+    return wanted < there ? wanted : there;
+}
+
+enum bead_error bead_trace_feed(struct bead_measures *m, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct bead_trace *t = &m->trace;
+    size_t probe = m->places.probe, cell = m->places.cell, contacts = trace_contacts(m);
+    const double *force = sample->field[BEAD_FIELD_CONTACT_FORCE], *rest = bead_chain_static_force(m->chain);
+    if (t->count == 0 && !(force[probe] - rest[probe] > begin_part * m->pulses->record))
+        return BEAD_OK;
+    struct bead_pulse first = bead_pulses_first(m->pulses, probe), last = bead_pulses_first(m->pulses, probe + cell - 1);
+    if (sample->time > last.time + tail_rises * (first.time - t->begin))
+        return BEAD_OK;
+    if (t->count == t->room) {
+        enum bead_error err = grow(t, msg);
+        if (err)
+            return err;
+    }
+    if (t->count == 0)
+        t->begin = sample->time;
+    for (size_t i = 0; i < contacts; i++)
+        t->force[i][t->count] = force[probe + i] - rest[probe + i];
+    for (size_t i = 0; i <= cell; i++)
+        t->displacement[i][t->count] = sample->field[BEAD_FIELD_DISPLACEMENT][probe + i];
+    for (size_t i = 0; i < cell; i++)
+        t->velocity[i][t->count] = sample->field[BEAD_FIELD_VELOCITY][probe + 1 + i];
+    t->count++;
+    t->spacing = (sample->time - t->begin) / (double)(t->count > 1 ? t->count - 1 : 1);
+    return BEAD_OK;
+}
+
+/* Number of samples until the pulse in contact probe + i has passed. */
+static size_t pulse_end(const struct bead_trace *t, size_t i, double peak, double peak_time)
+{
+    const double *f = t->force[i];
+    size_t at = (size_t)fmin(fmax((peak_time - t->begin) / t->spacing, 0) + 1, (double)t->count);
+    while (at < t->count && f[at] > end_part * peak)
+        at++;
+    while (at + 1 < t->count && f[at] > 0 && f[at + 1] < f[at])
+        at++;
+    return at < t->count ? at + 1 : t->count;
+}
+
+/* s between the two crossings of `part` of the maximum that are nearest to it. */
+static double width(const double *values, size_t count, double spacing, double part)
+{
+    double largest;
+    double at = bead_samples_maximum(values, count, &largest);
+    if (!(largest > 0) || isnan(at))
+        return NAN;
+    size_t from = (size_t)lround(at);
+    return spacing * (bead_samples_crossing(values, count, from, 1, part * largest) -
+                      bead_samples_crossing(values, count, from, -1, part * largest));
+}
+
+/* Energy of contact probe + i above its static state, J. */
+static double potential(const struct bead_measures *m, size_t i, size_t sample)
+{
+    const struct bead_trace *t = &m->trace;
+    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
+    const struct bead_law *law = spec->row;
+    size_t contact = m->places.probe + i;
+    double a = bead_chain_stiffness(m->chain)[contact], d0 = bead_chain_static_compression(m->chain)[contact];
+    double d = t->displacement[i][sample] - t->displacement[i + 1][sample];
+    return law->energy(a, spec, d0 + d) - law->energy(a, spec, d0) - bead_chain_static_force(m->chain)[contact] * d;
+}
+
+/* Integrals over the pulse, through the probe and over one cell. For a smooth pulse that begins and ends at zero the plain sum is
+ * as exact as the samples. */
+static void integrate(const struct bead_measures *m, size_t i, size_t end, struct bead_pulse_found *found)
+{
+    const struct bead_trace *t = &m->trace;
+    double mass = bead_chain_mass(m->chain)[m->places.probe + 1 + i];
+    for (size_t s = 0; s < end; s++) {
+        double f = t->force[i][s], v = t->velocity[i][s];
+        found->energy += i == 0 ? t->spacing * f * v : 0;
+        found->momentum += i == 0 ? t->spacing * f : 0;
+        found->kinetic += t->spacing * 0.5 * mass * v * v;
+        found->potential += t->spacing * potential(m, i, s);
+    }
+}
+
+/* Largest mean of the forces in contacts probe + i and the next. */
+static double bead_force(const struct bead_measures *m, size_t i, size_t end)
+{
+    const struct bead_trace *t = &m->trace;
+    double sum[BEAD_CURVE_POINTS] = {0}, largest = -INFINITY;
+    bool second = i + 1 < trace_contacts(m);
+    size_t at = 0;
+    for (size_t s = 0; s < end; s++) {
+        double mean = 0.5 * (t->force[i][s] + (second ? t->force[i + 1][s] : 0));
+        at = mean > largest ? s : at;
+        largest = fmax(largest, mean);
+    }
+    if (at < BEAD_CURVE_POINTS / 2 || at + BEAD_CURVE_POINTS / 2 >= t->count)
+        return largest;
+    for (size_t s = 0; s < BEAD_CURVE_POINTS; s++) {
+        size_t from = at - BEAD_CURVE_POINTS / 2 + s;
+        sum[s] = 0.5 * (t->force[i][from] + (second ? t->force[i + 1][from] : 0));
+    }
+    bead_samples_maximum(sum, BEAD_CURVE_POINTS, &largest);
+    return largest;
+}
+
+static void read_contact(const struct bead_measures *m, size_t i, struct bead_pulse_found *found)
+{
+    const struct bead_trace *t = &m->trace;
+    const struct bead_law_spec *spec = &bead_chain_spec(m->chain)->law;
+    size_t contact = m->places.probe + i;
+    struct bead_pulse first = bead_pulses_first(m->pulses, contact);
+    size_t end = pulse_end(t, i, first.force, first.time);
+    double velocity, force, rest = bead_chain_static_force(m->chain)[contact], a = bead_chain_stiffness(m->chain)[contact];
+    bead_samples_maximum(t->velocity[i], end, &velocity);
+    bead_samples_maximum(t->force[i], end, &force);
+    integrate(m, i, end, found);
+    found->bead_force = fmax(found->bead_force, bead_force(m, i, end));
+    if (velocity > found->velocity) {
+        found->velocity = velocity;
+        found->velocity_time[0] = width(t->velocity[i], end, t->spacing, 0.5);
+        found->velocity_time[1] = width(t->velocity[i], end, t->spacing, 0.01);
+    }
+    if (first.force > found->force) {
+        found->force = first.force;
+        found->force_time[0] = width(t->force[i], end, t->spacing, 0.5);
+        found->force_time[1] = width(t->force[i], end, t->spacing, 0.01);
+        found->compression = spec->row->compression(a, spec, first.force + rest) - bead_chain_static_compression(m->chain)[contact];
+    }
+}
+
+void bead_front_speed(const struct bead_measures *m, size_t first, size_t last, size_t step, size_t fewest,
+                      double *beads_per_second, double *speed)
+{
+    const double *position = bead_chain_position(m->chain), *radius = bead_chain_radius(m->chain);
+    double n = 0, k0 = 0, t0 = 0, x0 = 0, tt = 0, tk = 0, tx = 0;
+    last = last < m->places.links ? last : m->places.links - 1;
+    for (int pass = 0; pass < 2; pass++) { /* the means first: with these subtracted, sums of squares lose no digits */
+        for (size_t k = first; k <= last; k += step) {
+            double t = bead_pulses_first(m->pulses, k).time, x = position[k] + radius[k];
+            if (isnan(t))
+                continue;
+            if (pass == 0) {
+                n++;
+                k0 += (double)k;
+                t0 += t;
+                x0 += x;
+            } else {
+                tt += (t - t0) * (t - t0);
+                tk += (t - t0) * ((double)k - k0);
+                tx += (t - t0) * (x - x0);
+            }
+        }
+        if (pass == 0 && n > 0) {
+            k0 /= n;
+            t0 /= n;
+            x0 /= n;
+        }
+    }
+    *beads_per_second = n >= (double)fewest && tt > 0 ? tk / tt : NAN;
+    *speed = n >= (double)fewest && tt > 0 ? tx / tt : NAN;
+}
+
+struct bead_pulse_found bead_trace_read(const struct bead_measures *m)
+{
+    struct bead_pulse_found found = {0};
+    size_t probe = m->places.probe, cell = m->places.cell;
+    bool there = m->trace.count > BEAD_CURVE_POINTS;
+    for (size_t i = 0; i < cell; i++)
+        there = there && !isnan(bead_pulses_first(m->pulses, probe + i).force);
+    if (!there)
+        return (struct bead_pulse_found){NAN, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}, {NAN, NAN}, NAN, NAN, NAN, NAN};
+    for (size_t i = 0; i < cell; i++)
+        read_contact(m, i, &found);
+    size_t around = m->places.regular ? 2 * cell : IRREGULAR;
+    bead_front_speed(m, probe > around ? probe - around : 0, probe + around, cell, 2, &found.beads_per_second, &found.speed);
+    if (!(found.beads_per_second > 0))
+        found.beads_per_second = found.speed = NAN;
+    return found;
+}
+
+/* The zero of a cubic before x = 0, in steps; d and r are its values and its slopes, per step, at 0 and 1. */
+static double zero_before(const double d[2], const double r[2])
+{
+    double third = r[0] + r[1] - 2 * (d[1] - d[0]), second = d[1] - d[0] - r[0] - third, x = -d[0] / r[0];
+    for (int i = 0; i < 5; i++)
+        x -= (((third * x + second) * x + r[0]) * x + d[0]) / ((3 * third * x + 2 * second) * x + r[0]);
+    return x;
+}
+
+/* The time at which the contact opened, from later samples only: at the opening the force has a branch point, and the motion is
+ * less smooth before it. */
+static void find_opening(struct bead_strike *s, double time, double step, double d, double rate)
+{
+    bool first = isnan(s->opened);
+    double at[2] = {first ? d : s->behind[0], d}, slope[2] = {step * (first ? rate : s->behind[1]), step * rate};
+    double x = first ? fmax(-1, -d / slope[0]) : zero_before(at, slope);
+    if (x >= -1 && x <= 0 && d <= 0)
+        s->opened = time + (first ? x : x - 1) * step;
+    s->behind[0] = first ? d : NAN;
+    s->behind[1] = rate;
+}
+
+void bead_strike_feed(struct bead_measures *m, const struct bead_sample *sample)
+{
+    struct bead_strike *s = &m->strike;
+    const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *v = sample->field[BEAD_FIELD_VELOCITY], *before = s->compression;
+    double largest;
+    s->velocity = v[0];
+    if (bead_chain_beads(m->chain) < 2 || (!isnan(s->opened) && isnan(s->behind[0])))
+        return;
+    double d = bead_chain_static_compression(m->chain)[0] + u[0] - u[1];
+    memmove(s->compression, s->compression + 1, sizeof s->compression - sizeof *s->compression);
+    s->compression[BEAD_CURVE_POINTS - 1] = d;
+    if (++s->fed < BEAD_CURVE_POINTS)
+        return;
+    bead_samples_maximum(s->compression, BEAD_CURVE_POINTS, &largest);
+    s->largest = fmax(s->largest, largest);
+    if (!isnan(s->opened) || (before[BEAD_CURVE_POINTS - 2] > 0 && d <= 0))
+        find_opening(s, sample->time, sample->time - m->time, d, v[0] - v[1]);
+}

@@ -1,0 +1,474 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Collects the curves of a run and transforms them: see spectra.h. */
+#include "sim/measure/spectra.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "sim/base/elementary.h"
+#include "sim/base/memory.h"
+#include "sim/base/wide.h"
+#include "sim/equation/fourier.h"
+#include "sim/measure/places.h"
+#include "sim/measure/sink_grid.h"
+
+static const double pi = 3.14159265358979323846;
+/* Samples of each period of the highest band. */
+static const double fine = 2.5;
+/* Parts of a run that a spectrogram has, and steps from segment to segment in units of their length. */
+enum { PARTS = 20, STEPS = 8, MOST_VALUES = 1 << 26, FEWEST = 16 };
+/* Where the drive has less of its largest amplitude, there is no transfer. */
+static const double driven = 1e-3;
+
+struct curves {
+    struct bead_place_shown *places;
+    size_t count, taken;
+    double *values; /* [places][samples] */
+    struct bead_medium *media;
+    size_t media_count, cell; /* cell: beads, of a dispersion */
+};
+
+struct bead_spectra {
+    const struct bead_output *output;
+    struct bead_run_context context;
+    struct bead_grid grid;
+    size_t samples;
+    struct curves *chains;
+    char why[128];
+};
+
+/* The largest 2^a 3^b 5^c up to n: other lengths would take their largest prime factor times as long. */
+static size_t smooth(size_t n)
+{
+    for (size_t rest = 0; n > 1; n--) {
+        rest = n;
+        for (size_t p = 2; p <= 5; p++) {
+            while (rest % p == 0)
+                rest /= p;
+        }
+        if (rest == 1)
+            break;
+    }
+    return n;
+}
+
+void bead_spectra_destroy(struct bead_spectra *s)
+{
+    if (!s)
+        return;
+    for (size_t c = 0; s->chains && c < s->context.chain_count; c++) {
+        bead_media_free(s->chains[c].media, s->chains[c].media_count);
+        free(s->chains[c].places);
+        free(s->chains[c].values);
+    }
+    free(s->chains);
+    free(s);
+}
+
+/* ---- what is collected ---- */
+
+/* All beads of the first cell that the chain repeats, or of the whole chain. */
+static enum bead_error place_cells(struct bead_spectra *s, size_t c, struct bead_message *msg)
+{
+    const struct bead_chain *chain = s->context.chains[c];
+    struct curves *curves = &s->chains[c];
+    size_t first = 0, beads = bead_chain_beads(chain);
+    BEAD_TRY(bead_media_find(chain, &curves->media, &curves->media_count, msg));
+    curves->cell = 1;
+    if (curves->media_count > 0) {
+        first = curves->media[0].first;
+        beads = curves->media[0].last - first + 1;
+        curves->cell = curves->media[0].cell.count;
+    }
+    curves->count = smooth(beads / curves->cell) * curves->cell;
+    BEAD_TRY(bead_new(&curves->places, curves->count, msg, "a dispersion"));
+    for (size_t i = 0; i < curves->count; i++)
+        curves->places[i] = (struct bead_place_shown){.index = first + i, .field = s->output->shown.field};
+    return BEAD_OK;
+}
+
+/* Those of curves; of a transfer, the driven bead behind them. */
+static enum bead_error place_listed(struct bead_spectra *s, size_t c, struct bead_message *msg)
+{
+    const struct bead_chain *chain = s->context.chains[c];
+    const struct bead_drive *drive = &bead_chain_spec(chain)->drive;
+    struct curves *curves = &s->chains[c];
+    const size_t count = bead_places_count(s->output, chain);
+    BEAD_TRY(bead_new(&curves->places, count + 1, msg, "a spectrum"));
+    for (curves->count = 0; curves->count < count; curves->count++)
+        curves->places[curves->count] = bead_place_shown(s->output, chain, curves->count);
+    if (s->output->curves.show == BEAD_SHOW_TRANSFER)
+        curves->places[curves->count++] =
+            (struct bead_place_shown){.index = drive->amplitude > 0 ? drive->bead : 0, .field = s->output->shown.field};
+    return BEAD_OK;
+}
+
+/* As asked for; a dispersion is sampled for its highest band. */
+static enum bead_error choose_grid(struct bead_spectra *s, struct bead_message *msg)
+{
+    struct bead_output asked = *s->output;
+    double highest = 0;
+    for (size_t c = 0; c < s->context.chain_count; c++) {
+        for (size_t i = 0; i < s->chains[c].media_count; i++) {
+            double ends[2];
+            bead_band(&s->chains[c].media[i], s->chains[c].media[i].cell.count - 1, ends);
+            highest = fmax(highest, ends[1]);
+        }
+    }
+    if (highest > 0 && !(asked.shown.every > 0))
+        asked.shown.every = bead_round_down(1 / (fine * highest));
+    BEAD_TRY(bead_sink_grid(&asked, &s->context, &s->grid, msg));
+    s->samples = bead_grid_count(&s->grid);
+    return BEAD_OK;
+}
+
+static enum bead_error reserve(struct bead_spectra *s, struct bead_message *msg)
+{
+    size_t places = 0;
+    char every[32];
+    for (size_t c = 0; c < s->context.chain_count; c++)
+        places += s->chains[c].count;
+    if (places == 0)
+        return bead_output_wrong(s->output, msg, "show: there is no sensor to show; give a bead one, or say which `beads`");
+    if (s->samples > MOST_VALUES / places)
+        return bead_output_wrong(s->output, msg, "every: %g gives %zu samples of %zu curves; at most %d numbers are transformed",
+                                 s->grid.every, s->samples, places, MOST_VALUES);
+    for (size_t c = 0; c < s->context.chain_count; c++)
+        BEAD_TRY(bead_new(&s->chains[c].values, s->chains[c].count * s->samples, msg, "spectra"));
+    bead_time_text(s->grid.every, bead_chain_time_unit(s->context.chains[0]), every, sizeof every);
+    snprintf(s->why, sizeof s->why, "spectra of %zu samples of %zu curve%s, every %s", s->samples, places, places == 1 ? "" : "s",
+             every);
+    return BEAD_OK;
+}
+
+enum bead_error bead_spectra_create(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_spectra **made, struct bead_message *msg)
+{
+    enum bead_error err = BEAD_OK;
+    struct bead_spectra *s;
+    *made = NULL;
+    BEAD_TRY(bead_new(&s, 1, msg, "spectra"));
+    s->output = output;
+    s->context = *context;
+    err = bead_new(&s->chains, context->chain_count, msg, "spectra");
+    for (size_t c = 0; c < context->chain_count && !err; c++)
+        err = output->curves.show == BEAD_SHOW_DISPERSION ? place_cells(s, c, msg) : place_listed(s, c, msg);
+    if (!err)
+        err = choose_grid(s, msg);
+    if (!err)
+        err = reserve(s, msg);
+    if (err)
+        bead_spectra_destroy(s);
+    else
+        *made = s;
+    return err;
+}
+
+struct bead_needs bead_spectra_needs(const struct bead_spectra *s)
+{
+    struct bead_needs needs = {.beads = {SIZE_MAX, 0}, .grid = s->grid, .until = s->grid.end, .why = s->why};
+    for (size_t c = 0; c < s->context.chain_count; c++) {
+        for (size_t p = 0; p < s->chains[c].count; p++)
+            bead_place_needs(&s->chains[c].places[p], &needs);
+    }
+    return needs;
+}
+
+/* Samples may come more often than requested, for other panels of a figure. */
+enum bead_error bead_spectra_feed(struct bead_spectra *s, const struct bead_sample *sample, struct bead_message *msg)
+{
+    struct curves *curves = &s->chains[sample->chain];
+    if (curves->taken >= s->samples || sample->time < s->grid.start + ((double)curves->taken - 1e-6) * s->grid.every)
+        return BEAD_OK;
+    for (size_t p = 0; p < curves->count; p++) {
+        const double *values = sample->field[curves->places[p].field];
+        if (!values)
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "the samples have no %s",
+                             bead_field_info(curves->places[p].field)->title);
+        curves->values[p * s->samples + curves->taken] = values[curves->places[p].index];
+    }
+    curves->taken++;
+    return BEAD_OK;
+}
+
+/* ---- transforms ---- */
+
+/* Of segments of a curve; of the beads of a cell, in space. */
+struct transform {
+    struct bead_fourier *fourier;
+    size_t points, bins;
+    double *window, *grid, sum; /* sum: of the window */
+    struct bead_complex *found; /* [bins] */
+};
+
+static void transform_free(struct transform *t)
+{
+    bead_fourier_destroy(t->fourier);
+    free(t->window);
+    free(t->grid);
+    free(t->found);
+}
+
+static enum bead_error transform_make(struct transform *t, size_t points, enum bead_taper window, struct bead_message *msg)
+{
+    *t = (struct transform){.points = points, .bins = points / 2 + 1};
+    BEAD_TRY(bead_fourier_create(points, NULL, &t->fourier, msg));
+    BEAD_TRY(bead_new(&t->window, points, msg, "a spectrum"));
+    BEAD_TRY(bead_new(&t->grid, points, msg, "a spectrum"));
+    BEAD_TRY(bead_new(&t->found, t->bins, msg, "a spectrum"));
+    for (size_t j = 0; j < points; j++) {
+        const double s = bead_sin(pi * ((double)j + 0.5) / (double)points);
+        t->window[j] = window == BEAD_WINDOW_HANN ? s * s : 1;
+        t->sum += t->window[j];
+    }
+    return BEAD_OK;
+}
+
+/* Without its mean, as the window weighs it. */
+static void transform_segment(struct transform *t, const double *values)
+{
+    double mean = 0;
+    for (size_t j = 0; j < t->points; j++)
+        mean += t->window[j] * values[j];
+    mean /= t->sum;
+    for (size_t j = 0; j < t->points; j++)
+        t->grid[j] = t->window[j] * (values[j] - mean);
+    bead_fourier_forward(t->fourier, t->grid, t->found);
+}
+
+static double square(struct bead_complex z)
+{
+    return z.re * z.re + z.im * z.im;
+}
+
+/* A bin, and whether another has the same part of the signal: all but 0 and Nyquist's. */
+static double twice(const struct transform *t, size_t bin)
+{
+    return bin == 0 || 2 * bin == t->points ? 1 : 2;
+}
+
+/* What is transformed of one chain. */
+struct work {
+    const struct bead_spectra *s;
+    const struct curves *curves;
+    struct transform time;
+    size_t segments, hop, rows;
+    struct bead_spectral *found;
+};
+
+static const double *segment_of(const struct work *w, size_t place, size_t segment)
+{
+    return w->curves->values + place * w->s->samples + segment * w->hop;
+}
+
+/* To an amplitude, of squares added up over `count` segments. */
+static void to_amplitudes(const struct work *w, size_t column, size_t count, double scale)
+{
+    double *values = w->found->values + column * w->rows;
+    for (size_t k = 0; k < w->rows; k++)
+        values[k] = scale * sqrt(2 * twice(&w->time, k) * values[k] / (double)count) / w->time.sum;
+}
+
+/* Squares of curve `place` in segment `segment`, added to a column. */
+static void add_squares(struct work *w, size_t place, size_t segment, size_t column)
+{
+    transform_segment(&w->time, segment_of(w, place, segment));
+    for (size_t k = 0; k < w->rows; k++)
+        w->found->values[column * w->rows + k] += square(w->time.found[k]);
+}
+
+static enum bead_error find_spectrum(struct work *w, struct bead_message *)
+{
+    for (size_t p = 0; p < w->found->columns; p++) {
+        for (size_t i = 0; i < w->segments; i++)
+            add_squares(w, p, i, p);
+        to_amplitudes(w, p, w->segments, 1);
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error find_spectrogram(struct work *w, struct bead_message *)
+{
+    for (size_t i = 0; i < w->segments; i++) {
+        add_squares(w, 0, i, i);
+        to_amplitudes(w, i, 1, 1);
+    }
+    return BEAD_OK;
+}
+
+/* |sum conj(X0) X| / sum |X0|^2: what does not come from the drive averages out. */
+static enum bead_error find_transfer(struct work *w, struct bead_message *msg)
+{
+    const size_t rows = w->rows, places = w->found->columns;
+    BEAD_FREED struct bead_complex *drive = NULL, *cross = NULL;
+    BEAD_FREED double *power = NULL;
+    double most = 0;
+    BEAD_TRY(bead_new(&drive, rows, msg, "a transfer"));
+    BEAD_TRY(bead_new(&cross, rows * places, msg, "a transfer"));
+    BEAD_TRY(bead_new(&power, rows, msg, "a transfer"));
+    for (size_t i = 0; i < w->segments; i++) {
+        transform_segment(&w->time, segment_of(w, places, i));
+        memcpy(drive, w->time.found, rows * sizeof *drive);
+        for (size_t k = 0; k < rows; k++)
+            power[k] += square(drive[k]);
+        for (size_t p = 0; p < places; p++) {
+            transform_segment(&w->time, segment_of(w, p, i));
+            for (size_t k = 0; k < rows; k++) {
+                const struct bead_complex other = {drive[k].re, -drive[k].im}, z = bead_complex_times(other, w->time.found[k]);
+                cross[p * rows + k].re += z.re;
+                cross[p * rows + k].im += z.im;
+            }
+        }
+    }
+    for (size_t k = 0; k < rows; k++)
+        most = fmax(most, power[k]);
+    for (size_t i = 0; i < places * rows; i++)
+        w->found->values[i] = power[i % rows] > driven * driven * most ? sqrt(square(cross[i])) / power[i % rows] : NAN;
+    return BEAD_OK;
+}
+
+/* Waves in both directions together, and the beads of a cell: of a wave A cos(k n - w t) of all of them the square is
+ * A^2 times their number. */
+static void add_waves(struct work *w, struct transform *space, const struct bead_complex *bins)
+{
+    for (size_t k = 0; k < w->rows; k++) {
+        for (int part = 0; part < 2; part++) {
+            for (size_t j = 0; j < space->points; j++)
+                space->grid[j] = space->window[j] * (part ? bins[j * w->rows + k].im : bins[j * w->rows + k].re);
+            bead_fourier_forward(space->fourier, space->grid, space->found);
+            for (size_t q = 0; q < space->bins; q++)
+                w->found->values[q * w->rows + k] += twice(space, q) * square(space->found[q]);
+        }
+    }
+}
+
+static enum bead_error add_cells(struct work *w, struct transform *space, struct bead_message *msg)
+{
+    BEAD_FREED struct bead_complex *bins = NULL;
+    BEAD_TRY(bead_new(&bins, space->points * w->rows, msg, "a dispersion"));
+    for (size_t i = 0; i < w->segments * w->curves->cell; i++) {
+        for (size_t j = 0; j < space->points; j++) {
+            transform_segment(&w->time, segment_of(w, j * w->curves->cell + i % w->curves->cell, i / w->curves->cell));
+            memcpy(bins + j * w->rows, w->time.found, w->rows * sizeof *bins);
+        }
+        add_waves(w, space, bins);
+    }
+    for (size_t q = 0; q < space->bins; q++)
+        to_amplitudes(w, q, w->segments, 1 / space->sum);
+    return BEAD_OK;
+}
+
+static enum bead_error find_dispersion(struct work *w, struct bead_message *msg)
+{
+    struct transform space;
+    enum bead_error err = transform_make(&space, w->curves->count / w->curves->cell, w->s->output->curves.window, msg);
+    if (!err)
+        err = add_cells(w, &space, msg);
+    transform_free(&space);
+    return err;
+}
+
+static enum bead_error choose_segments(struct work *w, size_t *points, struct bead_message *msg)
+{
+    const struct bead_spectra *s = w->s;
+    const double asked = s->output->curves.segment;
+    const bool film = s->output->curves.show == BEAD_SHOW_SPECTROGRAM;
+    const size_t taken = w->curves->taken, wanted = isfinite(asked) ? (size_t)fmin(1e15, round(asked / s->grid.every))
+                                                    : film          ? taken / PARTS
+                                                                    : taken;
+    if (wanted < FEWEST || wanted > taken)
+        return bead_output_wrong(s->output, msg,
+                                 "segment: has %zu of %zu samples, every %g; must have %d or more, and no more than there are",
+                                 wanted, taken, s->grid.every, FEWEST);
+    *points = smooth(wanted);
+    w->hop = film ? (*points + STEPS - 1) / STEPS : (*points + 1) / 2;
+    w->segments = (taken - *points) / w->hop + 1;
+    return BEAD_OK;
+}
+
+static size_t columns_of(const struct work *w)
+{
+    switch (w->s->output->curves.show) {
+    case BEAD_SHOW_SPECTROGRAM:
+        return w->segments;
+    case BEAD_SHOW_TRANSFER:
+        return w->curves->count - 1;
+    case BEAD_SHOW_DISPERSION:
+        return w->curves->count / w->curves->cell / 2 + 1;
+    default:
+        return w->curves->count;
+    }
+}
+
+enum bead_error bead_spectra_of(const struct bead_spectra *s, size_t chain, struct bead_spectral *found, struct bead_message *msg)
+{
+    struct work w = {.s = s, .curves = &s->chains[chain], .found = found};
+    const enum bead_show show = s->output->curves.show;
+    size_t points = 0;
+    *found = (struct bead_spectral){0};
+    if (w.curves->count == 0)
+        return BEAD_OK;
+    BEAD_TRY(choose_segments(&w, &points, msg));
+    enum bead_error err = transform_make(&w.time, points, s->output->curves.window, msg);
+    w.rows = w.time.bins;
+    *found = (struct bead_spectral){.columns = columns_of(&w),
+                                    .rows = w.rows,
+                                    .step = 1 / ((double)points * s->grid.every),
+                                    .first = s->grid.start + 0.5 * (double)points * s->grid.every,
+                                    .between = (double)w.hop * s->grid.every};
+    if (show == BEAD_SHOW_DISPERSION) {
+        found->first = 0;
+        found->between = 2 / (double)(w.curves->count / w.curves->cell);
+    }
+    if (!err)
+        err = bead_new(&found->values, found->columns * found->rows, msg, "spectra");
+    if (!err)
+        err = show == BEAD_SHOW_DISPERSION    ? find_dispersion(&w, msg)
+              : show == BEAD_SHOW_TRANSFER    ? find_transfer(&w, msg)
+              : show == BEAD_SHOW_SPECTROGRAM ? find_spectrogram(&w, msg)
+                                              : find_spectrum(&w, msg);
+    transform_free(&w.time);
+    return err;
+}
+
+const struct bead_medium *bead_spectra_medium(const struct bead_spectra *s, size_t chain)
+{
+    return s->chains[chain].media_count > 0 ? &s->chains[chain].media[0] : NULL;
+}
+
+/* ---- lines ---- */
+
+/* Frequency of a band at a column. */
+static double band_at(const struct bead_spectral *d, const struct bead_medium *medium, size_t column, size_t band)
+{
+    const double q = fmin(1, d->first + (double)column * d->between);
+    return bead_jacobi_frequency(&medium->cell, band, bead_sin((0.5 - q) * pi));
+}
+
+struct bead_spectral_line bead_spectral_line(const struct bead_spectral *d, const struct bead_medium *medium, size_t column,
+                                             size_t band)
+{
+    const double *a = d->values + column * d->rows, top = (double)(d->rows - 1) * d->step;
+    struct bead_spectral_line line = {NAN, NAN, 0};
+    double low = 0, high = top;
+    if (medium) {
+        line.exact = band_at(d, medium, column, band);
+        low = band > 0 ? (band_at(d, medium, column, band - 1) + line.exact) / 2 : 0;
+        high = band + 1 < medium->cell.count ? fmin(top, (band_at(d, medium, column, band + 1) + line.exact) / 2) : top;
+    }
+    size_t best = 0;
+    for (size_t k = (size_t)ceil(low / d->step); k <= (size_t)(high / d->step) && k < d->rows; k++) {
+        if (a[k] > line.amplitude) {
+            line.amplitude = a[k];
+            best = k;
+        }
+    }
+    if (line.amplitude > 0)
+        line.found = (double)best * d->step;
+    if (best > 0 && best + 1 < d->rows && a[best - 1] > 0 && a[best + 1] > 0) {
+        const double left = bead_log(a[best - 1]), middle = bead_log(a[best]), right = bead_log(a[best + 1]),
+                     bend = left - 2 * middle + right;
+        line.found += bend < 0 ? d->step * fmax(-0.5, fmin(0.5, 0.5 * (left - right) / bend)) : 0;
+    }
+    return line;
+}
