@@ -85,8 +85,7 @@ struct bead_outcome {
     const struct bead_sensitivity *sensitivities;     /* of the contacts asked for by any sink, rising */
     size_t sensitivity_count;
     /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not
-     * asked.
-     */
+     * asked. Forces that still rise at the end are none. */
     double worst_contact, worst_bead, worst_force, worst_uncertainty;
     struct bead_moment arrived, final;   /* as the front arrives; at `end` */
     const struct bead_measure *measures; /* what an equation's run has measured; NULL: none */

@@ -108,14 +108,14 @@ enum bead_error bead_compare_create(const struct bead_play *p, struct bead_playe
 /* A contact and a bead beside it may have equal uncertainties except for rounding: then the contact counts. */
 static const double clearly = 1 + 1e-9;
 
-/* Notes the peak with the largest relative uncertainty. */
+/* Notes the peak with the largest relative uncertainty. Forces that still rise at the end of the run are no peaks. */
 static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_outcome *outcome)
 {
     double *const which[2] = {&outcome->worst_contact, &outcome->worst_bead};
     for (size_t kind = 0; kind < 2; kind++) {
         for (size_t i = 0; i < kinds[kind].count; i++) {
             const double force = kinds[kind].peaks[i].value, u = kinds[kind].uncertainty[i];
-            if (!(u > 0) || u * outcome->worst_force <= clearly * outcome->worst_uncertainty * force)
+            if (!(u > 0) || kinds[kind].peaks[i].open || u * outcome->worst_force <= clearly * outcome->worst_uncertainty * force)
                 continue;
             *which[0] = *which[1] = NAN;
             *which[kind] = (double)i;

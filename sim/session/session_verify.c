@@ -15,11 +15,12 @@ struct verdict {
     size_t chain;
 };
 
+/* Forces that still rise at the end of the run are no peaks. */
 static void judge(const struct bead_peak *peaks, const double *uncertainty, size_t count, double accuracy, struct verdict *verdict)
 {
     for (size_t i = 0; i < count; i++) {
-        verdict->peaks += peaks[i].value > 0;
-        verdict->poor += uncertainty[i] > accuracy * peaks[i].value;
+        verdict->peaks += peaks[i].value > 0 && !peaks[i].open;
+        verdict->poor += uncertainty[i] > accuracy * peaks[i].value && !peaks[i].open;
     }
 }
 

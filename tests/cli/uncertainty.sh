@@ -56,6 +56,16 @@ ok "... and leaves all results" test -s unsure/peaks.csv -a -s unsure/beads.csv 
 ok "not beside a step" fails 2 "$beadsim" rattling.yaml -o no --set simulate.verify=true --set 'simulate.step=1 us'
 ok "... says why" says 'chooses the steps itself'
 
+# Before the front, forces fall to 1e-34 N and less, and still rise at the end.
+cat >front.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 64}]}
+simulate: {until: 1 ms}
+outputs: [{table: peaks.csv}]
+YAML
+ok "a run that ends before the wave has" exits 0 "$beadsim" front.yaml -o front
+ok "... has forces that still rise, at the last contact" test "$(column front/peaks.csv 63 4)" = open
+ok "... none of them is the least certain peak" prints '; least certain peak: contact 0, 84.53'
+
 cat >steel.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 30}]}
 simulate: {method: rkn8, step: 20 us}
