@@ -213,21 +213,6 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     return err;
 }
 
-/* The colour says as much: a name that does not fit is left out. */
-static void draw_name(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr)
-{
-    static const double smaller = 0.8;
-    const struct bead_rect *rect = &c->layout.chains[chain].name;
-    struct bead_text_style style = bead_words_style(&c->look, c->look.label, colour, BEAD_ALIGN_MIDDLE);
-    char markup[2048];
-    style.bold = true;
-    style.across = BEAD_ALIGN_END;
-    bead_text_escape(bead_chain_title(c->setup.chains[chain]), markup, sizeof markup);
-    style.size *= fmax(smaller, fmin(1, rect->width / fmax(1, bead_words_width(cr, &style, markup))));
-    if (bead_words_width(cr, &style, markup) <= rect->width)
-        bead_text_draw(cr, &style, rect->x + rect->width, rect->y + 0.5 * rect->height, markup);
-}
-
 /* The line of a chain's curve before its heading, which says whose it is without colours; its label gives way. */
 static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect *rect)
 {
@@ -273,7 +258,7 @@ static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
     if (rect.width > 0)
         bead_heading_draw(cr, look, &heading, rect);
     if (place->name.width > 0)
-        draw_name(c, chain, heading.colour, cr);
+        bead_name_draw(cr, look, &heading, place->name);
 }
 
 static void composer_draw_words(struct bead_composer *c, cairo_t *cr)

@@ -44,6 +44,7 @@ struct bead_movie_wants {
     bool colourless;      /* no view shows values as colours: no bar */
     bool same_beads;      /* all chains have the same bead axis: only the lowest is labelled */
     double keyed_heading; /* of the widest such heading with the key of its stage beside it */
+    double name_least;    /* of the first chain's name above its image, as small as may be */
     double key_width;     /* of one key for all stages, where they are a grid */
     double time_width;    /* of the widest time that is shown */
     double badge_width;   /* of the widest badge of the speed; 0: none */
@@ -51,6 +52,7 @@ struct bead_movie_wants {
     double title_width;                            /* of the title; 0: none */
     double left;                                   /* how far ticks and labels of vertical axes reach out of plots */
     double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
+    double along;                                  /* the title of an axis along the first chain */
     double against;                                /* the title of both axes of an image whose time is to the right */
     double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
     double along_end;                              /* and those at the right of an axis along the chain */

@@ -212,7 +212,8 @@ static double measure_time_end(const struct bead_composer *c)
     return 0.5 * most;
 }
 
-static double measure_against(const struct bead_composer *c)
+/* The titles above images, and the name beside the first. */
+static void measure_names(struct bead_composer *c)
 {
     const struct bead_chain *chain = c->setup.chains[0];
     const struct bead_text_style style = bead_words_style(&c->look, c->look.label, c->look.ink, BEAD_ALIGN_MIDDLE);
@@ -221,7 +222,9 @@ static double measure_against(const struct bead_composer *c)
     bead_axis_make(&time, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(chain), BEAD_SCALE_LINEAR, 100, c->look.tick,
                    true);
     bead_panel_against(bead_chain_axis(chain, false).title, &time, markup, sizeof markup);
-    return bead_words_width(NULL, &style, markup);
+    c->wants.against = bead_words_width(NULL, &style, markup);
+    c->wants.along = bead_words_width(NULL, &style, bead_chain_axis(chain, false).title);
+    c->wants.name_least = bead_name_least(&c->look, chain);
 }
 
 static void measure_axes(struct bead_composer *c)
@@ -240,7 +243,7 @@ static void measure_axes(struct bead_composer *c)
     }
     w->below_numbers = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);
     w->time_end = measure_time_end(c);
-    w->against = measure_against(c);
+    measure_names(c);
     w->below_time = reach(&c->look, c->setup.time, unit, BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, "time");
 }
 

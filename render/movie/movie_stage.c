@@ -8,7 +8,7 @@
 
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
 static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,
-                    least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, name_room = 3.5;
+                    least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5;
 /* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame. */
 static const double wide = 1.5, wide_inset = 0.03;
 /* Of the area of all plots: the curve has at least this; of a frame: images have at most this. */
@@ -36,8 +36,9 @@ struct stage {
     size_t acts, curve;                          /* views; view_count: none */
     size_t others[BEAD_MOST_VIEWS], other_count; /* below the beads, each chain in a plot of its own */
     bool bar;
-    int inset;      /* px: of beads, within the area of plots with their axes */
-    size_t columns; /* of stages */
+    bool names_above; /* names of images have a line of their own above the titles; else they are beside these */
+    int inset;        /* px: of beads, within the area of plots with their axes */
+    size_t columns;   /* of stages */
 };
 
 static int whole(double x)
@@ -139,6 +140,17 @@ static int above(const struct stage *s)
     return s->w->axes ? whole(line * s->w->look->label) : 0;
 }
 
+/* And that of the names of images; the width of their title. */
+static int name_line(const struct stage *s)
+{
+    return whole(line * s->w->look->label);
+}
+
+static double title_width(const struct stage *s)
+{
+    return s->to->against ? s->w->against : s->w->along;
+}
+
 static int below(const struct stage *s, size_t view)
 {
     bool time = bead_movie_across(s->w, view) == BEAD_ACROSS_TIME;
@@ -184,6 +196,15 @@ static void place_curve(const struct stage *s, struct bead_rect plot)
     s->to->overlay = s->curve;
 }
 
+/* The name above an image, to its right end; it may begin above the gap before. */
+static struct bead_rect name_of(const struct stage *s, size_t chain, int x, int y, int width)
+{
+    const bool beside = chain == 0 && !s->names_above;
+    const int taken = whole(beside ? title_width(s) + beside_title * s->em : beside_title * s->em - left_of(s, chain == 0)),
+              top = y - above(s) - (s->names_above ? name_line(s) : 0);
+    return (struct bead_rect){x + taken, top, width - taken, name_line(s)};
+}
+
 /* The plots of a view from `x` on; returns their end. */
 static double place_view(const struct stage *s, size_t view, double x, int y, double width, int height)
 {
@@ -194,8 +215,7 @@ static double place_view(const struct stage *s, size_t view, double x, int y, do
         chain->values[view] = s->w->axes && i == 0;
         chain->labels[view] = s->w->axes;
         if (s->w->chain_count > 1 && s->w->axes && s->w->headings) {
-            int taken = i > 0 ? 0 : whole(s->to->against ? s->w->against + 0.5 * s->em : 3.4 * s->em);
-            chain->name = (struct bead_rect){(int)ceil(x) + taken, y - above(s), (int)floor(width) - taken, above(s)};
+            chain->name = name_of(s, i, (int)ceil(x), y, (int)floor(width));
         }
         x += width;
     }
@@ -207,11 +227,12 @@ static struct bead_rect last_plot(const struct stage *s)
     return s->to->chains[s->w->chain_count - 1].plot[s->others[s->other_count - 1]];
 }
 
-/* Is there room for one title of both axes beside the name of the first chain? */
+/* Is there room for the title of the axes, with the name of the first chain beside it or above? */
 static bool titled(const struct stage *s, double width)
 {
-    double name = s->w->chain_count > 1 && s->w->headings ? name_room * s->em : 0;
-    return !s->to->against || s->other_count == 0 || width >= s->w->against + name;
+    const bool named = s->w->axes && s->w->chain_count > 1 && s->w->headings && s->w->name_least > 0;
+    const double beside = named && !s->names_above ? beside_title * s->em + s->w->name_least : 0;
+    return s->other_count == 0 || beside + (beside > 0 || s->to->against ? title_width(s) : 0) <= width;
 }
 
 static bool large_enough(const struct stage *s, double width, double height)
@@ -227,7 +248,7 @@ static bool place_beside(const struct stage *s, int y, int bottom)
     int under = has_curve ? below(s, s->curve) : 0;
     for (size_t k = 0; k < s->other_count; k++)
         under = under > below(s, s->others[k]) ? under : below(s, s->others[k]);
-    int top = y + above(s), height = bottom - under - top;
+    int top = y + above(s) + (s->names_above ? name_line(s) : 0), height = bottom - under - top;
     double first = fmax(left_of(s, true), s->inset), room = s->area.width - (has_curve ? first : 0) - bar_room(s) - right_of(s);
     room -= (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
     double least = has_curve ? fmax(least_curve[0] * s->em, curve_part * room) : 0;
@@ -259,7 +280,7 @@ static bool place_below(const struct stage *s, int y, int bottom)
            width = floor(room / n);
     double left = bottom - y - above(s) - below(s, s->curve), gap = whole(s->plan->air * between * s->em);
     for (size_t k = 0; k < s->other_count; k++)
-        left -= above(s) + below(s, s->others[k]) + gap;
+        left -= above(s) + below(s, s->others[k]) + gap + (s->names_above ? name_line(s) : 0);
     double least = s->plan->images * s->area_px / (n * rows * width), most = most_images * s->area_px / (n * rows * width);
     double height = floor(fmin(most, fmax(least, (left - fmax(least_curve[1] * s->em, curve_part * left)) / rows)));
     double curve = floor(left - rows * height);
@@ -269,7 +290,7 @@ static bool place_below(const struct stage *s, int y, int bottom)
     place_curve(s, (struct bead_rect){x, top, s->area.x + s->area.width - x - whole(right_of(s)), (int)curve});
     top += (int)curve + below(s, s->curve);
     for (size_t k = 0; k < s->other_count; k++) {
-        top += (int)gap + above(s);
+        top += (int)gap + above(s) + (s->names_above ? name_line(s) : 0);
         place_view(s, s->others[k], s->area.x, top, width, (int)height);
         top += (int)height + below(s, s->others[k]);
     }
@@ -295,8 +316,12 @@ bool bead_stage_place(const struct bead_movie_wants *w, const struct bead_stage_
     bool curve = s.curve < w->view_count, both = curve && s.other_count > 0;
     if (end < 0 || (!curve && s.other_count == 0))
         return end >= 0;
-    for (int against = w->orientation != BEAD_TIME_DOWN && w->axes; against >= 0; against--) {
-        layout->against = against;
+    const bool named = w->axes && w->headings && w->chain_count > 1;
+    for (int tries = 0; tries < (named ? 4 : 2); tries++) {
+        s.names_above = tries >= 2;
+        layout->against = tries % 2 == 0;
+        if (layout->against && (w->orientation == BEAD_TIME_DOWN || !w->axes))
+            continue;
         if (place_beside(&s, top, bottom) || (both && place_below(&s, top, bottom)))
             return true;
     }

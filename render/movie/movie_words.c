@@ -14,7 +14,7 @@
 /* The second line of a heading, in units of the label's font size. */
 static const double heading_line = 1.35;
 /* Its first line, in units of the title's font size; the gap between its parts, in those of the look's gap. */
-static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smaller_label = 0.85;
+static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smallest_image_name = 0.8, smaller_label = 0.85;
 
 struct bead_clock bead_clock_make(double end, double step, const char *unit)
 {
@@ -334,6 +334,37 @@ double bead_heading_least(const struct bead_look *look, const struct bead_chain 
 {
     const double size = heading_size * look->title;
     return name_width(look, chain, smallest_name * size, size);
+}
+
+/* Long names are set smaller before they are cut. */
+static struct bead_text_style name_style(const struct bead_look *look, struct bead_rgb colour)
+{
+    struct bead_text_style style = bead_words_style(look, look->label, colour, BEAD_ALIGN_MIDDLE);
+    style.bold = true;
+    style.across = BEAD_ALIGN_END;
+    return style;
+}
+
+static double name_room(cairo_t *cr, const struct bead_text_style *style, const struct bead_chain *chain)
+{
+    const char *name = bead_chain_title(chain);
+    return ceil(plain_width(cr, style, name, strlen(name)) + 1);
+}
+
+double bead_name_least(const struct bead_look *look, const struct bead_chain *chain)
+{
+    struct bead_text_style style = name_style(look, look->ink);
+    style.size *= smallest_image_name;
+    return bead_chain_title(chain)[0] ? name_room(NULL, &style, chain) : 0;
+}
+
+void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
+{
+    struct bead_text_style style = name_style(look, heading->colour);
+    char markup[2048];
+    style.size *= fmax(smallest_image_name, fmin(1, rect.width / name_room(cr, &style, heading->chain)));
+    bead_words_fit(cr, &style, bead_chain_title(heading->chain), false, rect.width, markup, sizeof markup);
+    bead_text_draw(cr, &style, rect.x + rect.width, rect.y + 0.5 * rect.height, markup);
 }
 
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)

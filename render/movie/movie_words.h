@@ -62,6 +62,10 @@ double bead_heading_width(const struct bead_look *look, const struct bead_chain 
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain);
 /* M stands beside the name or, in the second line, before the label. A label that does not fit is left out, M never. */
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
+/* px, of a chain's name above its image as small as may be; 0: it has none. */
+double bead_name_least(const struct bead_look *look, const struct bead_chain *chain);
+/* To the right; as much as fits. */
+void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 
 /* ---- captions: captions.c ---- */
 

@@ -70,13 +70,17 @@ static void assert_numbers_part(const struct texts *seen, const char *what)
     }
 }
 
+static size_t times_written(const struct texts *seen, const char *text)
+{
+    size_t times = 0;
+    for (size_t i = 0; i < seen->count; i++)
+        times += strstr(seen->text[i].markup, text) != NULL;
+    return times;
+}
+
 static bool wrote(const struct texts *seen, const char *text)
 {
-    for (size_t i = 0; i < seen->count; i++) {
-        if (strstr(seen->text[i].markup, text))
-            return true;
-    }
-    return false;
+    return times_written(seen, text) > 0;
 }
 
 static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "overlay", "beside", "images"};
@@ -198,6 +202,10 @@ static void check_words(const struct stage *s, const struct wish *w, const char 
         fail_msg("%s: M is said %zu times", what, magnetisms);
     if (image_share(s) > 0 && !wrote(&s->seen, "time (ms)"))
         fail_msg("%s: nothing says what the axis of time is", what);
+    for (size_t i = 0; i < w->chains && w->chains > 1 && image_share(s) > 0; i++) {
+        if (times_written(&s->seen, words[4 + i]) != 2)
+            fail_msg("%s: '%s' is not at its stage and at its image", what, words[4 + i]);
+    }
 }
 
 static void check(const struct wish *w)
