@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does a plot say what the table says? tests/curves.py PLOT.svg TABLE.csv XFACTOR YFACTOR [NUMBER]: reads the ticks, their labels and
 one curve back (the first; bands count, too), and compares each of its points with the table, whose first two columns are divided by the factors.
-Ends with status 3 where they differ, with 1 where the plot cannot be read."""
+With - instead of
+the table: writes the points of the curve, in units of the axes. Ends with status 3 where they differ, with 1 where the plot cannot be read."""
 import bisect
 import re
 import sys
 
 svg = open(sys.argv[1], encoding="utf-8").read()
-with open(sys.argv[2], encoding="utf-8") as table:
-    points = [tuple(float(x) / float(by) for x, by in zip(line.split(",")[:2], sys.argv[3:5])) for line in list(table)[1:]]
+points = []
+if sys.argv[2] != "-":
+    with open(sys.argv[2], encoding="utf-8") as table:
+        points = [tuple(float(x) / float(by) for x, by in zip(line.split(",")[:2], sys.argv[3:5])) for line in list(table)[1:]]
 
 
 def path(text):
@@ -46,6 +49,9 @@ to_y, unit_y = scale(left, labels[len(down):len(down) + len(left)])
 number = int(sys.argv[5]) if len(sys.argv) > 5 else 0
 clipped = re.findall(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg)[number]
 curve = [(to_x(x), to_y(y)) for x, y in path(clipped)]
+if not points:
+    print("\n".join(f"{x:.9g},{y:.9g}" for x, y in curve))
+    sys.exit()
 assert len(curve) > 50
 xs = [p[0] for p in points]
 for x, y in curve:

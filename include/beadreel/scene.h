@@ -400,6 +400,7 @@ struct bead_trajectory_asked {
 
 struct bead_image_asked {
     enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
+    bool theory;                 /* the front that theory predicts, in space-time images */
     double at;                   /* s; time of a still with views other than spacetime; NaN: end */
 };
 

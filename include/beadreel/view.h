@@ -101,7 +101,8 @@ struct bead_view_setup {
     size_t modes;                      /* modes: how many */
     bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */
     double mark;
-    bool trust; /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
+    bool theory; /* spacetime in stills: the front that theory predicts */
+    bool trust;  /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
 };
 
 struct bead_view; /* each type's own */

@@ -59,9 +59,9 @@ static enum bead_error check_theory(const struct bead_plot_data *data, struct be
     for (size_t p = 0; p < data->count && data->output->plot.theory; p++) {
         if (data->output->shown.field != BEAD_FIELD_CONTACT_FORCE ||
             !bead_compacton_is_of(data->context.chains[data->parts[p].chain]))
-            return bead_output_wrong(
-                data->output, msg,
-                "theory: there is one for `field: contact-force` of equal Hertzian beads, without precompression or tilt");
+            return bead_output_wrong(data->output, msg,
+                                     "theory: there is one for `field: contact-force` of equal Hertzian beads, without "
+                                     "precompression, tilt, gaps or springs");
     }
     return BEAD_OK;
 }

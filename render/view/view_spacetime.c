@@ -13,6 +13,7 @@
 #include "render/view/area.h"
 #include "render/view/horizon.h"
 #include "render/view/orientation.h"
+#include "render/view/theory_line.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/view_kinds.h"
@@ -22,12 +23,13 @@ struct bead_view {
     struct bead_look look;
     struct bead_rect plot;
     struct bead_area *area;
-    struct bead_horizon *horizon; /* NULL: without `trust` */
-    int columns, places;          /* pixels along time, along the chain */
-    uint8_t *indices;             /* [plot.height][plot.width], colours of the columns (or rows) done */
-    int first, done;              /* time columns first <= c < done have their final colours */
-    int shown;                    /* columns up to here are in the frame */
-    int mark[2];                  /* places of the camera's window, shown on the cursor */
+    struct bead_horizon *horizon;    /* NULL: without `trust` */
+    struct bead_theory_line *theory; /* NULL: without `theory` */
+    int columns, places;             /* pixels along time, along the chain */
+    uint8_t *indices;                /* [plot.height][plot.width], colours of the columns (or rows) done */
+    int first, done;                 /* time columns first <= c < done have their final colours */
+    int shown;                       /* columns up to here are in the frame */
+    int mark[2];                     /* places of the camera's window, shown on the cursor */
     bool drawn, finished;
     uint32_t colour[256], ghost[256]; /* as in frames; dimmed */
     struct bead_colour_table table;
@@ -35,7 +37,7 @@ struct bead_view {
 
 static unsigned spacetime_fields(const struct bead_view_setup *setup)
 {
-    return BEAD_FIELD_BIT(setup->field);
+    return BEAD_FIELD_BIT(setup->field) | (setup->theory ? BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) : 0);
 }
 
 static uint32_t pixel_of(struct bead_rgb c)
@@ -113,6 +115,8 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
     enum bead_error err = bead_area_create(&sampled, &v->area, msg);
     if (!err && v->setup.trust)
         err = bead_horizon_create(&setup, &v->horizon, msg);
+    if (!err && v->setup.theory)
+        err = bead_theory_line_create(&v->setup, &v->theory, msg);
     if (!err && bead_along_uneven(&v->setup, v->places))
         err = divide(v, msg);
     if (err)
@@ -161,6 +165,8 @@ static enum bead_error spacetime_feed(struct bead_view *v, const struct bead_sam
     enum bead_error err = v->area ? BEAD_OK : spacetime_prepare(v, msg);
     if (!err)
         bead_area_feed(v->area, sample->time, values, sample->active);
+    if (!err && v->theory)
+        bead_theory_line_feed(v->theory, sample);
     if (!err && v->horizon)
         bead_horizon_feed(v->horizon, sample->time, values, comparison,
                           sample->active > sample->comparison_active ? sample->active : sample->comparison_active);
@@ -276,17 +282,19 @@ static void stroke_mark(const struct bead_view *v, cairo_t *cr)
     }
 }
 
-/* Draws horizon and mark in a part of the frame. */
+/* Draws horizon, theory and mark in a part of the frame. */
 static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct bead_rect part, struct bead_frame *frame,
                                             struct bead_message *msg)
 {
-    if ((!v->horizon && !v->setup.marked) || part.width < 1 || part.height < 1)
+    if ((!v->horizon && !v->theory && !v->setup.marked) || part.width < 1 || part.height < 1)
         return BEAD_OK;
     cairo_t *cr = bead_raster_begin(frame);
     cairo_rectangle(cr, part.x, part.y, part.width, part.height);
     cairo_clip(cr);
     if (v->horizon)
         bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.orientation, !v->setup.fill);
+    if (v->theory)
+        bead_theory_line_draw(v->theory, &v->look, v->plot, cr);
     stroke_mark(v, cr);
     return bead_raster_end(cr, "horizon", msg);
 }
@@ -404,6 +412,8 @@ static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_
         bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.orientation, !v->setup.fill);
         status = cairo_status(cr);
     }
+    if (v->theory)
+        bead_theory_line_draw(v->theory, &v->look, v->plot, cr);
     stroke_mark(v, cr);
     draw_frame(v, cr); /* again: viewers stretch the image to whole pixels of theirs, over its frame */
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
@@ -415,6 +425,7 @@ static void spacetime_destroy(struct bead_view *v)
         return;
     bead_area_destroy(v->area);
     bead_horizon_destroy(v->horizon);
+    bead_theory_line_destroy(v->theory);
     free(v->indices);
     free(v);
 }

@@ -108,6 +108,17 @@ BEAD_OUTPUT_CHECK(bead_output_check_field_list)
     return check_fields(reader, at, "fields", output->trajectory.fields);
 }
 
+BEAD_OUTPUT_CHECK(bead_output_check_theory)
+{
+    if (!output->image.theory)
+        return BEAD_OK;
+    if (!output->views.axes)
+        return BEAD_WRONG_KEY(reader, at, "theory", "is set, but `axes: false` leaves pixels bare and no room for its words");
+    return bead_views_any(&output->views, BEAD_SHOWS_IMAGE)
+               ? BEAD_OK
+               : BEAD_WRONG_KEY(reader, at, "theory", "is set, but there is no spacetime to show it over: add that to `views`");
+}
+
 /* `trust` shows in views of all times, and needs room for its words. */
 BEAD_OUTPUT_CHECK(bead_output_check_trust)
 {

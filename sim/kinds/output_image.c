@@ -45,11 +45,11 @@ static BEAD_OUTPUT_CHECK(check_sweep_image)
     return bead_output_check_field(reader, at, output);
 }
 
-const struct bead_output_type bead_image_output = {.options = &image_options,
-                                                   .sweep_options = &sweep_image_options,
-                                                   .check_sweep = check_sweep_image,
-                                                   .only_in_scenes = true,
-                                                   .checks = {bead_output_check_field, bead_output_check_still_views,
-                                                              bead_output_check_times, bead_output_check_moment,
-                                                              bead_output_check_trust, bead_output_check_panels},
-                                                   .draws = true};
+const struct bead_output_type bead_image_output = {
+    .options = &image_options,
+    .sweep_options = &sweep_image_options,
+    .check_sweep = check_sweep_image,
+    .only_in_scenes = true,
+    .checks = {bead_output_check_field, bead_output_check_still_views, bead_output_check_times, bead_output_check_moment,
+               bead_output_check_trust, bead_output_check_theory, bead_output_check_panels},
+    .draws = true};

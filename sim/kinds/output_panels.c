@@ -69,7 +69,7 @@ static BEAD_OUTPUT_CHECK(check_show)
 static const struct bead_output_type image_panel = {.options = &bead_image_panel_options,
                                                     .checks = {bead_output_check_field, bead_output_check_still_views,
                                                                bead_output_check_times, bead_output_check_moment,
-                                                               bead_output_check_trust}};
+                                                               bead_output_check_trust, bead_output_check_theory}};
 static const struct bead_output_type plot_panel = {
     .options = &bead_plot_panel_options,
     .checks = {bead_output_check_times, bead_output_check_drawing, check_show, bead_output_check_plot_trust}};

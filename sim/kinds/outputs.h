@@ -43,7 +43,7 @@ extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_
 extern const struct bead_option bead_curves_rows[9], bead_plot_rows[6], bead_threshold_row[1], bead_against_row[2],
     bead_measured_row[1];
 /* Images and panels that are images; pictures with panels: */
-extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];
+extern const struct bead_option bead_image_rows[4], bead_panels_rows[2];
 /* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */
 #define BEAD_COLORMAP_SHAPE "a name, a text file such as mine.txt, or colours such as \"#000000 #ff8000 #ffffff\""
 extern const struct bead_option bead_page_rows[4], bead_theme_rows[3], bead_caption_row[1], bead_colormap_row[1],
@@ -83,6 +83,7 @@ BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_still_views);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_drawing);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_field_list);
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_theory);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_trust);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_plot_trust);

@@ -10,15 +10,46 @@
 #include "sim/chain/law_beginning.h"
 #include "sim/chain/system.h"
 
-static const double half_pi = 1.57079632679489662;
+static const double half_pi = 1.57079632679489662, sixth = 1. / 6;
+
+/* Beads 1, 3, ... of the chain are alike, and 2, 4, ...; nothing presses or holds them. */
+static bool is_homogeneous(const struct bead_chain *chain)
+{
+    const struct bead_chain_spec *spec = chain->spec;
+    bool alike = spec->system->has_contacts && bead_chain_exponent(chain) == 1.5 && !(spec->precompression > 0) &&
+                 spec->tilt == 0 && !chain->spring;
+    for (size_t j = 1; alike && j < chain->beads; j++) {
+        const bool inner = j + 1 < chain->beads;
+        alike = (j < 3 || chain->mass[j] == chain->mass[j - 2]) && (!inner || chain->stiffness[j] == chain->stiffness[1]) &&
+                !(inner && chain->static_compression[j] < 0);
+    }
+    return alike;
+}
+
+static double second_mass(const struct bead_chain *chain)
+{
+    return chain->mass[chain->beads > 2 ? 2 : 1];
+}
 
 bool bead_compacton_is_of(const struct bead_chain *chain)
 {
-    bool alike = chain->spec->system->has_contacts && bead_chain_exponent(chain) == 1.5 && !(chain->spec->precompression > 0) &&
-                 chain->spec->tilt == 0;
-    for (size_t j = 1; alike && j < chain->beads; j++)
-        alike = chain->mass[j] == chain->mass[1] && (j + 1 >= chain->beads || chain->stiffness[j] == chain->stiffness[1]);
-    return alike;
+    return is_homogeneous(chain) && second_mass(chain) == chain->mass[1];
+}
+
+bool bead_compacton_of_dimers(const struct bead_chain *chain)
+{
+    return is_homogeneous(chain) && second_mass(chain) != chain->mass[1];
+}
+
+double bead_compacton_width(const struct bead_chain *chain)
+{
+    const double one = chain->mass[1], two = second_mass(chain), unlike = (one - two) / (one + two);
+    return 2 * half_pi * sqrt(2.5 * (1 + 3 * unlike * unlike));
+}
+
+double bead_compacton_speed(const struct bead_chain *chain, double force)
+{
+    return sqrt(1.6 / (chain->mass[1] + second_mass(chain))) * bead_cbrt(chain->stiffness[1]) * bead_pow(force, sixth);
 }
 
 /* By Newton's method: three steps are enough for angles of less than half a radian. */
@@ -33,7 +64,6 @@ static double arcsine(double s)
 /* The sixth root of the forces is a cosine, which three of them next to each other determine. */
 bool bead_compacton_find(const struct bead_chain *chain, const double *forces, size_t count, struct bead_compacton *found)
 {
-    static const double sixth = 1. / 6;
     size_t top = 1;
     for (size_t i = 1; i + 1 < count; i++)
         top = forces[i] > forces[top] ? i : top;
@@ -45,7 +75,7 @@ bool bead_compacton_find(const struct bead_chain *chain, const double *forces, s
     const double b = (right - left) / (2 * bead_sin(k)), height = sqrt(middle * middle + b * b);
     found->centre = (double)top + arcsine(b / height) / k;
     found->height = bead_pow(height, 6);
-    found->speed = sqrt(0.8 / chain->mass[1]) * bead_cbrt(chain->stiffness[1]) * height;
+    found->speed = bead_compacton_speed(chain, found->height);
     return true;
 }
 

@@ -62,12 +62,18 @@ static void others_have_none(void **state)
     (void)state;
     struct built pressed = equal_beads(", precompression: 1 N"), equal = equal_beads("");
     assert_true(bead_compacton_is_of(equal.chain));
+    assert_false(bead_compacton_of_dimers(equal.chain));
+    assert_false(bead_compacton_of_dimers(pressed.chain));
     assert_false(bead_compacton_is_of(pressed.chain));
     release(&equal);
     release(&pressed);
     struct built dimer = build("chain: {beads: [{cell: [large-steel, aluminium], count: 9}]}\n", "until: 1 ms");
+    struct built trimer = build("chain: {beads: [{cell: [large-steel, 2 aluminium], count: 9}]}\n", "until: 1 ms");
     assert_false(bead_compacton_is_of(dimer.chain));
+    assert_true(bead_compacton_of_dimers(dimer.chain));
+    assert_false(bead_compacton_of_dimers(trimer.chain));
     release(&dimer);
+    release(&trimer);
 }
 
 int main(void)
