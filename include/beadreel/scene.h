@@ -85,11 +85,17 @@ struct bead_soliton {
     double speed, at; /* its centre at t = 0 */
 };
 
+/* Added to the force of a spring: where it is stretched or compressed by more than `beyond`, its linear part has this stiffness. */
+struct bead_piecewise {
+    double stiffness, beyond; /* beyond: 0: nowhere */
+};
+
 struct bead_equation_spec {
     size_t points;      /* fput: moving masses; kdv, shock: grid points, 0: chosen from the accuracy */
     double low, length; /* the domain: low <= x < low + length; fput: the left end's place, or the first mass's of a ring */
     enum bead_ends ends;
     double alpha, beta;                     /* fput: force of a spring stretched by r: r + alpha r^2 + beta r^3 */
+    struct bead_piecewise piecewise;        /* fput */
     double drift, nonlinearity, dispersion; /* kdv: u_t + drift u_x + nonlinearity u u_x + dispersion u_xxx = 0 */
     double speed, epsilon;                  /* shock: u_tt = speed^2 u_xx (1 + epsilon u_x) */
     enum bead_field variable;               /* kdv: the field that the unknown is shown as */

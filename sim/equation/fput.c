@@ -22,9 +22,10 @@ struct bead_motion {
     struct bead_motion_settings settings;
     struct bead_string_stepper stepper;
     double h;
-    double *u, *v; /* [points] between steps */
-    double *shape; /* [points] of the mode at the start, normalised; NULL: another start */
-    double omega2; /* of this mode */
+    uint64_t steps; /* of h, without those to kinks */
+    double *u, *v;  /* [points] between steps */
+    double *shape;  /* [points] of the mode at the start, normalised; NULL: another start */
+    double omega2;  /* of this mode */
     struct returns returns;
     double energy_start, momentum_start, energy_error;
 };
@@ -63,22 +64,24 @@ static const char *fput_check(const struct bead_equation_spec *spec, const char 
     *key = "start";
     if (spec->start == BEAD_START_MODE && spec->mode > highest_mode(spec))
         return "asks for a mode that the string does not have: N moving masses have N modes, a ring N / 2";
-    /* At 1 + 2 alpha r + 3 beta r^2 = 0 the force has its maximum; beyond it a spring tears or folds. */
+    /* Where dT/dr = 0 the force has its maximum; beyond it a spring tears or folds. */
     double r = spec->amplitude;
-    if (spec->start == BEAD_START_PULSE && !(1 + 2 * spec->alpha * r + 3 * spec->beta * r * r > 0))
-        return "asks for strains at which a spring with this alpha and beta has no positive stiffness";
+    if (spec->start == BEAD_START_PULSE && !(bead_string_slope(spec, bead_string_branch(spec, r), r) > 0))
+        return "asks for strains at which a spring with this force has no positive stiffness";
     return NULL;
 }
 
 static void describe(const struct bead_chain_spec *chain, char *text, size_t size)
 {
     const struct bead_equation_spec *spec = &chain->equation;
-    char alpha[48] = "", beta[48] = "";
+    char alpha[48] = "", beta[48] = "", beyond[80] = "";
     if (spec->alpha != 0)
         snprintf(alpha, sizeof alpha, " %s %.4g r\u00b2", spec->alpha < 0 ? "\u2212" : "+", fabs(spec->alpha));
     if (spec->beta != 0)
         snprintf(beta, sizeof beta, " %s %.4g r\u00b3", spec->beta < 0 ? "\u2212" : "+", fabs(spec->beta));
-    snprintf(text, size, "%zu masses, T = r%s%s", spec->points, alpha, beta);
+    if (spec->piecewise.beyond > 0)
+        snprintf(beyond, sizeof beyond, ", stiffness %.4g beyond |r| = %.4g", spec->piecewise.stiffness, spec->piecewise.beyond);
+    snprintf(text, size, "%zu masses, T = r%s%s%s", spec->points, alpha, beta, beyond);
 }
 
 static size_t count_masses(const struct bead_chain_spec *chain, double)
@@ -208,15 +211,16 @@ static const struct step_law {
 };
 static const char *const methods[] = {"rkn12", "rkn8-plain", "rkn8", "rkn6", "pefrl", "vefrl", "verlet", "rk4", NULL};
 
-/* The largest frequency of small vibrations about the start. */
+/* The largest frequency of small vibrations about the start, with any spring beyond its kink. */
 static double fastest(const struct bead_string *s, const double *u)
 {
+    const double stiffer = s->spec->piecewise.beyond > 0 ? fmax(s->spec->piecewise.stiffness - 1, 0) : 0;
     double most = 1;
     for (size_t j = 0; j < s->springs; j++) {
         double r = bead_string_strain(s, u, j);
         most = fmax(most, 1 + 2 * fabs(s->spec->alpha * r) + 3 * fabs(s->spec->beta) * r * r);
     }
-    return 2 * sqrt(most);
+    return 2 * sqrt(most + stiffer);
 }
 
 static enum bead_error choose_step(struct bead_motion *m, struct bead_message *msg)
@@ -315,11 +319,14 @@ static enum bead_error check_energy(struct bead_motion *m, struct bead_message *
 static enum bead_error fput_step(struct bead_motion *m, struct bead_message *msg)
 {
     struct bead_string_stepper *s = &m->stepper;
-    double t = (double)(s->steps + 1) * m->h, end = m->settings.end;
-    if (t > end - last_sliver * m->h) /* the last step, or one that misses the end only by rounding */
-        bead_string_step(s, end - s->end.t, end);
-    else
-        bead_string_step(s, m->h, t);
+    double t = (double)(m->steps + 1) * m->h, h = m->h, end = m->settings.end;
+    if (t > end - last_sliver * m->h) { /* the last step, or one that misses the end only by rounding */
+        t = end;
+        h = end - s->end.t;
+    } else if (s->end.t != (double)m->steps * m->h) { /* the last one ended at a kink */
+        h = t - s->end.t;
+    }
+    m->steps += bead_string_step(s, h, t);
     if (m->shape)
         watch(m);
     return s->steps % CHECK_EVERY == 0 || s->end.t >= end ? check_energy(m, msg) : BEAD_OK;

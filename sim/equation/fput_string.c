@@ -18,6 +18,18 @@ double bead_string_first(const struct bead_equation_spec *e)
     return e->ends == BEAD_ENDS_FIXED ? e->low + 1 : e->low;
 }
 
+double bead_string_branch(const struct bead_equation_spec *e, double r)
+{
+    const double beyond = e->piecewise.beyond;
+    return !(beyond > 0) ? 0 : r > beyond ? 1 : r < -beyond ? -1 : 0;
+}
+
+/* Of the linear springs that are added to one on its branch. */
+static double excess(const struct bead_equation_spec *e, double branch)
+{
+    return branch != 0 ? e->piecewise.stiffness - 1 : 0;
+}
+
 static double tension(const struct bead_equation_spec *e, double r)
 {
     return r * (1 + r * (e->alpha + e->beta * r));
@@ -28,16 +40,29 @@ static double potential(const struct bead_equation_spec *e, double r)
     return r * r * (0.5 + r * (e->alpha / 3 + r * (e->beta / 4)));
 }
 
-double bead_string_strain(const struct bead_string *s, const double *u, size_t j)
+double bead_string_slope(const struct bead_equation_spec *e, double branch, double r)
 {
-    double left = j > 0 ? u[j - 1] : periodic(s) ? u[s->masses - 1] : 0, right = j < s->masses ? u[j] : 0;
-    return right - left + s->stretch;
+    return 1 + r * (2 * e->alpha + 3 * e->beta * r) + excess(e, branch);
+}
+
+/* What a kink adds to the tension and to the energy of a spring. */
+static double tension_beyond(const struct bead_equation_spec *e, double branch, double r)
+{
+    return excess(e, branch) * (r - branch * e->piecewise.beyond);
+}
+
+static double energy_beyond(const struct bead_equation_spec *e, double r)
+{
+    const double branch = bead_string_branch(e, r);
+    return 0.5 * tension_beyond(e, branch, r) * (r - branch * e->piecewise.beyond);
 }
 
 double bead_string_spring_energy(const struct bead_string *s, double r)
 {
-    double r0 = s->stretch;
-    return potential(s->spec, r) - potential(s->spec, r0) - tension(s->spec, r0) * (r - r0);
+    const struct bead_equation_spec *e = s->spec;
+    double r0 = s->stretch, beyond = energy_beyond(e, r) - energy_beyond(e, r0);
+    double rest = tension(e, r0) + tension_beyond(e, bead_string_branch(e, r0), r0);
+    return potential(e, r) - potential(e, r0) - rest * (r - r0) + beyond;
 }
 
 double bead_string_energy(const struct bead_string *s, const double *u, const double *v)
@@ -59,7 +84,11 @@ static void accelerate(struct bead_string_stepper *s, const double *u, double *a
     T[0] = tension(e, bead_string_strain(string, u, 0));
     for (size_t j = 1; j < n; j++)
         T[j] = tension(e, u[j] - u[j - 1] + stretch);
-    T[n] = periodic(string) ? T[0] : tension(e, bead_string_strain(string, u, n));
+    T[n] = periodic(string) ? 0 : tension(e, bead_string_strain(string, u, n));
+    for (size_t j = 0; e->piecewise.beyond > 0 && j < string->springs; j++)
+        T[j] += tension_beyond(e, string->branch[j], bead_string_strain(string, u, j));
+    if (periodic(string))
+        T[n] = T[0];
     for (size_t j = 0; j < n; j++)
         a[j] = T[j + 1] - T[j];
     s->evaluations += n;
@@ -73,7 +102,7 @@ static void find_jerk(const struct bead_string *s, const struct bead_string_stat
     for (size_t j = 0; j <= n; j++) {
         size_t spring = j == n && periodic(s) ? 0 : j;
         double r = bead_string_strain(s, at->u, spring), left = spring > 0 ? at->v[spring - 1] : periodic(s) ? at->v[n - 1] : 0;
-        double rate = (1 + r * (2 * e->alpha + 3 * e->beta * r)) * ((spring < n ? at->v[spring] : 0) - left);
+        double rate = bead_string_slope(e, s->branch[spring], r) * ((spring < n ? at->v[spring] : 0) - left);
         if (j > 0)
             jerk[j - 1] += rate;
         if (j < n)
@@ -160,11 +189,8 @@ static void runge_kutta(struct bead_string_stepper *s, double h)
     accelerate(s, s->end.u, s->end.a);
 }
 
-void bead_string_step(struct bead_string_stepper *s, double h, double t)
+static void leap(struct bead_string_stepper *s, double h, double t)
 {
-    struct bead_string_state old = s->start;
-    s->start = s->end;
-    s->end = old;
     if (s->method->tableau)
         nystrom(s, h);
     else if (s->method->composition)
@@ -172,7 +198,45 @@ void bead_string_step(struct bead_string_stepper *s, double h, double t)
     else
         runge_kutta(s, h);
     s->end.t = t;
+}
+
+static void find_jerks(struct bead_string_stepper *s)
+{
+    find_jerk(&s->string, &s->start, s->jerk[0]);
+    find_jerk(&s->string, &s->end, s->jerk[1]);
+    s->jerk_step = s->steps;
+}
+
+/* Each spring moves on as if its branch had no end; then the step is made again, to where the first of them left it. */
+static bool stop_at_kink(struct bead_string_stepper *s, double h)
+{
+    enum { CORRECTIONS = 4 };
+    static const double shortest = 0x1p-40; /* so that time goes on */
+    find_jerks(s);
+    const struct bead_string_kink kink = bead_string_first_kink(s);
+    if (!(kink.at < 1))
+        return false;
+    double by = fmax(kink.at, shortest) * h, wrong;
+    leap(s, by, s->start.t + by);
+    for (int i = 0; i < CORRECTIONS && (wrong = bead_string_from_kink(s, &kink)) != 0; i++) {
+        by = fmin(fmax(by + wrong, shortest * h), h);
+        leap(s, by, s->start.t + by);
+    }
+    s->jerk_step = 0;
+    return true;
+}
+
+bool bead_string_step(struct bead_string_stepper *s, double h, double t)
+{
+    const bool kinks = s->string.spec->piecewise.beyond > 0;
+    if (kinks)
+        bead_string_settle(s);
+    struct bead_string_state old = s->start;
+    s->start = s->end;
+    s->end = old;
     s->steps++;
+    leap(s, h, t);
+    return !kinks || !stop_at_kink(s, h);
 }
 
 void bead_string_between(struct bead_string_stepper *s, double t, double *u, double *v)
@@ -184,11 +248,8 @@ void bead_string_between(struct bead_string_stepper *s, double t, double *u, dou
         memcpy(v, s->end.v, n * sizeof(double));
         return;
     }
-    if (s->jerk_step != s->steps) {
-        find_jerk(&s->string, &s->start, s->jerk[0]);
-        find_jerk(&s->string, &s->end, s->jerk[1]);
-        s->jerk_step = s->steps;
-    }
+    if (s->jerk_step != s->steps)
+        find_jerks(s);
     for (size_t k = 0; k < n; k++) {
         const double at0[] = {s->start.u[k], h * s->start.v[k], h * h * s->start.a[k], h * h * h * s->jerk[0][k]};
         const double at1[] = {s->end.u[k], h * s->end.v[k], h * h * s->end.a[k], h * h * h * s->jerk[1][k]};
@@ -205,8 +266,8 @@ enum bead_error bead_string_create(const struct bead_equation_spec *spec, const 
 {
     size_t n = spec->points, springs = n + (spec->ends == BEAD_ENDS_FIXED);
     enum { ARRAYS = 6 + BEAD_STAGES_MAX + 4 + 2 };
-    *s = (struct bead_string_stepper){.string = {spec, n, springs, 0, NULL}, .method = method};
-    s->memory = calloc(ARRAYS * n + n + 1, sizeof(double));
+    *s = (struct bead_string_stepper){.string = {spec, n, springs, 0, NULL, NULL}, .method = method};
+    s->memory = calloc(ARRAYS * n + 2 * (n + 1), sizeof(double));
     if (!s->memory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a string of %zu masses", n);
     double *at = s->memory;
@@ -217,6 +278,7 @@ enum bead_error bead_string_create(const struct bead_equation_spec *spec, const 
     for (size_t i = 0; i < BEAD_STAGES_MAX; i++, at += n)
         s->stage[i] = at;
     s->string.tension = at;
+    s->string.branch = at + n + 1;
     return BEAD_OK;
 }
 
@@ -228,6 +290,8 @@ void bead_string_destroy(struct bead_string_stepper *s)
 
 void bead_string_begin(struct bead_string_stepper *s)
 {
+    for (size_t j = 0; j < s->string.springs; j++)
+        s->string.branch[j] = bead_string_branch(s->string.spec, bead_string_strain(&s->string, s->end.u, j));
     accelerate(s, s->end.u, s->end.a);
     s->end.t = s->start.t = 0;
     size_t bytes = s->string.masses * sizeof(double);
@@ -261,17 +325,23 @@ static double strain_at(const struct bead_string *s, double x)
     return e->amplitude * sum;
 }
 
-/* Velocity behind a front of strain r in a simple wave going right: minus the integral of the speed of sound
- * sqrt(1 + 2 alpha r + 3 beta r^2) from 0 to r; Simpson's rule. */
-static double simple_wave(const struct bead_equation_spec *e, double r)
+/* Integral of the speed of sound, sqrt(dT/dr), from r0 on one branch; Simpson's rule. */
+static double integrate_sound(const struct bead_equation_spec *e, double branch, double r0, double r)
 {
     enum { PIECES = 32 };
     double sum = 0;
     for (int i = 0; i <= PIECES; i++) {
-        double x = r * i / PIECES, c2 = 1 + x * (2 * e->alpha + 3 * e->beta * x);
+        double c2 = bead_string_slope(e, branch, r0 + (r - r0) * i / PIECES);
         sum += (i == 0 || i == PIECES ? 1 : i % 2 ? 4 : 2) * sqrt(fmax(c2, 0));
     }
-    return -sum * r / (3 * PIECES);
+    return sum * (r - r0) / (3 * PIECES);
+}
+
+/* Velocity behind a front of strain r in a simple wave going right. */
+static double simple_wave(const struct bead_equation_spec *e, double r)
+{
+    const double branch = bead_string_branch(e, r), kink = branch * e->piecewise.beyond;
+    return branch == 0 ? -integrate_sound(e, 0, 0, r) : -integrate_sound(e, 0, 0, kink) - integrate_sound(e, branch, kink, r);
 }
 
 /* Strains are given half-way between masses. In a wave going right v(x, t) = -r(x, t) to first order in r, exactly for any

@@ -2,6 +2,9 @@
 /* Hermite interpolants, and zeros by false position. */
 #include "sim/integrate/polynomial.h"
 
+#include <math.h>
+#include <stdbool.h>
+
 struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double at1[4])
 {
     double c0 = at0[0], c1 = at0[1], c2 = at0[2] / 2, c3 = at0[3] / 6;
@@ -33,6 +36,42 @@ double bead_polynomial_slope(const struct bead_polynomial *p, double x)
     for (int i = 6; i >= 1; i--)
         slope = slope * x + i * p->c[i];
     return slope;
+}
+
+/* A polynomial over x0 <= x <= x0 + width in Bernstein's form lies between the smallest and the largest of its coefficients b;
+ * halves by de Casteljau's scheme until they are as small as rounding. */
+static double first_above(const double b[8], double x0, double width)
+{
+    static const double smallest = 0x1p-50;
+    double left[8], right[8];
+    bool below = true;
+    for (int i = 0; i < 8; i++)
+        below = below && b[i] <= 0;
+    if (below || b[0] > 0 || width < smallest)
+        return below ? INFINITY : x0;
+    for (int i = 0; i < 8; i++)
+        right[i] = b[i];
+    for (int i = 0; i < 8; i++) {
+        left[i] = right[0];
+        for (int k = 0; k + 1 < 8 - i; k++)
+            right[k] = 0.5 * (right[k] + right[k + 1]);
+    }
+    double x = first_above(left, x0, 0.5 * width);
+    return isfinite(x) ? x : first_above(right, x0 + 0.5 * width, 0.5 * width);
+}
+
+double bead_polynomial_first_above(const struct bead_polynomial *p, double limit)
+{
+    double b[8];
+    for (int i = 0; i < 8; i++) {
+        double part = 1; /* binomial(i, k) / binomial(7, k) */
+        b[i] = p->c[0] - limit;
+        for (int k = 1; k <= i; k++) {
+            part *= (double)(i - k + 1) / (8 - k);
+            b[i] += part * p->c[k];
+        }
+    }
+    return first_above(b, 0, 1);
 }
 
 double bead_find_root(bead_function f, const void *context, double f0, double f1)

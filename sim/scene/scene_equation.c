@@ -182,13 +182,26 @@ static const struct bead_option fput_points[] = {
     {"points", BEAD_OPTION_COUNT, EQUATION(points), .required = true, .low = 1, .high = 1e6, .help = "number of moving masses",
      .example = "31"},
 };
+static const struct bead_option piecewise_rows[] = {
+    {"stiffness", BEAD_OPTION_NUMBER, EQUATION(piecewise.stiffness), .required = true, .low = 0, .high = 1e6,
+     .help = "stiffness of a spring stretched or compressed by more than `beyond`; by less, it is 1", .example = "1.5"},
+    {"beyond", BEAD_OPTION_NUMBER, EQUATION(piecewise.beyond), .required = true, .low = 0, .high = 1e6, .open = BEAD_OPEN_LOW,
+     .help = "strain at which the stiffness changes", .example = "0.05"},
+};
+const struct bead_options bead_piecewise_options = {"chain.piecewise", "springs with another stiffness beyond a strain",
+                                                    BEAD_OPTIONS(piecewise_rows), NULL, NULL};
+
 static const struct bead_option fput_rows[] = {
     {"ends", BEAD_OPTION_CHOICE, EQUATION(ends), .initial = "fixed", .choices = ends,
      .help = "fixed: walls on both sides; periodic: a ring"},
     {"alpha", BEAD_OPTION_NUMBER, EQUATION(alpha), .initial = "0.25", .low = -1e6, .high = 1e6,
-     .help = "alpha in the tension r + alpha r^2 + beta r^3 of a spring stretched by r", .example = "0.5"},
+     .help = "alpha in the tension r + alpha r^2 + beta r^3 of a spring stretched by r; beside `piecewise` 0 unless given",
+     .example = "0.5"},
     {"beta", BEAD_OPTION_NUMBER, EQUATION(beta), .initial = "0", .low = -1e6, .high = 1e6, .help = "beta in the same tension",
      .example = "0.1"},
+    {"piecewise", BEAD_OPTION_MAP, .map = &bead_piecewise_options,
+     .help = "the third force of Fermi, Pasta and Ulam, piecewise linear: see chain.piecewise",
+     .example = "{stiffness: 1.5, beyond: 0.05}"},
 };
 static const struct bead_option kdv_rows[] = {
     {"drift", BEAD_OPTION_NUMBER, EQUATION(drift), .initial = "0", .low = -1e6, .high = 1e6,
@@ -247,6 +260,8 @@ enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struc
     if (!options)
         return bead_wrong(reader, &where, "`%s` has no keys that a scene could give", chain->system->name);
     BEAD_TRY(bead_options_read(reader, at, options, chain));
+    if (bead_given(at, "piecewise") && !bead_given(at, "alpha"))
+        chain->equation.alpha = 0;
     const char *key = "equation", *wrong = chain->system->equation->check(&chain->equation, &key);
     return wrong ? BEAD_WRONG_KEY(reader, at, key, "%s", wrong) : BEAD_OK;
 }

@@ -17,8 +17,8 @@ enum { BEAD_SCENE_CHAINS = 64 };
 
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
     bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_wall_options, bead_cradle_options,
-    bead_drive_options, bead_simulate_options, bead_soliton_options, bead_sweep_options, bead_sweep_measure_options,
-    bead_taper_options, bead_disorder_options;
+    bead_piecewise_options, bead_drive_options, bead_simulate_options, bead_soliton_options, bead_sweep_options,
+    bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
 /* The laws that have settings, the equations, and their starts: NULL behind the last. */
 const struct bead_options *bead_law_options(size_t index);
 const struct bead_options *bead_equation_options(size_t index);

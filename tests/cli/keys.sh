@@ -61,6 +61,7 @@ base() {
     materials.NAME.tolerance) prefix=materials.x.tolerance. before=('materials={x: {modulus: 1 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g}}') ;;
     'chain (fput)' | 'chain (kdv)' | 'chain (shock)') scene=${1#* (} scene=${scene%)} prefix=chain. ;;
     'chain (equation)') scene=fput prefix=chain. ;;
+    chain.piecewise) scene=fput prefix=chain.piecewise. before=('chain.piecewise={stiffness: 1.5, beyond: 0.05}') ;;
     'chain.start (mode)') scene=fput prefix=chain.start. ;;
     'chain.start (pulse)') scene=fput prefix=chain.start. before=('chain.start={pulse: 0.1, width: 5, at: 5}') ;;
     'chain.start (cosine)') scene=kdv prefix=chain.start. before=('chain.start={cosine: 1, amplitude: 1}') ;;

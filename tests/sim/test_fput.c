@@ -290,6 +290,143 @@ static void a_pulse_at_rest_parts_in_two(void **state)
     fput->equation->destroy(m);
 }
 
+/* ---- the piecewise linear force ---- */
+
+static struct bead_equation_spec kinked(size_t masses, double stiffness, double beyond, size_t mode)
+{
+    struct bead_equation_spec spec = string_of(masses, 0, mode);
+    spec.piecewise = (struct bead_piecewise){stiffness, beyond};
+    return spec;
+}
+
+/* One mass between two springs, let go at u = 1: u'' = -2 u within b, -2 (k u - (k - 1) b) beyond. Arcs of sines, or of a parabola
+ * for k = 0, which meet at u = b: time from u = 1 to b, and the speed there. */
+struct arcs {
+    double k, b, time, speed;
+};
+
+static struct arcs arcs_of(double k, double b)
+{
+    if (k == 0)
+        return (struct arcs){k, b, sqrt((1 - b) / b), 2 * b * sqrt((1 - b) / b)};
+    double centre = (k - 1) * b / k, high = 1 - centre, w = sqrt(2 * k);
+    return (struct arcs){k, b, acos((b - centre) / high) / w, w * sqrt(high * high - (b - centre) * (b - centre))};
+}
+
+static double quarter_of(const struct arcs *a)
+{
+    return a->time + atan(a->b * sqrt(2) / a->speed) / sqrt(2);
+}
+
+static double place_at(const struct arcs *a, double t)
+{
+    double quarter = quarter_of(a), in = fabs(remainder(t, 4 * quarter)); /* from a turning point, at 0 to 2 quarters */
+    double sign = in > quarter ? -1 : 1, centre = a->k > 0 ? (a->k - 1) * a->b / a->k : 0;
+    in = in > quarter ? 2 * quarter - in : in;
+    if (in > a->time)
+        return sign * hypot(a->b, a->speed / sqrt(2)) * sin(sqrt(2) * (quarter - in));
+    return sign * (a->k > 0 ? centre + (1 - centre) * cos(sqrt(2 * a->k) * in) : 1 - a->b * in * in);
+}
+
+static double place_sampled(struct bead_motion *m, double t)
+{
+    double u = 0;
+    double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_DISPLACEMENT] = &u};
+    struct bead_message msg;
+    assert_int_equal(fput->equation->sample(m, t, BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT), to, &msg), BEAD_OK);
+    return u;
+}
+
+static void a_mass_moves_on_arcs_of_sines(void **state)
+{
+    (void)state;
+    for (const char *const *name = fput->equation->methods; *name; name++) {
+        bool low = strcmp(*name, "verlet") == 0;
+        for (int i = 0; i < 7; i++) {
+            struct arcs arcs =
+                arcs_of((double[]){0, 0.5, 1.1, 3, 40, 2, 0.3}[i], (double[]){0.3, 0.7, 0.5, 0.2, 0.9, 0.999999, 1e-3}[i]);
+            double accuracy = low ? 1e-4 : 1e-8, end = 10 * 4 * quarter_of(&arcs);
+            struct bead_equation_spec spec = kinked(1, arcs.k, arcs.b, 1);
+            struct bead_motion *m = begin(&spec, *name, accuracy, 0, end);
+            for (int k = 1; k <= 200; k++) { /* between steps */
+                double t = fmin(k * (end / 200), end);
+                run(m, t);
+                check_close(place_sampled(m, t), place_at(&arcs, t), accuracy, *name, i);
+            }
+            fput->equation->destroy(m);
+        }
+    }
+}
+
+/* The kinks do not cost a method its order. */
+static double energy_lost(const char *method, double step)
+{
+    struct bead_equation_spec spec = kinked(31, 1.7, 0.03, 1);
+    struct bead_motion *m = begin(&spec, method, 1e-6, step, 200);
+    run(m, 200);
+    double error = measured(m, "largest error of the energy, relative");
+    fput->equation->destroy(m);
+    return error;
+}
+
+static void methods_keep_their_order_at_kinks(void **state)
+{
+    static const struct {
+        const char *method;
+        double step;
+        int order;
+    } rows[] = {{"rk4", 0.2, 4}, {"rkn6", 0.4, 6}, {"rkn8", 0.5, 8}};
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        double coarse = energy_lost(rows[i].method, rows[i].step), fine = energy_lost(rows[i].method, rows[i].step / 2);
+        if (!(log2(coarse / fine) > rows[i].order - 0.5))
+            fail_msg("%s: %g and %g are of order %.2f", rows[i].method, coarse, fine, log2(coarse / fine));
+    }
+}
+
+/* Below the kinks the string is linear, and with the stiffness 1 it is so everywhere. */
+static void without_kinks_the_string_is_linear(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 2; way++) {
+        struct bead_equation_spec spec = kinked(31, way ? 1 : 0.4, way ? 0.01 : 2.1, 31);
+        double w = 2 * sin(pi * 31 / 64), end = 100;
+        struct bead_motion *m = begin(&spec, "auto", 1e-8, 0, end);
+        size_t count = 0;
+        run(m, end);
+        const double *at = fput->equation->state(m, &count);
+        for (size_t j = 0; j < 31; j++)
+            close_to(at[j], sin(pi * 31 * (double)(j + 1) / 32) * cos(w * end), 1e-8);
+        fput->equation->destroy(m);
+    }
+}
+
+/* A pulse that goes one way leaves nothing behind, also where its speed has a step; its mirror image goes like it. */
+static void a_pulse_beyond_the_kink_goes_one_way(void **state)
+{
+    enum { N = 601 };
+    static double strain[2][N];
+    (void)state;
+    for (int way = 0; way < 2; way++) {
+        struct bead_equation_spec spec = kinked(N, 1.2, 0.3, 1);
+        double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain[way]};
+        struct bead_message msg;
+        spec.start = BEAD_START_PULSE;
+        spec.amplitude = 1;
+        spec.width = 40;
+        spec.at = 301;
+        spec.moving = way ? BEAD_MOVING_LEFT : BEAD_MOVING_RIGHT;
+        struct bead_motion *m = begin(&spec, "auto", 1e-7, 0, 100);
+        run(m, 100);
+        assert_int_equal(fput->equation->sample(m, 100, BEAD_FIELD_BIT(BEAD_FIELD_STRAIN), to, &msg), BEAD_OK);
+        close_to(strain[way][way ? 400 : 200], 0, 1 / (spec.width * spec.width)); /* where it would be; dispersion leaves this */
+        assert_true(measured(m, "largest error of the energy, relative") < 1e-8);
+        fput->equation->destroy(m);
+    }
+    for (size_t j = 0; j < N; j++)
+        close_to(strain[0][j], strain[1][N - 1 - j], 1e-6);
+}
+
 /* A string that is pulled beyond what it bears ends with a message, not with numbers. */
 static void a_torn_string_is_an_error(void **state)
 {
@@ -317,6 +454,10 @@ int main(void)
         cmocka_unit_test(a_pulse_is_a_soliton_of_its_kdv_limit),
         cmocka_unit_test(long_waves_obey_their_kdv_equation),
         cmocka_unit_test(a_pulse_at_rest_parts_in_two),
+        cmocka_unit_test(a_mass_moves_on_arcs_of_sines),
+        cmocka_unit_test(methods_keep_their_order_at_kinks),
+        cmocka_unit_test(without_kinks_the_string_is_linear),
+        cmocka_unit_test(a_pulse_beyond_the_kink_goes_one_way),
         cmocka_unit_test(a_torn_string_is_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
