@@ -124,6 +124,49 @@ static void forget_run(struct stand *s)
     tear_down(s, 2);
 }
 
+/* The names of a group, and its table of them, cannot be read half old and half new: one page has all of them. Both begin with four
+ * letters; names with their length in byte 8, behind a head of 32 bytes, tables are of 328. */
+static void groups_lie_in_one_page(const char *path)
+{
+    enum { PAGE = 4096, HEAD = 32, TABLE = 328, MOST = 1 << 20 };
+    unsigned char *bytes = calloc(1, MOST);
+    const int file = open(path, O_RDONLY);
+    assert_non_null(bytes);
+    const ssize_t size = read(file, bytes, MOST);
+    size_t found = 0;
+    for (ssize_t at = 0; at + TABLE < size; at++) {
+        const bool names = memcmp(bytes + at, "HEAP", 4) == 0;
+        const ssize_t last = at + (names ? HEAD + bytes[at + 8] + 256 * bytes[at + 9] : TABLE) - 1;
+        if (!names && memcmp(bytes + at, "SNOD", 4) != 0)
+            continue;
+        if (at / PAGE != last / PAGE)
+            fail_msg("%.4s, bytes %zd to %zd", (const char *)bytes + at, at, last);
+        found++;
+    }
+    assert_true(found > 20);
+    close(file);
+    free(bytes);
+}
+
+/* Titles of many lengths move them. */
+static void names_of_groups_are_never_halved(void **state)
+{
+    (void)state;
+    for (int length = 1; length < 990; length += 41) {
+        struct stand s;
+        struct bead_message msg = {""};
+        char scene[2048];
+        snprintf(scene, sizeof scene, "title: %0*d x\n" TWO_CHAINS, length, 0);
+        if (try_set_up(&s, scene, "trajectory: run.h5, every: 1 us, fields: [displacement]", 1e-6, &msg))
+            fail_msg("%s", msg.text);
+        begin(&s);
+        deliver(&s, 2);
+        finish(&s);
+        groups_lie_in_one_page(s.path);
+        tear_down(&s, 1);
+    }
+}
+
 static void every_write_leaves_a_readable_file(void **state)
 {
     (void)state;
@@ -213,6 +256,7 @@ int main(void)
 {
     bead_h5_stay_in_process(); /* thousands of files: a process for each would take most of the time */
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_write_leaves_a_readable_file),
+                                       cmocka_unit_test(names_of_groups_are_never_halved),
                                        cmocka_unit_test(a_disk_without_power_keeps_a_readable_file)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
