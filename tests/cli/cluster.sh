@@ -10,7 +10,7 @@ trap stop_daemons EXIT
 
 # The chapter's files; its sweep is small, with steps so short that a part takes a moment.
 "$top/assets/manual/make.py" script cluster | sed -n '/^cat >/,/^END OF FILE/p' >"$T/files.sh"
-small='s/cells: 32.*configurations: 200/cells: 8, magnetism: [0, 0.5], configurations: 48/; $a simulate: {step: 1 us}'
+small='s/cells: 32.*configurations: 200/cells: 8, magnetism: [0, 0.5], configurations: 48/; $a simulate: {step: 0.2 us}'
 place() { rm -rf "$T/work" && mkdir "$T/work" && cd "$T/work" && bash "$T/files.sh" && sed -i "$small" sweep.yaml; }
 ok "the chapter's files" place
 ok "one run" exits 0 beadsim sweep.yaml -o whole
