@@ -13,6 +13,7 @@
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
 #include "sim/base/suggest.h"
+#include "sim/hdf5/h5.h"
 #include "sim/session/session_internal.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -289,8 +290,7 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     if (command_is_json(command) || command->watch || command->crate)
         return bead_fail(msg, BEAD_ERROR_USAGE,
                          "-o -: standard output has room for the file only, not for JSON, --watch or --crate");
-    const char *dot = strrchr(command->job.input, '.');
-    if (dot && strcmp(dot, ".h5") == 0)
+    if (bead_h5_is(command->job.input))
         return bead_fail(msg, BEAD_ERROR_USAGE, "-o -: is for one file of a scene; of %s name the file to draw: -o picture.png",
                          command->job.input);
     BEAD_TRY(command_make_temporary(directory, msg));

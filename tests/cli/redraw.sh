@@ -54,6 +54,9 @@ ok "... are too many" says "-o -: is for one file, which --only names, and not f
 ok "... with the results as JSON" fails 2 "$beadreel" scene.yaml --only force.png -o - --json
 ok "a trajectory" fails 2 "$beadreel" run/run.h5 -o -
 ok "... has no file of its own" says "-o -: is for one file of a scene; of run/run.h5 name the file to draw: -o picture.png"
+cp run/run.h5 named
+ok "... by any name" fails 2 "$beadreel" named -o -
+ok "... has none either" says "-o -: is for one file of a scene; of named name"
 ok "... nothing is left" [ -z "$(ls tmp)" ]
 
 # ---- drawing again ----
