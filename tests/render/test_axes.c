@@ -1,0 +1,329 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Axes as they are drawn: ticks and labels stand at their values, titles fit into the room beside or below the plot, and what is
+ * measured without drawing is what drawing takes. Ticks are black and texts red here; texts tell their boxes. */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "render/draw/axis.h"
+#include "render/draw/looks.h"
+
+enum { WIDTH = 700, HEIGHT = 600, TEXTS = 40 };
+static const struct bead_rect all = {200, 150, 300, 250};
+
+struct text {
+    char markup[400];
+    double x, y, width, height;
+};
+struct drawn {
+    struct bead_look look;
+    struct bead_axis axis;
+    struct bead_rect plot;
+    enum bead_side side;
+    bool downwards;
+    cairo_surface_t *surface;
+    double reach; /* px, returned */
+    size_t count; /* of texts */
+    struct text text[TEXTS];
+};
+
+static void see(void *context, const char *markup, double x, double y, double width, double height)
+{
+    struct drawn *d = context;
+    assert_true(d->count < TEXTS);
+    struct text *text = &d->text[d->count++];
+    *text = (struct text){"", x, y, width, height};
+    snprintf(text->markup, sizeof text->markup, "%s", markup);
+}
+
+/* An axis from low to high at a side of the plot, on white. */
+static void draw(struct drawn *d, double low, double high, bool labels, const char *title)
+{
+    const bool lying = d->side == BEAD_SIDE_BOTTOM;
+    d->look.axis = (struct bead_rgb){0, 0, 0};
+    d->look.ink = (struct bead_rgb){1, 0, 0};
+    bead_axis_make(&d->axis, low, high, "N", d->axis.scale, lying ? d->plot.width : d->plot.height, d->look.tick, lying);
+    const double measured = bead_axis_draw(NULL, &d->look, &d->axis, d->plot, d->side, d->downwards, labels, title);
+    d->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+    d->count = 0;
+    const struct bead_text_watch watch = {see, d};
+    assert_true(bead_text_watch(d->surface, &watch));
+    cairo_t *cr = cairo_create(d->surface);
+    cairo_set_source_rgb(cr, 1, 1, 1);
+    cairo_paint(cr);
+    d->reach = bead_axis_draw(cr, &d->look, &d->axis, d->plot, d->side, d->downwards, labels, title);
+    cairo_destroy(cr);
+    cairo_surface_flush(d->surface);
+    assert_true(d->reach == measured);
+}
+
+static void clear(struct drawn *d)
+{
+    cairo_surface_destroy(d->surface);
+}
+
+/* Whether a tick covers the pixel that is `along` px from the picture's left (or top) and `out` px outside of the plot's pixels. */
+static bool is_tick(const struct drawn *d, int along, int out)
+{
+    const int x = d->side == BEAD_SIDE_LEFT    ? d->plot.x - 1 - out
+                  : d->side == BEAD_SIDE_RIGHT ? d->plot.x + d->plot.width + out
+                                               : along,
+              y = d->side == BEAD_SIDE_BOTTOM ? d->plot.y + d->plot.height + out : along;
+    const unsigned char *pixel = cairo_image_surface_get_data(d->surface) + y * cairo_image_surface_get_stride(d->surface) + 4 * x;
+    return pixel[0] < 128 && pixel[2] < 128; /* blue and red */
+}
+
+/* px along the axis of a place from 0 to 1. */
+static double along(const struct drawn *d, double place)
+{
+    if (d->side == BEAD_SIDE_BOTTOM)
+        return d->plot.x + place * d->plot.width;
+    return d->plot.y + (d->downwards ? place : 1 - place) * d->plot.height;
+}
+
+/* Whether a labelled, or a shorter, tick belongs in the middle of these pixels. */
+static bool has_place(const struct drawn *d, bool minor, double middle)
+{
+    bool found = false;
+    for (size_t i = 0; i < (minor ? d->axis.minor_count : d->axis.count); i++)
+        found = found || fabs(along(d, minor ? d->axis.minor[i] : d->axis.ticks[i].place) - middle) <= 0.5 + 1e-9;
+    return found;
+}
+
+/* Ticks that reach `out` px away from the plot; each stands at a label's place, or at one of the shorter ticks, and is as wide as
+ * the line. */
+static size_t ticks_at(const struct drawn *d, int out, bool minor)
+{
+    size_t count = 0;
+    for (int at = 0; at < (d->side == BEAD_SIDE_BOTTOM ? WIDTH : HEIGHT); at++) {
+        int wide = 0;
+        while (is_tick(d, at + wide, out))
+            wide++;
+        if (wide == 0)
+            continue;
+        count++;
+        assert_int_equal(wide, (int)d->look.line);
+        const double middle = at + 0.5 * wide;
+        assert_true(has_place(d, false, middle) || (minor && has_place(d, true, middle)));
+        at += wide;
+    }
+    return count;
+}
+
+/* All sides, upwards and downwards, lines of 1 to 3 px, with and without shorter ticks. */
+static void next_axis(struct drawn *d, int i)
+{
+    static const enum bead_side sides[] = {BEAD_SIDE_LEFT, BEAD_SIDE_BOTTOM, BEAD_SIDE_RIGHT};
+    bead_look_screen(&d->look, 1280, 720, false);
+    d->look.line = 1 + i / 6 % 3;
+    d->look.tick = 16 + i;
+    d->side = sides[i % 3];
+    d->downwards = i / 3 % 2;
+    d->plot = all;
+    d->axis.scale = i % 2 ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
+}
+
+static void ticks_stand_at_their_values(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 18; i++) {
+        struct drawn d = {0};
+        next_axis(&d, i);
+        draw(&d, i % 2 ? 0.7 : -3, i % 2 ? 300 : 11, false, NULL);
+        assert_int_equal(d.count, 0); /* ticks only */
+        assert_true(d.axis.count >= 3);
+        const int line = (int)d.look.line, length = (int)d.reach - line;
+        assert_true(d.reach == line + length && length > 0.3 * d.look.tick && length < 0.5 * d.look.tick);
+        assert_int_equal(ticks_at(&d, line - 1, true), 0); /* the box's line is there */
+        assert_int_equal(ticks_at(&d, line, true), d.axis.count + d.axis.minor_count);
+        assert_int_equal(ticks_at(&d, line + length - 1, false), d.axis.count);
+        assert_int_equal(ticks_at(&d, line + length, false), 0);
+        if (i % 2) { /* shorter ones have about half the length */
+            assert_true(d.axis.minor_count > 8);
+            assert_int_equal(ticks_at(&d, line + (int)(0.45 * length), true), d.axis.count + d.axis.minor_count);
+            assert_int_equal(ticks_at(&d, line + (int)ceil(0.65 * length), false), d.axis.count);
+        }
+        clear(&d);
+    }
+}
+
+/* Where a text begins and ends, px away from the plot's pixels. */
+static double begin_of(const struct drawn *d, const struct text *text)
+{
+    return d->side == BEAD_SIDE_LEFT    ? d->plot.x - text->x - text->width
+           : d->side == BEAD_SIDE_RIGHT ? text->x - d->plot.x - d->plot.width
+                                        : text->y - d->plot.y - d->plot.height;
+}
+
+static double end_of(const struct drawn *d, const struct text *text)
+{
+    return begin_of(d, text) + (d->side == BEAD_SIDE_BOTTOM ? text->height : text->width);
+}
+
+static double middle_of(const struct drawn *d, const struct text *text)
+{
+    return d->side == BEAD_SIDE_BOTTOM ? text->x + 0.5 * text->width : text->y + 0.5 * text->height;
+}
+
+/* Labels stand beside the ends of their ticks, a third of a letter away, in the middle; the axis reaches to the end of the widest.
+ */
+static void labels_stand_at_their_ticks(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 18; i++) {
+        struct drawn d = {0};
+        next_axis(&d, i);
+        draw(&d, i % 2 ? 0.7 : -3, i % 2 ? 1300 : 11, false, NULL);
+        const double ticks = d.reach, em = d.look.tick;
+        clear(&d);
+        draw(&d, i % 2 ? 0.7 : -3, i % 2 ? 1300 : 11, true, NULL);
+        assert_int_equal(d.count, d.axis.count);
+        double furthest = 0;
+        for (size_t k = 0; k < d.count; k++) {
+            const struct text *text = &d.text[k];
+            assert_string_equal(text->markup, d.axis.ticks[k].label);
+            const double bearing = 0.12 * em; /* between a letter's box and its ink */
+            if (!(fabs(middle_of(&d, text) - along(&d, d.axis.ticks[k].place)) < bearing))
+                fail_msg("'%s' of axis %d stands %g px from its tick", text->markup, i,
+                         middle_of(&d, text) - along(&d, d.axis.ticks[k].place));
+            if (!(fabs(begin_of(&d, text) - ticks - 0.3 * em) < bearing))
+                fail_msg("'%s' of axis %d begins %g px behind its tick", text->markup, i, begin_of(&d, text) - ticks);
+            furthest = fmax(furthest, end_of(&d, text));
+        }
+        if (!(fabs(d.reach - furthest) < 0.12 * em))
+            fail_msg("axis %d reaches %g px, its labels %g", i, d.reach, furthest);
+        clear(&d);
+    }
+}
+
+/* ---- titles ---- */
+
+/* How a title was made to fit. */
+enum fitted { FULL, SMALLER, LINES, SMALL, UNIT, NONE, WAYS };
+
+static double natural_width(const struct bead_look *look, const char *markup, double *height)
+{
+    double width;
+    const struct bead_text_style style = {.family = look->family, .size = look->label};
+    bead_text_size(NULL, &style, markup, &width, height);
+    return width;
+}
+
+/* The title of a plot with so much room along its axis: within that room, outside of the labels, inside of what the axis reaches.
+ */
+static enum fitted fit(struct drawn *d, int room, const char *title)
+{
+    const bool lying = d->side == BEAD_SIDE_BOTTOM;
+    d->plot = (struct bead_rect){200, 150, lying ? room : 300, lying ? 250 : room};
+    draw(d, 0, 10, true, NULL);
+    const double labels = d->reach, em = d->look.label;
+    clear(d);
+    draw(d, 0, 10, true, title);
+    const struct text found = d->text[d->count - 1];
+    const double axis = d->axis.count, reach = d->reach;
+    char whole[400];
+    bead_axis_title(&d->axis, title, whole, sizeof whole);
+    clear(d);
+    if (d->count == axis) {
+        assert_true(reach == labels);
+        return NONE;
+    }
+    assert_int_equal(d->count, axis + 1);
+    double line, width = lying ? found.width : found.height, thickness = lying ? found.height : found.width;
+    const double full = natural_width(&d->look, whole, &line), middle = lying ? found.x + width / 2 : found.y + width / 2;
+    if (!(width <= room + 1))
+        fail_msg("%g px of '%s' in %d px", width, found.markup, room);
+    if (!(fabs(middle - (lying ? 200 : 150) - 0.5 * room) < 0.1 * em))
+        fail_msg("'%s' is %g px away from the middle of %d px", found.markup, middle - (lying ? 200 : 150) - 0.5 * room, room);
+    if (!(begin_of(d, &found) > labels + 0.3 * em && begin_of(d, &found) < labels + em))
+        fail_msg("'%s' in %d px begins %g em behind the labels", found.markup, room, (begin_of(d, &found) - labels) / em);
+    /* a line is higher than its ink: descent, and the leading of symbols */
+    if (!(reach > end_of(d, &found) - 0.1 * em && reach < end_of(d, &found) + 0.6 * em))
+        fail_msg("'%s' in %d px ends %g px before the axis does", found.markup, room, reach - end_of(d, &found));
+    if (strcmp(found.markup, d->axis.unit) == 0)
+        return UNIT;
+    if (thickness > 1.2 * line) {
+        if (!(thickness <= 3.3 * line && room < 0.85 * full))
+            fail_msg("%g px of lines for '%s' of %g x %g px in %d px", thickness, found.markup, full, line, room);
+        return LINES;
+    }
+    assert_string_equal(found.markup, whole);
+    if (width > full - 0.15 * em)
+        return FULL;
+    assert_true(width > 0.95 * room || room > 0.98 * full); /* no smaller than the room demands */
+    return room > 0.84 * full ? SMALLER : SMALL;
+}
+
+/* As the room shrinks: smaller, then lines, then small, then the unit, then nothing. */
+static void titles_fit_the_room(void **state)
+{
+    (void)state;
+    static const enum bead_side sides[] = {BEAD_SIDE_LEFT, BEAD_SIDE_BOTTOM, BEAD_SIDE_RIGHT};
+    static const struct {
+        const char *title;
+        bool way[WAYS];
+    } titles[] = {{"largest force of all contacts", {true, true, true, false, true, true}},
+                  {"*F*_m of all contacts *c* and beads", {true, true, true, false, true, true}}, /* with markup */
+                  {"Gesamtkontaktkraft", {true, true, false, true, true, true}}};                 /* one word */
+    for (size_t i = 0; i < 9; i++) {
+        struct drawn d = {.side = sides[i % 3]};
+        bool way[WAYS] = {false};
+        enum fitted last = FULL;
+        bead_look_screen(&d.look, 1280, 720, false);
+        for (int room = 400; room > 4; room -= 5) {
+            const enum fitted now = fit(&d, room, titles[i / 3].title);
+            if (now < last)
+                fail_msg("'%s' at side %d in %d px: way %d after %d", titles[i / 3].title, (int)d.side, room, now, last);
+            way[now] = true;
+            last = now;
+        }
+        for (int w = 0; w < WAYS; w++) {
+            if (way[w] != titles[i / 3].way[w])
+                fail_msg("'%s' at side %d: way %d: %d", titles[i / 3].title, (int)d.side, w, way[w]);
+        }
+    }
+}
+
+/* A box's line lies around the plot's pixels, and covers none of them. */
+static void boxes_surround_their_pixels(void **state)
+{
+    (void)state;
+    for (int line = 1; line <= 3; line++) {
+        struct bead_look look;
+        bead_look_screen(&look, 1280, 720, false);
+        look.line = line;
+        look.axis = (struct bead_rgb){0, 0, 0};
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+        cairo_t *cr = cairo_create(surface);
+        cairo_set_source_rgb(cr, 1, 1, 1);
+        cairo_paint(cr);
+        bead_box_draw(cr, &look, all);
+        cairo_destroy(cr);
+        cairo_surface_flush(surface);
+        const unsigned char *pixels = cairo_image_surface_get_data(surface);
+        const int stride = cairo_image_surface_get_stride(surface);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                const bool within = x >= all.x && x < all.x + all.width && y >= all.y && y < all.y + all.height;
+                const bool around =
+                    x >= all.x - line && x < all.x + all.width + line && y >= all.y - line && y < all.y + all.height + line;
+                assert_int_equal(pixels[y * stride + 4 * x], around && !within ? 0 : 255);
+            }
+        }
+        cairo_surface_destroy(surface);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ticks_stand_at_their_values), cmocka_unit_test(labels_stand_at_their_ticks),
+                                       cmocka_unit_test(titles_fit_the_room), cmocka_unit_test(boxes_surround_their_pixels)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
