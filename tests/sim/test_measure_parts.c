@@ -105,10 +105,120 @@ static void a_pulse_lasts_to_a_deep_minimum(void **state)
     release(&built);
 }
 
+/* Bells of width `bell_width` that run along a chain of dimers, each contact `bell_later` widths after the one before. */
+static const double bell_width = 5e-6 /* s */, bell_later = 0.9;
+struct bells {
+    double force[2], velocity[2]; /* N, m/s, of contacts and beads by turns, from the probe on */
+};
+
+static double bell(double x, double at)
+{
+    return exp(-(x - at) * (x - at));
+}
+
+/* The compression that a contact's force adds to its static one, m. */
+static double compressed_by(const struct bead_chain *chain, size_t contact, double force)
+{
+    const double a = bead_chain_stiffness(chain)[contact], rest = bead_chain_static_force(chain)[contact];
+    return pow((rest + force) / a, 2.0 / 3) - pow(rest / a, 2.0 / 3);
+}
+
+static struct bead_pulse_found running_bells(const struct built *built, const struct bells *bells, size_t *probe)
+{
+    enum { COUNT = 4000 };
+    struct bead_message msg = {""};
+    struct bead_measures *m;
+    const struct bead_chain *chain = built->chain;
+    assert_int_equal(bead_measures_create(chain, &m, &msg), BEAD_OK);
+    const size_t beads = bead_chain_beads(chain), contacts = bead_chain_contacts(chain);
+    double *field[3];
+    struct bead_sample sample = {.active = beads};
+    for (int f = 0; f < 3; f++)
+        field[f] = calloc(beads + 1, sizeof *field[f]);
+    for (int f = 0; f < BEAD_FIELD_STRAIN; f++)
+        sample.field[f] = field[0];
+    sample.field[BEAD_FIELD_CONTACT_FORCE] = field[0];
+    sample.field[BEAD_FIELD_VELOCITY] = field[1];
+    sample.field[BEAD_FIELD_DISPLACEMENT] = field[2];
+    *probe = m->places.probe;
+    for (size_t i = 0; i < COUNT; i++) {
+        sample.time = 1e-7 * (double)i;
+        const double x = sample.time / bell_width;
+        for (size_t k = contacts; k-- > 0;) { /* displacements from the far end on: sums of compressions */
+            const double now = bell(x, 6 + bell_later * (double)k);
+            const size_t turn = (k + *probe) % 2;
+            field[0][k] = bead_chain_static_force(chain)[k] + bells->force[turn] * now;
+            field[1][k + 1] = bells->velocity[turn] * now;
+            field[2][k] = field[2][k + 1] + compressed_by(chain, k, bells->force[turn] * now);
+        }
+        assert_int_equal(bead_measures_feed(m, &sample, &msg), BEAD_OK);
+    }
+    assert_int_equal(m->places.cell, 2);
+    const struct bead_pulse_found found = bead_trace_read(m);
+    bead_measures_destroy(m);
+    for (int f = 0; f < 3; f++)
+        free(field[f]);
+    return found;
+}
+
+/* Energy of a contact with Hertz's law above its static state, integrated over the bell, J s. */
+static double stored(const struct bead_chain *chain, size_t contact, double force)
+{
+    const double a = bead_chain_stiffness(chain)[contact], rest = bead_chain_static_force(chain)[contact],
+                 d0 = pow(rest / a, 2.0 / 3);
+    double sum = 0;
+    for (double x = -8; x < 8; x += 0.01) {
+        const double d = compressed_by(chain, contact, force * bell(x, 0));
+        sum += 0.01 * bell_width * (0.4 * a * (pow(d0 + d, 2.5) - pow(d0, 2.5)) - rest * d);
+    }
+    return sum;
+}
+
+/* What is measured of the bells is what they were made of: integrals of squares of bells are sqrt(pi / 2) widths, the front runs
+ * one contact in `bell_later` widths; of two beads and contacts the larger counts. Loads at rest take no part. */
+static void a_pulse_is_what_it_was_made_of(void **state)
+{
+    (void)state;
+    static const struct bells kinds[] = {{{20, 24}, {0.3, 0.5}}, {{24, 20}, {0.5, 0.3}}};
+    static const char *const loads[] = {"", ", precompression: 5 N, wall: rigid"};
+    const double square = sqrt(acos(-1) / 2) * bell_width;
+    for (size_t i = 0; i < 4; i++) {
+        const struct bells *b = &kinds[i % 2];
+        char text[200];
+        snprintf(text, sizeof text, "chain: {beads: [{cell: [large-steel, aluminium], count: 30}]%s}\n", loads[i / 2]);
+        struct built built = build(text, "until: 1 us");
+        size_t probe;
+        const struct bead_pulse_found found = running_bells(&built, b, &probe);
+        const double *mass = bead_chain_mass(built.chain) + probe + 1, *position = bead_chain_position(built.chain) + probe;
+        const size_t strong = b->force[1] > b->force[0];
+        assert_near(found.momentum, sqrt(acos(-1)) * bell_width * b->force[0], 1e-9 * found.momentum);
+        assert_near(found.energy, square * b->force[0] * b->velocity[0], 1e-9 * found.energy);
+        assert_near(found.kinetic, square * 0.5 * (mass[0] * pow(b->velocity[0], 2) + mass[1] * pow(b->velocity[1], 2)),
+                    1e-9 * found.kinetic);
+        assert_near(found.potential, stored(built.chain, probe, b->force[0]) + stored(built.chain, probe + 1, b->force[1]),
+                    1e-8 * found.potential);
+        assert_near(found.force, 24, 1e-6);
+        assert_near(found.compression, compressed_by(built.chain, probe + strong, 24), 1e-6 * found.compression);
+        assert_near(found.velocity, 0.5, 1e-7);
+        for (int level = 0; level < 2; level++) {
+            const double width = 2 * bell_width * sqrt(log(level ? 100 : 2));
+            assert_near(found.force_time[level], width, 1e-4 * width);
+            assert_near(found.velocity_time[level], width, 1e-4 * width);
+        }
+        double both = 0;
+        for (double x = 0; x < bell_later; x += 1e-4)
+            both = fmax(both, 0.5 * (20 * bell(x, 0) + 24 * bell(x, bell_later)));
+        assert_near(found.bead_force, both, 1e-6 * both);
+        assert_near(found.beads_per_second, 1 / (bell_later * bell_width), 1e-6 * found.beads_per_second);
+        assert_near(found.speed, (position[2] - position[0]) / (2 * bell_later * bell_width), 1e-6 * found.speed);
+        release(&built);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_tail_ends_with_the_chain),
-                                       cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
-                                       cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_tail_ends_with_the_chain), cmocka_unit_test(decay_is_that_of_the_mean_over_cells),
+        cmocka_unit_test(a_pulse_lasts_to_a_deep_minimum), cmocka_unit_test(a_pulse_is_what_it_was_made_of)};
     return cmocka_run_group_tests_name("measure_parts", tests, NULL, NULL);
 }

@@ -85,6 +85,36 @@ static void peaks_of_two_chains_and_some_beads(void **state)
     tear_down(&s, 1);
 }
 
+/* Only these have rows; beads before the first of them may be left behind by the run, none after it. */
+static void listed_peaks(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *output;
+        size_t rows[14], first; /* the rows end with SIZE_MAX */
+    } cases[] = {{"contacts: [7, 3]", {3, 7, SIZE_MAX}, 3},
+                 {"contacts: 12", {12, SIZE_MAX}, 12},
+                 {"contacts: [0, 5]", {0, 5, SIZE_MAX}, 0},
+                 {"beads: [9, 4, 6]", {4, 6, 9, SIZE_MAX}, 4},
+                 {"uncertainty: false", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, SIZE_MAX}, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct stand s;
+        char output[200];
+        snprintf(output, sizeof output, "table: t.csv, show: %s, %s", *cases[i].output == 'b' ? "bead-peaks" : "peaks",
+                 cases[i].output);
+        set_up(&s, ONE_CHAIN, output, 1e-3);
+        assert_int_equal(s.needs.beads.first, cases[i].first);
+        assert_true(s.needs.beads.last == SIZE_MAX);
+        finish_with_peaks(&s);
+        char *rest = NULL;
+        strtok_r(read_all(s.path), "\n", &rest);
+        for (const size_t *row = cases[i].rows; *row != SIZE_MAX; row++)
+            assert_int_equal(strtoul(strtok_r(NULL, "\n", &rest), NULL, 10), *row);
+        assert_null(strtok_r(NULL, "\n", &rest));
+        tear_down(&s, 1);
+    }
+}
+
 static void sensors(void **state)
 {
     (void)state;
@@ -182,6 +212,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(peaks_of_one_chain),
         cmocka_unit_test(peaks_of_two_chains_and_some_beads),
+        cmocka_unit_test(listed_peaks),
         cmocka_unit_test(sensors),
         cmocka_unit_test(one_chain_has_plain_sensor_names),
         cmocka_unit_test(failures_leave_no_file),
