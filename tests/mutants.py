@@ -19,6 +19,7 @@ import math
 import os
 import random
 import re
+import shutil
 import subprocess
 import threading
 import time
@@ -26,7 +27,6 @@ import time
 NO_TRUTH = ("bits", "test_golden")
 ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library",
                  "test_truths")
-MOST_SECONDS = 60  # of CPU, of tests for one fault
 
 SWAPS = [(r" < ", (" <= ", " >= ")), (r" > ", (" >= ", " <= ")), (r" <= ", (" < ",)), (r" >= ", (" > ",)), (r" == ", (" != ",)),
          (r" != ", (" == ",)), (r" \+ ", (" - ",)), (r" - ", (" + ",)), (r" \* ", (" / ",)), (r" / ", (" * ",)), (r" && ", (" || ",)),
@@ -97,7 +97,27 @@ def tests_of(folder):
     return sorted(set(programs + scripts) - set(NO_TRUTH) - set(ABOUT_SOURCES))
 
 
-def measure_map(work, names):
+def lines_run(folder, counts, test):
+    """[seconds, {file: [lines that it runs]}] of one test, whose counters go to a folder of their own; None where it fails."""
+    prefix = len(os.path.abspath(f"{folder}/build").strip("/").split("/"))
+    subprocess.run(f"rm -rf '{counts}' && mkdir '{counts}' && cd '{folder}/build' && cp --parents $(find sim render -name '*.gcno') "
+                   f"'{counts}'", shell=True, check=True)
+    done = run(["tests/run.sh", "build", test], folder, 1200, env=dict(os.environ, TEST_TIMEOUT="3600", GCOV_PREFIX=counts,
+                                                                       GCOV_PREFIX_STRIP=str(prefix), GCOV_ERROR_FILE="/dev/null"))
+    lines = {}
+    if done is not None and not done.returncode:
+        found = subprocess.run("find . -name '*.gcda' | xargs -r gcov --json-format --stdout 2>/dev/null", shell=True, cwd=counts,
+                               capture_output=True, text=True, check=False).stdout
+        for record in found.splitlines():
+            for file in json.loads(record)["files"] if record.startswith("{") else []:
+                path = os.path.relpath(os.path.join(folder, file["file"]), folder)
+                hit = {line["line_number"] for line in file["lines"] if line["count"]}
+                lines[path] = sorted(hit | set(lines.get(path, [])))
+    shutil.rmtree(counts)
+    return [seconds_of(done), lines] if lines else None
+
+
+def measure_map(work, names, jobs):
     """{test: [seconds, {file: [lines that it runs]}]} of the tests `names`, or of all, with a build of --coverage; those of earlier
     runs are kept."""
     kept, reached = f"{work}/map.json", {}
@@ -108,40 +128,35 @@ def measure_map(work, names):
             return reached
     folder = f"{work}/coverage"
     copy_of_commit(folder)
-    built = run(["make", "-s", "counted", "CFLAGS=-O0 -g --coverage -fprofile-update=atomic", "WERROR="], folder)
+    built = run(["make", "-s", f"-j{jobs}", "counted", "CFLAGS=-O0 -g --coverage -fprofile-update=atomic", "WERROR="], folder)
     if built.returncode:
         raise SystemExit(built.stdout[-2000:])
     run(["sh", "-c", "find build -name '*.gcda' -delete"], folder)
-    for test in [t for t in names or tests_of(folder) if t not in reached]:
-        counts = os.path.abspath(f"{work}/counts")
-        prefix = len(os.path.abspath(f"{folder}/build").strip("/").split("/"))
-        subprocess.run(f"rm -rf '{counts}' && mkdir '{counts}' && cd '{folder}/build' && cp --parents $(find sim render -name '*.gcno') '{counts}'",
-                       shell=True, check=True)
-        done = run(["tests/run.sh", "build", test], folder, 1200, env=dict(os.environ, TEST_TIMEOUT="3600", GCOV_PREFIX=counts,
-                                                                           GCOV_PREFIX_STRIP=str(prefix), GCOV_ERROR_FILE="/dev/null"))
-        if done is None or done.returncode:
-            print(f"{test} fails without a fault and is left out", flush=True)
-            continue
-        lines = {}
-        found = subprocess.run("find . -name '*.gcda' | xargs -r gcov --json-format --stdout 2>/dev/null", shell=True, cwd=counts,
-                               capture_output=True, text=True, check=False).stdout
-        for record in found.splitlines():
-            for file in json.loads(record)["files"] if record.startswith("{") else []:
-                path = os.path.relpath(os.path.join(folder, file["file"]), folder)
-                hit = {line["line_number"] for line in file["lines"] if line["count"]}
-                lines[path] = sorted(hit | set(lines.get(path, [])))
-        reached[test] = [seconds_of(done), lines]
-        print(f"{test}: {reached[test][0]:.1f} s, {sum(map(len, lines.values()))} lines", flush=True)
-    with open(kept, "w", encoding="utf-8") as file:
-        json.dump(reached, file)
+    lock = threading.Lock()
+
+    def measure(test):
+        found = lines_run(folder, os.path.abspath(f"{work}/counts-{test}"), test)
+        with lock:
+            if not found:
+                print(f"{test} fails without a fault, or runs nothing, and is left out", flush=True)
+                return
+            reached[test] = found
+            print(f"{test}: {found[0]:.1f} s, {sum(map(len, found[1].values()))} lines", flush=True)
+            with open(f"{kept}.new", "w", encoding="utf-8") as file:
+                json.dump(reached, file)
+            os.replace(f"{kept}.new", kept)
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for done in [pool.submit(measure, test) for test in names or tests_of(folder) if test not in reached]:
+            done.result()
     return reached
 
 
 class Tree:
     """A copy of the commit, built, in which one fault at a time is tried."""
 
-    def __init__(self, folder):
-        self.folder = folder
+    def __init__(self, folder, most_seconds):
+        self.folder, self.most_seconds = folder, most_seconds
         copy_of_commit(folder)
         built = run(["make", "-s", "counted", "CFLAGS=-O2", "WERROR="], folder)
         if built.returncode:
@@ -192,8 +207,8 @@ class Tree:
         spent = 0
         names = self.tests_that_run(fault, reached)
         words = set(re.split(r"\W+|_", fault.file[:-2]))
-        for test in sorted(names, key=lambda t: (not words & set(test.split("_")), reached[t][0])):
-            if spent > MOST_SECONDS:
+        for test in sorted(names, key=lambda t: (not words & set(t.split("_")), reached[t][0])):
+            if spent > self.most_seconds:
                 break
             program = test.startswith("test_")
             targets = [f"build/tests/{test}"] if program and os.path.exists(f"{self.folder}/build/tests/{test}") else ["all"]
@@ -213,12 +228,13 @@ def main():
     ask.add_argument("--work", default="build-mutants", help="folder for copies of the commit, and for the map; default: %(default)s")
     ask.add_argument("--jobs", type=int, default=os.cpu_count(), help="faults tried at a time; default: a core each")
     ask.add_argument("--tests", nargs="+", help="only these, not all; kept with the map")
+    ask.add_argument("--seconds", type=float, default=60, help="of CPU, of tests for one fault; default: %(default)g")
     ask.add_argument("--again", metavar="LOG", help="output of an earlier run: only its survivors")
     ask.add_argument("rooms", nargs="*", default=["sim", "render"])
     said = ask.parse_args()
     with open("tests/mutants.txt", encoding="utf-8") as file:
         harmless = {line.split(" # ")[0].strip() for line in file if line.strip() and not line.startswith("#")}
-    reached = measure_map(said.work, said.tests)
+    reached = measure_map(said.work, said.tests, said.jobs)
     files = sorted(f for f in subprocess.run(["git", "ls-files", *said.rooms], capture_output=True, text=True, check=True).stdout.split()
                    if f.endswith(".c") and not f.startswith("sim/cli/beadsim"))
     all_faults = [fault for file in files for fault in possible(file)]
@@ -231,7 +247,7 @@ def main():
     lock, results = threading.Lock(), []
 
     def work(number):
-        tree = Tree(f"{said.work}/tree{number}")
+        tree = Tree(f"{said.work}/tree{number}", said.seconds)
         while True:
             with lock:
                 fault = next(todo, None) if len(results) < said.count else None
