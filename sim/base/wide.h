@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "sim/base/elementary.h"
+
 #if LDBL_MANT_DIG == 113
 typedef long double bead_wide;
 #define BEAD_WIDE_NAME(function) function##l
@@ -32,6 +34,11 @@ static const bead_wide bead_wide_pi =
 static inline bead_wide bead_wide_abs(bead_wide x)
 {
     return x < 0 ? -x : x;
+}
+
+static inline struct bead_pair bead_wide_pair(bead_wide x)
+{
+    return (struct bead_pair){(double)x, (double)(x - (double)x)};
 }
 
 /* Functions of double, rounded correctly but for one case in 2^50. sim/base/elementary.h has quicker ones. */

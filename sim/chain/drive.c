@@ -4,16 +4,16 @@
 
 #include <math.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/random.h"
-#include "sim/base/wide.h"
 
 static const double two_pi = 6.283185307179586;
 
 /* sin p(t) and its derivatives, of a phase with p''' = 0. */
 static struct bead_wave_at sine(double p, double p1, double p2)
 {
-    const struct bead_turn turn = bead_turn_by(p);
-    const double s = (double)turn.im, c = (double)turn.re;
+    double c, s;
+    bead_turn_to((struct bead_pair){p, 0}, &c, &s);
     return (struct bead_wave_at){{s, p1 * c, p2 * c - p1 * p1 * s, -3 * p1 * p2 * s - p1 * p1 * p1 * c}};
 }
 

@@ -5,7 +5,7 @@
  * the formulas cancel (A.-K. Kassam, L. N. Trefethen, SIAM J. Sci. Comput. 26, 1214 (2005)). */
 #pragma once
 
-#include "sim/base/wide.h"
+#include "sim/base/elementary.h"
 #include "sim/equation/spectral.h"
 
 struct bead_etd_row {
@@ -21,11 +21,8 @@ struct bead_etd_work {
     struct bead_complex *a, *b, *slope[4]; /* [modes + 1] */
 };
 
-/* Rows for steps of h and the frequencies omega[0..modes]. */
-void bead_etd_rows(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows);
-/* The same for a part of a step, of which nothing follows, to a few units in the last place of double: from frequencies that are a
- * cubic of their number, as those of the Korteweg-de Vries equation, in a fifth of the time. */
-void bead_etd_rows_within(const bead_wide *omega, size_t modes, bead_wide h, struct bead_etd_row *rows);
+/* Rows for steps of h and the frequencies omega[0..modes], to a few units in the last place. */
+void bead_etd_rows(const struct bead_pair *omega, size_t modes, double h, struct bead_etd_row *rows);
 /* from -> to (may be the same) over one step; work->slope[0] must be N(from). */
 void bead_etd_step(const struct bead_etd_row *rows, size_t modes, bead_etd_slope slope, void *context, struct bead_etd_work *work,
                    const struct bead_complex *from, struct bead_complex *to);

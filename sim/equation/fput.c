@@ -117,20 +117,18 @@ static double norm(const struct bead_equation_spec *spec, size_t k)
     return fixed(spec) ? 2 / (double)(n + 1) : (2 * k == n ? 1 : 2) / (double)n;
 }
 
-/* Energy of mode k: between walls that of a standing wave, on a ring that of the sine and cosine waves together. Sines by rotation.
- */
+/* Energy of mode k: between walls that of a standing wave, on a ring that of the sine and cosine waves together. */
 static double mode_energy(const struct bead_equation_spec *spec, size_t k, const double *u, const double *v)
 {
-    const struct bead_turn turn = bead_turn_by(phase(spec, k));
-    struct bead_turn at = fixed(spec) ? turn : (struct bead_turn){1, 0};
+    const struct bead_pair turn = bead_wide_pair(phase(spec, k));
     double us = 0, uc = 0, vs = 0, vc = 0;
     for (size_t j = 0; j < spec->points; j++) {
-        const double s = (double)at.im, c = (double)at.re;
+        double c, s;
+        bead_turn_to(bead_pair_times(turn, (double)(fixed(spec) ? j + 1 : j)), &c, &s);
         us += u[j] * s;
         vs += v[j] * s;
         uc += u[j] * c;
         vc += v[j] * c;
-        at = bead_turn_on(at, turn);
     }
     double w2 = omega_squared(spec, k), energy = vs * vs + w2 * us * us;
     if (!fixed(spec))

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/base/wide.h"
 #include "sim/equation/equation.h"
 #include "sim/equation/kdv_solitons.h"
 #include "sim/equation/kdv_solver.h"
@@ -102,20 +103,28 @@ static void places(const struct bead_chain_spec *chain, size_t points, double *f
 
 /* ---- integrals ---- */
 
+/* The mean of u^2, and of u_x^2 if it is wanted. */
+static double mean_square(const struct bead_kdv *kdv, double *slopes)
+{
+    double squares = 0;
+    for (size_t j = 1; j <= kdv->spectral.modes; j++) {
+        double k = kdv->wave_number[j], size = kdv->end.u[j].re * kdv->end.u[j].re + kdv->end.u[j].im * kdv->end.u[j].im;
+        squares += 2 * size;
+        if (slopes)
+            *slopes += 2 * k * k * size;
+    }
+    return squares + kdv->mean * kdv->mean;
+}
+
 static void find_integrals(const struct bead_kdv *kdv, struct integrals *to)
 {
     const struct bead_equation_spec *spec = kdv->spec;
     const double *u = bead_kdv_grid(kdv, kdv->end.u);
-    double cubes = 0, squares = 0, slopes = 0;
+    double cubes = 0, slopes = 0;
     size_t n = kdv->spectral.points;
     for (size_t i = 0; i < n; i++)
         cubes += u[i] * u[i] * u[i];
-    for (size_t j = 1; j <= kdv->spectral.modes; j++) {
-        double k = kdv->wave_number[j], size = kdv->end.u[j].re * kdv->end.u[j].re + kdv->end.u[j].im * kdv->end.u[j].im;
-        squares += 2 * size;
-        slopes += 2 * k * k * size;
-    }
-    squares += kdv->mean * kdv->mean;
+    const double squares = mean_square(kdv, &slopes);
     to->mass = spec->length * (kdv->mean + kdv->end.u[0].re);
     to->momentum = spec->length * squares;
     to->hamiltonian =
@@ -262,21 +271,19 @@ static const double *state(const struct bead_motion *m, size_t *count)
 
 static double energy(const struct bead_motion *m)
 {
-    struct integrals now;
-    find_integrals(&m->kdv, &now);
-    return now.momentum;
+    return m->kdv.spec->length * mean_square(&m->kdv, NULL);
 }
 
-/* The share of mode k of the Fourier series in the mean of u^2; the mean of u is not a mode. Cosines by rotation. */
+/* The share of mode k of the Fourier series in the mean of u^2; the mean of u is not a mode. */
 static double mode_energy(const double *u, size_t points, size_t k)
 {
-    const struct bead_turn turn = bead_turn_by(2 * bead_wide_pi * k / points);
-    struct bead_turn at = {1, 0};
+    const struct bead_pair turn = bead_wide_pair(2 * bead_wide_pi * k / points);
     double sum_c = 0, sum_s = 0;
     for (size_t i = 0; i < points; i++) {
-        sum_c += u[i] * (double)at.re;
-        sum_s += u[i] * (double)at.im;
-        at = bead_turn_on(at, turn);
+        double c, s;
+        bead_turn_to(bead_pair_times(turn, (double)i), &c, &s);
+        sum_c += u[i] * c;
+        sum_s += u[i] * s;
     }
     double n = (double)points;
     return (2 * k == points ? 1 : 2) * (sum_c * sum_c + sum_s * sum_s) / (n * n);

@@ -2,6 +2,8 @@
 /* Finds and follows solitons: see kdv_solitons.h. */
 #include "sim/equation/kdv_solitons.h"
 
+#include <math.h>
+
 /* A crest whose height differs by more than this part from the soliton's is another one, or in a collision. */
 static const double near = 0.1;
 /* Between two looks the fastest soliton moves by this part of the narrowest one's width. */

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "sim/base/elementary.h"
+#include "sim/base/wide.h"
 
 /* ---- starts, and the grid that they and their later shapes need ---- */
 
@@ -196,11 +196,11 @@ static enum bead_error allocate(struct bead_kdv *kdv, size_t points, struct bead
     BEAD_TRY(bead_spectral_create(points, &kdv->spectral, msg));
     size_t n = kdv->spectral.modes + 1, series = 12;
     size_t bytes =
-        n * (sizeof(bead_wide) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
+        n * (sizeof(struct bead_pair) + 3 * sizeof(struct bead_etd_row) + series * sizeof(struct bead_complex) + sizeof(double));
     char *memory = kdv->memory = calloc(1, bytes);
     if (!memory)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu points", points);
-    kdv->omega = (bead_wide *)(void *)memory;
+    kdv->omega = (struct bead_pair *)(void *)memory;
     struct bead_etd_row *row = (struct bead_etd_row *)(void *)(kdv->omega + n);
     kdv->rows = row, kdv->half_rows = row + n, kdv->other_rows = row + 2 * n;
     struct bead_complex *next = (struct bead_complex *)(void *)(row + 3 * n);
@@ -232,7 +232,7 @@ static double kdv_solver_begin(struct bead_kdv *kdv)
         bead_wide k = 2 * bead_wide_pi * j / spec->length;
         bead_wide drift = spec->drift + (bead_wide)spec->nonlinearity * kdv->mean;
         kdv->wave_number[j] = (double)k;
-        kdv->omega[j] = k * (spec->dispersion * k * k - drift);
+        kdv->omega[j] = bead_wide_pair(k * (spec->dispersion * k * k - drift));
     }
     slope(kdv, kdv->end.u, kdv->end.slope);
     return whole > 0 ? fabs(1 - kept / whole) : 0;
@@ -390,7 +390,7 @@ void bead_kdv_values(struct bead_kdv *kdv, double t)
     const struct bead_complex *u = kdv->end.u;
     double h = t - kdv->start.t;
     if (t < kdv->end.t && kdv->steps > 0) {
-        bead_etd_rows_within(kdv->omega, kdv->spectral.modes, h, kdv->other_rows);
+        bead_etd_rows(kdv->omega, kdv->spectral.modes, h, kdv->other_rows);
         copy(kdv, kdv->start.slope, kdv->work.slope[0]);
         move(kdv, kdv->other_rows, kdv->start.u, kdv->one);
         u = kdv->one;

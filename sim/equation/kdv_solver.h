@@ -34,8 +34,8 @@ struct bead_kdv {
     const struct bead_equation_spec *spec;
     struct bead_spectral spectral;
     double mean;
-    bead_wide *omega;    /* of the modes */
-    double *wave_number; /* of the modes */
+    struct bead_pair *omega; /* of the modes */
+    double *wave_number;     /* of the modes */
     struct bead_kdv_state start, end;
     struct bead_etd_work work;
     struct bead_etd_row *rows, *half_rows, *other_rows; /* for steps of h, of h / 2, and of any other length */

@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/memory.h"
-#include "sim/base/wide.h"
 
 enum bead_error bead_spectral_create(size_t points, struct bead_spectral *s, struct bead_message *msg)
 {
@@ -42,10 +42,9 @@ void bead_spectral_at(const struct bead_complex *c, size_t modes, double phase, 
 {
     value[0] = c[0].re;
     value[1] = value[2] = 0;
-    const struct bead_turn turn = bead_turn_by(phase);
-    struct bead_turn at = turn;
-    for (size_t j = 1; j <= modes; j++, at = bead_turn_on(at, turn)) {
-        double k = (double)j, co = (double)at.re, si = (double)at.im;
+    for (size_t j = 1; j <= modes; j++) {
+        double k = (double)j, co, si;
+        bead_turn_to(bead_pair_times((struct bead_pair){phase, 0}, k), &co, &si);
         double re = 2 * (c[j].re * co - c[j].im * si), im = 2 * (c[j].re * si + c[j].im * co);
         value[0] += re;
         value[1] -= k * im;

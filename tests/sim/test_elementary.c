@@ -46,6 +46,41 @@ static void functions_are_right(void **state)
     }
 }
 
+/* Angles below a millionth, of some turns, and of 1e12 turns with what they have beyond a double. */
+static void turns_are_right(void **state)
+{
+    (void)state;
+    uint32_t seed = 5;
+    for (int i = 0; i < 60000; i++) {
+        static const double sizes[] = {1e-6, 1, 20, 1e5, 1e12};
+        const double high = (random_bits(&seed) * 0x1p-31 - 1) * sizes[i % 5],
+                     low = (random_bits(&seed) * 0x1p-31 - 1) * 0x1p-54 * high;
+        double cosine, sine;
+        bead_turn_to((struct bead_pair){high, low}, &cosine, &sine);
+        const struct bead_turn exact = bead_turn_by((bead_wide)high + low);
+        assert_true(fabs((double)(cosine - exact.re)) < 0x1p-53 && fabs((double)(sine - exact.im)) < 0x1p-53);
+        assert_true(fabs(sine) > 1e-3 || fabs(high) > 1 || within(sine, exact.im, 2));
+    }
+    double cosine, sine;
+    bead_turn_to((struct bead_pair){0, 0}, &cosine, &sine);
+    assert_true(cosine == 1 && sine == 0);
+}
+
+static void products_of_pairs(void **state)
+{
+    (void)state;
+    uint32_t seed = 6;
+    for (int i = 0; i < 1000; i++) {
+        const double high = number(&seed, 1), low = (random_bits(&seed) * 0x1p-31 - 1) * 0x1p-54 * high, b = number(&seed, 0);
+        const struct bead_pair p = bead_pair_times((struct bead_pair){high, low}, b);
+        const bead_wide exact = ((bead_wide)high + low) * b;
+        if (high > 0x1p900 || high < 0x1p-900)
+            continue;
+        assert_true(bead_wide_abs((p.high - exact) + p.low) < 0x1p-100 * exact);
+        assert_true(fabs(p.low) <= 0x1p-53 * p.high);
+    }
+}
+
 static void ends_of_the_range(void **state)
 {
     (void)state;
@@ -136,23 +171,36 @@ static void bits_are_the_same_everywhere(void **state)
     assert_int_equal(bead_fourier_create(POINTS, NULL, &fourier, &msg), BEAD_OK);
     for (int i = 0; i < 2000; i++) {
         const double y = number(&seed, i);
-        const double values[] = {bead_log(y),      bead_cbrt(y),         bead_three_halves(y),   bead_exp(fmod(y, 700)),
-                                 bead_pow(y, 0.4), bead_sin(fmod(y, 7)), bead_sech2(fmod(y, 30))};
+        double cosine, sine;
+        bead_turn_to((struct bead_pair){fmod(y, 1e6), 0}, &cosine, &sine);
+        const double values[] = {bead_log(y),
+                                 bead_cbrt(y),
+                                 bead_three_halves(y),
+                                 bead_exp(fmod(y, 700)),
+                                 bead_pow(y, 0.4),
+                                 bead_sin(fmod(y, 7)),
+                                 bead_sech2(fmod(y, 30)),
+                                 cosine,
+                                 sine};
         hash = bead_fingerprint(hash, values, sizeof values);
         x[i % POINTS] = bead_log(y);
     }
     bead_fourier_forward(fourier, x, bins);
     hash = bead_fingerprint(hash, bins, sizeof bins);
     bead_fourier_destroy(fourier);
-    if (hash != UINT64_C(0x3a3fdb104d742188))
+    if (hash != UINT64_C(0x8a2bcfe1db2e6f5b))
         fail_msg("the hash is %016" PRIx64, hash);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(functions_are_right),          cmocka_unit_test(ends_of_the_range),
-        cmocka_unit_test(transforms_of_every_length),   cmocka_unit_test(instruction_sets_transform_to_the_same_bits),
+        cmocka_unit_test(functions_are_right),
+        cmocka_unit_test(turns_are_right),
+        cmocka_unit_test(products_of_pairs),
+        cmocka_unit_test(ends_of_the_range),
+        cmocka_unit_test(transforms_of_every_length),
+        cmocka_unit_test(instruction_sets_transform_to_the_same_bits),
         cmocka_unit_test(bits_are_the_same_everywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
