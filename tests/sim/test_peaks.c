@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Peaks of forces beside the forces themselves: the largest of many samples within each step of the run. */
+#include "support.h"
+
+enum { SAMPLES = 48 /* of a step */, MOST_BEADS = 64 };
+
+/* What samples say of one force. */
+struct sampled {
+    double largest, time; /* N, s: of the run up to its limit */
+    double best, rival;   /* N: largest maximum, and the last other one of at least half of it; rival NaN: none */
+    double best_time;     /* s; of a maximum within the run, else 0 */
+    double last[2];       /* N, the samples before */
+    double rest;          /* N */
+};
+
+/* `after`: maxima before this time do not count. Before the front, rounding has maxima of its own. */
+static void take(struct sampled *s, double force, double time, double spacing, double after)
+{
+    const double middle = s->last[1];
+    if (middle > s->last[0] && middle >= force && middle > s->rest + 1e-9 && time - spacing > after) {
+        if (middle > s->best) {
+            s->rival = s->best_time > 0 ? s->best : s->rival;
+            s->best = middle;
+            s->best_time = time - spacing;
+        } else if (middle > 0.5 * s->best) {
+            s->rival = middle;
+        }
+    }
+    if (force > s->largest && time > after) {
+        s->largest = force;
+        s->time = time;
+    }
+    s->last[0] = middle;
+    s->last[1] = force;
+}
+
+struct all_sampled {
+    struct sampled contact[MOST_BEADS], bead[MOST_BEADS];
+    double spacing; /* s, the longest between samples */
+};
+
+/* Runs to the end, with samples from `from` to `until` s. */
+static void watch(struct bead_run *run, const struct bead_chain *chain, double from, double until, const double *after[2],
+                  struct all_sampled *all)
+{
+    const size_t beads = bead_chain_beads(chain), contacts = bead_chain_contacts(chain);
+    struct bead_message msg = {""};
+    assert_true(beads <= MOST_BEADS);
+    for (double t0 = 0; bead_run_time(run) < until; t0 = bead_run_time(run)) {
+        if (bead_run_step(run, &msg))
+            fail_msg("%s", msg.text);
+        const double h = (bead_run_time(run) - t0) / SAMPLES;
+        all->spacing = fmax(all->spacing, h);
+        for (int i = 1; i <= SAMPLES && t0 + i * h <= until * (1 + 1e-12); i++) {
+            const double t = i == SAMPLES ? bead_run_time(run) : t0 + i * h;
+            const struct bead_sample sample = sample_at(run, t);
+            if (t < from)
+                continue;
+            for (size_t k = 0; k < contacts; k++)
+                take(&all->contact[k], sample.field[BEAD_FIELD_CONTACT_FORCE][k], t, h, after[0] ? after[0][k] : -1);
+            for (size_t j = 0; j < beads; j++)
+                take(&all->bead[j], sample.field[BEAD_FIELD_FORCE][j], t, h, after[1] ? after[1][j] : -1);
+        }
+    }
+}
+
+static void begin(struct all_sampled *all, const struct bead_chain *chain)
+{
+    const double *rest = bead_chain_static_force(chain);
+    *all = (struct all_sampled){.spacing = 0};
+    for (size_t k = 0; k < bead_chain_beads(chain); k++) {
+        const double here = k < bead_chain_contacts(chain) ? rest[k] : 0, bead = 0.5 * ((k > 0 ? rest[k - 1] : 0) + here);
+        all->contact[k] = (struct sampled){here, 0, here, NAN, 0, {here, here}, here};
+        all->bead[k] = (struct sampled){bead, 0, bead, NAN, 0, {bead, bead}, bead};
+    }
+}
+
+/* Between samples a force changes by less than this part: they are a fiftieth of a step apart, and a step is a part of the shortest
+ * period. */
+static const double between = 2e-4;
+
+static void assert_peak(const struct bead_peak *peak, const struct sampled *sampled, double spacing, const char *what, size_t index)
+{
+    const double most = sampled->largest;
+    if (!(peak->value > most * (1 - 1e-9) && peak->value <= most * (1 + between)))
+        fail_msg("%s %zu: the peak is %.9g N, the largest sample %.9g", what, index, peak->value, most);
+    if (most > 0 && !(fabs(peak->time - sampled->time) <= 1.001 * spacing))
+        fail_msg("%s %zu: the peak is at %.9g s, the largest sample at %.9g", what, index, peak->time, sampled->time);
+}
+
+static const char *const chains[] = {
+    "chain: {beads: [{cell: [large-steel, aluminium], spins: \"1011000101\"}], wall: brass}\n",
+    "chain: {striker: {bead: small-steel, velocity: 1 m/s}, precompression: 10 N, wall: brass,\n"
+    "  beads: [{cell: [large-steel, aluminium], count: 10}]}\n",
+    "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, tilt: 8 deg, wall: rigid,\n"
+    "  beads: [{bead: small-steel, count: 7}, {bead: large-steel, count: 8}]}\n",
+    "chain: {striker: {bead: lead, velocity: 2 m/s}, beads: [{cell: [ptfe, large-steel, brass], spins: random, seed: 3, count: "
+    "6}]}\n",
+};
+enum { CHAINS = sizeof chains / sizeof *chains };
+
+/* No sample is larger than the peak, and the peak hardly larger than the largest; where a force still rises at the end, its peak is
+ * the last sample. */
+static void no_sample_is_larger(void **state)
+{
+    (void)state;
+    static const double ends[] = {0.35e-3, 0.18e-3, 0.6e-3, 0.45e-3};
+    size_t open = 0;
+    for (size_t c = 0; c < CHAINS; c++) {
+        struct built built = build(chains[c], "until: 1 ms");
+        struct bead_run *run =
+            start_run(&built, (struct bead_run_settings){.end = ends[c], .contact_peaks = true, .bead_peaks = true});
+        static struct all_sampled all;
+        struct bead_outcome outcome;
+        begin(&all, built.chain);
+        watch(run, built.chain, 0, ends[c], (const double *[2]){NULL, NULL}, &all);
+        bead_run_finish(run, ends[c], &outcome);
+        for (size_t k = 0; k < bead_chain_contacts(built.chain); k++) {
+            assert_peak(&outcome.contact_peaks[k], &all.contact[k], all.spacing, "contact", k);
+            const bool rises = all.contact[k].largest > 0 && all.contact[k].time > 0.999999 * ends[c];
+            assert_int_equal(outcome.contact_peaks[k].open, rises);
+            open += rises;
+        }
+        for (size_t j = 0; j < bead_chain_beads(built.chain); j++) {
+            assert_peak(&outcome.bead_peaks[j], &all.bead[j], all.spacing, "bead", j);
+            assert_int_equal(outcome.bead_peaks[j].open, all.bead[j].largest > 0 && all.bead[j].time > 0.999999 * ends[c]);
+        }
+        bead_run_destroy(run);
+        release(&built);
+    }
+    assert_true(open >= 3);
+}
+
+/* The peak after a time of each contact's and bead's own, and the last other maximum of half its height. */
+static void later_peaks_and_rivals(void **state)
+{
+    (void)state;
+    static const double end = 0.9e-3;
+    for (size_t c = 0; c < CHAINS; c++) {
+        for (int later = 0; later < 2; later++) {
+            struct built built = build(chains[c], "until: 1 ms");
+            double after[2][MOST_BEADS];
+            for (size_t k = 0; k < MOST_BEADS; k++) {
+                after[0][k] = 0.15e-3 + 1.1e-5 * (double)(k % 5);
+                after[1][k] = 0.2e-3 - 0.7e-5 * (double)(k % 7);
+            }
+            const double *from[2] = {later ? after[0] : NULL, later ? after[1] : NULL};
+            struct bead_run *run = start_run(
+                &built,
+                (struct bead_run_settings){
+                    .end = end, .contact_peaks = true, .bead_peaks = true, .rivals = true, .peaks_after = {from[0], from[1]}});
+            static struct all_sampled all;
+            struct bead_outcome outcome;
+            begin(&all, built.chain);
+            watch(run, built.chain, 0, end, from, &all);
+            bead_run_finish(run, end, &outcome);
+            for (int of_beads = 0; of_beads < 2; of_beads++) {
+                const struct bead_peak *peaks = of_beads ? outcome.bead_peaks : outcome.contact_peaks;
+                const struct bead_peak *rivals = bead_run_rivals(run, of_beads);
+                const size_t count = of_beads ? bead_chain_beads(built.chain) : bead_chain_contacts(built.chain);
+                size_t rivalled = 0;
+                for (size_t i = 0; i < count; i++) {
+                    const struct sampled *s = of_beads ? &all.bead[i] : &all.contact[i];
+                    if (peaks[i].open)
+                        continue;
+                    if (!(fabs(peaks[i].value - s->best) <= between * s->best))
+                        fail_msg("chain %zu, %d: peak %zu is %.9g N at %g s, not %.9g", c, of_beads, i, peaks[i].value,
+                                 peaks[i].time, s->best);
+                    const double wanted = isnan(s->rival) ? 0 : s->rival, rival = rivals[i].time > 0 ? rivals[i].value : 0;
+                    if (!(fabs(rival - wanted) <= between * s->best))
+                        fail_msg("chain %zu, %d: the rival of %zu is %.9g N at %g s, not %.9g", c, of_beads, i, rival,
+                                 rivals[i].time, wanted);
+                    rivalled += wanted > 0;
+                }
+                assert_true(rivalled > 0);
+            }
+            bead_run_destroy(run);
+            release(&built);
+        }
+    }
+}
+
+/* Peaks of a span are those of the whole; outside of it nothing is searched. */
+static void spans_are_part_of_the_whole(void **state)
+{
+    (void)state;
+    static const double end = 0.5e-3;
+    struct built built = build(chains[1], "until: 1 ms");
+    const struct bead_span span = {4, 9};
+    struct bead_outcome all, part;
+    struct bead_run *run[2];
+    for (int i = 0; i < 2; i++) {
+        run[i] = start_run(&built, (struct bead_run_settings){
+                                       .end = end, .contact_peaks = true, .bead_peaks = true, .peak_span = i ? &span : NULL});
+        run_until(run[i], end);
+        bead_run_finish(run[i], end, i ? &part : &all);
+    }
+    for (size_t k = 0; k < bead_chain_beads(built.chain); k++) {
+        const bool within = k >= span.first && k <= span.last;
+        const double *rest = bead_chain_static_force(built.chain);
+        if (k < bead_chain_contacts(built.chain))
+            assert_true(part.contact_peaks[k].value == (within ? all.contact_peaks[k].value : rest[k]));
+        const double still = 0.5 * ((k > 0 ? rest[k - 1] : 0) + (k < bead_chain_contacts(built.chain) ? rest[k] : 0));
+        assert_true(part.bead_peaks[k].value == (within ? all.bead_peaks[k].value : still));
+        assert_true(all.bead_peaks[k].value > still);
+    }
+    for (int i = 0; i < 2; i++)
+        bead_run_destroy(run[i]);
+    release(&built);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(no_sample_is_larger), cmocka_unit_test(later_peaks_and_rivals),
+                                       cmocka_unit_test(spans_are_part_of_the_whole)};
+    return cmocka_run_group_tests_name("peaks", tests, NULL, NULL);
+}
