@@ -185,28 +185,35 @@ static void spans_are_part_of_the_whole(void **state)
 {
     (void)state;
     static const double end = 0.5e-3;
-    struct built built = build(chains[1], "until: 1 ms");
-    const struct bead_span span = {4, 9};
-    struct bead_outcome all, part;
-    struct bead_run *run[2];
-    for (int i = 0; i < 2; i++) {
-        run[i] = start_run(&built, (struct bead_run_settings){
-                                       .end = end, .contact_peaks = true, .bead_peaks = true, .peak_span = i ? &span : NULL});
-        run_until(run[i], end);
-        bead_run_finish(run[i], end, i ? &part : &all);
-    }
-    for (size_t k = 0; k < bead_chain_beads(built.chain); k++) {
-        const bool within = k >= span.first && k <= span.last;
+    static const struct bead_span spans[] = {{0, SIZE_MAX}, {4, 9}, {7, 7}, {0, 0}, {1, 12}, {10, SIZE_MAX}};
+    for (size_t c = 0; c < CHAINS; c++) {
+        struct built built = build(chains[c], "until: 1 ms");
+        const size_t beads = bead_chain_beads(built.chain), contacts = bead_chain_contacts(built.chain);
         const double *rest = bead_chain_static_force(built.chain);
-        if (k < bead_chain_contacts(built.chain))
-            assert_true(part.contact_peaks[k].value == (within ? all.contact_peaks[k].value : rest[k]));
-        const double still = 0.5 * ((k > 0 ? rest[k - 1] : 0) + (k < bead_chain_contacts(built.chain) ? rest[k] : 0));
-        assert_true(part.bead_peaks[k].value == (within ? all.bead_peaks[k].value : still));
-        assert_true(all.bead_peaks[k].value > still);
+        struct bead_peak whole[2][MOST_BEADS];
+        for (size_t i = 0; i < sizeof spans / sizeof *spans; i++) {
+            const struct bead_run_settings settings = {
+                .end = end, .contact_peaks = true, .bead_peaks = true, .peak_span = i > 0 ? &spans[i] : NULL};
+            struct bead_run *run = start_run(&built, settings);
+            struct bead_outcome found;
+            run_until(run, end);
+            bead_run_finish(run, end, &found);
+            if (i == 0) {
+                memcpy(whole[0], found.contact_peaks, contacts * sizeof whole[0][0]);
+                memcpy(whole[1], found.bead_peaks, beads * sizeof whole[0][0]);
+            }
+            for (size_t k = 0; k < beads; k++) {
+                const bool within = k >= spans[i].first && k <= spans[i].last;
+                const double still = 0.5 * ((k > 0 ? rest[k - 1] : 0) + (k < contacts ? rest[k] : 0));
+                if (k < contacts)
+                    assert_true(found.contact_peaks[k].value == (within ? whole[0][k].value : rest[k]));
+                assert_true(found.bead_peaks[k].value == (within ? whole[1][k].value : still));
+                assert_true(whole[1][k].value > still);
+            }
+            bead_run_destroy(run);
+        }
+        release(&built);
     }
-    for (int i = 0; i < 2; i++)
-        bead_run_destroy(run[i]);
-    release(&built);
 }
 
 int main(void)

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The front's arrival beside another path to it: forces after every one of many short steps. */
+#include "support.h"
+
+/* Time when the last contact has 1e-4 of the largest force so far, both less the static ones: between steps so short that the
+ * logarithm of the force is straight. */
+static double arrival_by_steps(const char *chain, const char *step)
+{
+    struct built built = build(chain, step);
+    struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY});
+    const size_t contacts = bead_chain_contacts(built.chain);
+    const double *rest = bead_chain_static_force(built.chain);
+    double largest = 0, before = 0, before_time = 0, arrival = NAN;
+    for (bool first = true; isnan(arrival); first = false) {
+        struct bead_message msg = {""};
+        if (bead_run_step(run, &msg))
+            fail_msg("%s", msg.text);
+        const double time = bead_run_time(run);
+        if (first) { /* with damping, the force jumps as the striker hits */
+            const struct bead_sample struck = sample_at(run, 0);
+            largest = struck.field[BEAD_FIELD_CONTACT_FORCE][0] - rest[0];
+        }
+        const double *force = sample_at(run, time).field[BEAD_FIELD_CONTACT_FORCE];
+        for (size_t k = 0; k < contacts; k++)
+            largest = fmax(largest, force[k] - rest[k]);
+        const double last = force[contacts - 1] - rest[contacts - 1], level = 1e-4 * largest;
+        if (last > level)
+            arrival = before_time + (time - before_time) * log(level / before) / log(last / before);
+        before = last;
+        before_time = time;
+    }
+    bead_run_destroy(run);
+    release(&built);
+    return arrival;
+}
+
+static void fronts_arrive_when_the_last_force_rises(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "chain: {beads: [{bead: large-steel, count: 12}], wall: brass}\n",
+        "chain: {beads: [{cell: [large-steel, aluminium], spins: \"10110\"}]}\n",
+        "chain: {striker: {bead: large-steel, velocity: 0.3 m/s}, precompression: 5 N, wall: brass,\n"
+        "  beads: [{cell: [large-steel, aluminium], count: 6}]}\n",
+        "chain: {striker: {bead: small-steel, velocity: 1 m/s}, tilt: 10 deg, wall: rigid, beads: [{bead: small-steel, count: "
+        "12}]}\n",
+        "chain: {damping: {coefficient: 5}, beads: [{bead: large-steel, count: 8}], wall: rigid}\n",
+        "chain: {striker: {bead: lead, velocity: 3 m/s}, beads: [{bead: ptfe, count: 4}]}\n",
+    };
+    /* Long steps, too: their motion is off by less, and polynomials over whole ones by more. */
+    static const struct {
+        const char *simulate;
+        double tolerance; /* s, as measured; the reference has steps of 20 ns, between which logarithms bend */
+    } kinds[] = {{"accuracy: 1e-4", 2.5e-11}, {"accuracy: 1e-9", 4e-12}};
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        const double wanted = arrival_by_steps(chains[c], "step: 20 ns");
+        for (size_t kind = 0; kind < sizeof kinds / sizeof *kinds; kind++) {
+            struct built built = build(chains[c], kinds[kind].simulate);
+            struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = BEAD_PASSAGE_OF_FRONT});
+            while (isnan(bead_run_arrival(run))) {
+                struct bead_message msg = {""};
+                if (bead_run_step(run, &msg))
+                    fail_msg("%s", msg.text);
+            }
+            const double arrival = bead_run_arrival(run);
+            if (!(fabs(arrival - wanted) < kinds[kind].tolerance))
+                fail_msg("chain %zu, %s: the front arrives at %.14g s, not at %.14g", c, kinds[kind].simulate, arrival, wanted);
+            bead_run_destroy(run);
+            release(&built);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fronts_arrive_when_the_last_force_rises)};
+    return cmocka_run_group_tests_name("front", tests, NULL, NULL);
+}
