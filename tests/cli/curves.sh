@@ -35,6 +35,12 @@ awk 'BEGIN { pi = atan2(0, -1); k = 1.5 * (1e9 / 3) ^ (2 / 3); print "part,Hz"
              for (i = 0; i <= 1000; i++) printf "%.9g,%.9g\n", i / 1000, sqrt(k) / pi * sin(pi * i / 2000) }' >closed.csv
 ok "the table has the band of equal beads" eval 'awk -F, "NR == FNR { last = \$2; next } FNR == 2 { exit !(\$3 == \"band\" && \$5 == 0 && (\$6 / last - 1) ^ 2 < 1e-16) }" closed.csv bands.csv'
 ok "the plot has its curve" curve bands.svg closed.csv 1 1
+# Bands and gaps are counted from 1, from the lowest on, and lie one behind the other; so do modes.
+ok "a trimer's bands, and the modes of its chain" exits 0 "$beadsim" bands.yaml -o . --set 'chain.beads=[{cell: [large-steel, aluminium, ptfe], count: 7}]' \
+    --set 'outputs=[{table: trimer.csv, show: bands}, {table: modes.csv, show: eigenmodes}]'
+ok "... are counted" test "$(tail -n +2 trimer.csv | cut -d, -f1-4 | tr '\n' ' ')" = "1,21,band,1 1,21,gap,1 1,21,band,2 1,21,gap,2 1,21,band,3 "
+ok "... in order, without a hole" eval 'tail -n +2 trimer.csv | awk -F, "NR > 1 {bad += \$5 != end} {bad += !(\$6 > \$5); end = \$6} END {exit !(NR == 5 && bad == 0)}"'
+ok "... modes, too" eval 'tail -n +2 modes.csv | awk -F, "{bad += \$1 != NR || \$2 < last; last = \$2} END {exit !(NR == 22 && bad == 0)}"'
 
 # Two bands have two edges each; the energy past a bead is the last curve. The first pulse has .99366 of the striker's 2 J.
 cat >energy.yaml <<'YAML'

@@ -27,6 +27,10 @@ ok "... and from the file" exits 0 "$beadsim" s.h5 --configuration 1 -o again.cs
 ok "... the same" cmp one.csv again.csv
 ok "its tables from the file" exits 0 "$beadsim" s.h5 -o mean2.csv
 ok "... the same, too" cmp mean.csv mean2.csv
+ok "the last of them" exits 0 "$beadsim" v.yaml --configuration 3 -o one.csv
+ok "... has its peak" is "$(grep '^6,' one.csv | cut -d, -f2)" "$(column all.csv 3 | sed -n 4p)"
+ok "there is none behind it" eval 'fails "1 2" "$beadsim" v.yaml --configuration 4 -o one.csv && says "must be a number from 0 to 3"'
+ok "... nor before the first" eval 'fails "1 2" "$beadsim" v.yaml --configuration -1 -o one.csv'
 parts() { local i; for i in 1 2 3; do "$beadsim" v.yaml -o parts --shard $i/3 >/dev/null || return 1; done; "$beadsim" --merge parts/s.*of3.h5 -o merged.h5; }
 ok "in three parts, put together" parts
 ok "... the same bytes" cmp merged.h5 s.h5
