@@ -298,6 +298,7 @@ struct bead_shown {
     double time[2];         /* s; NaN: start or end of the run */
     double every;           /* s between samples; 0: what the output needs */
     bool trust;             /* say from when on two runs of different accuracy differ: image, movie, plot */
+    bool theory;            /* the front that theory predicts, in space-time images; the solitary wave beside profiles */
 };
 
 /* Which way space-time images lie. Automatic: in images time to the right, but down below views of a moment, and bare pixels as a
@@ -406,7 +407,6 @@ struct bead_trajectory_asked {
 
 struct bead_image_asked {
     enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
-    bool theory;                 /* the front that theory predicts, in space-time images */
     double at;                   /* s; time of a still with views other than spacetime; NaN: end */
 };
 
@@ -479,7 +479,6 @@ struct bead_plot_asked {
     enum bead_scale scale;         /* axis of the peaks */
     double range[2];               /* ends of the axis of forces; NaN: automatic */
     enum bead_normalise normalise; /* of sensors */
-    bool theory;                   /* of profiles: the solitary wave of long waves beside them */
     size_t contact;     /* `show: contact`: which; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
     double compression; /* the same: of the smaller bead, as a part of its radius */
 };

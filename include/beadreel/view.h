@@ -101,7 +101,7 @@ struct bead_view_setup {
     size_t modes;                      /* modes: how many */
     bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */
     double mark;
-    bool theory; /* spacetime in stills: the front that theory predicts */
+    bool theory; /* spacetime: the front that theory predicts */
     bool trust;  /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
 };
 

@@ -109,7 +109,7 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
                           bead_orientation_across(bead_orientation_of(f->output), panel->type->info) == BEAD_ACROSS_CHAIN,
             .light = f->output->views.light,
             .fine = true,
-            .theory = f->output->image.theory,
+            .theory = f->output->shown.theory,
             .trust = f->output->shown.trust};
         err = figure_find_span(f, cell->chain, &panel->setup.beads, msg);
     }

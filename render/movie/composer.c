@@ -40,10 +40,10 @@ static bool shares_curves(const struct bead_composer *c)
     return stage ? c->wants.chain_count > 1 && c->layout.overlay < c->wants.view_count : c->layout.layout == BEAD_LAYOUT_OVERLAY;
 }
 
-/* Does an image know all samples before the first frame? The comparison run's are not among them. */
+/* Does an image know all samples before the first frame? */
 static bool previewed(const struct bead_composer *c, size_t index)
 {
-    return c->setup.preview && !c->setup.output->shown.trust && bead_view_has(type_of(c, index), BEAD_SHOWS_IMAGE);
+    return c->setup.preview && bead_view_has(type_of(c, index), BEAD_SHOWS_IMAGE);
 }
 
 /* Is this plot straight above or below one of beads? */
@@ -94,7 +94,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .fine = c->setup.fine,
         .camera = c->cameras && !(stage && bead_view_has(type_of(c, index), BEAD_OVERLAYS)) ? c->cameras[chain] : NULL,
         .modes = output->movie.modes,
-        .trust = output->shown.trust};
+        .trust = output->shown.trust,
+        .theory = output->shown.theory};
 }
 
 /* Does the view of the first chain draw this one? */

@@ -10,7 +10,8 @@
 /* Fields of views that show all times, or of all views. */
 static unsigned composer_fields_of(const struct bead_output *output, const struct bead_chain *chain, bool all_times)
 {
-    const struct bead_view_setup setup = {.chain = chain, .field = output->shown.field, .fill = true};
+    const struct bead_view_setup setup = {
+        .chain = chain, .field = output->shown.field, .fill = true, .theory = output->shown.theory};
     unsigned fields = 0;
     for (size_t i = 0; i < output->views.count; i++) {
         const struct bead_view_type *type;

@@ -56,7 +56,7 @@ enum { POINTS = 121 };
 
 static enum bead_error check_theory(const struct bead_plot_data *data, struct bead_message *msg)
 {
-    for (size_t p = 0; p < data->count && data->output->plot.theory; p++) {
+    for (size_t p = 0; p < data->count && data->output->shown.theory; p++) {
         if (data->output->shown.field != BEAD_FIELD_CONTACT_FORCE ||
             !bead_compacton_is_of(data->context.chains[data->parts[p].chain]))
             return bead_output_wrong(data->output, msg,
@@ -94,8 +94,8 @@ static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct 
     char time[48];
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
-        err = plot_reserve_chains(data, (data->output->plot.theory ? 2 : 1) * data->output->curves.profile_time_count,
-                                  data->output->plot.theory ? 2 * POINTS * data->output->curves.profile_time_count : 0, msg);
+        err = plot_reserve_chains(data, (data->output->shown.theory ? 2 : 1) * data->output->curves.profile_time_count,
+                                  data->output->shown.theory ? 2 * POINTS * data->output->curves.profile_time_count : 0, msg);
     const struct time_words words = words_for(data->output->curves.profile_times, data->output->curves.profile_time_count,
                                               bead_chain_time_unit(data->context.chains[0]));
     for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
@@ -132,7 +132,7 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
                                                    .mark = BEAD_MARK_LINE,
                                                    .label = p == 0 ? part->labels[m] : NULL};
             plot_tell_apart(&part->series[m], m);
-            if (output->plot.theory)
+            if (output->shown.theory)
                 add_theory(data, part, m);
         }
     }

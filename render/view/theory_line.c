@@ -17,6 +17,7 @@ struct bead_theory_line {
     size_t first, end; /* contacts that the wave passes as one of an endless chain: end is out of reach of what comes back */
     size_t next;       /* the first that it has not passed; SIZE_MAX: nothing is fed */
     double *peak;      /* [end] N: largest forces so far */
+    double *before[2]; /* [end] N: forces of the last sample, and of the one before */
 };
 
 enum bead_error bead_theory_line_create(const struct bead_view_setup *setup, struct bead_theory_line **line,
@@ -42,7 +43,10 @@ enum bead_error bead_theory_line_create(const struct bead_view_setup *setup, str
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
                          "theory: too few beads are shown; the wave is %.0f contacts wide and ends before the last",
                          bead_compacton_width(chain));
-    return bead_new(&l->peak, l->end + 1, msg, "a line of theory");
+    BEAD_TRY(bead_new(&l->peak, 3 * l->end, msg, "a line of theory"));
+    l->before[0] = l->peak + l->end;
+    l->before[1] = l->before[0] + l->end;
+    return BEAD_OK;
 }
 
 void bead_theory_line_destroy(struct bead_theory_line *line)
@@ -62,24 +66,35 @@ static size_t first_at_rest(const struct bead_theory_line *line, const double *f
     return next;
 }
 
-/* A contact is passed as its force has fallen to half of what it was. */
+/* The top of the parabola through three samples; 0: it is not between them. */
+static double top(double before, double here, double after)
+{
+    const double bend = before - 2 * here + after;
+    return here >= before && here >= after && bend < 0 ? here - (after - before) * (after - before) / (8 * bend) : 0;
+}
+
+/* A contact is passed as its force has fallen to a tenth of what it was: there measures end a pulse, too. */
 void bead_theory_line_feed(struct bead_theory_line *l, const struct bead_sample *sample)
 {
+    static const double valley = 0.1;
     const double *force = sample->field[BEAD_FIELD_CONTACT_FORCE];
     if (l->next == SIZE_MAX)
         l->next = first_at_rest(l, force);
-    for (size_t c = l->next; c < l->end && force[c] > 0; c++)
-        l->peak[c] = fmax(l->peak[c], force[c]);
-    while (l->next < l->end && force[l->next] < 0.5 * l->peak[l->next])
+    for (size_t c = l->next; c < l->end && force[c] > 0; c++) {
+        l->peak[c] = fmax(l->peak[c], fmax(force[c], top(l->before[1][c], l->before[0][c], force[c])));
+        l->before[1][c] = l->before[0][c];
+        l->before[0][c] = force[c];
+    }
+    while (l->next < l->end && force[l->next] < valley * l->peak[l->next])
         l->next++;
 }
 
-/* Of the wave as it was last seen whole, in contacts enough that one had its largest force near a sample; 0: never. */
+/* Of the wave as it was last seen whole: the forces of a cell's contacts are unlike. 0: never. */
 static double force_of(const struct bead_theory_line *l)
 {
-    enum { LAST = 4 };
+    const size_t cell = bead_compacton_of_dimers(l->setup.chain) ? 2 : 1;
     double force = 0;
-    for (size_t c = l->next; c > l->first && c + LAST > l->next; c--)
+    for (size_t c = l->next; c > l->first && c + cell > l->next; c--)
         force = fmax(force, l->peak[c - 1]);
     return force;
 }
@@ -121,9 +136,9 @@ static bool is_clear(const struct bead_theory_line *l, struct bead_rect plot, do
     return down ? xy[1] - plot.y > height : xy[0] - plot.x > width;
 }
 
-/* Without the speed where there is no room for it. */
-static void line_words(const struct bead_theory_line *l, const struct bead_look *look, struct bead_rect plot, double speed,
-                       cairo_t *cr)
+/* Without the speed where there is no room for it; none before there is. */
+static void line_words(const struct bead_theory_line *l, const struct bead_look *look, struct bead_rect plot, struct bead_rect part,
+                       double speed, cairo_t *cr)
 {
     const bool down = l->setup.orientation == BEAD_TIME_DOWN, low = l->setup.orientation == BEAD_MATRIX;
     const double pad = 0.4 * look->tick;
@@ -138,24 +153,26 @@ static void line_words(const struct bead_theory_line *l, const struct bead_look 
         snprintf(markup, sizeof markup, "theory: %s", name);
         bead_text_size(cr, &style, markup, &width, &height);
     }
-    if (width + 4 * pad > plot.width || height + 4 * pad > plot.height)
-        return;
     const double x = down ? plot.x + plot.width - width - 3 * pad : plot.x + pad,
                  y = low ? plot.y + plot.height - height - 3 * pad : plot.y + pad;
+    if (x - pad < part.x || y - pad < part.y || x + width + 3 * pad > part.x + part.width ||
+        y + height + 3 * pad > part.y + part.height)
+        return;
     cairo_rectangle(cr, x, y, width + 2 * pad, height + 2 * pad);
     cairo_set_source_rgb(cr, look->background.r, look->background.g, look->background.b);
     cairo_fill(cr);
     bead_text_draw(cr, &style, x + pad, y + pad, markup);
 }
 
-void bead_theory_line_draw(const struct bead_theory_line *l, const struct bead_look *look, struct bead_rect plot, cairo_t *cr)
+void bead_theory_line_draw(const struct bead_theory_line *l, const struct bead_look *look, struct bead_rect plot,
+                           struct bead_rect part, cairo_t *cr)
 {
     const double force = force_of(l), speed = bead_compacton_speed(l->setup.chain, force);
     const double dashes[] = {6 * look->line, 4 * look->line};
     if (!(force > 0))
         return;
     cairo_save(cr);
-    cairo_rectangle(cr, plot.x, plot.y, plot.width, plot.height);
+    cairo_rectangle(cr, part.x, part.y, part.width, part.height);
     cairo_clip(cr);
     cairo_new_path(cr);
     cairo_set_dash(cr, dashes, 2, 0);
@@ -166,6 +183,6 @@ void bead_theory_line_draw(const struct bead_theory_line *l, const struct bead_l
         cairo_stroke_preserve(cr);
     }
     cairo_new_path(cr);
-    line_words(l, look, plot, speed, cr);
+    line_words(l, look, plot, part, speed, cr);
     cairo_restore(cr);
 }

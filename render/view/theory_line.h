@@ -15,5 +15,7 @@ BEAD_CHECK enum bead_error bead_theory_line_create(const struct bead_view_setup 
 void bead_theory_line_destroy(struct bead_theory_line *line);
 /* A sample with forces of contacts. */
 void bead_theory_line_feed(struct bead_theory_line *line, const struct bead_sample *sample);
-/* Over the image in `plot`, with words that name the theory; nothing if no pulse has passed. */
-void bead_theory_line_draw(const struct bead_theory_line *line, const struct bead_look *look, struct bead_rect plot, cairo_t *cr);
+/* Over a part of the image in `plot`, with words that name the theory where that has room for them; nothing if no pulse has
+ * passed. */
+void bead_theory_line_draw(const struct bead_theory_line *line, const struct bead_look *look, struct bead_rect plot,
+                           struct bead_rect part, cairo_t *cr);

@@ -294,7 +294,7 @@ static enum bead_error spacetime_draw_lines(const struct bead_view *v, struct be
     if (v->horizon)
         bead_horizon_draw(v->horizon, cr, &v->look, v->plot, v->setup.orientation, !v->setup.fill);
     if (v->theory)
-        bead_theory_line_draw(v->theory, &v->look, v->plot, cr);
+        bead_theory_line_draw(v->theory, &v->look, v->plot, part, cr);
     stroke_mark(v, cr);
     return bead_raster_end(cr, "horizon", msg);
 }
@@ -343,6 +343,8 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     /* From the cursor's last place, or from the first change of the horizon. */
     double reach = ceil(bead_horizon_reach(&v->look)) + 1;
     int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
+    if (v->theory) /* its line turns as the force of the pulse changes */
+        from = 0;
     if (line < INT_MAX)
         from = smaller(from, line > (int)reach ? line - (int)reach : 0);
     if (v->setup.fill && background)
@@ -413,7 +415,7 @@ static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_
         status = cairo_status(cr);
     }
     if (v->theory)
-        bead_theory_line_draw(v->theory, &v->look, v->plot, cr);
+        bead_theory_line_draw(v->theory, &v->look, v->plot, columns_rect(v, v->first, to), cr);
     stroke_mark(v, cr);
     draw_frame(v, cr); /* again: viewers stretch the image to whole pixels of theirs, over its frame */
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;

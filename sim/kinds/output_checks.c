@@ -110,7 +110,7 @@ BEAD_OUTPUT_CHECK(bead_output_check_field_list)
 
 BEAD_OUTPUT_CHECK(bead_output_check_theory)
 {
-    if (!output->image.theory)
+    if (!output->shown.theory)
         return BEAD_OK;
     if (!output->views.axes)
         return BEAD_WRONG_KEY(reader, at, "theory", "is set, but `axes: false` leaves pixels bare and no room for its words");

@@ -5,13 +5,25 @@
 static const struct bead_option image_file[] = {
     BEAD_FILE_ROW("image", BEAD_PICTURE_FILES, "force.png"),
 };
-static const struct bead_option_rows image_shared[] = {
-    {BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_time_row)},     {BEAD_OPTIONS(bead_beads_row)},
-    {BEAD_OPTIONS(bead_every_row)},       {BEAD_OPTIONS(bead_colormap_row)}, {BEAD_OPTIONS(bead_image_rows)},
-    {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_magnify_row)},  {BEAD_OPTIONS(bead_trust_row)},
-    {BEAD_OPTIONS(bead_page_rows)},       {BEAD_OPTIONS(bead_theme_rows)},   {BEAD_OPTIONS(bead_axes_row)},
-    {BEAD_OPTIONS(bead_caption_row)},     {BEAD_OPTIONS(bead_panels_rows)},  {BEAD_OPTIONS(bead_orientation_row)},
-    {BEAD_OPTIONS(bead_range_row)},       {BEAD_OPTIONS(bead_light_row)},    {NULL, 0}};
+static const struct bead_option_rows image_shared[] = {{BEAD_OPTIONS(bead_field_row)},
+                                                       {BEAD_OPTIONS(bead_time_row)},
+                                                       {BEAD_OPTIONS(bead_beads_row)},
+                                                       {BEAD_OPTIONS(bead_every_row)},
+                                                       {BEAD_OPTIONS(bead_colormap_row)},
+                                                       {BEAD_OPTIONS(bead_image_rows)},
+                                                       {BEAD_OPTIONS(bead_square_root_row)},
+                                                       {BEAD_OPTIONS(bead_magnify_row)},
+                                                       {BEAD_OPTIONS(bead_trust_row)},
+                                                       {BEAD_OPTIONS(bead_page_rows)},
+                                                       {BEAD_OPTIONS(bead_theme_rows)},
+                                                       {BEAD_OPTIONS(bead_axes_row)},
+                                                       {BEAD_OPTIONS(bead_caption_row)},
+                                                       {BEAD_OPTIONS(bead_panels_rows)},
+                                                       {BEAD_OPTIONS(bead_orientation_row)},
+                                                       {BEAD_OPTIONS(bead_range_row)},
+                                                       {BEAD_OPTIONS(bead_light_row)},
+                                                       {BEAD_OPTIONS(bead_theory_row)},
+                                                       {NULL, 0}};
 static const struct bead_options image_options = {"image", "a field over the chain and time, or a still of other views",
                                                   BEAD_OPTIONS(image_file), image_shared, &bead_output_family};
 /* ---- of sweeps ---- */

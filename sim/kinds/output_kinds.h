@@ -6,7 +6,7 @@
 #include "sim/base/internal.h"
 #include "sim/options/options.h"
 
-enum { BEAD_OUTPUT_CHECKS = 8 };
+enum { BEAD_OUTPUT_CHECKS = 9 };
 
 /* A check of the keys of an output against each other and against its scene. */
 #define BEAD_OUTPUT_CHECK(name) \

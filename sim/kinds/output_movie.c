@@ -194,20 +194,12 @@ static const struct bead_option span_rows[] = {
     {"until", BEAD_OPTION_CUSTOM, .shape = "a time of the motion such as 1.5 ms", .like = "number", .read = read_until,
      .help = "when it ends; default: with the run. `time: [0.2 ms, 1.5 ms]` says both", .example = "1.5 ms"},
 };
-static const struct bead_option_rows movie_shared[] = {{BEAD_OPTIONS(bead_field_row)},
-                                                       {BEAD_OPTIONS(bead_time_row)},
-                                                       {BEAD_OPTIONS(span_rows)},
-                                                       {BEAD_OPTIONS(bead_beads_row)},
-                                                       {BEAD_OPTIONS(bead_square_root_row)},
-                                                       {BEAD_OPTIONS(bead_range_row)},
-                                                       {BEAD_OPTIONS(bead_magnify_row)},
-                                                       {BEAD_OPTIONS(bead_trust_row)},
-                                                       {BEAD_OPTIONS(bead_theme_rows)},
-                                                       {BEAD_OPTIONS(bead_axes_row)},
-                                                       {BEAD_OPTIONS(bead_orientation_row)},
-                                                       {BEAD_OPTIONS(bead_colormap_row)},
-                                                       {BEAD_OPTIONS(bead_light_row)},
-                                                       {NULL, 0}};
+static const struct bead_option_rows movie_shared[] = {
+    {BEAD_OPTIONS(bead_field_row)},    {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(span_rows)},
+    {BEAD_OPTIONS(bead_beads_row)},    {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
+    {BEAD_OPTIONS(bead_magnify_row)},  {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_theory_row)},
+    {BEAD_OPTIONS(bead_theme_rows)},   {BEAD_OPTIONS(bead_axes_row)},        {BEAD_OPTIONS(bead_orientation_row)},
+    {BEAD_OPTIONS(bead_colormap_row)}, {BEAD_OPTIONS(bead_light_row)},       {NULL, 0}};
 static const struct bead_options movie_options = {"movie", "a movie; .png is an animated PNG", BEAD_OPTIONS(movie_rows),
                                                   movie_shared, &bead_output_family};
 
@@ -247,8 +239,8 @@ static BEAD_OUTPUT_CHECK(check_movie)
     return BEAD_OK;
 }
 
-const struct bead_output_type bead_movie_output = {.options = &movie_options,
-                                                   .checks = {bead_output_check_field, bead_output_check_views,
-                                                              bead_output_check_times, bead_output_check_trust, check_movie,
-                                                              check_layout, bead_output_check_captions, bead_output_check_notes},
-                                                   .draws = true};
+const struct bead_output_type bead_movie_output = {
+    .options = &movie_options,
+    .checks = {bead_output_check_field, bead_output_check_views, bead_output_check_times, bead_output_check_trust,
+               bead_output_check_theory, check_movie, check_layout, bead_output_check_captions, bead_output_check_notes},
+    .draws = true};

@@ -44,11 +44,19 @@ static const struct bead_option panel_rows[] = {
      .help = "in panels: heading, instead of the name of the chain; set like `caption`", .example = "Peak forces"},
 };
 
-static const struct bead_option_rows image_panel_shared[] = {
-    {BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(bead_beads_row)},
-    {BEAD_OPTIONS(bead_every_row)},       {BEAD_OPTIONS(bead_colormap_row)},    {BEAD_OPTIONS(bead_image_rows)},
-    {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},       {BEAD_OPTIONS(bead_magnify_row)},
-    {BEAD_OPTIONS(bead_trust_row)},       {BEAD_OPTIONS(bead_orientation_row)}, {NULL, 0}};
+static const struct bead_option_rows image_panel_shared[] = {{BEAD_OPTIONS(bead_field_row)},
+                                                             {BEAD_OPTIONS(bead_time_row)},
+                                                             {BEAD_OPTIONS(bead_beads_row)},
+                                                             {BEAD_OPTIONS(bead_every_row)},
+                                                             {BEAD_OPTIONS(bead_colormap_row)},
+                                                             {BEAD_OPTIONS(bead_image_rows)},
+                                                             {BEAD_OPTIONS(bead_square_root_row)},
+                                                             {BEAD_OPTIONS(bead_range_row)},
+                                                             {BEAD_OPTIONS(bead_magnify_row)},
+                                                             {BEAD_OPTIONS(bead_trust_row)},
+                                                             {BEAD_OPTIONS(bead_theory_row)},
+                                                             {BEAD_OPTIONS(bead_orientation_row)},
+                                                             {NULL, 0}};
 const struct bead_options bead_image_panel_options = {NULL, "a panel that is an image", BEAD_OPTIONS(panel_rows),
                                                       image_panel_shared, &bead_output_family};
 

@@ -126,15 +126,17 @@ const struct bead_option bead_orientation_row[1] = {
 
 /* ---- images and movies ---- */
 
-/* Keys of images and of panels that are images. */
-const struct bead_option bead_image_rows[4] = {
-    {"sample", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(image.sampling), .initial = "area", .choices = samplings,
-     .help = "what a pixel of spacetime shows; area: the mean of its samples; max: the sample furthest from 0, so that thin pulses "
-             "keep their height"},
-    {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(image.theory), .initial = "false",
+const struct bead_option bead_theory_row[1] = {
+    {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",
      .help =
          "over spacetime: a dashed line from the first bead, as fast as Nesterenko's solitary wave with the force that the pulse "
          "has, with that speed; of a striker's wave in equal Hertzian beads, or two kinds in turn, without precompression"},
+};
+/* Keys of images and of panels that are images. */
+const struct bead_option bead_image_rows[3] = {
+    {"sample", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(image.sampling), .initial = "area", .choices = samplings,
+     .help = "what a pixel of spacetime shows; area: the mean of its samples; max: the sample furthest from 0, so that thin pulses "
+             "keep their height"},
     {"views", BEAD_OPTION_CUSTOM, .initial = "[spacetime]", .shape = BEAD_VIEWS_LISTED "in a list", .like = "[text]",
      .read = bead_output_read_views, .help = "the views, from top to bottom", .example = "[beads, spacetime]"},
     {"at", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(image.at), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto", .word_value = NAN,
@@ -203,7 +205,7 @@ const struct bead_option bead_plot_rows[6] = {
      .help = "scale of the axis of peaks"},
     {"overlay", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.overlay), .initial = "false",
      .help = "one panel for the curves of all chains, instead of one each; peaks always have one"},
-    {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(plot.theory), .initial = "false",
+    {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",
      .help = "with `show: profiles` of `field: contact-force`: Nesterenko's solitary wave beside the highest pulse of each time, "
              "in chains of equal Hertzian beads without precompression, with the speed that it has by its force"},
     {"normalise", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.normalise), .initial = "none", .choices = normalisings,

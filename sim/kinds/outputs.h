@@ -38,12 +38,13 @@
 #define BEAD_VIEWS_LISTED               BEAD_VIEWS(BEAD_VIEW_LISTED)
 
 /* Rows that kinds share. What of the chains: */
-extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1];
+extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1],
+    bead_theory_row[1];
 /* Curves and tables of their numbers; sweeps: */
 extern const struct bead_option bead_curves_rows[9], bead_plot_rows[6], bead_threshold_row[1], bead_against_row[2],
     bead_measured_row[1];
 /* Images and panels that are images; pictures with panels: */
-extern const struct bead_option bead_image_rows[4], bead_panels_rows[2];
+extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];
 /* Appearance: style, dpi, size; colours of the paper; text below; and of values as colours. */
 #define BEAD_COLORMAP_SHAPE "a name, a text file such as mine.txt, or colours such as \"#000000 #ff8000 #ffffff\""
 extern const struct bead_option bead_page_rows[4], bead_theme_rows[3], bead_caption_row[1], bead_colormap_row[1],
