@@ -12,16 +12,16 @@ static const struct {
     const struct bead_options *options;
     const struct bead_options *(*member)(size_t index);
 } all[] = {
-    {&bead_scene_options, NULL},      {&bead_chain_options, NULL},         {&bead_striker_options, NULL},
-    {&bead_starting_options, NULL},   {&bead_segment_options, NULL},       {&bead_taper_options, NULL},
-    {&bead_disorder_options, NULL},   {&bead_wall_options, NULL},          {NULL, bead_law_options},
-    {&bead_damping_options, NULL},    {&bead_cradle_options, NULL},        {&bead_drive_options, NULL},
-    {&bead_drive_file_options, NULL}, {&bead_material_options, NULL},      {&bead_tolerance_options, NULL},
-    {&bead_simulate_options, NULL},   {NULL, bead_output_options},         {&bead_panel_options, NULL},
-    {&bead_measured_options, NULL},   {&bead_caption_options, NULL},       {&bead_note_options, NULL},
-    {&bead_speed_options, NULL},      {&bead_card_options, NULL},          {NULL, bead_equation_options},
-    {&bead_piecewise_options, NULL},  {NULL, bead_start_options},          {&bead_soliton_options, NULL},
-    {&bead_sweep_options, NULL},      {&bead_sweep_measure_options, NULL},
+    {&bead_scene_options, NULL},      {&bead_chain_options, NULL},    {&bead_striker_options, NULL},
+    {&bead_starting_options, NULL},   {&bead_segment_options, NULL},  {&bead_taper_options, NULL},
+    {&bead_disorder_options, NULL},   {&bead_wall_options, NULL},     {NULL, bead_law_options},
+    {&bead_damping_options, NULL},    {&bead_cradle_options, NULL},   {&bead_drive_options, NULL},
+    {&bead_drive_file_options, NULL}, {&bead_material_options, NULL}, {&bead_tolerance_options, NULL},
+    {&bead_simulate_options, NULL},   {NULL, bead_output_options},    {&bead_panel_options, NULL},
+    {&bead_measured_options, NULL},   {&bead_caption_options, NULL},  {&bead_note_options, NULL},
+    {&bead_speed_options, NULL},      {&bead_card_options, NULL},     {NULL, bead_equation_options},
+    {&bead_piecewise_options, NULL},  {NULL, bead_start_options},     {&bead_soliton_options, NULL},
+    {&bead_sweep_options, NULL},      {&bead_over_options, NULL},     {&bead_sweep_measure_options, NULL},
 };
 
 static const struct bead_options *find_table(size_t index)

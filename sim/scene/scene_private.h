@@ -18,7 +18,7 @@ enum { BEAD_SCENE_CHAINS = 64 };
 extern const struct bead_options bead_scene_options, bead_material_options, bead_tolerance_options, bead_chain_options,
     bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_wall_options, bead_cradle_options,
     bead_piecewise_options, bead_drive_options, bead_simulate_options, bead_soliton_options, bead_sweep_options,
-    bead_sweep_measure_options, bead_taper_options, bead_disorder_options;
+    bead_sweep_measure_options, bead_over_options, bead_taper_options, bead_disorder_options;
 /* The laws that have settings, the equations, and their starts: NULL behind the last. */
 const struct bead_options *bead_law_options(size_t index);
 const struct bead_options *bead_equation_options(size_t index);
@@ -34,7 +34,7 @@ BEAD_OPTION_READER(bead_scene_read_sweep);
 BEAD_OPTION_READER(bead_scene_read_sweeps);
 void bead_scene_free_sweeps(struct bead_scene *scene);
 /* The value of `over`: its keys, and how many chains they make. What was read before a failure is freed with the scene. */
-BEAD_CHECK enum bead_error bead_scene_read_over(const struct bead_reader *reader, const struct bead_at *at, struct bead_over *over,
+BEAD_CHECK enum bead_error bead_scene_read_over(struct bead_reader *reader, const struct bead_at *at, struct bead_over *over,
                                                 size_t *points);
 void bead_scene_free_over(struct bead_over *over);
 void bead_scene_free_segment(struct bead_segment *segment);

@@ -59,7 +59,8 @@ static const struct bead_option rows[] = {
      .help = "the configurations, one by one, instead of magnetism", .example = "[\"1101\", \"0110\"]"},
     {"measure", BEAD_OPTION_CUSTOM, .initial = "{}", .shape = "a map", .like = "sweep.measure", .read = read_measure,
      .help = "see sweep.measure", .example = "{sensor: first}"},
-    {"over", BEAD_OPTION_CUSTOM, .shape = "a map of keys of the scene, with a list of values each, or whole numbers such as 1..50",
+    {"over", BEAD_OPTION_CUSTOM,
+     .shape = "a map of keys of the scene, with a list of values each, whole numbers such as 1..50, or a range: see sweep.over",
      .like = "any",
      .help =
          "sweeps `chain` over the values of any keys that begin with chain, simulate or materials, instead of spins: one chain for "
@@ -338,7 +339,7 @@ static enum bead_error read_groups(const struct bead_reader *reader, const struc
 
 /* One group: a chain for each combination of the values of keys. Beads are counted from the striker, as the chain has no last
  * random one; where nothing says which are measured, it is the one in the middle. */
-static enum bead_error read_points(const struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
+static enum bead_error read_points(struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
 {
     static const char *const of_spins[] = {"cells", "magnetism", "configurations", "seed", "spins", NULL};
     struct bead_sweep_measures *measures = &sweep->measures;

@@ -11,7 +11,7 @@ enum { MOST_KEYS = 8, MOST_VALUES = 100000, MOST_POINTS = 1000000 };
 
 const char *bead_scene_unit_of(const struct bead_reader *reader, const char *text)
 {
-    static const char *const units[] = {"m/s", "m", "N", "Pa", "s", "kg", "kg/m3", "N/m", "1/m", "rad", "1"};
+    static const char *const units[] = {"m/s", "m", "N", "Pa", "s", "kg", "kg/m3", "kg/s", "N/m", "Hz", "1/m", "rad", "1"};
     double value;
     char why[200];
     if (bead_units_read(reader->units, text, NULL, &value, why, sizeof why) == BEAD_OK)
@@ -39,6 +39,83 @@ static enum bead_error add_value(const struct bead_reader *reader, struct bead_o
     return BEAD_OK;
 }
 
+/* {from: 0.1 m/s, to: 10 m/s, count: 9}: its ends as they are written, what is between them to twelve digits. */
+enum spacing { SPACING_EVEN, SPACING_LOG };
+struct range {
+    const char *ends[2];
+    size_t count;
+    enum spacing spacing;
+};
+#define RANGE(member) offsetof(struct range, member)
+
+static BEAD_OPTION_READER(read_end)
+{
+    if (at->node->kind != BEAD_NODE_SCALAR)
+        return bead_must_be(reader, at, option->shape);
+    *(const char **)((char *)settings + option->offset) = at->node->text;
+    return BEAD_OK;
+}
+
+static const char *const spacings[] = {"even", "log", NULL};
+static const struct bead_option range_rows[] = {
+    {"from", BEAD_OPTION_CUSTOM, RANGE(ends[0]), .required = true, .shape = "a number, with its unit", .like = "number",
+     .read = read_end, .help = "the first value", .example = "0.1 m/s"},
+    {"to", BEAD_OPTION_CUSTOM, RANGE(ends[1]), .required = true, .shape = "a number, with its unit", .like = "number",
+     .read = read_end, .help = "the last value", .example = "10 m/s"},
+    {"count", BEAD_OPTION_COUNT, RANGE(count), .required = true, .low = 2, .high = MOST_VALUES,
+     .help = "how many values, these two among them", .example = "9"},
+    {"spacing", BEAD_OPTION_CHOICE, RANGE(spacing), .choices = spacings, .initial = "even",
+     .help = "even: the same difference between any two neighbours; log: the same ratio, of values above 0"},
+};
+const struct bead_options bead_over_options = {
+    "sweep.over", "instead of a list of values: numbers between two ends, as in {from: 0.1 m/s, to: 10 m/s, count: 9}",
+    BEAD_OPTIONS(range_rows), NULL, NULL};
+
+/* ratio^part, 0 <= part < 1, of products of roots: the same bits everywhere. */
+static double power(double ratio, double part)
+{
+    double result = 1;
+    for (; part > 0; part -= part >= 1) {
+        ratio = sqrt(ratio);
+        part *= 2;
+        result *= part >= 1 ? ratio : 1;
+    }
+    return result;
+}
+
+/* Value `i` as scenes have it; NULL: no memory. */
+static char *range_value(const struct range *range, const double ends[2], const char *unit, size_t i)
+{
+    char *text = NULL;
+    if (i == 0 || i + 1 == range->count)
+        return strdup(range->ends[i > 0]);
+    const double part = (double)i / (double)(range->count - 1), value = range->spacing == SPACING_LOG
+                                                                            ? ends[0] * power(ends[1] / ends[0], part)
+                                                                            : ends[0] + part * (ends[1] - ends[0]);
+    return asprintf(&text, "%.12g%s%s", value, *unit ? " " : "", unit) < 0 ? NULL : text;
+}
+
+static enum bead_error read_range(struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
+{
+    struct range range = {{NULL, NULL}, 0, SPACING_EVEN};
+    double ends[2];
+    char why[200];
+    BEAD_TRY(bead_options_read(reader, at, &bead_over_options, &range));
+    const char *unit = bead_scene_unit_of(reader, range.ends[0]);
+    for (size_t i = 0; i < 2; i++) {
+        const char *name = range_rows[i].key;
+        if (bead_units_read(reader->units, range.ends[i], *unit ? unit : "1", &ends[i], why, sizeof why))
+            return BEAD_WRONG_KEY(reader, at, name, "%s", why);
+        if (range.spacing == SPACING_LOG && !(ends[i] > 0))
+            return BEAD_WRONG_KEY(reader, at, name, "is %s; must be above 0 with `spacing: log`", range.ends[i]);
+    }
+    BEAD_TRY(bead_new(&key->text, range.count, reader->msg, "a sweep"));
+    BEAD_TRY(bead_new(&key->value, range.count, reader->msg, "a sweep"));
+    for (size_t i = 0; i < range.count; i++)
+        BEAD_TRY(add_value(reader, key, range_value(&range, ends, unit, i)));
+    return BEAD_OK;
+}
+
 /* "1..50": whole numbers. */
 static bool read_run(const char *text, long *first, long *last)
 {
@@ -53,9 +130,12 @@ static bool read_run(const char *text, long *first, long *last)
     return *end == '\0' && *first <= *last && *last - *first < MOST_VALUES;
 }
 
-static enum bead_error read_values(const struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
+static enum bead_error read_values(struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
 {
-    static const char shape[] = "a list of values, or whole numbers such as 1..50";
+    static const char shape[] =
+        "a list of values, whole numbers such as 1..50, or a map such as {from: 1 m/s, to: 2 m/s, count: 5}";
+    if (at->node->kind == BEAD_NODE_MAP)
+        return read_range(reader, at, key);
     long first = 0, last = -1;
     const bool run = at->node->kind == BEAD_NODE_SCALAR && read_run(at->node->text, &first, &last);
     if (!run && (at->node->kind != BEAD_NODE_LIST || at->node->count == 0 || at->node->count > MOST_VALUES))
@@ -76,7 +156,7 @@ static enum bead_error read_values(const struct bead_reader *reader, const struc
     return BEAD_OK;
 }
 
-static enum bead_error read_key(const struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
+static enum bead_error read_key(struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
 {
     static const char *const roots[] = {"chain.", "simulate.", "materials.", NULL};
     const size_t length = strlen(at->key);
@@ -109,8 +189,7 @@ static enum bead_error count_points(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
-enum bead_error bead_scene_read_over(const struct bead_reader *reader, const struct bead_at *at, struct bead_over *over,
-                                     size_t *points)
+enum bead_error bead_scene_read_over(struct bead_reader *reader, const struct bead_at *at, struct bead_over *over, size_t *points)
 {
     if (at->node->kind != BEAD_NODE_MAP || at->node->count == 0 || at->node->count > 2 * MOST_KEYS)
         return bead_must_be(reader, at, "a map of one to eight keys such as {chain.striker.velocity: [1 m/s, 2 m/s]}");

@@ -74,6 +74,7 @@ base() {
     outputs.card) prefix=outputs.0.card. before=('outputs=[{movie: m.mp4, card: {text: x}}]') ;;
     sweep) scene=sweep prefix=sweep. ;;
     sweep.measure) scene=sweep prefix=sweep.measure. before=('sweep.measure={peak: force}') ;;
+    sweep.over) scene=over prefix=- before=("sweep.over={chain.striker.velocity: {$(all_of "$1")}}") ;; # its path has dots itself
     'outputs (image of a sweep)') scene=over prefix=outputs.0. before=("outputs=[{$kind: $file}]") ;;
     'outputs (sweep)' | 'outputs (sheet)' | 'outputs ('*' of a sweep)') scene=sweep prefix=outputs.0. before=("outputs=[{$kind: $file}]") ;;
     'outputs ('*')') prefix=outputs.0. before=("outputs=[{$kind: $file}]") ;;
@@ -135,7 +136,8 @@ accepted() { # SECTION KEY VALUE
     base "$1"
     needs "$1" "$2"
     [ "$prefix" != '?' ] || { echo "unknown section: say in base() of tests/cli/keys.sh where its keys belong"; return 1; }
-    for setting in "${before[@]}" "$prefix$2=$3"; do settings+=(--set "$setting"); done
+    [ "$prefix" = - ] || before+=("$prefix$2=$3")
+    for setting in "${before[@]}"; do settings+=(--set "$setting"); done
     "$beadreel" --plan "$scene.yaml" "${settings[@]}" >/dev/null
 }
 while IFS='|' read -r section key value; do

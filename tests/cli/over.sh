@@ -83,6 +83,22 @@ ok "... with a row for each combination, and the seeds in it" eval '[ "$(grep -c
 ok "pairs" exits 0 "$beadsim" g.yaml -o pairs --set sweep.combine=pairs --set 'sweep.over={chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [2 g, 4 g]}'
 ok "... are two chains" is "$(column pairs/each.csv 1 | wc -l)" 2
 
+# A range instead of a list: its ends are those written, the rest at equal distances, or with equal ratios.
+values() { "$beadsim" v.yaml -o range.csv --set "sweep.over={$1}" --set 'outputs=[{table: range.csv, show: configurations}]' >"$T/out" 2>&1 && column range.csv 2 | tr '\n' ';'; }
+ok "a range of velocities" is "$(values 'chain.striker.velocity: {from: 100 mm/s, to: 0.5 m/s, count: 5}')" "100 mm/s;0.2 m/s;0.3 m/s;0.4 m/s;0.5 m/s;"
+ok "... with equal ratios" is "$(values 'chain.striker.velocity: {from: 0.01 m/s, to: 10 m/s, count: 4, spacing: log}')" "0.01 m/s;0.1 m/s;1 m/s;10 m/s;"
+ok "... forces scale with its power 6/5 there" within "$(awk -F, 'NR == 2 {a = $3} NR == 5 {print log($3 / a) / log(1000)}' range.csv)" 1.2 1e-6
+ok "... downwards, without a unit" is "$(values 'chain.striker.velocity: {from: 3, to: 1, count: 3}')" "3;2;1;"
+cat >d.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 8}], precompression: 10 N, wall: rigid, drive: {force: sine, amplitude: 1 N, frequency: 1 kHz}}
+simulate: {until: 1 ms}
+sweep: {over: {chain.drive.frequency: {from: 1 kHz, to: 4 kHz, count: 3, spacing: log}}}
+outputs: [{table: d.csv, show: configurations}, {plot: d.svg}]
+YAML
+ok "... of frequencies" exits 0 "$beadreel" d.yaml -o .
+ok "... in hertz" is "$(column d.csv 2 | tr '\n' ';')" "1 kHz;2000 Hz;4 kHz;"
+ok "... along an axis of numbers" grep -q ">drive frequency (kHz)<" d.svg
+
 cat >m.yaml <<'YAML'
 chain: {beads: [{cell: [large-steel, aluminium], count: 6, spins: random, seed: 1}]}
 sweep: {over: {chain.beads.0.seed: 1..4}}
@@ -105,6 +121,10 @@ refused() { # SETTING MESSAGE
     fails 2 "$beadsim" v.yaml --plan --set "$1" && says "$2"
 }
 ok "a key that no scene has" refused 'sweep.over={chain.strike.velocity: [1]}' 'over:1:1: chain.strike'
+ok "a range to another unit" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 N, count: 3}}' 'over.chain.striker.velocity.to: '
+ok "a range of ratios from 0" refused 'sweep.over={chain.striker.velocity: {from: 0 m/s, to: 2 m/s, count: 3, spacing: log}}' 'must be above 0'
+ok "a range of one" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 m/s, count: 1}}' 'from 2 to'
+ok "a range without end" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, count: 4}}' 'to: is missing'
 ok "a value that is wrong" refused 'sweep.over={chain.striker.velocity: [1 m/s, 2 N]}' 'chain.striker.velocity: '
 ok "outputs are no keys" refused 'sweep.over={outputs.0.size: [1, 2]}' 'must begin with chain, simulate or materials'
 ok "spins have no place beside it" refused sweep.magnetism=0.5 'sweep.magnetism: belongs to sweeps over spins'
