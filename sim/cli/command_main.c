@@ -3,6 +3,7 @@
 #include "sim/cli/command_line.h"
 
 #include <errno.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -236,6 +237,22 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     return (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
 }
 
+/* All that was said must have been written. A reader that has gone, as `head` does, has read enough: like other programs, this one
+ * then ends by SIGPIPE, without a word. */
+static enum bead_error finish_output(struct bead_message *msg)
+{
+    struct pollfd out = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    errno = 0;
+    if (!fflush(stdout) && !ferror(stdout))
+        return BEAD_OK;
+    const int reason = errno; /* 0: an earlier write failed */
+    if (poll(&out, 1, 0) > 0 && out.revents & (POLLERR | POLLHUP)) {
+        signal(SIGPIPE, SIG_DFL);
+        raise(SIGPIPE);
+    }
+    return bead_fail(msg, BEAD_ERROR_IO, "cannot write to standard output%s%s", reason ? ": " : "", reason ? strerror(reason) : "");
+}
+
 int command_main(const struct command_program *program, int argc, char **argv)
 {
     struct bead_message msg = {""};
@@ -262,8 +279,8 @@ int command_main(const struct command_program *program, int argc, char **argv)
         err = act(&command, &msg);
     if (err && command_is_json(&command) && !(acted && command.action == COMMAND_RUN)) /* which has printed it */
         command_print_result(NULL, err, command_status(err, 0), 0, &msg);
-    if ((fflush(stdout) || ferror(stdout)) && !err)
-        err = bead_fail(&msg, BEAD_ERROR_IO, "cannot write to standard output: %s", strerror(errno));
+    if (!err)
+        err = finish_output(&msg);
     bead_config_free(command.config);
     free(command.settings);
     free(command.only);
