@@ -77,7 +77,7 @@ BEAD_API const double *bead_chain_static_compression(const struct bead_chain *ch
 /* Spins of all segments with cells of two or more beads, left to right, as '0' and '1'; "" where there are none. */
 BEAD_API const char *bead_chain_spins(const struct bead_chain *chain);
 /* M = |N_up - N_down| / (N_up + N_down) of the cells whose spins the scene gives, of all cells where it gives none (1 where there
- * are no cells). */
+ * are no cells): there, cells that are the mirror image of the first ones are down. */
 BEAD_API double bead_chain_magnetism(const struct bead_chain *chain);
 
 BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, size_t *count);

@@ -218,10 +218,11 @@ static void measure_names(struct bead_composer *c)
     const struct bead_chain *chain = c->setup.chains[0];
     const struct bead_text_style style = bead_words_style(&c->look, c->look.label, c->look.ink, BEAD_ALIGN_MIDDLE);
     struct bead_axis time;
-    char markup[2200];
+    char both[128], markup[2200];
     bead_axis_make(&time, c->setup.time[0], c->setup.time[1], bead_chain_time_unit(chain), BEAD_SCALE_LINEAR, 100, c->look.tick,
                    true);
-    bead_panel_against(bead_chain_axis(chain, false).title, &time, markup, sizeof markup);
+    snprintf(both, sizeof both, BEAD_PANEL_AGAINST, bead_chain_axis(chain, false).title);
+    bead_axis_title(&time, both, markup, sizeof markup);
     c->wants.against = bead_words_width(NULL, &style, markup);
     c->wants.along = bead_words_width(NULL, &style, bead_chain_axis(chain, false).title);
     c->wants.name_least = bead_name_least(&c->look, chain);

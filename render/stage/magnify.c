@@ -9,6 +9,8 @@
 
 /* In radii: the compression of the striker's hit as drawn, and the limit for any contact that stores all of the hit's energy. */
 static const double share = 0.25, limit = 0.5;
+/* In radii of the smallest bead: how far one that is held at its place swings as drawn, as far as to the place of the next. */
+static const double farthest = 2;
 
 /* Energy of the hit that the first contact stores, J; or would, were it hit with the largest velocity. */
 static double hit_energy(const struct bead_chain *chain)
@@ -36,7 +38,12 @@ double bead_compression_scale(const struct bead_chain *chain)
 static double magnify_factor_of(const struct bead_chain *chain)
 {
     const double *radius = bead_chain_radius(chain);
-    double energy = hit_energy(chain), factor = INFINITY;
+    double energy = hit_energy(chain), factor = INFINITY, smallest = INFINITY;
+    for (size_t i = 0; i < bead_chain_beads(chain); i++)
+        smallest = fmin(smallest, radius[i]);
+    const double swing = bead_chain_swing(chain);
+    if (swing > 0)
+        factor = farthest * smallest / swing;
     for (size_t k = 0; k < bead_chain_contacts(chain); k++) {
         double d = magnify_compression(chain, k, energy);
         double r = k + 1 < bead_chain_beads(chain) ? fmin(radius[k], radius[k + 1]) : radius[k];

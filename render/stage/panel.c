@@ -109,13 +109,6 @@ void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, cons
                    setup->titles == BEAD_TITLES_NONE || setup->against ? NULL : "time");
 }
 
-void bead_panel_against(const char *title, const struct bead_axis *time, char *out, size_t size)
-{
-    char words[2100];
-    bead_axis_title(time, "time", words, sizeof words);
-    snprintf(out, size, "%s against %s", title, words);
-}
-
 const char *bead_axis_along_chain(struct bead_axis *axis, const struct bead_chain *chain, bool of_contacts, size_t first,
                                   size_t last, double length, double em, bool horizontal)
 {

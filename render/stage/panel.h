@@ -31,8 +31,8 @@ void bead_panel_remark(cairo_t *cr, const struct bead_view_setup *setup, const s
 /* The axis along the chain, or of modes, below the plot. `title` NULL: without numbers too. */
 void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,
                            const char *title);
-/* Markup of "bead against time (ms)". */
-void bead_panel_against(const char *title, const struct bead_axis *time, char *out, size_t size);
+/* The title of both axes, where only that of the axis along the chain has room; followed by the unit of times. */
+#define BEAD_PANEL_AGAINST "%s against time"
 /* The axis of time below the plot, with its title unless the picture has none, or has it above. */
 void bead_panel_time_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot);
 /* The title of the axis along the chain, left of its numbers below the labels of vertical axes; its room there, px. */

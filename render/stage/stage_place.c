@@ -31,8 +31,9 @@ static double headroom(const struct bead_view *v)
 static double length_of(const struct bead_view *v, double ends[2])
 {
     const bool striker = v->first == 0 && bead_chain_spec(v->setup.chain)->striker_velocity > 0;
-    ends[0] = v->ends[0] - (striker ? before_striker : beyond_rest) * v->largest;
-    ends[1] = v->ends[1] + (v->wall ? beyond_wall : beyond_rest) * v->largest;
+    const double swing = v->setup.magnify * bead_chain_swing(v->setup.chain);
+    ends[0] = v->ends[0] - fmax(swing, (striker ? before_striker : beyond_rest) * v->largest);
+    ends[1] = v->ends[1] + (v->wall ? beyond_wall * v->largest : fmax(swing, beyond_rest * v->largest));
     return ends[1] - ends[0];
 }
 
@@ -47,11 +48,12 @@ static double across(const struct bead_view *v)
 }
 
 /* All beads are on the stage where they can be nearly as large as a few above a row of all, and where there is no wave to follow.
- */
+ * Of a cradle, where a wave takes a few microseconds and a swing a second, half of that. */
 static bool shows_all(const struct bead_view *v, double width, double height, double length)
 {
     const double wanted = fmin(largest_radius(height), width / (2 * (v->setup.small ? small_across : best_across)));
-    return !v->setup.camera && (!v->has_contacts || width * v->largest / length >= 0.8 * wanted);
+    const double part = bead_chain_spec(v->setup.chain)->cradle > 0 ? 0.4 : 0.8;
+    return !v->setup.camera && (!v->has_contacts || width * v->largest / length >= part * wanted);
 }
 
 /* The radius of the largest beads, px. */

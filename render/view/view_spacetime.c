@@ -147,9 +147,13 @@ static enum bead_error spacetime_decorate(struct bead_view *v, cairo_t *cr, stru
         bead_panel_axis(cr, s, &time, v->plot, true, "time");
         bead_panel_chain_axis(cr, s, &beads, v->plot, s->bead_labels ? name : NULL);
     } else {
-        char both[2200];
-        bead_panel_against(name, &time, both, sizeof both);
+        char both[128];
         bead_panel_time_axis(cr, s, &time, v->plot);
+        if (s->against) {
+            const size_t used = strlen(beads.unit); /* a power of ten at the most */
+            snprintf(both, sizeof both, BEAD_PANEL_AGAINST, name);
+            snprintf(beads.unit + used, sizeof beads.unit - used, used > 0 ? "; %s" : "%s", time.unit);
+        }
         bead_panel_axis(cr, s, &beads, v->plot, false, s->against ? both : name);
     }
     return BEAD_OK;

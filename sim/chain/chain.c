@@ -119,15 +119,31 @@ static void write_spins(const struct bead_segment *segment, char *digits)
         memset(digits, segment->spins == BEAD_SPINS_UP ? '1' : '0', segment->count);
 }
 
-/* The magnetism of the cells whose spins the scene gives; other cells count only if there are no such cells. */
+/* Is one cell the other turned round? The same both ways round: it is not. */
+static bool mirrors(const struct bead_segment *a, const struct bead_segment *b)
+{
+    bool same = a->cell_beads == b->cell_beads, turned = same;
+    for (size_t i = 0; turned && i < a->cell_beads; i++) {
+        same = same && a->cell[i] == b->cell[i];
+        turned = a->cell[i] == b->cell[b->cell_beads - 1 - i];
+    }
+    return turned && !same;
+}
+
+/* The magnetism of the cells whose spins the scene gives; other cells count only if there are no such cells. Of these, the first
+ * written are up, and so is all but their mirror image. */
 static double find_magnetism(const struct bead_chain *chain)
 {
     double up[2] = {0, 0}, all[2] = {0, 0};
     const char *spin = chain->spins;
+    const struct bead_segment *first = NULL;
     for (size_t s = 0; s < chain->spec->segment_count; s++) {
         const struct bead_segment *segment = &chain->spec->segments[s];
+        if (segment->cell_beads > 1 && !segment->spins_given && !first)
+            first = segment;
+        const bool down = first && !segment->spins_given && mirrors(first, segment);
         for (size_t cell = 0; segment->cell_beads > 1 && cell < segment->count; cell++, spin++) {
-            up[segment->spins_given] += *spin == '1';
+            up[segment->spins_given] += (*spin == '1') != down;
             all[segment->spins_given]++;
         }
     }

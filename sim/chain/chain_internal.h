@@ -35,6 +35,10 @@ BEAD_INTERNAL double bead_chain_passage(const struct bead_chain *chain, double e
  * unit of velocities. */
 BEAD_INTERNAL double bead_chain_speed(const struct bead_chain *chain);
 
+/* The furthest that the springs and pendulums that hold beads let one go from its place, m, if it gets all of the energy; 0 where
+ * not all beads are held. */
+BEAD_INTERNAL double bead_chain_swing(const struct bead_chain *chain);
+
 /* The axis along a chain: value i of a field is at first + i * spacing. */
 struct bead_chain_axis {
     const char *title; /* "bead", "contact", or "x" */

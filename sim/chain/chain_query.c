@@ -110,6 +110,14 @@ double bead_chain_speed(const struct bead_chain *chain)
     return chain->speed;
 }
 
+double bead_chain_swing(const struct bead_chain *chain)
+{
+    double least = chain->spring ? INFINITY : 0;
+    for (size_t i = 0; chain->spring && i < chain->beads; i++)
+        least = fmin(least, chain->spring[i]);
+    return least > 0 ? sqrt(2 * bead_chain_energy(chain) / least) : 0;
+}
+
 double bead_contact_walk_excess(const struct bead_contact_walk *w, double d)
 {
     const struct bead_law_spec *law = &w->chain->spec->law;

@@ -126,10 +126,15 @@ static const struct ready_film {
     int output;
     const char *more[2];
 } ready_films[] = {
-    {"teaching", 0, {"duration=9 s"}},         {"clean-vs-delocalised", 0, {"duration=6 s"}},
-    {"collision", 1, {"duration=12 s"}},       {"fput", 0, {"duration=12 s", "until=5000"}},
-    {"fput-kdv", 0, {"duration=12 s"}},        {"kdv", 0, {"duration=12 s"}},
-    {"shock", 0, {"duration=6 s", "until=4"}}, {"zabusky-kruskal", 0, {"duration=12 s"}},
+    {"teaching", 0, {"duration=9 s"}},
+    {"clean-vs-delocalised", 0, {"duration=6 s"}},
+    {"collision", 1, {"duration=12 s"}},
+    {"fput", 0, {"duration=12 s", "until=5000"}},
+    {"fput-kdv", 0, {"duration=12 s"}},
+    {"kdv", 0, {"duration=12 s"}},
+    {"shock", 0, {"duration=6 s", "until=4"}},
+    {"zabusky-kruskal", 0, {"duration=12 s"}},
+    {"cradle", 0, {"duration=4 s", "until=0.4"}},
 };
 enum { READY_FILMS = sizeof ready_films / sizeof *ready_films };
 

@@ -24,6 +24,8 @@
 #include "render/stage/camera.h"
 #include "render/stage/magnify.h"
 #include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
+#include "tests/sweeps.h"
 
 extern const struct bead_sink_type bead_movie_sink;
 
@@ -457,6 +459,30 @@ static void test_magnification(void **state)
     free_world(&w);
 }
 
+/* Beads on pendulums swing by v sqrt(l/g) and more than collisions press them: as drawn, no further than to the next place. */
+static void test_magnification_of_swings(void **state)
+{
+    (void)state;
+    static const char *const held[] = {"cradle: {length: 20 cm}", "cradle: {length: 2 mm}", ""};
+    for (size_t i = 0; i < 3; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "chain:\n  striker: {bead: large-steel, velocity: 0.01 m/s}\n  beads: [{bead: large-steel, count: 4}]\n  %s\n"
+                 "simulate: {until: 1 s}\noutputs: [{movie: a.mp4}]\n",
+                 held[i]);
+        struct bead_scene *scene = parse(text);
+        struct bead_chain *chain;
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        const double length = i == 0 ? 0.2 : 2e-3, swing = i < 2 ? 0.01 * sqrt(length / 9.80665) : 0;
+        assert_true(fabs(bead_chain_swing(chain) - swing) <= 1e-12 * swing);
+        const double factor = bead_magnify_auto((const struct bead_chain *const *)&chain, 1), radius = bead_chain_radius(chain)[0];
+        assert_true(factor * swing <= 2 * radius && factor >= 1);
+        assert_true(i == 2 ? factor > 100 : factor * swing > radius);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -470,6 +496,7 @@ int main(void)
         cmocka_unit_test(test_frames_tell_their_changes),
         cmocka_unit_test(test_frames_do_not_depend_on_threads),
         cmocka_unit_test(test_magnification),
+        cmocka_unit_test(test_magnification_of_swings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

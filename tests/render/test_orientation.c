@@ -11,9 +11,11 @@
 
 #include <cmocka.h>
 
+#include "render/draw/looks.h"
 #include "render/figure/contact_sheet.h"
 #include "render/movie/composer.h"
 #include "render/view/orientation.h"
+#include "render/view/views.h"
 #include "tests/sweeps.h"
 
 static const char *const names[] = {"auto", "time-right", "time-down", "matrix"};
@@ -294,6 +296,44 @@ static void test_defaults(void **state)
     }
 }
 
+/* The unit of times, of one letter, is no symbol in italics. */
+static void test_unit_after_both_titles(void **state)
+{
+    (void)state;
+    struct bead_scene *scene = parse("chain: {beads: [{bead: large-steel, count: 5}]}\noutputs: [{movie: a.mp4}]\n");
+    struct bead_chain *chain;
+    struct bead_look look;
+    struct bead_view *view;
+    static struct texts seen;
+    static struct bead_colormap map;
+    assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+    bead_look_film(&look, 1920, 1080, true, false);
+    const struct bead_view_setup setup = {.chain = chain,
+                                          .field = BEAD_FIELD_FORCE,
+                                          .beads = {0, 4},
+                                          .time = {0, 3},
+                                          .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                          .look = &look,
+                                          .axes = true,
+                                          .bead_labels = true,
+                                          .against = true,
+                                          .orientation = BEAD_TIME_RIGHT,
+                                          .titles = BEAD_TITLES_ABOVE};
+    assert_int_equal(bead_view_spacetime_type.create(&setup, &view, NULL), BEAD_OK);
+    assert_int_equal(bead_view_spacetime_type.place(view, (struct bead_rect){100, 100, 400, 200}, NULL, NULL), BEAD_OK);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1920, 1080);
+    const struct bead_text_watch watch = {see, &seen};
+    assert_true(bead_text_watch(surface, &watch));
+    cairo_t *cr = cairo_create(surface);
+    assert_int_equal(bead_view_spacetime_type.decorate(view, cr, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "bead against time (s)"));
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    bead_view_spacetime_type.destroy(view);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -301,6 +341,7 @@ int main(void)
         cmocka_unit_test(test_sheets_turn),
         cmocka_unit_test(test_words_of_sheets),
         cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_unit_after_both_titles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -434,7 +434,7 @@ static void feed_view(struct setting *s, enum bead_field field, double value)
     double *zeros = calloc(2 * (beads + 1), sizeof *zeros), *values = zeros + beads + 1;
     for (size_t i = 0; i <= beads; i++)
         values[i] = value;
-    struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = zeros}};
+    struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = zeros, [BEAD_FIELD_CONTACT_FORCE] = zeros}};
     sample.field[field] = values;
     require(bead_view_stage_type.feed(s->view, &sample, &msg), &msg);
     free(zeros);
@@ -444,7 +444,7 @@ static void feed_view(struct setting *s, enum bead_field field, double value)
 }
 
 /* A stage of this chain, at rest, of 1740 x 260 px. */
-static void open_view(struct setting *s, const char *chain, enum bead_light light)
+static void open_magnified(struct setting *s, const char *chain, enum bead_light light, double magnify)
 {
     struct bead_message msg = {""};
     char text[600];
@@ -462,7 +462,7 @@ static void open_view(struct setting *s, const char *chain, enum bead_light ligh
                                           .look = &s->look,
                                           .axes = true,
                                           .bead_labels = true,
-                                          .magnify = 1e-6,
+                                          .magnify = magnify,
                                           .light = light};
     require(bead_view_stage_type.create(&setup, &s->view, &msg), &msg);
     require(bead_view_stage_type.place(s->view, (struct bead_rect){90, 100, 1740, 360}, NULL, &msg), &msg);
@@ -474,6 +474,11 @@ static void open_view(struct setting *s, const char *chain, enum bead_light ligh
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     feed_view(s, bead_stage_field(&setup), 0);
+}
+
+static void open_view(struct setting *s, const char *chain, enum bead_light light)
+{
+    open_magnified(s, chain, light, 1e-6);
 }
 
 static void close_view(struct setting *s)
@@ -525,6 +530,28 @@ static void beads_touch_where_they_do(void **state)
             assert_true(fabs(last->x + last->r - stage->wall.x) < rounding && last->edge[1] == stage->wall.x);
         close_view(&s);
     }
+}
+
+/* Beads on pendulums stay on the stage wherever they swing. */
+static void swings_stay_on_the_stage(void **state)
+{
+    (void)state;
+    struct setting s;
+    open_magnified(&s,
+                   "chain: {" STRIKER "beads: [{bead: large-steel, count: 4}], cradle: {length: 20 cm}}\n"
+                   "simulate: {until: 1 s}",
+                   BEAD_LIGHT_CONTACTS, 1);
+    const double swing = 0.4 * sqrt(0.2 / 9.80665);
+    assert_int_equal(s.view->row.height, 0);
+    for (int side = -1; side <= 1; side += 2) {
+        feed_view(&s, BEAD_FIELD_DISPLACEMENT, side * swing);
+        const struct bead_stage *stage = &s.view->stage;
+        const struct bead_stage_bead *end = &stage->beads[side < 0 ? 0 : stage->count - 1];
+        assert_int_equal(stage->count, 5);
+        assert_true(end->x - end->r >= 0 && end->x + end->r <= (float)stage->width);
+        assert_true(side < 0 ? end->x < 2 * end->r : end->x > (float)stage->width - 2 * end->r); /* and have no more room */
+    }
+    close_view(&s);
 }
 
 static void beads_are_over_their_numbers(void **state)
@@ -695,6 +722,7 @@ int main(void)
         cmocka_unit_test(camera_rests_and_follows),
         cmocka_unit_test(waves_that_meet_are_both_in_the_window),
         cmocka_unit_test(beads_touch_where_they_do),
+        cmocka_unit_test(swings_stay_on_the_stage),
         cmocka_unit_test(beads_are_over_their_numbers),
         cmocka_unit_test(names_have_room),
         cmocka_unit_test(beads_are_large),

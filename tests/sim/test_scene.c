@@ -379,6 +379,32 @@ static void the_four_chains_of_fig_5_have_their_magnetism(void **state)
     bead_scene_free(scene);
 }
 
+/* Without `spins`, a cell that is the mirror image of the first ones is turned over; the same both ways round it is not. */
+static void mirrored_cells_are_down(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *beads;
+        double magnetism;
+    } cases[] = {{"{cell: [large-steel, ptfe], count: 10}", 1},
+                 {"{cell: [large-steel, ptfe], count: 9}, {cell: [ptfe, large-steel], count: 1}", 0.8},
+                 {"{cell: [ptfe, large-steel], count: 5}, {bead: brass}, {cell: [large-steel, ptfe], count: 5}", 0},
+                 {"{cell: [large-steel, large-steel], count: 3}, {cell: [large-steel, large-steel], count: 3}", 1},
+                 {"{cell: [large-steel, ptfe], count: 3}, {cell: [ptfe, brass], count: 3}", 1},
+                 {"{cell: [large-steel, brass, ptfe], count: 3}, {cell: [ptfe, brass, large-steel], count: 1}", 0.5},
+                 {"{cell: [large-steel, ptfe], count: 4, spins: '1110'}, {cell: [ptfe, large-steel], count: 4}", 0.5}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[400];
+        snprintf(text, sizeof text, "chain: {beads: [%s]}\noutputs: [{table: peaks.csv, show: peaks}]\n", cases[i].beads);
+        struct bead_scene *scene = parse(text);
+        struct bead_chain *chain = NULL;
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        assert_true(fabs(bead_chain_magnetism(chain) - cases[i].magnetism) < 1e-15);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 static void scenes_are_found_by_name_or_path(void **state)
 {
     (void)state;
@@ -448,6 +474,7 @@ int main(void)
         cmocka_unit_test(ready_scenes_are_listed_and_right),
         cmocka_unit_test(the_demo_is_a_clean_beside_a_delocalised_wave),
         cmocka_unit_test(the_four_chains_of_fig_5_have_their_magnetism),
+        cmocka_unit_test(mirrored_cells_are_down),
         cmocka_unit_test(scenes_are_found_by_name_or_path),
         cmocka_unit_test(missing_assets_say_where_they_were_sought),
         cmocka_unit_test(help_names_every_key),
