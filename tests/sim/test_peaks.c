@@ -96,6 +96,9 @@ static const char *const chains[] = {
     "  beads: [{bead: small-steel, count: 7}, {bead: large-steel, count: 8}]}\n",
     "chain: {striker: {bead: lead, velocity: 2 m/s}, beads: [{cell: [ptfe, large-steel, brass], spins: random, seed: 3, count: "
     "6}]}\n",
+    /* all displacements are negative: */
+    "chain: {precompression: 10 N, wall: rigid, start: [{bead: 17, velocity: -0.3 m/s}], beads: [{bead: large-steel, count: "
+    "20}]}\n",
 };
 enum { CHAINS = sizeof chains / sizeof *chains };
 
@@ -104,7 +107,7 @@ enum { CHAINS = sizeof chains / sizeof *chains };
 static void no_sample_is_larger(void **state)
 {
     (void)state;
-    static const double ends[] = {0.35e-3, 0.18e-3, 0.6e-3, 0.45e-3};
+    static const double ends[] = {0.35e-3, 0.18e-3, 0.6e-3, 0.45e-3, 0.3e-3};
     size_t open = 0;
     for (size_t c = 0; c < CHAINS; c++) {
         struct built built = build(chains[c], "until: 1 ms");
