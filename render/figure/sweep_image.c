@@ -103,16 +103,13 @@ static double statistic(const struct ensemble *e, size_t at, double *values)
     }
 }
 
-static enum bead_error reduce(struct ensemble *e, double *result, struct bead_range *range, struct bead_message *msg)
+static enum bead_error reduce(struct ensemble *e, double *result, struct bead_message *msg)
 {
     BEAD_FREED double *values = NULL;
     BEAD_TRY(bead_new(&values, e->count, msg, "an image of a sweep"));
-    *range = (struct bead_range){INFINITY, -INFINITY};
     for (size_t at = 0; at < (TIMES + 1) * e->places; at++) {
         const double value = statistic(e, at, values);
         result[at] = isnan(value) ? 0 : value; /* deviation of one chain */
-        range->low = fmin(range->low, result[at]);
-        range->high = fmax(range->high, result[at]);
     }
     return BEAD_OK;
 }
@@ -130,7 +127,7 @@ static const char *statistic_name(const struct ensemble *e)
 
 /* The image of a run whose samples these are. */
 static enum bead_error draw(struct ensemble *e, const struct bead_run_context *context, const char *path, const double *result,
-                            struct bead_range range, struct bead_message *msg)
+                            struct bead_message *msg)
 {
     struct bead_output output = *e->output;
     char title[80];
@@ -154,7 +151,7 @@ static enum bead_error draw(struct ensemble *e, const struct bead_run_context *c
     own.replayed = true;
     enum bead_error err = bead_image_sink.create(&output, &own, &sink, msg);
     if (!err)
-        err = bead_image_sink.begin(sink, range, msg);
+        err = bead_image_sink.begin(sink, (struct bead_range){0, 0}, msg);
     for (size_t i = 0; i <= TIMES && !err; i++) {
         struct bead_sample sample = {.time = fmin((double)i * own.native.every, e->end), .index = i, .active = e->places};
         sample.field[output.shown.field] = result + i * e->places;
@@ -170,14 +167,13 @@ static enum bead_error draw(struct ensemble *e, const struct bead_run_context *c
 static enum bead_error make(struct ensemble *e, const struct bead_run_context *context, const char *path, struct bead_message *msg)
 {
     BEAD_FREED double *result = NULL;
-    struct bead_range range;
     BEAD_TRY(bead_new(&e->films, e->count, msg, "an image of a sweep"));
     BEAD_TRY(bead_new(&e->watches, e->count, msg, "an image of a sweep"));
     BEAD_TRY(find_end(e, context->sweep_settings, msg));
     BEAD_TRY(run(e, context->sweep_settings, msg));
     BEAD_TRY(bead_new(&result, (TIMES + 1) * e->places, msg, "an image of a sweep"));
-    BEAD_TRY(reduce(e, result, &range, msg));
-    return draw(e, context, path, result, range, msg);
+    BEAD_TRY(reduce(e, result, msg));
+    return draw(e, context, path, result, msg);
 }
 
 static enum bead_error write_image(const struct bead_output *output, const struct bead_run_context *context, const char *path,

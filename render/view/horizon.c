@@ -71,24 +71,25 @@ static int neighbours(const struct bead_horizon *h)
     return 1 + h->setup.places / 48;
 }
 
-/* Column of the line at a place: the earliest of it and its neighbours. */
-static int line_at(const struct bead_horizon *h, int place)
+/* The earliest column of these places and so many neighbours on each side. */
+static int earliest_near(const struct bead_horizon *h, int place, int side)
 {
-    int earliest = INT_MAX, side = neighbours(h), last = place + side;
+    int earliest = INT_MAX, last = place + side;
     for (int p = place > side ? place - side : 0; p <= last && p < h->setup.places; p++)
         earliest = h->first[p] < earliest ? h->first[p] : earliest;
     return earliest;
 }
 
-/* The first column where the line changes as a place gets its horizon, which moves its neighbours' points too. */
+/* Column of the line at a place. */
+static int line_at(const struct bead_horizon *h, int place)
+{
+    return earliest_near(h, place, neighbours(h));
+}
+
+/* The first column where the line changes as a place gets its horizon, which moves its neighbours' points, and lines to those. */
 static int changed_from(const struct bead_horizon *h, int place)
 {
-    int earliest = INT_MAX, side = neighbours(h) + 1;
-    for (int p = place - side; p <= place + side; p++) {
-        int column = p >= 0 && p < h->setup.places ? line_at(h, p) : INT_MAX;
-        earliest = column < earliest ? column : earliest;
-    }
-    return earliest;
+    return earliest_near(h, place, 2 * neighbours(h) + 1);
 }
 
 int bead_horizon_find(struct bead_horizon *h, double threshold, int to)

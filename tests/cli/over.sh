@@ -108,6 +108,23 @@ ok "mean images" exits 0 "$beadreel" m.yaml -o .
 ok "... on one thread the same bytes" eval '"$beadreel" m.yaml -o single --threads 1 >"$T/out" && cmp single/mean.png mean.png'
 ok "... of equal chains that of one" exits 0 "$beadreel" m.yaml -o equal --set 'sweep.over={chain.beads.0.seed: [1, 1, 1]}' --set 'outputs=[{image: mean.png, axes: false, size: [60, 40]}]'
 ok "... pixel by pixel" eval '"$beadreel" m.yaml -o first --set "sweep.over={chain.beads.0.seed: [1]}" --set "outputs=[{image: mean.png, axes: false, size: [60, 40]}]" >"$T/out" && cmp <(tail -c 400 first/mean.png) <(tail -c 400 equal/mean.png)'
+# Colours and their range are those of a run alone, whose image has more samples.
+alike() { # FIELD [SETTING]
+    local i; sed '/^sweep/d' m.yaml >alone.yaml
+    sed '1i sweep: {over: {chain.beads.0.seed: [1, 1]}}' alone.yaml >equal.yaml
+    for i in alone equal; do
+        "$beadreel" $i.yaml -q -o $i --set simulate.until=0.3ms "${@:2}" --set "outputs=[{image: mean.png, field: $1, axes: false, size: [60, 40]}]" || return 1
+        ffmpeg -v error -y -i $i/mean.png -f rawvideo -pix_fmt rgb24 $i.rgb || return 1
+    done
+    python3 -c 'import sys; a, b = (open(f, "rb").read() for f in sys.argv[1:]); sys.exit(len(a) != len(b) or max(abs(x - y) for x, y in zip(a, b)) > 8)' alone.rgb equal.rgb
+}
+if command -v ffmpeg >/dev/null; then
+    ok "... and as that of a run without a sweep" alike force
+    ok "... of a field with both signs" alike velocity
+    ok "... most of it negative" alike velocity --set 'chain.start=[{bead: 12, velocity: -1 m/s}]'
+else
+    skip ffmpeg "means look like a run"
+fi
 # One chain of two hardly moves: the lower quartile on a third of the range looks like the upper.
 quartile() { # WHICH RANGE
     "$beadreel" m.yaml -o "$1" --set 'sweep.over={chain.striker.velocity: [1e-6 m/s, 0.4 m/s]}' --set simulate.until=0.15ms \
