@@ -179,6 +179,7 @@ class Tree:
         try:
             with open(source, "w", encoding="utf-8") as file:
                 file.write("\n".join(lines))
+            os.unlink(f"{self.folder}/{target}")  # times of files are too coarse to tell which is newer
             if self.make(target).returncode:
                 return None
             with open(f"{self.folder}/{target}", "rb") as file:
@@ -188,6 +189,8 @@ class Tree:
         finally:
             with open(source, "w", encoding="utf-8") as file:
                 file.write(text)
+            if os.path.exists(f"{self.folder}/{target}"):
+                os.unlink(f"{self.folder}/{target}")
             self.make(target)
 
     def tests_that_run(self, fault, reached):

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# How many beads there can be: stated limits are checked before memory is taken, and plans build no beads.
+# How many beads and curves there can be: stated limits are checked before memory is taken, and plans build no beads.
 source "$(dirname "$0")/../shell.bash"
 scene() { # BEADS [OUTPUTS]
     echo "chain: {beads: [{$1}]}
@@ -18,6 +18,18 @@ limited() { # KILOBYTES COMMAND...
 }
 ok "more than 1e8 beads behind the striker" fails 2 "$beadsim" --plan "$T/longer.yaml"
 ok "... the message has the limit" says "longer than 100000000 beads, the most that is allowed"
+overlay() { # CHAINS
+    local i
+    echo "chains:"
+    for i in $(seq "$1"); do echo "  - {name: c$i, beads: [{bead: large-steel, count: 5}]}"; done
+    echo "simulate: {until: 50 us}
+outputs: [{movie: a.gif, layout: overlay, views: [profile], size: [320, 240], fps: 5, duration: 1 s}]"
+}
+overlay 16 >"$T/full.yaml"
+overlay 17 >"$T/fuller.yaml"
+ok "an overlay of 16 chains" exits 0 "$beadreel" "$T/full.yaml" -o "$T/o"
+ok "... of no more" fails "1 2" "$beadreel" "$T/fuller.yaml" -o "$T/o"
+ok "... as the message says" says "an overlay shows at most 16 chains"
 limited 100000 "$beadsim" --list methods
 if [ $status -ne 0 ]; then
     skip "limits of memory (sanitizers need all there is)" "plans within limits of memory"

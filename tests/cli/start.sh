@@ -52,11 +52,17 @@ sed -i 's/0.4 m/0.8 m/' scene.yaml
 ok "... again when it is saved" wait_for summaries 2
 ok "... with what is new" changed_peaks first.csv
 ok "... and says what" grep -qx 'scene.yaml:2: `striker: {velocity: 0.8 m/s}`, was `striker: {velocity: 0.4 m/s}`' said
+sed -i 's/0.8 m/1250 mm/' scene.yaml
+ok "a longer value" wait_for summaries 3
+ok "... is shown whole" grep -qx 'scene.yaml:2: `striker: {velocity: 1250 mm/s}`, was `striker: {velocity: 0.8 m/s}`' said
+sed -i 's/1250 mm/1 m/' scene.yaml
+ok "a shorter one" wait_for summaries 4
+ok "... is, too" grep -qx 'scene.yaml:2: `striker: {velocity: 1 m/s}`, was `striker: {velocity: 1250 mm/s}`' said
 echo 'simulate: {until: soon}' >>scene.yaml
 ok "a mistake" wait_for grep -q 'beadsim: scene.yaml:5:19: simulate.until: `soon`' complained
 ok "... is told, with what is new" grep -qx 'scene.yaml:5: 1 line instead of 0' said
 sed -i '$d' scene.yaml
-ok "... and may be mended" wait_for summaries 3
+ok "... and may be mended" wait_for summaries 5
 ok "... while it goes on" kill -0 $watcher
 touch scene.yaml
 ok "saved as it is" wait_for grep -q 'scene.yaml: saved, not changed' said

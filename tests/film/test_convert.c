@@ -290,6 +290,25 @@ static void palette_is_close_for_many_colours(void **state)
     }
 }
 
+/* Tones are parted where they differ most, whichever channel it is: the dark, more frequent, from the light. */
+static void tones_are_parted_along_the_widest_channel(void **state)
+{
+    (void)state;
+    for (int wide = 0; wide < 24; wide += 8) {
+        const int narrow = (wide + 8) % 24; /* by this one, one dark and one light tone would be in each part */
+        struct bead_tone tones[4];
+        for (uint32_t i = 0; i < 4; i++)
+            tones[i] =
+                (struct bead_tone){(i < 2 ? 10 + i : 200 + i) << wide | (i % 2 ? 30u : 5u) << narrow, i < 2 ? 10 + i : 3 + i};
+        uint32_t chosen[2];
+        assert_int_equal(bead_palette_cut(tones, 4, 2, chosen), 2);
+        const uint32_t low = chosen[0] < chosen[1] ? chosen[0] : chosen[1], high = chosen[0] ^ chosen[1] ^ low;
+        const uint32_t dark = (low >> wide & 255) < 100 ? low : high, light = low ^ high ^ dark;
+        assert_int_equal(dark, 11u << wide | 30u << narrow);
+        assert_int_equal(light, 203u << wide | 30u << narrow);
+    }
+}
+
 static void chosen_colours_are_far_apart(void **state)
 {
     (void)state;
@@ -317,6 +336,7 @@ int main(void)
         cmocka_unit_test(rectangles_are_clipped),
         cmocka_unit_test(palette_is_exact_for_few_colours),
         cmocka_unit_test(palette_is_close_for_many_colours),
+        cmocka_unit_test(tones_are_parted_along_the_widest_channel),
         cmocka_unit_test(chosen_colours_are_far_apart),
     };
     return cmocka_run_group_tests_name("convert", tests, NULL, NULL);

@@ -79,9 +79,30 @@ static void what_cannot_be_found_is_said(void **state)
     assert_int_equal(fit(&(struct data){1, x, y, first}, 2, b, error, &rms), BEAD_ERROR_NUMBERS);
 }
 
+static double hardly(const double *b, double x)
+{
+    return 5 + 1e-3 * b[0] * x;
+}
+static double less(const double *b, double x)
+{
+    return 5 + 1e-6 * b[0] * x;
+}
+
+/* Parameters that change the data little are found, with steps of up to their own size; no such step does for the second. */
+static void weak_parameters_are_found(void **state)
+{
+    (void)state;
+    static const double x[] = {1, 2, 3}, y[] = {5.003, 5.006, 5.009};
+    double b[] = {1}, error[1], rms;
+    assert_int_equal(fit(&(struct data){3, x, y, hardly}, 1, b, error, &rms), BEAD_OK);
+    assert_near(b[0], 3, 1e-9);
+    b[0] = 1;
+    assert_int_equal(fit(&(struct data){3, x, y, less}, 1, b, error, &rms), BEAD_ERROR_NUMBERS);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(certified_parameters_are_found),
-                                       cmocka_unit_test(what_cannot_be_found_is_said)};
+                                       cmocka_unit_test(what_cannot_be_found_is_said), cmocka_unit_test(weak_parameters_are_found)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -359,11 +359,36 @@ static void wrong_settings_say_what_is_wrong(void **state)
     bead_chain_destroy(chain);
 }
 
+/* A run is over at its end, or at that of the passage, and whenever it has been finished, not before. */
+static void runs_are_over_at_their_end(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    const struct bead_outcome *outcome;
+    struct bead_chain *chain = make_steel(15);
+    struct bead_player *early = start((struct bead_player_settings){.chain = chain, .until = 1e-3, .contact_peaks = true});
+    assert_int_equal(bead_player_until(early, 1e-5, &msg), BEAD_OK);
+    assert_false(bead_player_is_over(early));
+    assert_int_equal(bead_player_finish(early, &outcome, &msg), BEAD_OK);
+    assert_true(bead_player_is_over(early) && bead_player_time(early) < 1e-3);
+    bead_player_destroy(early);
+    struct bead_player *passage = start((struct bead_player_settings){.chain = chain, .contact_peaks = true});
+    while (!bead_player_is_over(passage))
+        assert_int_equal(bead_player_step(passage, &msg), BEAD_OK);
+    const double over = bead_player_time(passage);
+    assert_int_equal(bead_player_step(passage, &msg), BEAD_ERROR_USAGE);
+    assert_int_equal(bead_player_finish(passage, &outcome, &msg), BEAD_OK);
+    assert_true(outcome->front_arrival < over && over < 2 * outcome->front_arrival);
+    bead_player_destroy(passage);
+    bead_chain_destroy(chain);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(chain_from_arrays_is_that_of_a_scene),
         cmocka_unit_test(later_forces_are_told),
+        cmocka_unit_test(runs_are_over_at_their_end),
         cmocka_unit_test(mass_follows_from_density),
         cmocka_unit_test(wrong_chains_say_what_is_wrong),
         cmocka_unit_test(ways_to_play_are_one),
