@@ -62,6 +62,30 @@ static void setups_of_all_lengths(void **state)
     }
 }
 
+/* The room that rows do not need is shared evenly: above, between and below them, a third each of what a page is higher. */
+static void rows_share_what_is_left(void **state)
+{
+    (void)state;
+    struct staged *s =
+        set_stage("chains:\n  - {name: a, beads: [{bead: large-steel, count: 30}]}\n"
+                  "  - {name: b, beads: [{bead: large-steel, count: 30}]}\n"
+                  "outputs: [{plot: a.png, show: setup, size: [1000, 900]}, {plot: b.png, show: setup, size: [1000, 1200]}]\n");
+    double striker[2][2];
+    for (size_t o = 0; o < 2; o++) {
+        struct seen seen = {.count = 0};
+        size_t found = 0;
+        assert_int_equal(draw(s, o, &seen, NULL), BEAD_OK);
+        for (size_t i = 0; i < seen.count; i++) {
+            if (strncmp(seen.box[i].text, "striker", strlen("striker")) == 0 && found < 2)
+                striker[o][found++] = seen.box[i].y;
+        }
+        assert_true(found == 2 && striker[o][0] < striker[o][1]);
+    }
+    assert_true(fabs(striker[1][0] - striker[0][0] - 100) < 2);
+    assert_true(fabs(striker[1][1] - striker[0][1] - 200) < 2);
+    clear_stage(s);
+}
+
 static void the_experiment_is_all_there(void **state)
 {
     (void)state;
@@ -252,6 +276,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tapered_chains_are_one_row),
         cmocka_unit_test(setups_of_all_lengths),
+        cmocka_unit_test(rows_share_what_is_left),
         cmocka_unit_test(the_experiment_is_all_there),
         cmocka_unit_test(ends_that_absorb_are_no_free_ends),
         cmocka_unit_test(what_is_left_out_is_said),
