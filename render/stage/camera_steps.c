@@ -9,6 +9,8 @@ static const double part_of_wave = 0.05, least_load = 1e-3;
 enum { HEAD = 9, MEETING = 40 };
 /* In each frame, the speed moves this part of the way towards that of the head. */
 static const double steadiness = 0.1;
+/* The window stands where waves meet if it is off by this part of a step. */
+static const double negligible = 0.1;
 
 double bead_pan_eased(double t)
 {
@@ -74,17 +76,17 @@ static double find_again(struct bead_step_camera *c, const struct bead_loads *w)
     return centre(w, from, to, first || last ? 0 : c->way, c->head);
 }
 
-/* Does another wave come to meet it, at least half as strong? Ahead of the front there is nothing else. Where it is then. */
+/* Does another wave come to meet it, at least half as strong? Ahead of the front there is nothing else. Where it is, then and
+ * after they have met. */
 static void find_other(struct bead_step_camera *c, const struct bead_loads *w)
 {
     size_t from, to;
     around(c->head, MEETING, w->count, &from, &to);
     const double own = largest(w, from, to, c->way);
-    if (w->way && c->way > 0 && !c->arrived && c->front + 1 < to && largest(w, c->front + 1, to, -1) > 0.5 * own &&
-        own > least_load)
-        c->meets = true;
-    if (c->meets)
-        c->other = centre(w, from, to, -c->way, c->head);
+    const bool comes = w->way && c->way > 0 && !c->arrived && c->front + 1 < to && own > least_load &&
+                       largest(w, c->front + 1, to, -1) > 0.5 * own;
+    c->meets = c->meets || comes;
+    c->other = c->meets ? centre(w, comes ? c->front + 1 : from, to, -c->way, c->head) : c->head;
 }
 
 double bead_step_camera_find(struct bead_step_camera *c, struct bead_loads wave)
@@ -102,30 +104,37 @@ static double within(const struct bead_step_camera *c, double middle)
     return high > low ? fmin(high, fmax(low, middle)) : 0.5 * (low + high);
 }
 
-/* From the wave's head to the middle of both waves, as far as they fit into the window: all the way, or less the further they are
- * apart. `spread`: half of what is between them, that far. */
-static double middle_of_both(const struct bead_step_camera *c, double place, double other, double *spread)
+/* How far the window is from where the waves will meet. */
+static double to_meeting(const struct bead_step_camera *c, double place, double other, double way)
 {
-    const double apart = fabs(other - place), room = fmax(1, c->width - 2 * c->margin);
-    const double part = 1 - bead_pan_eased((apart - room) / (0.5 * room));
-    *spread = 0.5 * part * apart;
-    return place + copysign(*spread, other - place);
+    return way * (0.5 * (place + other) - c->goal);
+}
+
+/* How far the next pan goes; 0: none is due. Half of it has passed when the head is half a step from the middle. Pans end where
+ * waves meet, the last as early as may be, and the window stands there until they have passed through each other and do not fit
+ * into it any more. */
+static double next_pan(const struct bead_step_camera *c, double place, double other, double most)
+{
+    const double way = copysign(1, c->speed), off = way * (place - c->goal), takes = BEAD_PAN_FRAMES * fabs(c->speed);
+    const bool passed = way * (other - place) <= 0;
+    if (c->meets && passed)
+        return off > most ? way * c->step : 0;
+    const double left = c->meets ? to_meeting(c, place, other, way) : 0, count = ceil(left / c->step - negligible);
+    const double step = !c->meets ? c->step : count > 0 ? left / count : 0;
+    const bool due = c->meets && count == 1 ? off + takes > step - most : off + 0.5 * takes > 0.5 * step;
+    return due ? way * step : 0;
 }
 
 void bead_step_camera_advance(struct bead_step_camera *c, double place, double other)
 {
-    double spread = 0;
-    if (c->meets)
-        place = middle_of_both(c, place, other, &spread);
     if (!c->begun)
         c->middle = c->goal = within(c, c->last = place);
     c->begun = true;
     c->speed += steadiness * (place - c->last - c->speed);
     c->last = place;
-    /* Half of a pan has passed when the head is half a step from the middle. */
-    const double off = place + 0.5 * BEAD_PAN_FRAMES * c->speed - c->goal, next = within(c, c->goal + copysign(c->step, off));
-    const bool leaves = off * c->speed > 0 && fabs(off) > 0.5 * c->step;
-    if (leaves && fabs(next - c->goal) >= 1 && c->pan_count < BEAD_MOST_PANS) {
+    const double most = fmax(0, 0.5 * c->width - c->margin), by = next_pan(c, place, other, most), next = within(c, c->goal + by);
+    if (fabs(next - c->goal) >= 1 && c->pan_count < BEAD_MOST_PANS) {
+        c->meets = c->meets && (other - place) * c->speed > 0;
         c->pans[c->pan_count++] = (struct bead_pan){.by = next - c->goal};
         c->goal = next;
     }
@@ -140,6 +149,5 @@ void bead_step_camera_advance(struct bead_step_camera *c, double place, double o
     }
     c->pan_count = left;
     /* A wave that is in view for only a few frames is faster than pans. */
-    const double most = fmax(0, 0.5 * c->width - c->margin - spread);
     c->middle = within(c, fmin(place + most, fmax(place - most, c->middle)));
 }
