@@ -60,8 +60,8 @@ struct bead_budget {
     double springs;        /* that hold beads at their places */
     double dissipated;     /* lost to damping and to an absorbing end */
     double work;           /* of the drive, which is in the sum of the others */
-    /* Of every bead, J, its share of contacts and of gravity included (their sum is that of the parts but the lost one); of every
-     * contact, N, less the static force; of every bead, m/s. Borrowed. */
+    /* For every bead, J, with its share of contacts and of gravity included (their sum is that of the parts but the lost one); of
+     * every contact, N, less the static force; of every bead, m/s. Borrowed. */
     const double *energy, *force, *velocity;
 };
 

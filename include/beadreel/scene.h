@@ -109,7 +109,7 @@ struct bead_equation_spec {
 
 struct bead_system; /* system.h */
 
-/* What a bead does at time 0 that is not at rest. */
+/* The state at time 0 of a bead that is not at rest. */
 struct bead_start {
     size_t bead;
     double velocity, displacement; /* m/s, m */
@@ -310,7 +310,7 @@ enum bead_orientation {
     BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of pictures without axes only */
 };
 
-/* What lights up on the stage by its force: contacts, or whole beads. */
+/* Things that light up on the stage by their force: contacts, or whole beads. */
 enum bead_light { BEAD_LIGHT_CONTACTS, BEAD_LIGHT_BEADS, BEAD_LIGHT_NONE };
 
 /* Views of an image or a movie, from top to bottom. */
@@ -365,7 +365,7 @@ struct bead_listed {
     size_t count;
 };
 
-/* What was measured at one place: times that rise, s, and values, in the unit of the output's field. */
+/* A measured curve at one place: times that rise, s, and values, in the unit of the output's field. */
 struct bead_measured {
     struct bead_wave_point *points;
     size_t count;

@@ -93,7 +93,7 @@ BEAD_API size_t bead_sweep_panels(const struct bead_sweep *sweep);
 BEAD_API const struct bead_sweep_panel *bead_sweep_panel(const struct bead_sweep *sweep, size_t panel);
 /* Name of a place: "peak" or a sensor's. */
 BEAD_API const char *bead_sweep_place(const struct bead_sweep *sweep, size_t panel, size_t place);
-/* Of a sweep over keys: number of the value of key `key` that a configuration has. */
+/* In a sweep over keys: number of the value of key `key` that a configuration has. */
 BEAD_API size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key);
 /* One configuration, or BEAD_SWEEP_CLEAN; false: its results are not known (yet, or not in this part), peaks and profiles are NULL,
  * or there is no such configuration. Borrowed from the sweep. */

@@ -107,7 +107,7 @@ struct bead_view_setup {
 
 struct bead_view; /* each type's own */
 
-/* Where a thing is in the frame at present, px. */
+/* The place of a thing in the frame at present, px. */
 struct bead_spot {
     double x, y, r;         /* centre and radius; of what has none, those of a bead there */
     bool below;             /* it is not in view: its place in the row of all beads */
@@ -136,8 +136,8 @@ struct bead_view_type {
                             struct bead_changes *changes, struct bead_message *msg);
     /* Instead of draw, of a frame that nobody will see. NULL: what is drawn does not depend on frames before. */
     void (*pass)(struct bead_view *view, double time);
-    /* Where a thing is now that `draw` was called; false: the view does not show it. `number`: of the bead or contact. NULL: the
-     * view takes no notes. */
+    /* The place of a thing now that `draw` was called; false: the view does not show it. `number`: of the bead or contact. NULL:
+     * the view takes no notes. */
     bool (*find)(struct bead_view *view, enum bead_note_of of, size_t number, struct bead_spot *spot);
     /* Draws the contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
     enum bead_error (*vector)(struct bead_view *view, double time, cairo_t *cr, struct bead_message *msg);

@@ -37,6 +37,6 @@ void bead_look_darken(struct bead_look *look);
 
 /* Fonts that come with the program. */
 
-/* Where the assets have fonts/fonts.conf, fontconfig reads that instead of the system's configuration, unless FONTCONFIG_FILE names
+/* If the assets have fonts/fonts.conf, fontconfig reads that instead of the system's configuration, unless FONTCONFIG_FILE names
  * another. To be called before Pango first looks for a font; only the first call does anything. */
 void bead_fonts_use_own(void);

@@ -14,7 +14,7 @@ struct piece {
     int length;
 };
 
-/* What lies between `begin` and `end`, at the last `begin` of the file. */
+/* Finds the text between the file's last `begin` and the `end` after it. */
 static struct piece between(const char *pdf, size_t length, const char *begin, const char *end)
 {
     const char *found = NULL, *limit = pdf + length;

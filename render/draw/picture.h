@@ -50,7 +50,7 @@ BEAD_CHECK static inline enum bead_error bead_notes_take(struct bead_picture_not
                                        "bead_picture_notes", msg);
 }
 
-/* What a picture's file says of its scene. */
+/* The description of its scene in a picture's file. */
 
 /* The scene that a PNG file has (its text "Source"), to be freed by the caller; NULL: none. `version`: of the program that wrote
  * it,

@@ -111,7 +111,7 @@ struct page {
     const struct bead_picture_notes *notes;
 };
 
-/* What a screen reader finds on a page of PDF: a figure, whose text bead_pdf_write adds. It holds a dot that nobody sees, since
+/* A screen reader finds on a page of PDF a figure, whose text bead_pdf_write adds. It holds a dot that nobody sees, since
  * cairo 1.16 fails where images are within a tag; above all else, since what lies below the background is left out. */
 static void put_figure(cairo_t *cr)
 {

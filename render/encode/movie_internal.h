@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the house asks of movies, and programs need not. */
+/* Movies, for the project's own code only. */
 #pragma once
 
 #include "beadreel/movie.h"

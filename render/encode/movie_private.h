@@ -73,7 +73,7 @@ struct bead_codec {
 const struct bead_codec *bead_codec_find(const char *path, bool still);
 /* The table's row for these settings (quality, transparency, codec); NULL: there is none. */
 const struct bead_preset *bead_codec_preset(const struct bead_codec *codec, const struct bead_movie_settings *settings);
-/* The same, or what takes its place here: libav must be open. */
+/* The codec itself, or its substitute on this machine; libav must be open. */
 const struct bead_preset *bead_codec_encoder(const struct bead_codec *codec, const struct bead_movie_settings *settings);
 /* The number of frames for one picture in the file, so that it keeps to most_fps; usually 1. */
 size_t bead_codec_group(const struct bead_codec *codec, double fps);

@@ -47,7 +47,7 @@ static void add_row(struct contact_sheet *s, size_t panel, size_t first, size_t 
     s->image_count += shown;
 }
 
-/* How many values the last key of a sweep over keys has, which configurations that follow each other differ in; 0: of no such. */
+/* The number of values of a sweep's last key, in which successive configurations differ; 0: the sweep is not over keys. */
 static size_t last_values(const struct contact_sheet *s)
 {
     const struct bead_over *over = &bead_sweep_panel(s->sweep, 0)->spec->over;
@@ -144,7 +144,7 @@ static double find_label_width(const struct contact_sheet *s)
     return most > 0 ? most + s->look.gap : 0;
 }
 
-/* What the bar's ticks and title need beside it. */
+/* Room for the bar's ticks and title beside it. */
 static double find_bar_words(const struct contact_sheet *s, int width)
 {
     const struct bead_rect bar = {0, 0, width, s->page.height / 2};

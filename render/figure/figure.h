@@ -126,7 +126,7 @@ BEAD_CHECK enum bead_error bead_figure_views(struct bead_figure *figure, bool co
                                              struct bead_message *msg);
 /* Title of the colour bar: the field, and whether colours show the largest values of pixels instead of means. */
 void bead_figure_bar_title(const struct bead_figure *figure, char *title, size_t size);
-/* How much headings are shortened so that the longest fits; cr NULL: measures alike. */
+/* The factor that shortens headings so that the longest fits; cr NULL: measures alike. */
 int bead_figure_terseness(const struct bead_figure *figure, cairo_t *cr);
 /* Draws the heading of a cell, shortened to fit. Returns whether there is one; cr NULL: draws nothing. */
 bool bead_figure_heading(const struct bead_figure *figure, const struct bead_cell *cell, cairo_t *cr);

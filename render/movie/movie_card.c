@@ -83,7 +83,7 @@ static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][
     return count;
 }
 
-/* How much room each chain has: its heading, and below it its beads where that leaves them a size worth looking at; px. */
+/* The room of each chain: its heading, and below it its beads where that leaves them a size worth looking at; px. */
 struct card_room {
     int heading, beads;
 };

@@ -41,7 +41,7 @@ static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *l
 /* In units of the ticks' size: beside a lying bar, for its outer numbers; its least length. */
 static const double bar_pad = 1.2, least_bar = 4;
 
-/* Where a lying bar has room: beside clock and badge, else in a line of its own, until images give way. */
+/* The place of a horizontal bar: beside clock and badge, else in a line of its own, until images give way. */
 static void place_for_bar(const struct bead_movie_wants *w, const struct bead_level *level, double room, double beside,
                           struct frame *f)
 {

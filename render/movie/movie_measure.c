@@ -178,7 +178,7 @@ static void measure_beads(struct bead_composer *c)
     }
 }
 
-/* Of the frame's width: plots of such widths are measured. */
+/* Parts of the frame's width: plots of such widths are measured. */
 static const double parts[] = {0.9, 0.4, 0.2};
 
 /* px by which numbers reach beyond the right end of an axis along a chain. */

@@ -66,7 +66,7 @@ static void overlay_badge(struct bead_composer *c, double time, struct bead_chan
     overlay_end(c, rect, changes);
 }
 
-/* How much of the film has passed: a line at the lower edge. */
+/* The part of the film that has passed, as a line at the lower edge. */
 void bead_overlay_progress(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     const struct bead_film_clock *film = c->setup.film;

@@ -88,7 +88,7 @@ static enum bead_error preview_create(struct bead_film *film, struct bead_messag
     return BEAD_OK;
 }
 
-/* Of a chain: beads that it has, or contacts. */
+/* The number of a chain's beads, or of its contacts. */
 static size_t count_of(const struct bead_film *film, size_t chain)
 {
     const struct bead_chain *own = film->context.chains[chain];

@@ -11,7 +11,7 @@ static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.
                     least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5;
 /* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame. */
 static const double wide = 1.5, wide_inset = 0.03;
-/* Of the area of all plots: the curve has at least this; of a frame: images have at most this. */
+/* The curve has at least this part of the area of all plots; images have at most this part of a frame. */
 static const double curve_part = 0.28, most_images = 0.25;
 
 /* First the images become smaller, then the beads, then there is less air, then no bar, no images and no curve. */

@@ -5,7 +5,7 @@
 
 #include "render/movie/movie_layout.h"
 
-/* What a frame gives up, from plan to plan, until the rest fits. Shares are of the frame's area. */
+/* Things that a frame gives up, from plan to plan, until the rest fits. Shares are of the frame's area. */
 struct bead_stage_plan {
     double beads;  /* share of the beads with their headings */
     double images; /* least share of the images; 0: none */

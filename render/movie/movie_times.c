@@ -16,7 +16,7 @@ static const double draft_pictures = 30;
 /* Plans build no chains longer than this: 64 MB. Nobody follows a wave along them bead by bead. */
 static const size_t most_followed = 1000000;
 
-/* Where the scene gives no duration. A stage shows about 16 beads: a wave that passes no more than half as many in a second
+/* The duration, if the scene gives none. A stage shows about 16 beads: a wave that passes no more than half as many in a second
  * stays in sight for two. A little less than that: of dimers the passage is estimated too long, since it counts the heavier bead.
  * `pace` is empirical: at 7 the demo's waves pass 8.4 contacts in a second; chains of more unlike beads may still be faster. Of
  * stages without axes, and of those of four chains, where fewer and larger beads are in view, such a part. */

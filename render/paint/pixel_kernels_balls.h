@@ -15,8 +15,8 @@ static inline reals along(const float direction[3], reals nx, float ny, reals nz
     return (nz * direction[2] + ny * direction[1]) + nx * direction[0];
 }
 
-/* What a lamp that is not a point lights, as on the stage: it fades out beyond the edge of the shade, where a point would leave a
- * line. */
+/* The shade under a lamp that is not a point, as on the stage: it fades out beyond the edge of the shade, where a point would leave
+ * a line. */
 static inline reals facing(reals cosine)
 {
     const reals part = LARGER(cosine * 0.8f + 0.2f, all(0));

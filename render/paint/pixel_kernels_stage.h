@@ -30,8 +30,8 @@ static inline reals grid_x(const struct bead_stage *s, int i, float x0)
     return ((float)i * BEAD_STAGE_CELL - x0 + (reals){COUNT} * (float)BEAD_STAGE_CELL) / s->unit;
 }
 
-/* What a bead hides of the light from above, and of the lamp's; `depth` of the floor behind its foot, `dark`: how far the row is on
- * the floor. */
+/* The part that a bead hides of the light from above, and of the lamp's; `depth` of the floor behind its foot, `dark`: how far the
+ * row is on the floor. */
 static void shade_floor(const struct bead_stage *s, const struct bead_stage_bead *b, float depth, float dark, float *keep)
 {
     const float r = b->r / s->unit, z = depth - 0.65f * r;

@@ -121,7 +121,7 @@ static float tint_of(const float colour[3], int c)
 
 static const light lamp = {-0.406f, 0.767f, -0.496f, 0}, eye = {0, -BEAD_STAGE_SINE, BEAD_STAGE_COSINE, 0};
 
-/* What a polished bead shows of the room: a lamp above, a strip of light at the right, a rim at the left. */
+/* A polished bead mirrors the room: a lamp above, a strip of light at the right, a rim at the left. */
 static light surroundings(light d, const struct bead_stage_theme *theme)
 {
     const float up = 0.5f + 0.5f * d[1];

@@ -166,7 +166,7 @@ BEAD_CHECK enum bead_error graph_draw_image(cairo_t *cr, const struct bead_look 
                                             struct bead_message *msg);
 BEAD_CHECK enum bead_error graph_draw_bar(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell,
                                           struct bead_message *msg);
-/* How far right of the plot the bar of its image reaches, px. */
+/* The bar of an image reaches this far to the right of its plot, px. */
 double graph_image_reach(const struct bead_look *look, const struct graph_cell *cell);
 BEAD_CHECK enum bead_error graph_draw_all(cairo_t *cr, const struct graph_layout *layout, struct bead_message *msg);
 /* Sizes title and caption for a page. */

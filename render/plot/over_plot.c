@@ -12,7 +12,7 @@
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
-/* Of each curve: the band between the quartiles, the mean or median, and the line of its power law, with so many numbers for each
+/* For each curve: the band between the quartiles, the mean or median, and the line of its power law, with so many numbers for each
  * point. */
 enum { SERIES = 4, COLUMNS = 8 };
 
@@ -129,7 +129,7 @@ static void add_curve(struct over_panel *p, const struct bead_output *output, co
         add_law(p, curve, at);
 }
 
-/* What is above the axis of values. */
+/* The quantity on the axis of values. */
 struct shown {
     double *values; /* [configurations], of a measure; NULL: peak forces */
     const char *unit;

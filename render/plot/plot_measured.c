@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What was measured, beside the curves of sensors, and the differences in a panel below. */
+/* Measured data beside the curves of sensors, and the differences in a panel below. */
 #include <math.h>
 
 #include "render/plot/plot_private.h"

@@ -70,7 +70,7 @@ BEAD_CHECK enum bead_error plot_times_create(struct bead_plot_data *data, size_t
 struct plot_panel *plot_times_take(struct bead_plot_data *data, const struct bead_sample *sample);
 /* Adds the numbers of that sample. */
 void plot_times_add(const struct bead_plot_data *data, struct plot_panel *part, const double *numbers);
-/* How many measured curves are beside those of a panel: with an overlay, beside the first chain's. */
+/* The number of measured curves beside those of a panel: with an overlay, beside the first chain's. */
 size_t plot_measured_count(const struct bead_plot_data *data, const struct plot_panel *part);
 /* Fills the last series of panel `p`, and those of the panel below, with them and their differences from the computed ones. Errors:
  * MEMORY. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far energy has spread against time, on logarithmic axes, with the power laws that fit: of each chain of a run, a panel each,
+/* The spread of energy against time, on logarithmic axes, with the power laws that fit: of each chain of a run, a panel each,
  * or the means of a sweep, a panel for each curve. */
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where beads or contacts are along a plot. All are equally wide, unless beads of unlike radii are drawn above or below: then each
+/* Places of beads or contacts along a plot. All are equally wide, unless beads of unlike radii are drawn above or below: then each
  * is as wide there as on the plot, and every number stands under its bead. */
 #pragma once
 

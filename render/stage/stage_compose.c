@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the stage shows at one time: where its beads are, the light at their contacts, and the row of all beads. */
+/* Composes the stage at one time: the places of its beads, the light at their contacts, and the row of all beads. */
 #include <math.h>
 
 #include "render/stage/stage_view.h"
@@ -107,7 +107,7 @@ static void set_light(const struct bead_view *v, struct bead_stage_bead *b, size
     }
 }
 
-/* Where two neighbours touch, or would: a plane between them that leans towards the smaller. */
+/* The surface at which two neighbours touch, or would: a plane between them that leans towards the smaller. */
 static void join(const struct bead_view *v, struct bead_stage_bead *a, struct bead_stage_bead *b)
 {
     const double dx = fmax(1e-3, b->x - a->x), rise = b->r - a->r, distance = sqrt(dx * dx + rise * rise),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where things are on the stage at present, for notes that point at them. */
+/* Finds things on the stage at present, for notes that point at them. */
 #include <math.h>
 
 #include "render/stage/stage_view.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is written below the stage: sensors, numbers of beads, the wall; and rings around beads with a sensor in the row of all. */
+/* Texts below the stage: sensors, numbers of beads, the wall; and rings around beads with a sensor in the row of all. */
 #include <math.h>
 #include <stdio.h>
 
@@ -20,7 +20,7 @@ struct words {
     size_t count;
 };
 
-/* Where a bead's name belongs, px of the frame: below it in the row, or on the stage. */
+/* The place of a bead's name, px of the frame: below it in the row, or on the stage. */
 static double name_x(const struct bead_view *v, size_t i)
 {
     const double on_stage = v->place[i] * v->scale - v->left,

@@ -13,7 +13,7 @@ static const double light_above = 1.28, least_above = 1.15, least_below = 1.75, 
 static const double least_across = 14.5, best_across = 16;
 /* In bare pictures, where nothing but the stage tells what happens: a pulse of five and two on both sides. */
 static const double bare_across = 9;
-/* Of small stages side by side: their beads have half of the width. A pulse of five and three on both sides. */
+/* For small stages side by side, whose beads have half of the width: a pulse of five and three on both sides. */
 static const double small_across = 11;
 /* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
@@ -114,7 +114,7 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
         v->row = (struct bead_rect){v->strip.x, v->strip.y + v->strip.height, v->strip.width, 0};
     else
         set_row(v, (int)row);
-    /* What is left over goes first below; what is lacking, more of the image in the floor than of the beads. */
+    /* Spare height goes below first; missing height comes from the image in the floor rather than from the beads. */
     const double spare = v->strip.height - head - (least_above + least_below) * r;
     const double more = spare > 0 ? 0.5 * fmax(0, spare - (roomy_below - least_below) * r) : 0.2 * spare;
     const double centre = ceil(head + least_above * r + more);

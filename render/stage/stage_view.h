@@ -46,7 +46,7 @@ struct bead_view {
     struct bead_backdrop *backdrop;
     bool drawn;
 
-    /* Of looks without a background: themes with a black and a grey floor, and the picture on the grey one. */
+    /* For looks without a background: themes with a black and a grey floor, and the picture on the grey one. */
     struct bead_stage_theme floors[2];
     struct bead_frame on_grey;
 };
@@ -54,7 +54,7 @@ struct bead_view {
 /* Divides the plot. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
-/* What is below the stage, around the row. */
+/* The area below the stage, around the row. */
 void bead_stage_draw_names(const struct bead_view *v, cairo_t *cr);
 /* The key, into the headroom. */
 void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr);

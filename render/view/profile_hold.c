@@ -58,7 +58,7 @@ void bead_hold_feed(struct bead_hold *h, double time, const double *values)
     size_t last = (h->next + SAMPLES - 1) % SAMPLES;
     for (size_t i = 0; i < h->count; i++)
         h->most[i] = fmax(h->most[i], values[i]);
-    /* Where samples come faster than the ring can hold, those that do not last a part of it are replaced. */
+    /* If samples come faster than the ring can hold, those that do not last a part of it are replaced. */
     size_t before = (h->next + SAMPLES - 2) % SAMPLES;
     if (time - h->time[before] < h->lasting / (SAMPLES - 1)) {
         double *row = h->ring + last * h->count;

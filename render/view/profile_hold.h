@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a profile keeps of the past, over cells rather than beads: a pulse in a chain of cells swings as it goes from bead to bead,
+/* A profile's memory of the past, over cells rather than beads: a pulse in a chain of cells swings as it goes from bead to bead,
  * and is even from cell to cell.
  *
  *   bead_hold_create -> bead_hold_feed, times rising -> bead_hold_largest, bead_hold_passing -> bead_hold_destroy */

@@ -127,7 +127,7 @@ static void begin(const struct bead_tale *tale, const struct chain_tale *k, char
     }
 }
 
-/* What a struck chain does. */
+/* The story of a struck chain. */
 static void wave_words(const struct bead_tale *tale, const struct chain_tale *k, char *out, size_t size)
 {
     const struct bead_field_info *field = bead_chain_field(k->chain, tale->field);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What happens, in words, for those who do not see a picture: from the samples that it shows. "In Clean (M = 1) one pulse of 36 N,
- * 5 beads wide, crosses 128 beads in 2.4 ms and keeps its height." */
+/* The story of a run in words, for those who do not see a picture: from the samples that it shows. "In Clean (M = 1) one pulse of
+ * 36 N, 5 beads wide, crosses 128 beads in 2.4 ms and keeps its height." */
 #pragma once
 
 #include "beadreel/chain.h"

@@ -86,8 +86,8 @@ bool bead_file_stays_beneath(const char *directory, const char *path)
     return stays;
 }
 
-/* Of the file that claims an unfinished one where there are no locks, and of the one that keeps others from taking over the claim
- * of a run that was killed. */
+/* Names of the file that claims an unfinished one where there are no locks, and of the one that keeps others from taking over the
+ * claim of a run that was killed. */
 static const char claim_ending[] = ".lock", taking_ending[] = ".take";
 
 /* Length of the beginning of `name` that has at most `most` bytes and only whole characters of UTF-8. */
@@ -288,7 +288,7 @@ static int make_claim(const char *name, const struct owner *own)
     return error ? error : EIO;
 }
 
-/* Of two runs that find the claim of a killed one, one takes it over: who first makes the file `taking`. */
+/* If two runs find the claim of a killed one, the run that first makes the file `taking` takes it over. */
 static void take_over(const char *beside, const char *taking, const struct owner *own)
 {
     struct owner owner;

@@ -87,7 +87,7 @@ BEAD_INTERNAL int bead_file_look(const char *path);
  * IO, SCENE (too long), MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t most, char **bytes, size_t *length,
                                                         struct bead_message *msg);
-/* The same for what the user names: also a pipe, a terminal or, as `-`, standard input. Further errors: STOPPED (a signal came
- * while it was waited for). */
+/* As above for files that the user names: also a pipe, a terminal or, as `-`, standard input. Further errors: STOPPED (a signal
+ * came while it was waited for). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read_input(const char *path, size_t most, char **bytes, size_t *length,
                                                               struct bead_message *msg);

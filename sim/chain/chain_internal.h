@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the house asks of chains and laws, and programs need not. */
+/* Chains and laws, for the project's own code only. */
 #pragma once
 
 #include "beadreel/chain.h"

@@ -47,7 +47,7 @@ static double hertz_coefficient(const struct bead_law_spec *, const struct bead_
     return elastic * sqrt(radius);
 }
 
-/* The same as the program of the thesis's Appendix 4 has it, operation by operation; between spheres it takes
+/* As in the program of the thesis's Appendix 4, operation by operation; between spheres it takes
  * sqrt(R1 R2) / (R1 + R2) for the square root of R1 R2 / (R1 + R2). */
 static double printed_coefficient(const struct bead_law_spec *spec, const struct bead_material *a, const struct bead_material *b,
                                   bool wall)

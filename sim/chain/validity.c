@@ -25,7 +25,7 @@ static struct pair pair_of(const struct bead_chain *c, size_t left, size_t right
     return (struct pair){&m[left], rigid ? NULL : &m[flat ? c->spec->wall_material : right], flat, stiffness};
 }
 
-/* Of two positive numbers of which 0 and NaN mean that there is none. */
+/* The smaller of two positive numbers; 0 and NaN mean that there is none. */
 static double smaller(double a, double b)
 {
     return !(a > 0) ? (b > 0 ? b : 0) : b < a && b > 0 ? b : a;

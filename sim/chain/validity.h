@@ -10,7 +10,7 @@
 #include "beadreel/chain.h"
 #include "beadreel/sink.h"
 
-/* Where the model ends: parts of the radius and of the bar speed; p0 in units of the yield strength. */
+/* Limits of the model: parts of the radius and of the bar speed; p0 in units of the yield strength. */
 #define BEAD_DEEPEST 0.1
 #define BEAD_FASTEST 0.1
 #define BEAD_HARDEST (1.5 * 3)

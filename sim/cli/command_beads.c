@@ -17,7 +17,7 @@ struct span {
     double low, high;
 };
 
-/* What the beads of one material have. */
+/* Properties of the beads of one material. */
 struct kind {
     size_t count;
     struct span radius, mass, modulus;

@@ -46,7 +46,7 @@ struct crate {
     char began[32], ended[32];
 };
 
-/* Where in the crate a file is, as part of a URI (RFC 3986); NULL: it is not in it. To be freed. */
+/* The place of a file in the crate, as part of a URI (RFC 3986); NULL: it is not in it. To be freed. */
 static char *place(const struct crate *crate, const char *path)
 {
     const size_t length = strlen(crate->folder);

@@ -63,7 +63,7 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
                 spec->damping_coefficient, spec->damping_exponent, spec->damping_compression);
 }
 
-/* What the energy of the striker allows. */
+/* How far the model holds, at the most that the striker's energy allows. */
 static void print_validity(FILE *out, const struct bead_chain *chain)
 {
     const struct bead_validity most = bead_validity_bound(chain);

@@ -127,7 +127,7 @@ enum bead_error command_reproduce(const struct command *command, const volatile 
  * is a Process Run Crate (https://w3id.org/ro/wfrun/process/0.5). `began`: when the run did. Errors: IO, MEMORY. */
 enum bead_error command_crate(const struct command *command, const struct bead_session *session, time_t began,
                               struct bead_message *msg);
-/* What a file says about how it was made. */
+/* A file's account of how it was made. */
 struct command_origin {
     char *scene;      /* owned; NULL: nothing */
     char version[32]; /* of the program; "": not said */
@@ -165,7 +165,7 @@ bool command_catch_faults(void);
 void command_show(FILE *out, const char *text, const char *line);
 /* The message on stderr. */
 void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);
-/* The same for a warning, which may have several lines. */
+/* As above for a warning, which may have several lines. */
 void command_warn(const struct command_program *program, const char *warning);
 /* Is the result to be JSON on stdout? */
 bool command_is_json(const struct command *command);

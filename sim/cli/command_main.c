@@ -107,7 +107,7 @@ static void command_print_man(const struct command_program *program, FILE *out)
     }
 }
 
-/* What may stand behind an option for a key of the output: the choices of that key, or the names in --list colormaps and views. */
+/* Values that an option for a key of the output takes: the choices of that key, or the names in --list colormaps and views. */
 static void print_likely(const struct command_program *program, const struct command_option *row, FILE *out)
 {
     for (const char *const *choice = row->key ? row->key->choices : NULL; choice && *choice; choice++)

@@ -23,8 +23,8 @@ static unsigned long big_endian(const unsigned char *bytes, int count)
     return value;
 }
 
-/* How long a text at `text` is, by what stands before it: the atom `data` of MP4 files, the element TagString of Matroska's. 0: by
- * neither. */
+/* Returns the length of the text at `text`, from what precedes it: the atom `data` of MP4 files, the element TagString of
+ * Matroska's. 0: by neither. */
 static size_t told_length(const unsigned char *bytes, const unsigned char *text)
 {
     const ptrdiff_t before = text - bytes;

@@ -37,7 +37,7 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* What there is to tell of a file: which output of the scene it is, where -o gives it another name, and who made it. */
+/* Facts about a file: which output of the scene it is, where -o gives it another name, and who made it. */
 static void print_origin(const struct bead_result *result)
 {
     const char *name = result->name ? base_name(result->name) : "", *makers = result->makers ? result->makers : "";

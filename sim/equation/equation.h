@@ -69,7 +69,7 @@ double bead_step_extremum(double h, double e0, double r0, double e1, double r1, 
 size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room, const char *name, double value);
 
 bool bead_equation_field_signed(const struct bead_chain_spec *spec, enum bead_field field);
-/* What the rows of all equations have in common: coordinates and numbers without units, fields with names of their own. */
+/* Common to the rows of all equations: coordinates and numbers without units, fields with names of their own. */
 #define BEAD_EQUATION_WORDS                                                                  \
     .points = "points", .axis = "x", .axis_unit = "", .time_unit = "", .names_fields = true, \
     .field_signed = bead_equation_field_signed

@@ -64,7 +64,7 @@ static const char *fput_check(const struct bead_equation_spec *spec, const char 
     *key = "start";
     if (spec->start == BEAD_START_MODE && spec->mode > highest_mode(spec))
         return "asks for a mode that the string does not have: N moving masses have N modes, a ring N / 2";
-    /* Where dT/dr = 0 the force has its maximum; beyond it a spring tears or folds. */
+    /* The force has its maximum where dT/dr = 0; beyond it a spring tears or folds. */
     double r = spec->amplitude;
     if (spec->start == BEAD_START_PULSE && !(bead_string_slope(spec, bead_string_branch(spec, r), r) > 0))
         return "asks for strains at which a spring with this force has no positive stiffness";

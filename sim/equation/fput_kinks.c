@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a spring of a piecewise linear string passes from one stiffness to the other. The stiffness jumps there, so no method keeps
- * its order over such a point, and steps end at it. */
+/* Finds when a spring of a piecewise linear string passes from one stiffness to the other. The stiffness jumps there, so no method
+ * keeps its order over such a point, and steps end at it. */
 #include <float.h>
 #include <math.h>
 

@@ -24,7 +24,7 @@ double bead_string_branch(const struct bead_equation_spec *e, double r)
     return !(beyond > 0) ? 0 : r > beyond ? 1 : r < -beyond ? -1 : 0;
 }
 
-/* Of the linear springs that are added to one on its branch. */
+/* The stiffness that a branch adds to 1. */
 static double excess(const struct bead_equation_spec *e, double branch)
 {
     return branch != 0 ? e->piecewise.stiffness - 1 : 0;
@@ -45,7 +45,7 @@ double bead_string_slope(const struct bead_equation_spec *e, double branch, doub
     return 1 + r * (2 * e->alpha + 3 * e->beta * r) + excess(e, branch);
 }
 
-/* What a kink adds to the tension and to the energy of a spring. */
+/* Terms that a kink adds to the tension and to the energy of a spring. */
 static double tension_beyond(const struct bead_equation_spec *e, double branch, double r)
 {
     return excess(e, branch) * (r - branch * e->piecewise.beyond);

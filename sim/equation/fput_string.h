@@ -78,7 +78,7 @@ struct bead_string_kink {
 };
 /* The first in the last step; needs the jerks. */
 struct bead_string_kink bead_string_first_kink(const struct bead_string_stepper *stepper);
-/* How far the spring is from there, as a time: Newton's correction of the step. */
+/* The spring's distance from the kink, as a time: Newton's correction of the step. */
 double bead_string_from_kink(const struct bead_string_stepper *stepper, const struct bead_string_kink *kink);
 /* Puts the springs at the end of the last step on the branches of the next one. */
 void bead_string_settle(struct bead_string_stepper *stepper);

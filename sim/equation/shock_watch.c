@@ -81,7 +81,7 @@ static double steepening(const struct bead_equation_spec *spec, double right, do
     return c * c * fabs(spec->epsilon) / (4 * a * a * sqrt(a));
 }
 
-/* Where a family steepens fastest. */
+/* The place where a family steepens fastest. */
 struct steepest {
     size_t cell;
     double rate, z, error; /* error: of z */

@@ -29,5 +29,5 @@ void bead_jacobi_free(struct bead_jacobi *matrix);
  * the highest frequency's square: what is 0 within that is 0. In a cell of three or more, where its first beads alone, between
  * fixed neighbours, have the same frequency, to 1e-8 of itself. */
 BEAD_INTERNAL double bead_jacobi_frequency(const struct bead_jacobi *matrix, size_t index, double cosine);
-/* Of an open row: the vector [count] of that frequency, of length 1, in sqrt(m) u. `work`: [2 count]. */
+/* For an open row: the vector [count] of that frequency, of length 1, in sqrt(m) u. `work`: [2 count]. */
 void bead_jacobi_vector(const struct bead_jacobi *matrix, double frequency, double *vector, double *work);

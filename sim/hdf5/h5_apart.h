@@ -25,7 +25,7 @@ enum bead_h5_what {
     BEAD_H5_OPEN, /* before the first question */
 };
 
-/* What to call with what: the parameters of the function asked for. */
+/* The function to call, and its parameters. */
 struct bead_h5_question {
     enum bead_h5_what what;
     hid_t object;
@@ -40,7 +40,7 @@ struct bead_h5_answer {
     size_t rows;
 };
 
-/* Where what is read goes: `count` things of `size` bytes, `stride` bytes apart. */
+/* The destination of a read: `count` things of `size` bytes, `stride` bytes apart. */
 struct bead_h5_place {
     void *first;
     size_t size, stride, count;

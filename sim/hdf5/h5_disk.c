@@ -119,7 +119,7 @@ static void failed(struct disk *disk, int error)
         disk->caller->error = error;
 }
 
-/* What was written reaches the disk before what comes, through the descriptor that wrote it, which hears of failures. Some file
+/* Earlier writes reach the disk before later ones, through the descriptor that wrote them, which hears of failures. Some file
  * systems cannot. */
 static void synchronise(struct disk *disk)
 {

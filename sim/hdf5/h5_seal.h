@@ -29,7 +29,7 @@ int bead_seal_write(struct bead_seal *seal, int file, uint64_t covered);
 enum bead_seal_state { BEAD_SEAL_NONE, BEAD_SEAL_THERE, BEAD_SEAL_DAMAGED, BEAD_SEAL_NO_MEMORY };
 /* Find the seal of an open file. */
 enum bead_seal_state bead_seal_read(struct bead_seal *seal, int file);
-/* Where block `index` ends. */
+/* Returns the end of block `index`. */
 uint64_t bead_seal_end(const struct bead_seal *seal, size_t index);
 /* Are these the bytes of block `index`? */
 bool bead_seal_fits(const struct bead_seal *seal, size_t index, const void *bytes);

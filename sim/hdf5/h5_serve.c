@@ -10,7 +10,7 @@
 
 #include "sim/base/file.h"
 
-/* What the process apart does: numbers are put 8 bytes apart, texts as they are. */
+/* The process apart does the reading: numbers are put 8 bytes apart, texts as they are. */
 static struct bead_h5_answer answer(struct bead_h5 *h5, const char *name, struct bead_h5_question q, void *bytes)
 {
     struct bead_h5_answer a = {0};

@@ -50,7 +50,7 @@ const struct bead_sink_type *bead_output_own_of(const struct bead_own *own, cons
 const char *bead_output_endings(enum bead_output_kind kind);
 /* Can outputs of a kind be made from it? */
 bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind source);
-/* Of stills that are pixels. */
+/* For stills made of pixels. */
 #define BEAD_PIXEL_ENDINGS ".png, .jpg, .jpeg, .tif, .tiff, .webp or .avif"
 /* Does an ending alone mean this kind? */
 bool bead_output_ending_means(enum bead_output_kind kind, enum bead_source_kind source);

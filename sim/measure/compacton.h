@@ -22,7 +22,7 @@ struct bead_compacton {
 BEAD_INTERNAL bool bead_compacton_is_of(const struct bead_chain *chain);
 /* Or one of dimers. */
 BEAD_INTERNAL bool bead_compacton_of_dimers(const struct bead_chain *chain);
-/* Of both: contacts that the wave covers; its speed, beads/s, by its largest force, N. */
+/* For both: contacts that the wave covers; its speed, beads/s, by its largest force, N. */
 BEAD_INTERNAL double bead_compacton_width(const struct bead_chain *chain);
 BEAD_INTERNAL double bead_compacton_speed(const struct bead_chain *chain, double force);
 /* That of the highest pulse in the forces of the contacts 0 to count - 1. False: there is none. */

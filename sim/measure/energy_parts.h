@@ -10,16 +10,16 @@
 #include "beadreel/sink.h"
 #include "sim/base/internal.h"
 
-/* Where the front of a chain was at the last sample; zeros before the first. */
+/* The position of a chain's front at the last sample; zeros before the first. */
 struct bead_energy_front {
     size_t from; /* its last bead; SIZE_MAX: it has turned back */
     double peak; /* N, its largest force */
 };
 
-/* How many an output shows. */
+/* The number of parts that an output shows. */
 BEAD_INTERNAL size_t bead_energy_parts_count(const struct bead_output *output);
-/* How many of them are stacked: those until dissipated. Behind them come the work of the drive, and what was put in besides: the
- * sum of the stack less that work. Then energies past the beads that the output lists. */
+/* The number of parts that are stacked: those until dissipated. Behind them come the work of the drive, and what was put in
+ * besides: the sum of the stack less that work. Then energies past the beads that the output lists. */
 BEAD_INTERNAL size_t bead_energy_parts_stacked(const struct bead_output *output);
 /* Name of part `i`, "kinetic"; "past bead 20". */
 BEAD_INTERNAL void bead_energy_part_name(const struct bead_output *output, size_t i, char name[40]);

@@ -274,7 +274,7 @@ static double striker_velocity(const struct reading *r, int)
     return isnan(r->m->strike.opened) ? NAN : r->m->strike.velocity;
 }
 
-/* Of two free beads. */
+/* For two free beads. */
 static double restitution(const struct reading *r, int)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(r->m->chain);

@@ -128,7 +128,7 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
 {
     size_t most = BEAD_PLACE_PERIOD;
     *clean = NAN;
-    /* Where more than the striker moves at first, no front is watched. */
+    /* No front is watched if more than the striker moves at first. */
     if (chain->spec->segment_count == 0 || chain->spec->start_count > 0 || bead_is_driven(chain->spec) ||
         !(bead_chain_energy(chain) > 0))
         return BEAD_OK;

@@ -12,7 +12,8 @@ struct bead_place_shown {
     enum bead_field field;
 };
 
-/* How many a chain has for this output, and number `k` of them: beads first. Those that the chain does not have are left out. */
+/* The number of places that a chain has for this output, and place `k`: beads first. Those that the chain does not have are left
+ * out. */
 BEAD_INTERNAL size_t bead_places_count(const struct bead_output *output, const struct bead_chain *chain);
 BEAD_INTERNAL struct bead_place_shown bead_place_shown(const struct bead_output *output, const struct bead_chain *chain, size_t k);
 /* Widen what is needed of samples to one place. */

@@ -17,7 +17,7 @@ static const double pi = 3.14159265358979323846;
 static const double fine = 2.5;
 /* Parts of a run that a spectrogram has, and steps from segment to segment in units of their length. */
 enum { PARTS = 20, STEPS = 8, MOST_VALUES = 1 << 26, FEWEST = 16 };
-/* Where the drive has less of its largest amplitude, there is no transfer. */
+/* There is no transfer where the drive has a smaller part of its largest amplitude. */
 static const double driven = 1e-3;
 
 struct curves {
@@ -193,7 +193,7 @@ enum bead_error bead_spectra_feed(struct bead_spectra *s, const struct bead_samp
 
 /* ---- transforms ---- */
 
-/* Of segments of a curve; of the beads of a cell, in space. */
+/* Windows for the segments of a curve, and for the beads of a cell in space. */
 struct transform {
     struct bead_fourier *fourier;
     size_t points, bins;
@@ -247,7 +247,7 @@ static double twice(const struct transform *t, size_t bin)
     return bin == 0 || 2 * bin == t->points ? 1 : 2;
 }
 
-/* What is transformed of one chain. */
+/* The data of one chain to be transformed. */
 struct work {
     const struct bead_spectra *s;
     const struct curves *curves;

@@ -15,7 +15,7 @@
 
 struct bead_spectra;
 
-/* Of one chain. */
+/* For one chain. */
 struct bead_spectral {
     size_t columns, rows;  /* columns: places, segments or wave numbers; rows: frequencies, the first of them 0 */
     double step;           /* from row to row, Hz */

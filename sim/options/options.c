@@ -377,7 +377,7 @@ static enum bead_error read_initial(struct bead_reader *reader, const struct bea
     return read_value(reader, &at, option, settings);
 }
 
-/* What others call a key that the table has under our name. */
+/* Other programs' names for keys of ours. */
 static const struct called {
     const char *theirs, *ours, *but;
 } called[] = {{"diameter", "radius", ", half of it"},

@@ -179,7 +179,7 @@ BEAD_CHECK enum bead_error bead_read_scalar(const struct bead_reader *reader, co
                                             const char **text);
 BEAD_CHECK enum bead_error bead_read_number(const struct bead_reader *reader, const struct bead_at *at,
                                             const struct bead_option *option, double *value);
-/* The same for a row of counts. */
+/* As above, for a row of counts. */
 BEAD_CHECK enum bead_error bead_read_count(const struct bead_reader *reader, const struct bead_at *at,
                                            const struct bead_option *option, size_t *value);
 /* A list of two numbers, or the option's word for both; `wanted` says so in messages. */

@@ -9,8 +9,8 @@
 #include "sim/measure/measure.h"
 #include "sim/measure/profile_times.h"
 
-/* What a check run can tell, if `uncertainty` is asked for: nothing, numbers from samples, or also from outcomes. Samples on the
- * other grid of an equation are none of the run's. */
+/* Columns of `uncertainty` that a check run can give, if asked for: nothing, numbers from samples, or also from outcomes. Samples
+ * on the other grid of an equation are none of the run's. */
 enum table_check { TABLE_UNCHECKED, TABLE_CHECKED_SAMPLES, TABLE_CHECKED };
 
 struct column {

@@ -44,7 +44,7 @@ double bead_dissipation(const struct bead_stepper *s)
     return sum * s->h;
 }
 
-/* Of a bead over the step, from its state at both ends. */
+/* Work on a bead over the step, from its state at both ends. */
 static struct bead_polynomial displacement(const struct bead_stepper *s, size_t j)
 {
     const double at0[4] = {s->start.u[j], s->h * s->start.v[j], s->h * s->h * s->start.a[j]};

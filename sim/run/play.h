@@ -121,7 +121,7 @@ struct bead_way {
 BEAD_CHECK enum bead_error bead_play_run(const struct bead_runner *runner, const struct bead_way *way, struct bead_message *msg);
 
 /* ---- for the files of play ---- */
-/* How far one of the runs goes until `time`. */
+/* Advances one of the runs to `time`. */
 struct bead_way bead_play_way(const struct bead_play *play, double time);
 /* STOPPED, with the time in the message, s, if a stop is asked for. */
 BEAD_CHECK enum bead_error bead_play_look_for_stop(const volatile sig_atomic_t *stop, double time, struct bead_message *msg);

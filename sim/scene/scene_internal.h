@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the house does with scenes, and programs need not: changes, help, the user's own settings. */
+/* Scenes, for the project's own code only: changes, help, the user's own settings. */
 #pragma once
 
 #include <stdio.h>

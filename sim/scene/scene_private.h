@@ -105,7 +105,7 @@ struct bead_variation {
 };
 extern const struct bead_variation bead_variation_none;
 
-/* What elements of lists are called by in paths: their `name` or `sensor`, outputs by their file. */
+/* Paths name the elements of lists by their `name` or `sensor`, and outputs by their file. */
 enum { BEAD_NAMINGS = BEAD_OUTPUT_KINDS + 3 };
 void bead_scene_naming(const char *naming[BEAD_NAMINGS]);
 /* The SI unit of a number with one; "" where it has none, or is no number. */

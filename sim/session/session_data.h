@@ -162,7 +162,7 @@ void bead_session_doubt(struct bead_session *session);
 /* Warn where it failed, in these outcomes. */
 void bead_session_judge(struct bead_session *session, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
                         size_t count);
-/* The same for a sweep, by the first chain of each panel. Errors: those of runs. */
+/* As above for a sweep, by the first chain of each panel. Errors: those of runs. */
 BEAD_CHECK enum bead_error bead_session_judge_sweep(struct bead_session *session, struct bead_message *msg);
 
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */

@@ -78,7 +78,7 @@ static bool counts(const struct fit *f, const struct bead_wave_point *point)
     return point->time >= f->from && point->time <= f->to;
 }
 
-/* What a scene computes less what was measured. Which points count is decided by the first scene: those of this one may begin at
+/* Residuals: computed less measured. Which points count is decided by the first scene: those of this one may begin at
  * another time. */
 static enum bead_error compare(const struct fit *f, const struct bead_scene *scene, double *r, struct bead_message *msg)
 {

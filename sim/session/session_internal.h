@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the command line asks of sessions, and programs need not. */
+/* Sessions, for the command line only. */
 #pragma once
 
 #include "beadreel/session.h"

@@ -267,7 +267,7 @@ size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t ind
     return index % over->keys[key].count;
 }
 
-/* What makes the scene of a configuration of the plain one. */
+/* The overrides that turn the plain scene into that of a configuration. */
 static void lay_values(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_override *all)
 {
     const struct bead_over *over = &sweep->panels[panel].shown.spec->over;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the house asks of sweeps, and programs need not: single chains, journals, parts. */
+/* Sweeps, for the project's own code only: single chains, journals, parts. */
 #pragma once
 
 #include "beadreel/sweep.h"

@@ -298,7 +298,7 @@ static const struct kind *kind_of(const struct bead_output *output)
     return find_kind(kinds, sizeof kinds / sizeof *kinds, output->sweep_curves.show);
 }
 
-/* Of sweeps over keys. */
+/* Tables of sweeps over keys. */
 static const struct kind over_kinds[] = {
     {BEAD_SWEEP_MAGNETISM, "peak forces against a key, averaged over seeds", true, write_statistics},
     {BEAD_SWEEP_CONFIGURATIONS, "peak force and values of the keys of every chain", true, write_every_point},
