@@ -195,7 +195,7 @@ class Tree:
 
     def tests_that_run(self, fault, reached):
         """Those that run the line, or where gcov knows none, as in tables and behind the first line of a statement, the next one
-        above within the statement; else all that run any of the file."""
+        above within the statement; else all that run any of the file, or of a file of tables alone, of its room."""
         with open(f"{self.folder}/{fault.file}", encoding="utf-8") as file:
             lines = file.read().split("\n")
         known = {number for _, files in reached.values() for number in files.get(fault.file, ())}
@@ -204,7 +204,9 @@ class Tree:
             at -= 1
         if at in known:
             return [t for t in reached if at in reached[t][1].get(fault.file, ())]
-        return [t for t in reached if reached[t][1].get(fault.file)]
+        room = os.path.dirname(fault.file)
+        return ([t for t in reached if reached[t][1].get(fault.file)]
+                or [t for t in reached if any(os.path.dirname(file) == room for file in reached[t][1])])
 
     def meet(self, fault, reached):
         spent = 0
