@@ -44,7 +44,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py python3-hypothesis man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = ccache clang libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium \
+CI_DEPS    = ccache clang lld libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium \
              patchelf python3-pip python3-venv
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
@@ -259,6 +259,8 @@ gallery: $(BUILD)/beadreel ## the README's pictures, from ready scenes, into ass
 findings: $(BUILD)/beadsim ## claims of the thesis beside what comes out, from runs of minutes: assets/findings.md
 	@assets/findings/make.py --renew $< >$(BUILD)/findings.md && mv $(BUILD)/findings.md assets/findings.md
 
+# Each test program has the libraries in it: a linker that is several times as fast, where there is one (the plugin of -flto is GNU's).
+fast_linker = $(if $(findstring -flto,$(CFLAGS)),,$(call once,fast_linker_found,$(firstword $(foreach l,lld gold,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l))))))
 # Tests fill structures that own their strings with literals.
 compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_cflags)
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
@@ -278,7 +280,7 @@ $(patsubst $(1)/%.c,$(BUILD)/tests/%.o,$(wildcard $(1)/test_*.c)): $(BUILD)/test
 endef
 $(foreach room,$(TEST_ROOMS),$(eval $(call test_room,$(room))))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(TEST_SUPPORT) $(STATIC)
-	$(call say,TEST,$@) $(run) $(compile_test) -MF $@.link.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) \
+	$(call say,TEST,$@) $(run) $(compile_test) $(fast_linker) -MF $@.link.d -MT $@ -o $@ $< $(with_$(@F)) $(TEST_SUPPORT) $(STATIC) $(render_libs) \
 	    $(sim_libs) $(hdf5_libs) $(movie_libs) $(test_libs)
 # As a user's program: public headers and shared libraries only.
 example_film = -lbeadreel $(shell pkg-config --cflags --libs cairo)
@@ -292,14 +294,14 @@ peer_precision_sundials = $(if $(wildcard /usr/include/arkode/arkode_erkstep.h),
                           -lsundials_nvecserial -lsundials_sunnonlinsolfixedpoint)
 $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,TEST,$<) $(run) $(compile_test) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(peer_$(@F))
+	$(call say,TEST,$<) $(run) $(compile_test) $(fast_linker) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(peer_$(@F))
 
 test: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## unit tests and tests of the programs; ends with `N passed, M failed`
 	@tests/run.sh $(BUILD)
 
 check: test ## the same
 
-compile: all $(TESTS) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everything, tests and benchmarks too, without running it
+compile: all $(TESTS:=.o) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everything, tests and benchmarks too, without running it or linking the tests
 
 fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
 	@tests/fresh.sh $(SUITE)
@@ -382,7 +384,7 @@ asan-short: ## the tests of minutes under sanitizers: all but those that tests/l
 # Each target for FUZZ_SECONDS, or FUZZ_RUNS where that is shorter.
 $(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(COMMAND_OBJECTS) $(STATIC)
 	@mkdir -p $(@D)
-	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(COMMAND_OBJECTS) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs)
+	$(call say,FUZZ,$<) $(run) $(filter-out -MMD -MP,$(compile_test)) $(fast_linker) -fsanitize=fuzzer -o $@ $< $(FUZZ_SUPPORT) $(COMMAND_OBJECTS) $(STATIC) $(render_libs) $(sim_libs) $(hdf5_libs)
 fuzzers: $(BUILD)/beadsim $(FUZZERS)
 fuzz: ## random scenes, settings, command lines and files, FUZZ_SECONDS each; ends with `N passed, M failed`
 	@$(MAKE) $(sanitized_build) fuzzers
