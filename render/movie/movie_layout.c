@@ -12,8 +12,8 @@
 
 /* Frames less wide than this, in heights, have the bar beside the clock. */
 static const double wide_frame = 1.5;
-/* Margin around a stage, in units of the usual one. */
-static const double stage_margin = 2;
+/* Margin around a stage and films that have room for it, in units of the usual one. */
+static const double wide_margin = 2;
 /* The best width of a cell, in heights; the costs of a level, of an empty cell, and of axes without names. */
 static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1, never = 100;
 enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
@@ -51,19 +51,28 @@ static void place_for_bar(const struct bead_movie_wants *w, const struct bead_le
     f->bar_below = f->lying && !f->bar_beside && level->images && most >= least;
 }
 
+/* Images of several chains need all the room that there is. */
+static bool roomy(const struct bead_movie_wants *w, const struct bead_level *level, bool stage)
+{
+    bool images = false;
+    for (size_t v = 0; v < w->view_count; v++)
+        images = images || bead_view_has(w->views[v], BEAD_SHOWS_IMAGE);
+    return stage || (level->roomy && (w->chain_count == 1 || !images));
+}
+
 /* Clock and badge, the title beside them or below, lines of facts; the bar beside the cells, or lying beside the clock or below
  * them. The clock is above the first panel. */
 static void measure_words(const struct bead_movie_wants *w, const struct bead_level *level, bool bar, bool stage, struct frame *f)
 {
     const struct bead_look *look = w->look;
     int line = bead_cells_whole(1.35 * look->label), clock = bead_cells_whole(1.45 * look->title);
-    f->margin = bead_cells_whole(stage ? stage_margin * look->gap : look->gap);
+    f->margin = bead_cells_whole(roomy(w, level, stage) ? wide_margin * look->gap : look->gap);
     f->inset = stage ? bead_stage_inset(w) : 0;
     f->bar_width = bead_cells_whole(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE));
     f->bar_gap = bead_cells_whole(0.8 * look->tick);
     if (bar && !f->lying)
         f->right = f->bar_gap + bead_cells_whole(fmax(f->bar_width + w->bar, w->bar_title));
-    double room = w->width - 2.0 * (f->margin + f->inset) - f->right - (stage ? 0 : w->left),
+    double room = w->width - 2.0 * (f->margin + f->inset) - f->right - (stage ? 0 : w->left + fmax(w->along_end, w->time_end)),
            beside = room - w->time_width - 2 * look->gap;
     const double bar_beside = f->lying ? w->bar_title + 8 * look->tick : 0;
     bool title = w->title_width > 0 && level->titles;
@@ -132,10 +141,10 @@ static void complete(struct bead_cells *c, const struct frame *f)
     c->area = row_of(f, CELLS, f->margin, w->width - f->margin - f->right);
 }
 
-static void place_words(const struct bead_movie_wants *w, const struct frame *f, int left, struct bead_movie_layout *layout)
+static void place_words(const struct bead_movie_wants *w, const struct frame *f, int left, int right,
+                        struct bead_movie_layout *layout)
 {
-    int right = w->width - f->margin - f->inset - f->right, gap = bead_cells_whole(w->look->gap),
-        height = bead_cells_whole(1.45 * w->look->title);
+    int gap = bead_cells_whole(w->look->gap), height = bead_cells_whole(1.45 * w->look->title);
     int time = bead_cells_whole(w->time_width) < right - left ? bead_cells_whole(w->time_width) : right - left, x = left + time;
     if (f->row[CLOCK].size == 0 || right <= left)
         return;
@@ -230,7 +239,9 @@ static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
     to->overlay = bead_cells_overlay(c);
     to->beyond[0] = c->beyond[0];
     to->beyond[1] = c->beyond[1];
-    place_words(w, &f, to->chains[0].plot[0].x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? to->beyond[0] : 0), to);
+    const struct bead_lane *last = &c->grid->columns.lane[c->grid->columns.count - 1];
+    place_words(w, &f, to->chains[0].plot[0].x - (bead_movie_across(w, 0) == BEAD_ACROSS_CHAIN ? to->beyond[0] : 0),
+                (int)(last->at + last->size) + to->beyond[1], to);
     if (f.bar_beside || f.bar_below)
         place_lying_bar(w, &f, to);
     else if (has_bar(w, c->level) && !f.lying)
@@ -299,7 +310,7 @@ static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to
             continue;
         to->layout = BEAD_LAYOUT_STAGE;
         to->axes = to->titles = w->axes;
-        place_words(w, &f, area.x + f.inset, to);
+        place_words(w, &f, area.x + f.inset, area.x + area.width - f.inset, to);
         if (f.row[CAPTION].size > 0)
             to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
         return true;

@@ -321,6 +321,54 @@ static void test_bars_on_phones(void **state)
     assert_true(was_below && !begins_below);
 }
 
+/* Where no image takes the room of a phone, curves and bars do: nothing is left empty below them. */
+static void test_curves_fill_phones(void **state)
+{
+    (void)state;
+    static const enum bead_view_kind kinds[3] = {BEAD_VIEW_BEADS, BEAD_VIEW_PROFILE, BEAD_VIEW_MODES};
+    static const int phones[][2] = {{1080, 1920}, {390, 844}};
+    for (size_t s = 0; s < 2; s++) {
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, phones[s][0], phones[s][1], true, false);
+        struct bead_movie_wants w = wants_of(&look, phones[s][0], phones[s][1]);
+        w.chain_count = 1;
+        for (int i = 0; i < 3; i++)
+            w.views[w.view_count++] = bead_view_find(kinds[i]);
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        const struct bead_rect curve = found.chains[0].plot[1], bars = found.chains[0].plot[2];
+        const double left = w.height - w.below_beads - bars.y - bars.height;
+        if (left > 3 * look.gap || curve.height <= 0.5 * curve.width || curve.height <= bars.height)
+            fail_msg("%d x %d: %g px are empty below a curve of %d and bars of %d", w.width, w.height, left, curve.height,
+                     bars.height);
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+    }
+}
+
+/* The title ends where the panels end, and both have air to the frame's edge. */
+static void test_titles_end_with_panels(void **state)
+{
+    (void)state;
+    for (size_t chains = 1; chains <= 2; chains++) {
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, 1920, 1080, true, false);
+        struct bead_movie_wants w = wants_of(&look, 1920, 1080);
+        w.chain_count = chains;
+        w.same_beads = w.colourless = true;
+        w.along_end = 1.3 * look.tick;
+        w.views[w.view_count++] = bead_view_find(BEAD_VIEW_PROFILE);
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        const struct bead_rect panel = found.chains[chains - 1].plot[0];
+        assert_int_equal(found.title.x + found.title.width, panel.x + panel.width + found.beyond[1]);
+        assert_true(found.title.width >= w.title_width);
+        assert_true(w.width - found.title.x - found.title.width >= 2 * look.gap);
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+    }
+}
+
 static void test_too_small(void **state)
 {
     (void)state;
@@ -363,6 +411,8 @@ int main(void)
         cmocka_unit_test(test_full_size_keeps_everything),
         cmocka_unit_test(test_bars_are_for_colours),
         cmocka_unit_test(test_bars_on_phones),
+        cmocka_unit_test(test_curves_fill_phones),
+        cmocka_unit_test(test_titles_end_with_panels),
         cmocka_unit_test(test_too_small),
         cmocka_unit_test(test_levels_leave_out_more_and_more),
     };
