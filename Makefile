@@ -47,7 +47,7 @@ WISHED_DEPS = libosmesa6
 CI_DEPS    = ccache clang lld libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium \
              patchelf python3-pip python3-venv
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
-READER_DEPS = octave python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
+READER_DEPS = octave gnuplot-nox python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
               python3-jsonschema python3-yaml \
               nodejs $(if $(shell command -v npm),,npm)
 # The daemons of a cluster, for one test.

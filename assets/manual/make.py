@@ -10,7 +10,8 @@ In a chapter, ``` {.LANGUAGE file=NAME} is the text of a file, and ```sh are com
 
     <!-- test: ARGUMENTS -->            the tests give each beadreel and beadsim of the next block these arguments as well: smaller pictures
     <!-- elsewhere: SCRIPT: TEXT -->    the next block is not run here, but in SCRIPT, which has TEXT
-    <!-- needs: COMMAND -->            the tests leave the next block out where this command fails: a program is not there
+    <!-- needs: COMMAND -->            the tests leave the next block out where this command fails, and say so: a program is not
+                                       there
     <!-- fails: STATUS -->              the next block ends with this status, and prints the block behind it
     <!-- makes: FILE... -->             these are there now
     <!-- picture: FILE | WORDS | COMMAND --> the picture that COMMAND makes; without a command, FILE of assets
@@ -60,7 +61,7 @@ def fails(status, commands, message):
 def script(chapter):
     lines = ['set -euo pipefail', 'extra=()', 'beadreel() { command beadreel "$@" "${extra[@]}"; }',
              'beadsim() { command beadsim "$@" "${extra[@]}"; }']
-    extra, skip, failing, needs = '', False, None, None
+    extra, skip, failing, needs, needed = '', False, None, None, None  # needed: by the block before
     for kind, first, *rest in blocks(read(chapter)):
         if kind == 'test':
             extra = first
@@ -73,7 +74,8 @@ def script(chapter):
         elif kind == 'fails':
             failing = [first, None]
         elif kind == 'makes':
-            lines.append(f'for f in {first}; do [ -s "$f" ] || {{ echo "no $f"; exit 1; }}; done')
+            made = f'for f in {first}; do [ -s "$f" ] || {{ echo "no $f"; exit 1; }}; done'
+            lines.append(f'if {needed} >/dev/null 2>&1; then {made}; fi' if needed else made)
         elif kind == 'file':
             lines.append(f"cat >{first} <<'END OF FILE'\n{rest[0]}END OF FILE")
         elif kind == 'block' and failing and failing[1] is not None:
@@ -83,8 +85,9 @@ def script(chapter):
             if failing:
                 failing[1] = rest[0]
             elif not skip:
-                lines += [f'extra=({extra})', f'if {needs} >/dev/null 2>&1; then\n{rest[0].rstrip()}\nfi' if needs else rest[0].rstrip()]
-            extra, skip, needs = '', False, None
+                absent = f'else\necho {shlex.quote(needs or "")} >>missing\nfi'
+                lines += [f'extra=({extra})', f'if {needs} >/dev/null 2>&1; then\n{rest[0].rstrip()}\n{absent}' if needs else rest[0].rstrip()]
+            extra, skip, needs, needed = '', False, None, needs
     return '\n'.join(lines) + '\n'
 
 

@@ -18,6 +18,9 @@ for chapter in "$manual"/*.md; do
     else
         ok "the commands of $(basename "$chapter") work" works "$chapter"
     fi
+    while read -r missing; do
+        skip "what the manual needs: $missing" "a command of $(basename "$chapter")"
+    done < <(cat "$T/$(basename "$chapter" .md)/missing" 2>/dev/null)
 done
 
 short() { # FILE... : scenes of the chapters, none longer than fifteen lines
