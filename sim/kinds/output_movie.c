@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kind of output `movie`: its table of keys, readers and checks. */
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,8 +8,6 @@
 #include "sim/base/text.h"
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
-
-enum { MOST_BEADS = 200000000 }; /* more than there may be */
 
 static const char *const qualities[] = {"draft", "standard", "high", "lossless", NULL};
 static const char *const codecs[] = {"auto", "av1", NULL};
@@ -44,17 +41,16 @@ static BEAD_OPTION_READER(read_sound)
     struct bead_sound_asked *sound = &((struct bead_output *)settings)->movie.sound;
     static const char contact[] = "contact ", sensor[] = "sensor ";
     const char *text = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "";
-    char *end = NULL;
     if (strcmp(text, "off") == 0 || strcmp(text, "wall") == 0) {
         sound->of = strcmp(text, "wall") == 0 ? BEAD_SOUND_WALL : BEAD_SOUND_OFF;
         return BEAD_OK;
     }
-    if (strncmp(text, contact, strlen(contact)) == 0 && isdigit((unsigned char)text[strlen(contact)])) {
-        unsigned long long number = strtoull(text + strlen(contact), &end, 10);
+    if (strncmp(text, contact, strlen(contact)) == 0 && text[strlen(contact)]) {
+        struct bead_node number = *at->node;
+        const struct bead_at place = {at->up, at->key, at->index, &number};
+        number.text += strlen(contact);
         sound->of = BEAD_SOUND_CONTACT;
-        sound->contact = number < MOST_BEADS ? (size_t)number : MOST_BEADS;
-        if (!*end)
-            return BEAD_OK;
+        return bead_output_read_place(reader, &place, true, &sound->contact);
     }
     if (strncmp(text, sensor, strlen(sensor)) == 0 && text[strlen(sensor)]) {
         sound->of = BEAD_SOUND_SENSOR;
@@ -159,8 +155,8 @@ static const struct bead_option movie_rows[] = {
     {"card", BEAD_OPTION_CUSTOM, .initial = "false", .shape = "true, false, a time such as 3 s, or a map",
      .like = "flag|number|outputs.card", .read = bead_output_read_card,
      .help = "title card before the motion; true: for 3 s. See outputs.card", .example = "true"},
-    {"sound", BEAD_OPTION_CUSTOM, .initial = "off", .shape = "off, wall, contact NUMBER or sensor NAME", .like = "text",
-     .read = read_sound,
+    {"sound", BEAD_OPTION_CUSTOM, .initial = "off", .shape = "off, wall, contact NUMBER, contact last or sensor NAME",
+     .like = "text", .read = read_sound,
      .help = "what is heard, slowed like the picture: the force on the wall, of a contact (0 is that of the striker) or on the "
              "bead with a sensor; silent in title cards and pauses, just below full level at its largest, several chains from left "
              "to right. AAC in mp4 and mov, Opus in webm and mkv. A pulse that takes a tenth of a second is felt rather than "

@@ -10,13 +10,7 @@
 
 enum { MOST_NOTES = 100, MOST_STOPS = 200 };
 
-static enum bead_error read_index(const struct bead_reader *reader, const struct bead_at *at, size_t *index)
-{
-    static const struct bead_option row = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
-    return bead_read_count(reader, at, &row, index);
-}
-
-/* "front", "wall" or a number. */
+/* "front", "wall", "last" or a number. */
 static BEAD_OPTION_READER(read_bead)
 {
     struct bead_note *note = settings;
@@ -26,7 +20,7 @@ static BEAD_OPTION_READER(read_bead)
         return BEAD_OK;
     }
     note->of = BEAD_NOTE_BEAD;
-    return read_index(reader, at, &note->number);
+    return bead_output_read_place(reader, at, false, &note->number);
 }
 
 static BEAD_OPTION_READER(read_contact)
@@ -34,7 +28,7 @@ static BEAD_OPTION_READER(read_contact)
     struct bead_note *note = settings;
     BEAD_TRY(bead_not_beside(reader, at, "bead"));
     note->of = BEAD_NOTE_CONTACT;
-    return read_index(reader, at, &note->number);
+    return bead_output_read_place(reader, at, true, &note->number);
 }
 
 static BEAD_OPTION_READER(read_chain)
@@ -43,12 +37,12 @@ static BEAD_OPTION_READER(read_chain)
 }
 
 static const struct bead_option note_rows[] = {
-    {"bead", BEAD_OPTION_CUSTOM, .initial = "front", .shape = "front, wall or the number of a bead", .like = "front|wall|number",
-     .read = read_bead,
+    {"bead", BEAD_OPTION_CUSTOM, .initial = "front", .shape = "front, wall, last or the number of a bead",
+     .like = "front|wall|last|number", .read = read_bead,
      .help = "what the note points at: a bead, the wave's front, also on its way back, or the wall. What is not on the stage is "
              "pointed at in the row of all beads below it",
      .example = "40"},
-    {"contact", BEAD_OPTION_CUSTOM, .shape = "the number of a contact", .like = "number", .read = read_contact,
+    {"contact", BEAD_OPTION_CUSTOM, .shape = "the number of a contact, or last", .like = "number|last", .read = read_contact,
      .help = "instead of `bead`: a contact; 0 is that of the striker", .example = "12"},
     {"chain", BEAD_OPTION_CUSTOM, .shape = "all, or the name of a chain", .like = "text", .read = read_chain,
      .help = "in which chain; default: the first", .example = "Clean"},
@@ -114,7 +108,8 @@ static enum bead_error check_thing(const struct bead_reader *reader, const struc
         most = last > most ? last : most;
     }
     if (!reader->unsound && (of_contact || note->of == BEAD_NOTE_BEAD) && note->number > most)
-        return BEAD_WRONG_KEY(reader, at, of_contact ? "contact" : "bead", "is %zu, but the last is %zu", note->number, most);
+        return BEAD_WRONG_KEY(reader, at, of_contact ? "contact" : "bead", "is %zu, but the last %s is %zu", note->number,
+                              of_contact ? "contact" : "bead", most);
     return BEAD_OK;
 }
 

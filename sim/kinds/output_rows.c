@@ -37,8 +37,9 @@ const struct bead_option bead_time_row[1] = {
      .word_value = NAN, .help = "the span of time; auto: the whole run", .example = "[0.5 ms, auto]"},
 };
 const struct bead_option bead_beads_row[1] = {
-    {"beads", BEAD_OPTION_CUSTOM, .initial = "all", .shape = "all, one number, or [first, last]; 0 is the striker, auto the end",
-     .like = "all|number|[2 number]", .read = bead_output_read_beads, .help = "which beads", .example = "[0, 40]"},
+    {"beads", BEAD_OPTION_CUSTOM, .initial = "all",
+     .shape = "all, one number, last, or [first, last]; 0 is the striker, auto the end", .like = "all|number|last|[2 number|last]",
+     .read = bead_output_read_beads, .help = "which beads", .example = "[0, 40]"},
 };
 const struct bead_option bead_every_row[1] = {
     {"every", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(shown.every), .unit = "s", .of_motion = true, .initial = "auto", .low = 1e-12,
@@ -151,21 +152,21 @@ const struct bead_option bead_curves_rows[9] = {
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
      .help = "the field that `show: profiles` shows, and that `show: sensors`, and spectra, show of beads; of transfer and "
              "dispersion, velocity unless said otherwise"},
-    {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads), .shape = "a number or a list of numbers; 0 is the striker",
-     .like = "number|[number]", .read = bead_output_read_listed,
+    {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads), .shape = "a number, last, or a list of such; 0 is the striker",
+     .like = "number|last|[number|last]", .read = bead_output_read_listed,
      .help = "with `show: sensors`, and of spectra, the beads whose `field` is shown, instead of those with a sensor; with `show: "
              "bead-peaks`, only these; with `show: energy`, beads past which the energy is shown, too",
      .example = "[20, 40]"},
     {"contacts", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.contacts),
-     .shape = "a number or a list of numbers; contact j is between beads j and j + 1, and bead 0 is the striker",
-     .like = "number|[number]", .read = bead_output_read_listed,
+     .shape = "a number, last, or a list of such; contact j is between beads j and j + 1, and bead 0 is the striker",
+     .like = "number|last|[number|last]", .read = bead_output_read_listed,
      .help =
          "with `show: sensors`, the contacts whose force is shown over time, besides or instead of beads; with `show: peaks` of "
          "tables, only these; and those of `show: sensitivities`: without it both contacts of each bead with a sensor, or else "
          "the last contact whose force has had its maximum. Derivatives are good to 1e-6 of the largest of their kind where "
          "peaks are well-conditioned (laws with a power below 1.2: to 1e-4); none with damping. A run more, and about one for "
          "each contact",
-     .example = "[40, 57]"},
+     .example = "[40, last]"},
     {"at", BEAD_OPTION_CUSTOM, BEAD_TIME_OF_MOTION, .shape = "a list of times", .like = "number|[number]",
      .read = bead_output_read_profile_times,
      .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12", .example = "[0.2 ms, 0.4 ms]"},

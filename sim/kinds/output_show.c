@@ -132,27 +132,11 @@ static enum bead_error check_moments(const struct bead_reader *reader, const str
     return BEAD_OK;
 }
 
-/* Those listed must be of some chain, and have what is shown. */
+/* Those listed must have what is shown. */
 static enum bead_error check_listed(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
     const struct bead_scene *scene = reader->scene;
     const struct bead_curves_asked *curves = &output->curves;
-    const struct {
-        const char *key, *word;
-        const struct bead_listed *listed;
-    } lists[] = {{"beads", "bead", &curves->beads}, {"contacts", "contact", &curves->contacts}};
-    for (size_t i = 0; i < 2; i++) {
-        const size_t count = lists[i].listed->count;
-        size_t most = 0;
-        for (size_t c = 0; c < scene->chain_count; c++) {
-            const struct bead_chain_spec *chain = &scene->chains[c];
-            const size_t last = bead_scene_last_bead(scene, c) - (i == 1 && chain->wall == BEAD_WALL_NONE);
-            most = last > most ? last : most;
-        }
-        if (count > 0 && lists[i].listed->all[count - 1] > most)
-            return BEAD_WRONG_KEY(reader, at, lists[i].key, "has %zu, but the last %s is %zu", lists[i].listed->all[count - 1],
-                                  lists[i].word, most);
-    }
     const struct bead_show_type *show = &shows[curves->show];
     const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
     if (show->of_motion && (of_contacts || output->shown.field == BEAD_FIELD_FORCE))

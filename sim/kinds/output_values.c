@@ -109,18 +109,29 @@ BEAD_OPTION_READER(bead_output_read_views)
     return err;
 }
 
+enum bead_error bead_output_read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, size_t *index)
+{
+    const struct bead_scene *scene = reader->scene;
+    size_t last[2] = {SIZE_MAX, 0}; /* of the chains that have the fewest and the most */
+    for (size_t c = 0; c < scene->chain_count && !reader->unsound; c++) {
+        const size_t of_chain = bead_scene_last_bead(scene, c) - (contact && scene->chains[c].wall == BEAD_WALL_NONE);
+        last[0] = of_chain < last[0] ? of_chain : last[0];
+        last[1] = of_chain > last[1] ? of_chain : last[1];
+    }
+    const struct bead_option row = {
+        .type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS, .word = "last", .word_value = (double)last[1]};
+    BEAD_TRY(bead_read_count(reader, at, &row, index));
+    if (last[0] < last[1] && at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "last") == 0)
+        return bead_wrong(reader, at, "is last, which is %zu in one chain and %zu in another; must be a number here", last[0],
+                          last[1]);
+    if (*index > last[1] && !reader->unsound)
+        return bead_wrong(reader, at, "is %zu, but the last %s is %zu", *index, contact ? "contact" : "bead", last[1]);
+    return BEAD_OK;
+}
+
 static enum bead_error read_bead(const struct bead_reader *reader, const struct bead_at *at, size_t *bead)
 {
-    static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
-    size_t last = 0;
-    BEAD_TRY(bead_read_count(reader, at, &number, bead));
-    for (size_t i = 0; i < reader->scene->chain_count; i++) {
-        size_t beads = bead_scene_last_bead(reader->scene, i);
-        last = beads > last ? beads : last;
-    }
-    if (*bead > last && !reader->unsound)
-        return bead_wrong(reader, at, "is %zu, but the last bead is %zu", *bead, last);
-    return BEAD_OK;
+    return bead_output_read_place(reader, at, false, bead);
 }
 
 static int ascending(const void *a, const void *b)
@@ -131,7 +142,6 @@ static int ascending(const void *a, const void *b)
 
 BEAD_OPTION_READER(bead_output_read_listed)
 {
-    static const struct bead_option number = {.type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS};
     struct bead_listed *listed = (void *)((char *)settings + option->offset);
     const size_t count = at->node->kind == BEAD_NODE_SCALAR ? 1 : at->node->count;
     if (at->node->kind == BEAD_NODE_MAP || count == 0)
@@ -141,7 +151,8 @@ BEAD_OPTION_READER(bead_output_read_listed)
         return bead_no_memory(reader);
     for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        BEAD_TRY(bead_read_count(reader, &element, &number, &all[i]));
+        BEAD_TRY(bead_output_read_place(reader, at->node->kind == BEAD_NODE_SCALAR ? at : &element,
+                                        strcmp(option->key, "contacts") == 0, &all[i]));
     }
     qsort(all, count, sizeof *all, ascending);
     for (size_t i = 0; i < count; i++) {
@@ -164,7 +175,8 @@ BEAD_OPTION_READER(bead_output_read_beads)
         output->shown.beads = (struct bead_span){0, SIZE_MAX};
         return BEAD_OK;
     }
-    if ((!scalar && !pair) || (scalar && at->node->text[0] && !strchr("+-.0123456789", at->node->text[0])))
+    if ((!scalar && !pair) ||
+        (scalar && at->node->text[0] && !strchr("+-.0123456789", at->node->text[0]) && strcmp(at->node->text, "last") != 0))
         return bead_must_be(reader, at, option->shape);
     if (scalar) {
         enum bead_error err = read_bead(reader, at, &output->shown.beads.first);

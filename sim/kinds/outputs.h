@@ -56,6 +56,9 @@ BEAD_OPTION_READER(bead_output_read_path);
 BEAD_OPTION_READER(bead_output_read_fields);
 BEAD_OPTION_READER(bead_output_read_beads);
 BEAD_OPTION_READER(bead_output_read_listed);
+/* The number of a bead or a contact that some chain has, or `last`. */
+BEAD_CHECK enum bead_error bead_output_read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact,
+                                                  size_t *index);
 BEAD_OPTION_READER(bead_output_read_measured);
 BEAD_OPTION_READER(bead_output_read_size);
 BEAD_OPTION_READER(bead_output_read_colormap);

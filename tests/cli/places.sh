@@ -29,11 +29,19 @@ ok "peaks of the contacts listed only" cmp some.csv <(head -n 1 all.csv; grep -E
 ok "peaks of one bead" eval '[ "$(wc -l <beads.csv)" = 2 ]'
 ok "a plot needs no sensor" exits 0 "$beadreel" s.yaml -o p.svg --set 'outputs=[{plot: p.svg, beads: [3, 5], contacts: 4}]'
 ok "... and names them" grep -qF '>contact 4</tspan>' p.svg
+last() { # SCENE KEYS HEADER
+    exits 0 "$beadsim" "$1" -o last.csv --set "outputs=[{table: last.csv, show: sensors, every: 50 us, uncertainty: false, $2}]" && begins last.csv "$3"
+}
+ok "the last bead, the last contact" last s.yaml 'beads: last, contacts: [last, 3]' time_s,bead_20,contact_3,contact_20
+sed 's/, wall: brass//; s/contacts: \[20\]/contacts: [19]/' s.yaml >free.yaml
+ok "... without a wall" last free.yaml 'beads: [last, 2], contacts: last' time_s,bead_2,bead_20,contact_19
+ok "... of notes, of sound, of what a picture shows" exits 0 "$beadreel" s.yaml --plan --set 'outputs=[{movie: m.mp4, sound: contact last, notes: [{at: 0.1 ms, bead: last, text: a}, {at: 0.2 ms, contact: last, text: b}]}, {image: i.png, beads: [10, last]}, {image: j.png, beads: last}]'
+ok "... on the command line" exits 0 "$beadreel" s.yaml --plan -o i.png --beads 10:last
 wrong() { # KEYS MESSAGE
     fails 2 "$beadsim" s.yaml --plan --set "outputs=[{table: t.csv, $1}]" && says "$2"
 }
-ok "a bead that is not there" wrong 'show: sensors, beads: 21' 'outputs.0.beads: has 21, but the last bead is 20'
-ok "a contact that is not there" wrong 'show: sensors, contacts: 21' 'outputs.0.contacts: has 21, but the last contact is 20'
+ok "a bead that is not there" wrong 'show: sensors, beads: 21' 'outputs.0.beads: is 21, but the last bead is 20'
+ok "a contact that is not there" wrong 'show: sensors, contacts: 21' 'outputs.0.contacts: is 21, but the last contact is 20'
 ok "contacts have no velocity" wrong 'show: sensors, contacts: 3, field: velocity' 'outputs.0.field: is one of beads'
 ok "tables of peaks of contacts have no beads" wrong 'beads: 3' 'outputs.0.beads: belongs to `show: sensors, bead-peaks, energy, spectrum, spectrogram, transfer`'
 
@@ -50,6 +58,8 @@ ok "panels need no sensor" exits 0 "$beadreel" two.yaml -o panels.svg --set 'out
 ok "... where they say which beads or contacts" grep -qF '>contact 8</tspan>' panels.svg
 ok "... but else they do" fails 2 "$beadreel" two.yaml --plan --set 'outputs=[{image: p.svg, panels: [[{show: sensors, chain: steel}]]}]'
 ok "... as they say" says "no bead of the chain has a \`sensor\`; give one, or say which \`beads\`"
+ok "the last bead of chains of two lengths" fails 2 "$beadreel" two.yaml --plan --set chains.1.beads.0.count=12 --set 'outputs=[{plot: p.svg, beads: [3, last]}]'
+ok "... is none" says 'outputs.0.beads.1: is last, which is 9 in one chain and 12 in another'
 ok "an overlay" exits 0 "$beadreel" two.yaml -o .
 ok "... names the chains in its legend" grep -qF '>brass</tspan>' over.svg
 ok "... has one panel" eval '! grep -qF "(b)" over.svg && grep -qF "(b)" apart.svg'
