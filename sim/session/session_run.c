@@ -220,6 +220,16 @@ static enum bead_error stop_all(struct bead_session *s, struct bead_message *msg
     return worst;
 }
 
+/* Posters and long tables take a while when all is computed. */
+static void tell_writing(const struct bead_session *s, const struct bead_made *m)
+{
+    char what[300];
+    const struct bead_progress progress = {.what = what, .time = NAN};
+    snprintf(what, sizeof what, "writing %.280s", m->output->path);
+    if (s->job.progress)
+        s->job.progress(s->job.progress_context, &progress);
+}
+
 /* Sinks that work in the background are finished last; results are listed in the order of the scene. Signals may arrive here too:
  * finished files stay. */
 enum bead_error bead_session_finish_all(struct bead_session *s, struct bead_message *msg)
@@ -228,8 +238,11 @@ enum bead_error bead_session_finish_all(struct bead_session *s, struct bead_mess
     for (int background = 0; background < 2; background++) {
         for (size_t i = 0; !err && i < s->made_count; i++) {
             struct bead_made *m = &s->made[i];
-            if (bead_session_makes(m) && !m->ended && m->type->background == background)
-                err = bead_session_finish(s, m, msg);
+            if (!bead_session_makes(m) || m->ended || m->type->background != background)
+                continue;
+            if (!background)
+                tell_writing(s, m);
+            err = bead_session_finish(s, m, msg);
         }
     }
     for (size_t i = 0; i < s->made_count; i++) {

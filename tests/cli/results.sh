@@ -102,10 +102,14 @@ film=(--set 'outputs=[{movie: m.mp4, size: [320, 240], fps: 240, duration: 20 s}
 ok "a film is drawn" grep -q '"what": "drawing"' err
 ok "... not simulated" bash -c "! grep -q '\"simulating\"' err"
 ok "--progress=none is quiet" bash -c "'$beadsim' scene.yaml -o slow --set simulate.until='600 ms' --only peaks.csv --progress=none 2>&1 >/dev/null | (! grep .)"
+"$beadreel" scene.yaml -o slow --set 'outputs=[{image: late.png, size: [300, 200]}]' --progress json >out 2>err
+ok "what is written at the end is told before" grep -q '"what": "writing late.png", "done": 0,' err
+named() { TERM=xterm script -qec "$beadreel scene.yaml -o slow --set 'outputs=[{image: late.png, size: [300, 200]}]'" typescript >/dev/null && grep -q 'writing late.png' typescript; }
 bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='600 ms' --set simulate.method=rk4 \
     --set simulate.step='0.1us' --only peaks.csv" typescript >/dev/null && grep -q '\[[#.]*\] *[0-9]* %' typescript; }
 if TERM=xterm script -qec true typescript >/dev/null 2>&1; then
     ok "a bar on a terminal" bar
+    ok "... also of what is written at the end" named
 else
     skip "a terminal (script, /dev/pts)" "a bar on a terminal"
 fi
