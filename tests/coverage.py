@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests reach of sim and render, by room: python3 tests/coverage.py FILE, where FILE is from `gcovr --json` (tests/coverage.sh).
+"""What the tests reach of sim and render, by room: python3 tests/coverage.py FILE [PAGE WHEN], where FILE is from `gcovr --json`
+(tests/coverage.sh). PAGE is a file in Markdown, in which the figures between two marks are written anew; WHEN says of what they are.
 
 Names the lines that nothing reaches and the branches that are never taken, as file:line: text. Ends with whether the aims hold."""
 import collections
@@ -27,6 +28,9 @@ class Count:
 
     def percent(self, kind):
         return 100 * self.reached[kind] / self.all[kind] if self.all[kind] else 100.0
+
+    def cells(self, name):
+        return f"| {name} | " + " | ".join(f"{self.reached[k]} of {self.all[k]} | {self.percent(k):.1f} %" for k in (0, 1)) + " |"
 
     def row(self, name):
         lines, branches = (f"{self.reached[k]:6} of {self.all[k]:6} {self.percent(k):6.2f} %" for k in (0, 1))
@@ -56,6 +60,17 @@ def count_file(file, counts, unreached):
             unreached.append(f"{path}:{number}: {text[number - 1]}  [{branches.count(False)} of {len(branches)} branches]")
 
 
+BEGINS, ENDS = "<!-- Written by tests/coverage.sh. -->", "<!-- The end of the coverage. -->"
+
+
+def write_page(page, when, counts, order):
+    with open(page, encoding="utf-8") as file:
+        before, rest = file.read().split(BEGINS)
+    table = [when, "", "| room | lines | | branches | |", "|---|--:|--:|--:|--:|"] + [counts[name].cells(name) for name in order]
+    with open(page, "w", encoding="utf-8") as file:
+        file.write(before + "\n".join([BEGINS, "", *table, "", ENDS]) + rest.split(ENDS)[1])
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as report:
         files = json.load(report)["files"]
@@ -65,8 +80,11 @@ def main():
     print("Nothing reaches these lines, or (in brackets) so many ways out of them:", *unreached, sep="\n")
     print(f"\n{'room':<18}{'lines':>24}   {'branches':>24}")
     totals = ("all of sim", "all of render", "all", "aimed at")
-    for name in sorted(set(counts) - set(totals)) + ["", *(t for t in totals if t in counts)]:
+    rooms, sums = sorted(set(counts) - set(totals)), [t for t in totals if t in counts]
+    for name in rooms + [""] + sums:
         print(counts[name].row(name) if name else "")
+    if len(sys.argv) > 3:
+        write_page(sys.argv[2], sys.argv[3], counts, rooms + sums)
     for pattern, why in UNREACHABLE:
         print(f"left out: {pattern}: {why}")
     below = [f"{room} ({counts[room].percent(0):.2f} % of lines, {counts[room].percent(1):.2f} % of branches)" for room in AIMED

@@ -1,7 +1,8 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Line and branch coverage of sim and render by all tests: tests/coverage.sh BUILD [NAME...], a build with gcc's --coverage.
-# With names, only these tests are run, and add to what others have reached before. The report stays as BUILD/coverage.txt.
+# With names, only these tests are run, and add to what others have reached before. The report stays as BUILD/coverage.txt; that of
+# all tests also goes into tests/stress/RESULTS.md.
 # Programs killed by SIGKILL write no counts; kernels compiled for several instruction sets count as one source.
 set -u
 cd "$(dirname "$0")/.." || exit 1
@@ -10,14 +11,16 @@ shift
 # gcov's own failures, where a test leaves it no descriptors or no disk, are not the program's messages.
 export GCOV_ERROR_FILE=/dev/null
 export TEST_TIMEOUT=${TEST_TIMEOUT:-3600}
+page=()
 if [ $# -eq 0 ]; then
     find "$build" -name '*.gcda' -delete
-    tests/run.sh "$build"
+    tests/run.sh "$build" | tee "$build/tests.txt"
     # Starved of disk, file size and descriptors; under every signal. Killed programs count nothing.
     tests/torture/torture.sh "$build" 0 20 1 | tail -n 1
+    page=(tests/stress/RESULTS.md "$(date +%F), commit $(git describe --always --abbrev=10), ${SHORT:+without the tests of tests/long.txt, }$(tail -n 1 "$build/tests.txt").")
 else
     tests/run.sh "$build" "$@"
 fi
 gcovr --root . --object-directory "$build" --filter sim/ --filter render/ -j "$(nproc)" --json "$build/coverage.json" "$build" || exit 1
-python3 tests/coverage.py "$build/coverage.json" | tee "$build/coverage.txt"
+python3 tests/coverage.py "$build/coverage.json" "${page[@]}" | tee "$build/coverage.txt"
 exit "${PIPESTATUS[0]}"
