@@ -116,8 +116,9 @@ BEAD_OPTION_READER(bead_output_read_captions)
 BEAD_OPTION_READER(bead_output_read_speeds)
 {
     struct bead_output *output = settings;
-    size_t count = at->node->count;
-    enum bead_error err = bead_need_list(reader, at, option->shape, MOST_SPEEDS, "entries");
+    const bool one = at->node->kind == BEAD_NODE_SCALAR; /* a factor, from the beginning to the end */
+    size_t count = one ? 1 : at->node->count;
+    enum bead_error err = one ? BEAD_OK : bead_need_list(reader, at, option->shape, MOST_SPEEDS, "entries");
     if (!err)
         err = bead_not_beside(reader, at, "duration");
     if (err)
@@ -126,6 +127,8 @@ BEAD_OPTION_READER(bead_output_read_speeds)
     if (!output->movie.speeds)
         return bead_no_memory(reader);
     output->movie.speed_count = count;
+    if (one)
+        return read_factor(reader, at, option, output->movie.speeds);
     for (size_t i = 0; !err && i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
         struct bead_speed *speed = &output->movie.speeds[i];

@@ -126,8 +126,9 @@ static const struct bead_option movie_rows[] = {
          "show the motion only at multiples of this time, the period of something fast, and blend between them: what is slow is "
          "seen, and nothing flickers",
      .example = "64"},
-    {"speed", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
-     .like = "[outputs.speed]", .read = bead_output_read_speeds,
+    {"speed", BEAD_OPTION_CUSTOM,
+     .shape = "a factor such as 1/4000, or a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
+     .like = "number|text|[outputs.speed]", .read = bead_output_read_speeds,
      .help = "how fast time passes, instead of `duration`: see outputs.speed",
      .example = "[{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]"},
     {"captions", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0.2 ms, text: The front has left the striker}]",

@@ -123,19 +123,53 @@ void bead_scene_ready_free(struct bead_ready_scene *scenes, size_t count)
     free(scenes);
 }
 
+static const char *stem(const char *name, char *text, size_t size)
+{
+    const char *dot = strrchr(name, '.');
+    snprintf(text, size, "%.*s", (int)(dot ? (size_t)(dot - name) : strlen(name)), name);
+    return text;
+}
+
+/* Is a scene or a trajectory of nearly this name in the same folder? "; did you mean `waves.yaml`?" */
+static void suggest_file(const char *name, char *text, size_t size)
+{
+    static const char *const endings[] = {".yaml", ".yml", ".h5", NULL};
+    const char *slash = strrchr(name, '/');
+    char folder[PATH_MAX], word[NAME_MAX + 1], tried[NAME_MAX + 1], best[NAME_MAX + 1] = "";
+    struct bead_suggest search;
+    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - name) + 1 : 1, slash ? name : ".");
+    DIR *open = opendir(folder);
+    bead_suggest_begin(&search, stem(slash ? slash + 1 : name, word, sizeof word));
+    for (struct dirent *entry; open && (entry = readdir(open));) {
+        const char *dot = strrchr(entry->d_name, '.');
+        search.best = NULL;
+        if (dot && bead_is_one_of(dot, endings))
+            bead_suggest_try(&search, stem(entry->d_name, tried, sizeof tried));
+        if (search.best)
+            bead_text_show(entry->d_name, best, sizeof best);
+    }
+    if (open)
+        closedir(open);
+    search.best = *best ? best : NULL;
+    bead_suggest_text(&search, text, size);
+}
+
 /* The error for a name that is neither a file nor a ready scene. */
 static enum bead_error not_found(const char *name, struct bead_message *msg)
 {
     struct listing list = {NULL, 0, msg};
     struct bead_suggest search;
-    char near[96], shown[200];
+    char near[400], shown[200];
     enum bead_error err = list_names(&list);
     if (!err) {
         bead_suggest_begin(&search, name);
         for (size_t i = 0; i < list.count; i++)
             bead_suggest_try(&search, list.scenes[i].name);
         bead_text_show(name, shown, sizeof shown);
-        bead_suggest_text(&search, near, sizeof near);
+        if (!search.best)
+            suggest_file(name, near, sizeof near);
+        else
+            bead_suggest_text(&search, near, sizeof near);
         err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: no such file, and no ready scene%s", shown,
                         *near ? near : "; --list scenes shows those");
     }

@@ -103,12 +103,20 @@ static const struct bead_output *find(const struct bead_scene *scene, const stru
 
 static enum bead_error no_kind(const char *file, enum bead_source_kind source, struct bead_message *msg)
 {
-    char names[160] = "";
+    char names[160] = "", name[16], *rest;
     for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
-        const char *endings = bead_output_endings(kind);
-        if (bead_output_made_of(kind, source) && !strstr(names, endings))
-            bead_list_add(names, sizeof names, ", ", endings);
+        const char *ending = bead_output_made_of(kind, source) ? bead_output_endings(kind) : NULL;
+        for (; ending; ending = strchr(ending + 1, '.')) { /* ".png, .pdf or .svg": each once */
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(ending, ", "), ending);
+            rest = strstr(names, name);
+            if (!rest || strchr(", ", rest[strlen(name)]) == NULL)
+                bead_list_add(names, sizeof names, ", ", name);
+        }
     }
+    struct stat status;
+    if (stat(file, &status) == 0 && S_ISDIR(status.st_mode))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` is a directory; name the file to make in it, with one of %s", file,
+                         names);
     const bool of_one = source == BEAD_OF_SWEEP && bead_output_kind_of(file, BEAD_OF_CONFIGURATION) != BEAD_OUTPUT_KINDS;
     return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s%s", file, names,
                      of_one ? "; --configuration N makes it of chain N of the sweep" : "");

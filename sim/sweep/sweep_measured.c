@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "sim/base/memory.h"
+#include "sim/base/suggest.h"
 #include "sim/measure/measure.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
@@ -81,13 +82,18 @@ static void find(void *, size_t index, size_t *panel, size_t *configuration)
 enum bead_error bead_sweep_measure_unit(const char *name, const char **unit, struct bead_message *msg)
 {
     const struct bead_measure_info *info;
+    struct bead_suggest search;
+    char near[96];
+    bead_suggest_begin(&search, name);
     for (size_t i = 0; (info = bead_measure_info(i)); i++) {
+        bead_suggest_try(&search, info->name);
         if (strcmp(info->name, name) == 0) {
             *unit = info->unit;
             return BEAD_OK;
         }
     }
-    return bead_fail(msg, BEAD_ERROR_USAGE, "measure: there is no `%s`; see --list measures", name);
+    return bead_fail(msg, BEAD_ERROR_USAGE, "measure: there is no `%s`%s; see --list measures", name,
+                     bead_suggest_text(&search, near, sizeof near));
 }
 
 enum bead_error bead_sweep_measured(const struct bead_sweep *sweep, const char *name, const struct bead_sweep_settings *settings,

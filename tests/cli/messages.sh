@@ -71,6 +71,18 @@ for name in a.bmp b.heic c.PS d.avi; do
     ok "... says what there is" says "--output: \`$name\` ends like none of .h5, .png, .pdf, .svg, .eps, .jpg"
     ok "... and makes no directory" test ! -e $name
 done
+ok "... each once" test "$(grep -o '\.png' err | wc -l)" -eq 1
+cp good.yaml waves.yaml
+ok "a scene of nearly this name" fails 2 "$beadreel" waves.yml
+ok "... is named" says 'waves.yml: no such file, and no ready scene; did you mean `waves.yaml`?'
+cp good.yaml "$(printf 'nigh\e[31mt.yaml')"
+ok "... without its control characters" eval 'fails 2 "$beadreel" "$(printf "nigh\e[31m.yaml")" && says "did you mean" && ! grep -q "$(printf "\e")" err'
+"$beadreel" good.yaml -q -o . --set 'outputs=[{trajectory: run.h5}]' >/dev/null
+mkdir folder
+ok "a directory for one picture" eval 'fails 2 "$beadreel" run.h5 -o folder && says "\`folder\` is a directory; name the file to make in it"'
+plan() { "$beadreel" good.yaml --plan --set "outputs=[{movie: m.mp4, speed: $1}]"; }
+ok "one factor is a speed" eval 'plan 1/2000 >one && plan "[{at: 0, factor: 1/2000}]" >many && cmp one many && plan 1/4000 >other && ! cmp -s one other'
+ok "... but no word" eval 'fails 2 plan slow && says "must be a factor such as 1/4000, or a list"'
 # What the options for -o mean, written in several ways.
 drawn() { # NAME OPTION VALUE : its pixels, as NAME.raw
     "$beadreel" good.yaml -q -o "$1.png" "--$2=$3" >/dev/null && ffmpeg -v error -y -i "$1.png" -f rawvideo "$1.raw"

@@ -45,6 +45,7 @@ ok "... in their unit" is "$(head -n 1 c.csv | cut -d, -f4)" mean_m/s
 ok "a chain of it, measured by itself" exits 0 "$beadsim" v.yaml --configuration 1 -o m.csv --set 'chain.beads.0.count=40' --set 'outputs=[{table: m.csv, show: measures}]'
 ok "... has the same speed" within "$(grep '^front speed,' m.csv | cut -d, -f2)" "$(sed -n 3p c.csv | cut -d, -f4)" 1e-3
 ok "a measure that is none" eval 'fails "1 2" "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, measure: speed}]" && says "there is no \`speed\`"'
+ok "... but nearly one" eval 'fails 2 "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, measure: front sped}]" && says "did you mean \`front speed\`?"'
 ok "... of peaks of each chain" eval 'fails "1 2" "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, show: configurations, measure: front speed}]" && says "means of a measure"'
 
 # Restitution of viscoelastic spheres, x = 0.04 at 1 m/s and half of it at 1/32: 1 - C1 x + C2 x^2 + (4/15) x^(5/2) - C3 x^3, good to
