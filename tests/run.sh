@@ -13,6 +13,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/log" "$work/tmp"
 export BUILD="$build" BEADREEL_ASSETS="$PWD/assets" TMPDIR="$work/tmp" CMOCKA_MESSAGE_OUTPUT=TAP
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.txt:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}" UBSAN_OPTIONS="print_stacktrace=1"
+export ASAN_OPTIONS="handle_sigill=1${ASAN_OPTIONS:+:$ASAN_OPTIONS}" # traps of undefined behaviour
 
 left_out() { [ -n "${SHORT:-}" ] && grep -qE "^$1 " tests/long.txt; }
 names=()
