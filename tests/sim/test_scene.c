@@ -35,6 +35,31 @@ static void everything_has_a_default_but_a_chain_and_an_output(void **state)
     bead_scene_free(scene);
 }
 
+/* A name of small letters and digits becomes words, where signs between letters part them; what people wrote stays. */
+static void identifiers_become_words(void **state)
+{
+    (void)state;
+    static const char *const names[][2] = {{"clean-wave", "clean wave"},
+                                           {"a_b-12", "a b 12"},
+                                           {"x--y", "x--y"},
+                                           {"-x", "-x"},
+                                           {"x_", "x_"},
+                                           {"P3-10", "P3-10"},
+                                           {"two words-1", "two words-1"},
+                                           {"größe-1", "größe 1"},
+                                           {"a:b-c", "a:b-c"},
+                                           {"n=2-3", "n=2-3"}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "chains:\n  - {name: \"%s\", beads: [{bead: large-steel}]}\n  - {name: z, beads: [{bead: large-steel}]}\n" OUTPUTS,
+                 names[i][0]);
+        struct bead_scene *scene = parse(text);
+        assert_string_equal(scene->chains[0].title, names[i][1]);
+        bead_scene_free(scene);
+    }
+}
+
 /* One column wide, but for chains side by side and for panels. */
 static void papers_are_as_wide_as_they_need(void **state)
 {
@@ -475,6 +500,7 @@ int main(void)
         cmocka_unit_test(the_demo_is_a_clean_beside_a_delocalised_wave),
         cmocka_unit_test(the_four_chains_of_fig_5_have_their_magnetism),
         cmocka_unit_test(mirrored_cells_are_down),
+        cmocka_unit_test(identifiers_become_words),
         cmocka_unit_test(scenes_are_found_by_name_or_path),
         cmocka_unit_test(missing_assets_say_where_they_were_sought),
         cmocka_unit_test(help_names_every_key),
