@@ -14,6 +14,7 @@
 #include "render/draw/looks.h"
 #include "render/paint/canvas.h"
 #include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
 
 enum { BEADS = 5000, HEIGHT = 40 };
 
@@ -131,6 +132,28 @@ static void a_pulse_of_one_bead_stays_visible(void **state)
     }
 }
 
+/* At rest each pixel has the mean colour of steel and aluminium, darkened alike in red, green and blue. */
+static void a_row_at_rest_has_the_colours_of_its_beads(void **state)
+{
+    (void)state;
+    for (int width = 500; width <= 1700; width += 1200) {
+        struct strip *s = make_strip(width);
+        draw(s, NULL);
+        double mean[3];
+        for (int c = 0; c < 3; c++)
+            mean[c] = 127.5 * (bead_chain_colour(s->chain, BEADS - 1)[c] + bead_chain_colour(s->chain, BEADS - 2)[c]);
+        for (int x = 10; x < width - 10; x++) {
+            const uint8_t *p = pixel(s, &s->frame, x);
+            const double share = p[1] / mean[1]; /* of green */
+            assert_true(share > 0.4 && share < 0.9);
+            if (!(fabs(p[2] - share * mean[0]) < 1.6 && fabs(p[0] - share * mean[2]) < 1.6))
+                fail_msg("pixel %d of %d is %d, %d, %d, beads %.1f, %.1f, %.1f", x, width, p[2], p[1], p[0], mean[0], mean[1],
+                         mean[2]);
+        }
+        free_strip(s);
+    }
+}
+
 /* Steel and aluminium in turn, against pixels of every width: no pattern but what is there. */
 static void cells_do_not_beat_against_pixels(void **state)
 {
@@ -177,6 +200,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pulse_of_one_bead_stays_visible),
+        cmocka_unit_test(a_row_at_rest_has_the_colours_of_its_beads),
         cmocka_unit_test(cells_do_not_beat_against_pixels),
         cmocka_unit_test(pixels_show_means),
     };
