@@ -85,6 +85,16 @@ awk 'BEGIN { pi = atan2(0, -1); print "part,Hz"
                  printf "%.9g,%.9g\n", q, sqrt((f1 + f2) / 2 + b * sqrt((f1 + f2) ^ 2 / 4 - f1 * f2 * sin(pi * q / 2) ^ 2)) } }' >closed.csv
 sort -t, -k1g,1 closed.csv >bands.csv
 ok "a plot has the exact bands over it" python3 "$top/tests/curves.py" dispersion.svg bands.csv 1 1e3
+# The axis of wave numbers ends where they do: the bands reach from the left edge of the frame, the first that is closed, to the right.
+across() {
+    python3 -c 'import re, sys
+svg = open(sys.argv[1]).read()
+frame, curve = ([float(x) for x, _ in re.findall(r"[ML] ([-.\d]+) ([-.\d]+)", re.search(p, svg).group(1))]
+                for p in (r"<path style=\"fill:none[^>]* d=\"([^\"]*Z[^\"]*)\"", r"<g clip-path=\"[^\"]*\"[^>]*>\n<path [^>]* d=\"([^\"]+)\""))
+off = [abs(edge(frame) - edge(curve)) / (max(frame) - min(frame)) for edge in (min, max)]
+sys.exit(max(off) > 0.005 and f"bands end {off} of the width beside the edges")' "$1"
+}
+ok "... from the first wave number to the last" across dispersion.svg
 { dimers 30; cat; } >gap.yaml <<'YAML'
   drive: {displacement: noise, amplitude: 10 pm, frequency: 12 kHz} # more would make waves in the gap from two in the bands
 simulate: {until: 40 ms, accuracy: 1e-8}
