@@ -15,6 +15,7 @@
 #include "render/figure/figure.h"
 #include "render/stage/along.h"
 #include "render/view/area.h"
+#include "render/view/views.h"
 #include "tests/sweeps.h"
 
 static const struct {
@@ -96,6 +97,22 @@ static void test_beads_over_their_numbers(void **state)
     }
 }
 
+/* A row as wide as its height allows has beads that fill most of it, with a line of names below them. */
+static void rows_leave_room_for_names(void **state)
+{
+    (void)state;
+    struct made m = make(4); /* four equal beads */
+    struct bead_look look;
+    bead_look_screen(&look, 1280, 720, false);
+    const struct bead_view_setup setup = {.chain = m.chain, .field = BEAD_FIELD_FORCE, .beads = {1, 4}, .look = &look};
+    for (int height = 80; height < 400; height += 40) {
+        const double diameter = bead_view_find(BEAD_VIEW_BEADS)->most_width(&setup, height) / 4;
+        assert_true(diameter + look.tick < height && diameter > 0.75 * (height - 2 * look.tick));
+    }
+    bead_chain_destroy(m.chain);
+    bead_scene_free(m.scene);
+}
+
 /* A pixel of the image shows the beads that are there, in proportion. */
 static void test_pixels_belong_to_unlike_beads(void **state)
 {
@@ -154,6 +171,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_beads_over_their_numbers),
+        cmocka_unit_test(rows_leave_room_for_names),
         cmocka_unit_test(test_strings_reach_their_ends),
         cmocka_unit_test(test_pixels_belong_to_unlike_beads),
     };

@@ -57,10 +57,26 @@ static void test_markup(void **state)
     assert_string_equal(small, "*lo");
 }
 
+/* Each argument is there once, where TeX has it: in braces, a command, or one character. */
+static void arguments_are_whole(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {{"$\\frac{m}{2}v_0$", "m⁄2v0"},   {"$\\frac12x$", "1⁄2x"},
+                                           {"$\\frac\\alpha\\beta$", "α⁄β"}, {"$\\frac{x_{max}}{\\delta^2}y$", "xmax⁄δ2y"},
+                                           {"$x^{3/2}_n$", "x3/2n"},         {"$\\sqrt{ab}c$", "√abc"},
+                                           {"$\\frac{}{2}$", "⁄2"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char out[512];
+        bead_markup_plain(cases[i][0], out, sizeof out);
+        assert_string_equal(out, cases[i][1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_markup),
+        cmocka_unit_test(arguments_are_whole),
     };
     return cmocka_run_group_tests_name("markup", tests, NULL, NULL);
 }
