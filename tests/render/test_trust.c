@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Predictability horizon: a comparison run leaves the first one as it is; disordered chains have a horizon and ordered ones none;
- * the picture is the same but for the line. */
+ * the picture is the same but for the line. Images of films end at the present. */
 #include "support.h"
 
 #include "scratch.h"
@@ -192,8 +192,8 @@ static double parting(size_t bead)
     return 0.4e-3 + 2e-6 * (double)((bead * 37) % 50);
 }
 
-/* A picture of samples up to 1 ms, drawn in `parts`. */
-static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, bool fill, int parts, double *horizon)
+/* A picture of samples up to `until` us, of 1 ms, drawn in `parts`. */
+static struct bead_frame draw_until(const struct bead_chain *chain, int until, bool trust, bool fill, int parts, double *horizon)
 {
     struct bead_message msg = {""};
     struct bead_colormap map;
@@ -218,7 +218,7 @@ static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, b
     assert_int_equal(bead_frame_create(WIDTH + 2 * LEFT, HEIGHT + 2 * TOP, &background, &msg), BEAD_OK);
     assert_int_equal(type->create(&setup, &view, &msg), BEAD_OK);
     assert_int_equal(type->place(view, (struct bead_rect){LEFT, TOP, WIDTH, HEIGHT}, NULL, &msg), BEAD_OK);
-    for (int i = 0; i <= 1000; i++) {
+    for (int i = 0; i <= until; i++) {
         double t = 1e-6 * i;
         for (size_t j = 0; j <= setup.beads.last; j++) {
             values[j] = made_up(j, t);
@@ -228,13 +228,42 @@ static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, b
         sample.field[BEAD_FIELD_FORCE] = values;
         sample.comparison[BEAD_FIELD_FORCE] = trust ? comparison : NULL;
         assert_int_equal(type->feed(view, &sample, &msg), BEAD_OK);
-        if (i == 1000 || (parts > 0 && i % parts == 0))
+        if (i == until || (parts > 0 && i % parts == 0))
             assert_int_equal(type->draw(view, t, &frame, &background, &changes, &msg), BEAD_OK);
     }
     *horizon = trust ? type->horizon(view) : INFINITY;
     type->destroy(view);
     bead_frame_free(&background);
     return frame;
+}
+
+static struct bead_frame draw_view(const struct bead_chain *chain, bool trust, bool fill, int parts, double *horizon)
+{
+    return draw_until(chain, 1000, trust, fill, parts, horizon);
+}
+
+/* A film's image has all times up to the present, none beyond it; a still has all. The background is black here, no value is. */
+static void images_of_films_end_at_the_present(void **state)
+{
+    (void)state;
+    struct built built = build(P2_CHAIN, "until: 1 ms");
+    static const int untils[] = {100, 370, 900};
+    for (size_t i = 0; i < 3; i++) {
+        double none;
+        struct bead_frame film = draw_until(built.chain, untils[i], false, true, 50, &none);
+        for (int y = 0; y < HEIGHT; y++) {
+            const double time = 1000 * (y + 0.5) / HEIGHT, pixel = 1000.0 / HEIGHT; /* us */
+            size_t shown = 0;
+            for (int x = 0; x < WIDTH; x++) {
+                const uint8_t *p = film.pixels + (size_t)(TOP + y) * film.stride + 4 * (size_t)(LEFT + x);
+                shown += p[0] + p[1] + p[2] > 0;
+            }
+            if (time < untils[i] - pixel || time > untils[i] + 4 * pixel) /* a line is at the present */
+                assert_int_equal(shown, time < untils[i] ? WIDTH : 0);
+        }
+        bead_frame_free(&film);
+    }
+    release(&built);
 }
 
 static void pixels_are_the_same_but_for_the_line(void **state)
@@ -290,6 +319,7 @@ int main(void)
         cmocka_unit_test(the_first_run_keeps_its_bits),
         cmocka_unit_test(scenes_that_cannot_show_it),
         cmocka_unit_test(a_trajectory_has_no_comparison_run),
+        cmocka_unit_test(images_of_films_end_at_the_present),
         cmocka_unit_test(pixels_are_the_same_but_for_the_line),
         cmocka_unit_test(movies_draw_the_same_line_in_any_parts),
     };
