@@ -71,8 +71,39 @@ static void fronts_arrive_when_the_last_force_rises(void **state)
     }
 }
 
+/* The first pulse is over when the last contact has a twentieth of its largest force left. */
+static void pulses_are_over_at_a_twentieth(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {
+        "chain: {beads: [{bead: large-steel, count: 20}], wall: rigid}\n",
+        "chain: {beads: [{cell: [large-steel, aluminium], count: 10}], wall: brass}\n",
+        "chain: {striker: {bead: small-steel, velocity: 1 m/s}, beads: [{bead: small-steel, count: 15}], wall: lead}\n",
+    };
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct built built = build(chains[c], "accuracy: 1e-8");
+        struct bead_run *run =
+            start_run(&built, (struct bead_run_settings){.end = INFINITY, .passage = BEAD_PASSAGE_OF_PULSE, .contact_peaks = true});
+        while (isnan(bead_run_over(run))) {
+            struct bead_message msg = {""};
+            if (bead_run_step(run, &msg))
+                fail_msg("%s", msg.text);
+        }
+        const double over = bead_run_over(run);
+        const size_t last = bead_chain_contacts(built.chain) - 1;
+        const double force = sample_at(run, over).field[BEAD_FIELD_CONTACT_FORCE][last];
+        struct bead_outcome outcome;
+        bead_run_finish(run, over, &outcome);
+        assert_true(outcome.contact_peaks[last].time > bead_run_arrival(run) && outcome.contact_peaks[last].time < over);
+        assert_near(force / outcome.contact_peaks[last].value, 0.05, 1e-6);
+        bead_run_destroy(run);
+        release(&built);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(fronts_arrive_when_the_last_force_rises)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fronts_arrive_when_the_last_force_rises),
+                                       cmocka_unit_test(pulses_are_over_at_a_twentieth)};
     return cmocka_run_group_tests_name("front", tests, NULL, NULL);
 }
