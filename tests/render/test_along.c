@@ -14,6 +14,7 @@
 #include "render/draw/looks.h"
 #include "render/figure/figure.h"
 #include "render/stage/along.h"
+#include "render/stage/panel.h"
 #include "render/view/area.h"
 #include "render/view/views.h"
 #include "tests/sweeps.h"
@@ -113,6 +114,37 @@ static void rows_leave_room_for_names(void **state)
     bead_scene_free(m.scene);
 }
 
+/* A panel has its own colour behind curves, at all of its pixels and at no other, unless the picture is to have no background. */
+static void panels_are_filled(void **state)
+{
+    (void)state;
+    struct made m = make(2);
+    struct bead_look look;
+    bead_look_film(&look, 1280, 720, true, false);
+    look.panel = (struct bead_rgb){1, 0, 0};
+    const struct bead_view_setup setup = {.chain = m.chain, .field = BEAD_FIELD_FORCE, .beads = {1, 32}, .look = &look};
+    const struct bead_rect plot = {20, 10, 60, 40};
+    for (int clear = 0; clear < 2; clear++) {
+        look.clear = clear;
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 100, 60);
+        cairo_t *cr = cairo_create(surface);
+        bead_panel_fill(cr, &setup, plot);
+        cairo_destroy(cr);
+        cairo_surface_flush(surface);
+        for (int y = 0; y < 60; y++) {
+            for (int x = 0; x < 100; x++) {
+                const unsigned char *p =
+                    cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface) + 4 * x;
+                const bool within = x >= plot.x && x < plot.x + plot.width && y >= plot.y && y < plot.y + plot.height;
+                assert_int_equal(p[2], within && !clear ? 255 : 0);
+            }
+        }
+        cairo_surface_destroy(surface);
+    }
+    bead_chain_destroy(m.chain);
+    bead_scene_free(m.scene);
+}
+
 /* A pixel of the image shows the beads that are there, in proportion. */
 static void test_pixels_belong_to_unlike_beads(void **state)
 {
@@ -172,6 +204,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_beads_over_their_numbers),
         cmocka_unit_test(rows_leave_room_for_names),
+        cmocka_unit_test(panels_are_filled),
         cmocka_unit_test(test_strings_reach_their_ends),
         cmocka_unit_test(test_pixels_belong_to_unlike_beads),
     };
