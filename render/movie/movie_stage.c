@@ -9,7 +9,8 @@
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
 static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,
                     least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5;
-/* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame. */
+/* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame; in
+ * others, numbers at the end leave as much air as the margin of a panel. */
 static const double wide = 1.5, wide_inset = 0.03;
 /* The curve has at least this part of the area of all plots; images have at most this part of a frame. */
 static const double curve_part = 0.28, most_images = 0.25;
@@ -56,7 +57,9 @@ size_t bead_stage_view(const struct bead_movie_wants *w)
 
 int bead_stage_inset(const struct bead_movie_wants *w)
 {
-    return w->axes && w->width >= wide * w->height ? whole(wide_inset * w->width) : 0;
+    if (!w->axes)
+        return 0;
+    return whole(w->width >= wide * w->height ? wide_inset * w->width : fmax(0, w->along_end - w->look->gap));
 }
 
 size_t bead_stage_columns(const struct bead_movie_wants *w)
@@ -176,6 +179,11 @@ static double right_of(const struct stage *s)
     return s->w->axes && s->other_count > 0 ? fmax(0, s->w->time_end - (s->bar ? 0.4 * s->em : s->w->look->gap)) : 0;
 }
 
+static double right_of_curve(const struct stage *s)
+{
+    return s->w->axes ? fmax(right_of(s), s->w->along_end - s->w->look->gap) : 0;
+}
+
 static void place_bar(const struct stage *s, struct bead_rect last)
 {
     const struct bead_look *look = s->w->look;
@@ -249,7 +257,8 @@ static bool place_beside(const struct stage *s, int y, int bottom)
     for (size_t k = 0; k < s->other_count; k++)
         under = under > below(s, s->others[k]) ? under : below(s, s->others[k]);
     int top = y + above(s) + (s->names_above ? name_line(s) : 0), height = bottom - under - top;
-    double first = fmax(left_of(s, true), s->inset), room = s->area.width - (has_curve ? first : 0) - bar_room(s) - right_of(s);
+    double first = fmax(left_of(s, true), s->inset), right = plots > 0 ? right_of(s) : right_of_curve(s),
+           room = s->area.width - (has_curve ? first : 0) - bar_room(s) - right;
     room -= (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
     double least = has_curve ? fmax(least_curve[0] * s->em, curve_part * room) : 0;
     double width = plots > 0 ? floor((room - least) / plots) : 0; /* images take what they must have, the curve the rest */
@@ -287,7 +296,7 @@ static bool place_below(const struct stage *s, int y, int bottom)
     if (curve < least_curve[1] * s->em || height < least || !large_enough(s, width, height) || !titled(s, width))
         return false;
     int top = y + above(s), x = s->area.x + whole(left_of(s, true));
-    place_curve(s, (struct bead_rect){x, top, s->area.x + s->area.width - x - whole(right_of(s)), (int)curve});
+    place_curve(s, (struct bead_rect){x, top, s->area.x + s->area.width - x - whole(right_of_curve(s)), (int)curve});
     top += (int)curve + below(s, s->curve);
     for (size_t k = 0; k < s->other_count; k++) {
         top += (int)gap + above(s) + (s->names_above ? name_line(s) : 0);

@@ -375,6 +375,34 @@ static void test_numbers_of_a_grid_part(void **state)
     }
 }
 
+/* Numbers at the end of a chain do not touch the edge of a phone, below its stage or its curve, with images or without. */
+static void test_numbers_at_the_end_have_air(void **state)
+{
+    static const int sizes[][2] = {{390, 844}, {1080, 1920}, {1080, 1080}};
+    (void)state;
+    for (size_t i = 0; i < 4 * sizeof sizes / sizeof *sizes; i++) {
+        static struct stage s;
+        const int *size = sizes[i / 4];
+        char text[1024] = "chains:\n", what[80];
+        for (size_t c = 0; c <= i % 4; c++)
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     "  - {name: c%zu, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 80}]}\n",
+                     c);
+        snprintf(text + strlen(text), sizeof text - strlen(text), "outputs: [{movie: m.mp4, size: [%d, %d]}]\n", size[0], size[1]);
+        snprintf(what, sizeof what, "end-%zu-%dx%d", i % 4, size[0], size[1]);
+        open_stage(&s, text, size);
+        show(&s, what);
+        assert_legible(&s.seen, size, what);
+        for (size_t k = 0; k < s.seen.count; k++) {
+            const double air = size[0] - s.seen.text[k].x - s.seen.text[k].width;
+            if (is_number(s.seen.text[k].markup) && air < s.composer->look.gap - 1)
+                fail_msg("%s: '%s' is %g px from the edge", what, s.seen.text[k].markup, air);
+        }
+        assert_true(wrote(&s.seen, "80") || i % 4 == 3);
+        close_stage(&s);
+    }
+}
+
 /* ---- notes ---- */
 
 /* px: left, right and top of what is red within rows from..to. */
@@ -486,6 +514,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_frame),
         cmocka_unit_test(test_windows_that_move),
+        cmocka_unit_test(test_numbers_at_the_end_have_air),
         cmocka_unit_test(test_tips_meet_their_beads),
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_names_are_words),
