@@ -19,6 +19,7 @@
 #include "sim/chain/validity.h"
 #include "sim/hdf5/h5.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/kinds/scene_facts.h"
 #include "sim/measure/measure.h"
 #include "sim/sweep/sweep_internal.h"
 #include "sim/trajectory/trajectory_data.h"
@@ -117,6 +118,26 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
         fprintf(out, "  sensor %s on bead %zu\n", sensors[i].name, sensors[i].bead);
 }
 
+/* What is varied: `beads` is the number of the last one. */
+static void print_sweep_spec(FILE *out, const struct bead_sweep_spec *spec, size_t beads)
+{
+    size_t configurations = 0;
+    for (size_t g = 0; g < spec->group_count; g++)
+        configurations += spec->groups[g].configurations;
+    fprintf(out, "sweep %s%s%zu configurations of striker and %zu beads", spec->name, *spec->name ? ": " : "", configurations,
+            beads);
+    if (spec->over.key_count == 0)
+        fprintf(out, ", %zu random cells, seed %llu", spec->cells, (unsigned long long)spec->seed);
+    fputc('\n', out);
+    for (size_t k = 0; k < spec->over.key_count; k++)
+        fprintf(out, "  over %zu values of %s\n", spec->over.keys[k].count, spec->over.keys[k].path);
+    if (spec->spins)
+        fprintf(out, "  spins as given\n");
+    else if (!spec->own_magnetism && spec->over.key_count == 0)
+        fprintf(out, "  magnetism: %zu from %.4g to %.4g\n", spec->group_count, spec->groups[0].magnetism,
+                spec->groups[spec->group_count - 1].magnetism);
+}
+
 static void print_outputs(FILE *out, const struct bead_scene *scene)
 {
     for (size_t i = 0; i < scene->output_count; i++)
@@ -148,7 +169,9 @@ static enum bead_error scene_info(const struct command *command, FILE *out, stru
         bead_scene_free(scene);
         return err;
     }
-    print_head(out, path, "scene", scene);
+    print_head(out, path, scene->sweep_count > 0 ? "scene of a sweep" : "scene", scene);
+    for (size_t i = 0; i < scene->sweep_count; i++)
+        print_sweep_spec(out, &scene->sweeps[i], bead_scene_last_bead(scene, scene->sweeps[i].chain));
     for (size_t i = 0; i < scene->chain_count && !err; i++) {
         struct bead_chain *chain;
         err = bead_chain_outline(scene, &scene->chains[i], &chain, msg);
@@ -314,18 +337,7 @@ static void print_sweep(FILE *out, const struct bead_sweep *sweep, size_t index)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, index);
     const struct bead_sweep_spec *spec = panel->spec;
-    fprintf(out, "sweep %s%s%zu configurations of striker and %zu beads", panel->name, *panel->name ? ": " : "",
-            panel->configurations, panel->beads - 1);
-    if (spec->over.key_count == 0)
-        fprintf(out, ", %zu random cells, seed %llu", spec->cells, (unsigned long long)spec->seed);
-    fputc('\n', out);
-    for (size_t k = 0; k < spec->over.key_count; k++)
-        fprintf(out, "  over %zu values of %s\n", spec->over.keys[k].count, spec->over.keys[k].path);
-    if (spec->spins)
-        fprintf(out, "  spins as given\n");
-    else if (!spec->own_magnetism && spec->over.key_count == 0)
-        fprintf(out, "  magnetism: %zu from %.4g to %.4g\n", spec->group_count, spec->groups[0].magnetism,
-                spec->groups[spec->group_count - 1].magnetism);
+    print_sweep_spec(out, spec, panel->beads - 1);
     for (size_t place = 0; place < panel->places; place++) {
         struct bead_sweep_configuration clean;
         char force[32];

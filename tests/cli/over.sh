@@ -47,6 +47,7 @@ ok "in three parts, put together" parts
 ok "... the same bytes" cmp merged.h5 s.h5
 ok "on one thread the same" eval '"$beadsim" v.yaml -o alone --threads 1 >"$T/out" && cmp alone/s.h5 s.h5'
 ok "--info names the keys" eval '"$beadsim" --info s.h5 | grep -qF "over 4 values of chain.striker.velocity"'
+ok "... of a scene, too" eval '"$beadsim" --info v.yaml >"$T/out" && grep -qF "v.yaml: scene of a sweep" "$T/out" && grep -qF "over 4 values of chain.striker.velocity" "$T/out"'
 ok "--plan, too" eval '"$beadsim" v.yaml --plan | grep -qF "over 4 of chain.striker.velocity"'
 
 # Without precompression c ~ v^(1/5), exactly; samples follow pulses to six digits.
