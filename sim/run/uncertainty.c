@@ -20,10 +20,9 @@ static const double few = 0.003;
 enum { SHORT = 64 };
 /* Relative uncertainty of a peak that is not predictable: chosen, where .03 and .3 were tried as well. */
 static const double lost = 0.1;
-/* A later maximum overtakes with a probability of a thousandth if it has to be higher than expected by so many standard deviations
- * of its logarithm, were logarithms normal deviates. That is supposed, not measured: a longer tail would be overtaken more often.
- */
-static const double deviations = 3;
+/* How many of a chain's peaks that are called predictable may be overtaken later, on average, were logarithms of late maxima normal
+ * deviates. That is supposed, not measured: a longer tail would overtake more often. */
+static const double overtaken = 1e-3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
@@ -131,9 +130,22 @@ static bool is_late(const struct bead_peak *peak, double from)
     return peak->time >= from && peak->value > 0;
 }
 
+/* The logarithm of what the late runs find in the place of peak i after the horizon; -INFINITY: nothing. */
+static double late_height(const struct bead_uncertain_peaks *p, size_t i, double from)
+{
+    double sum = 0, count = 0;
+    for (size_t r = 0; r < BEAD_UNCERTAINTY_LATE; r++) {
+        if (!p->late[r] || !is_late(&p->late[r][i], from))
+            continue;
+        sum += bead_log(p->late[r][i].value);
+        count++;
+    }
+    return count > 0 ? sum / count : -INFINITY;
+}
+
 /* Logarithms of maxima after the horizon are scattered with the variance s^2, which their differences x between two runs tell: the
  * mean of x^2 is 2 s^2. A third run differs from the mean of these two by 3/2 s^2. */
-double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from)
+static double spread_of(const struct bead_uncertain_peaks kinds[2], double from)
 {
     double sum = 0;
     size_t count = 0;
@@ -147,7 +159,39 @@ double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double
             count++;
         }
     }
-    return count > 0 ? bead_exp(deviations * sqrt(0.75 * sum / (double)count)) : 1;
+    return count > 0 ? sqrt(0.75 * sum / (double)count) : 0;
+}
+
+/* Normal deviates beyond this are no matter. */
+static const double furthest = 8;
+
+/* How many of the peaks that exceed what the late runs find by more than z standard deviations will be overtaken, on average. */
+static double expected(const struct bead_uncertain_peaks kinds[2], double from, double spread, double z)
+{
+    double sum = 0;
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++) {
+            const double value = kinds[kind].peaks[i].value;
+            const double own = value > 0 ? (bead_log(value) - late_height(&kinds[kind], i, from)) / spread : INFINITY;
+            if (own >= z && own < furthest)
+                sum += bead_erfc(own * sqrt(0.5)) / 2;
+        }
+    }
+    return sum;
+}
+
+double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from)
+{
+    enum { HALVINGS = 12 };
+    const double spread = spread_of(kinds, from);
+    double low = 0, high = furthest;
+    if (!(spread > 0))
+        return 1;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double z = 0.5 * (low + high);
+        *(expected(kinds, from, spread, z) > overtaken ? &low : &high) = z;
+    }
+    return bead_exp(high * spread);
 }
 
 /* May a later maximum after the horizon be higher than peak i? In other runs it is, or nearly. */
@@ -155,19 +199,12 @@ static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct 
                              double reach)
 {
     const struct bead_peak *const others[] = {p->coarse, p->fine};
-    double sum = 0, count = 0;
     for (size_t r = 0; r < sizeof others / sizeof *others; r++) {
         const struct bead_peak *other = others[r] ? &others[r][i] : NULL;
         if (other && is_late(other, from) && !is_same(of, &p->peaks[i], other) && !(of->end > 0 && other->time > of->end))
             return true;
     }
-    for (size_t r = 0; r < BEAD_UNCERTAINTY_LATE; r++) {
-        if (!p->late[r] || !is_late(&p->late[r][i], from))
-            continue;
-        sum += bead_log(p->late[r][i].value);
-        count++;
-    }
-    return count > 0 && reach * bead_exp(sum / count) > p->peaks[i].value;
+    return bead_log(reach) + late_height(p, i, from) > bead_log(p->peaks[i].value);
 }
 
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,

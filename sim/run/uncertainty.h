@@ -59,7 +59,8 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
 /* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
  */
 double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from);
-/* The factor by which a maximum after the horizon `from` may exceed what the late runs say of it: 1 or more. */
+/* The factor by which a maximum after the horizon `from` may exceed what the late runs say of it, such that hardly one of all peaks
+ * that are higher yet is overtaken: 1 or more. */
 double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from);
 /* True if peak i is not predictable: it comes after the horizon and is not known as accurately as asked, or one that comes after
  * both, it and the horizon, may be higher. */
