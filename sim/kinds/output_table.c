@@ -41,9 +41,11 @@ static const struct bead_option table_rows[] = {
          "tables of peaks: a column that says how well each is known, from a second, coarser run, and where many peaks answer "
          "strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, and so "
          "do those that come later and are not known as well as asked, and all that a later maximum may overtake. Tables "
-         "of sensors, measures, modes, the energy, profiles, spreading and spectra: columns with five times the difference to a "
-         "run with a hundredth of the tolerance (equations: a tenth; shock, measures only: half as many cells; a given step: half "
-         "of it), against time the largest so far, of profiles and spectra that of the worst place or frequency; a measure of a "
+         "of sensors, measures, modes, the energy, extremes, profiles, spreading and spectra: columns with five times the "
+         "difference to a run with a hundredth of the tolerance (equations: a tenth; shock, measures only: half as many cells; a "
+         "given step: half "
+         "of it), against time the largest so far, of extremes that of the size, of profiles and spectra that of the worst place "
+         "or frequency; a measure of a "
          "motion that the two runs do not share has the note `unpredictable`. false: no such "
          "runs"},
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of extremes: a row for each time and chain, with the value of a field that is furthest from 0, and where it is. Of the
- * difference of two runs also as a part of the largest value of the first until then: from when on, and where, they part. */
+ * difference of two runs also as a part of the largest value of the first until then: from when on, and where, they part. The
+ * uncertainty is that of the size: the side of 0 that is the further one changes in a moment. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -17,6 +18,8 @@ static const struct bead_field_info *extremes_field(const struct bead_sink *sink
 static enum bead_error extremes_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     BEAD_TRY(bead_new(&sink->largest, sink->context.chain_count, msg, "a table"));
+    for (size_t c = 0; c < sink->context.chain_count; c++)
+        BEAD_TRY(bead_table_add_column(sink, c, 0, "size", msg));
     return bead_table_choose_times(sink, extremes_field(sink)->title, msg);
 }
 
@@ -32,8 +35,8 @@ static void extremes_header(struct bead_sink *sink)
     if (sink->context.chain_count > 1)
         fputs("chain,", sink->file);
     bead_table_time_header(sink);
-    fprintf(sink->file, ",largest%s%s,%s%s\n", *field->unit ? "_" : "", field->unit, field->of_contacts ? "contact" : "bead",
-            sink->context.difference ? ",part_of_largest" : "");
+    fprintf(sink->file, ",largest%s%s,%s%s%s\n", *field->unit ? "_" : "", field->unit, field->of_contacts ? "contact" : "bead",
+            sink->context.difference ? ",part_of_largest" : "", sink->check ? ",uncertainty" : "");
 }
 
 static size_t furthest(const double *values, size_t count)
@@ -50,6 +53,10 @@ static enum bead_error extremes_sample(struct bead_sink *sink, const struct bead
     const double *values = sample->field[field], *first = sample->comparison[field];
     const size_t beads = bead_chain_beads(sink->context.chains[sample->chain]);
     const size_t count = sample->active < beads ? sample->active : beads, at = furthest(values, count);
+    sink->columns[sample->chain].value = fabs(values[at]);
+    bead_table_compare(sink, sample);
+    if (!sink->file)
+        return BEAD_OK;
     bead_table_chain_name(sink, sample->chain);
     bead_write_number(sink->file, sample->time);
     bead_table_numbers(sink->file, 1, &values[at]);
@@ -60,6 +67,8 @@ static enum bead_error extremes_sample(struct bead_sink *sink, const struct bead
         const double part = *largest > 0 ? fabs(values[at]) / *largest : fabs(values[at]) > 0 ? INFINITY : 0;
         bead_table_numbers(sink->file, 1, &part);
     }
+    if (sink->check)
+        bead_table_numbers(sink->file, 1, &sink->columns[sample->chain].uncertainty);
     bead_table_end_row(sink);
     return BEAD_OK;
 }
@@ -68,4 +77,5 @@ const struct table bead_table_extremes = {.why = "the largest value of a field o
                                           .prepare = extremes_prepare,
                                           .needs = extremes_needs,
                                           .header = extremes_header,
+                                          .checked = TABLE_CHECKED_SAMPLES,
                                           .sample = extremes_sample};
