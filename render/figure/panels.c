@@ -143,6 +143,7 @@ static void panels_needs(const struct bead_still *still, struct bead_needs *need
         needs->fields |= more->fields;
         needs->comparison |= more->comparison;
         needs->contact_peaks = needs->contact_peaks || more->contact_peaks;
+        needs->uncertainty = needs->uncertainty || more->uncertainty;
         needs->budget = needs->budget || more->budget;
         needs->until = fmax(needs->until, more->until);
         if (!more->fields)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end,
- * or where the run went on to a larger one. */
+/* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end, where the
+ * run went on to a larger one, or where it cannot be predicted. Bars show how well others are known. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -41,7 +41,10 @@ static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bea
 
 static void plot_peaks_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.contact_peaks = true, .until = INFINITY, .why = data->why};
+    *needs = (struct bead_needs){.contact_peaks = true,
+                                 .uncertainty = data->output->curves.uncertainty && !data->context.replayed,
+                                 .until = INFINITY,
+                                 .why = data->why};
 }
 
 /* Contacts that were never loaded have no peak. */
@@ -70,7 +73,19 @@ static void plot_peaks_find_range(const struct bead_plot_data *data, const struc
 }
 
 /* Why marks are hollow. */
-enum { RISING = 1, EXCEEDED = 2 };
+enum { RISING = 1, EXCEEDED = 2, LOST = 4 };
+/* Bars of less than this part of the peak are hidden by marks. */
+static const double visible = 0.01;
+
+/* NaN: no bar. */
+static double bar_of(const struct bead_outcome *outcome, size_t contact)
+{
+    const struct bead_peak *peak = &outcome->contact_peaks[contact];
+    const double u = outcome->contact_uncertainty ? outcome->contact_uncertainty[contact] : 0;
+    return peak->unpredictable || !(u > visible * peak->value) ? NAN : u;
+}
+
+enum { ROWS = 4 };
 
 /* Fills two series: finished peaks, and hollow marks. Returns why there are some. */
 static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
@@ -78,18 +93,22 @@ static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct 
 {
     const size_t count = contacts_of(data, chain);
     unsigned why = 0;
-    double *x = values, *done = values + count, *open = values + 2 * count;
+    double *x = values, *done = values + count, *open = values + 2 * count, *bars = values + 3 * count;
     for (size_t i = 0; i < count; i++) {
         const struct bead_peak *peak = &outcome->contact_peaks[i];
         bool is_open = has_peak(peak) && peak->open;
         x[i] = (double)i;
         done[i] = has_peak(peak) && !peak->open ? peak->value : NAN;
-        open[i] = is_open || peak->exceeded ? peak->value : NAN;
-        why |= (is_open ? RISING : 0) | (peak->exceeded ? EXCEEDED : 0);
+        const unsigned reasons =
+            (is_open ? RISING : 0u) | (peak->exceeded ? EXCEEDED : 0u) | (peak->unpredictable && has_peak(peak) ? LOST : 0u);
+        open[i] = reasons ? peak->value : NAN;
+        bars[i] = bar_of(outcome, i);
+        why |= reasons;
     }
     for (int s = 0; s < 2; s++) {
         series[s] = (struct bead_series){.x = x,
                                          .y = s ? open : done,
+                                         .error = s ? NULL : bars,
                                          .count = count,
                                          .mark = s ? BEAD_MARK_POINTS : BEAD_MARK_LINE_POINTS,
                                          .hollow = s,
@@ -103,21 +122,25 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
 {
     static const char *const words[] = {[RISING] = "hollow: still rising at the end",
                                         [EXCEEDED] = "hollow: more after the first passage",
-                                        [RISING | EXCEEDED] = "hollow: still rising, or more later"};
+                                        [RISING | EXCEEDED] = "hollow: still rising, or more later",
+                                        [LOST] = "hollow: not predictable",
+                                        [LOST | RISING] = "hollow: not predictable, or still rising",
+                                        [LOST | EXCEEDED] = "hollow: not predictable, or more later",
+                                        [LOST | RISING | EXCEEDED] = "hollow: not predictable, rising, or more later"};
     struct plot_panel *part = &data->parts[0];
     size_t chains = data->context.chain_count, all = 0, used = 0, series = 0;
     unsigned why = 0;
     for (size_t c = 0; c < chains; c++) {
         if (contacts_of(data, c) > 0 && (!outcomes || !outcomes[c].contact_peaks))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are known only at the end of a run", data->output->path);
-        all += 3 * contacts_of(data, c);
+        all += ROWS * contacts_of(data, c);
     }
     BEAD_TRY(plot_reserve_series(data, 0, 2 * chains + 1, all, msg));
     for (size_t c = 0; c < chains; c++) {
         if (!plot_shows(data, c))
             continue;
         why |= plot_peaks_fill(data, &outcomes[c], c, part->values + used, part->series + series);
-        used += 3 * contacts_of(data, c);
+        used += ROWS * contacts_of(data, c);
         plot_heading(data, c, part->labels[c], sizeof part->labels[c]);
         if (only_chain(data) == SIZE_MAX && *part->labels[c])
             part->series[series].label = part->labels[c];

@@ -191,11 +191,12 @@ const struct bead_option bead_curves_rows[9] = {
      .example = "[0 Hz, 20 kHz]"},
 };
 /* Keys of plots and of panels that are plots. */
-const struct bead_option bead_plot_rows[6] = {
+const struct bead_option bead_plot_rows[7] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.show), .initial = "sensors", .choices = plot_shows, .values = plot_values,
      .help =
          "what to plot: the force at each sensor against time; the peak force of each contact, all chains in one plot (hollow "
-         "where it was rising at the end, or was larger later); the "
+         "where it was rising at the end, was larger later, or cannot be predicted; with bars of uncertainty from a "
+         "hundredth on); the "
          "energies of modes against time; the energy against time, its parts stacked; spreading, second moment, participation and "
          "front of the energy with their power laws; profiles, a field along the chain at several "
          "times; bands, frequency against wave number "
@@ -204,6 +205,8 @@ const struct bead_option bead_plot_rows[6] = {
          "experiment, of a contact or of the cells"},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = scales,
      .help = "scale of the axis of peaks"},
+    {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
+     .help = "with `show: peaks`: how well they are known, from one or more other runs, as in tables; false: no such runs"},
     {"overlay", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.overlay), .initial = "false",
      .help = "one panel for the curves of all chains, instead of one each; peaks always have one"},
     {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",

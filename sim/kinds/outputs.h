@@ -41,7 +41,7 @@
 extern const struct bead_option bead_field_row[1], bead_time_row[1], bead_beads_row[1], bead_every_row[1], bead_trust_row[1],
     bead_theory_row[1];
 /* Curves and tables of their numbers; sweeps: */
-extern const struct bead_option bead_curves_rows[9], bead_plot_rows[6], bead_threshold_row[1], bead_against_row[2],
+extern const struct bead_option bead_curves_rows[9], bead_plot_rows[7], bead_threshold_row[1], bead_against_row[2],
     bead_measured_row[1];
 /* Images and panels that are images; pictures with panels: */
 extern const struct bead_option bead_image_rows[3], bead_panels_rows[2];

@@ -158,29 +158,38 @@ static void test_largest_values_of_chains_under_load(void **state)
 enum { CONTACTS = 10 };
 
 /* Draws peaks of the chain of ten beads as the sink would at the end of a run. */
-static struct png_file draw_peaks(const char *output, const double values[CONTACTS], size_t open, size_t exceeded)
+static struct png_file draw_known_peaks(const char *output, const double values[CONTACTS], size_t open, size_t exceeded,
+                                        size_t lost, const double *uncertainty)
 {
     struct built built = build_chain(output);
     struct bead_run_context context = make_stage(&built);
     struct bead_peak peaks[CONTACTS];
-    struct bead_outcome outcome = {.contact_peaks = peaks};
+    struct bead_outcome outcome = {.contact_peaks = peaks, .contact_uncertainty = uncertainty};
     struct bead_sink *sink;
     struct bead_needs needs;
     struct bead_message msg = {""};
     char path[512];
     assert_int_equal(bead_chain_contacts(built.chain), CONTACTS);
     for (size_t i = 0; i < CONTACTS; i++)
-        peaks[i] = (struct bead_peak){
-            .value = values[i], .time = values[i] > 0 ? 1e-4 * (double)i : NAN, .open = i == open, .exceeded = i == exceeded};
+        peaks[i] = (struct bead_peak){.value = values[i],
+                                      .time = values[i] > 0 ? 1e-4 * (double)i : NAN,
+                                      .open = i == open,
+                                      .exceeded = i == exceeded,
+                                      .unpredictable = i == lost};
     assert_int_equal(bead_plot_sink.create(&built.scene->outputs[0], &context, &sink, &msg), BEAD_OK);
     bead_plot_sink.needs(sink, &needs);
-    assert_true(needs.contact_peaks && needs.fields == 0);
+    assert_true(needs.contact_peaks && needs.uncertainty && needs.fields == 0);
     if (bead_plot_sink.end(sink, &outcome, &msg))
         fail_msg("%s", msg.text);
     bead_plot_sink.destroy(sink);
     release_chain(&built);
     in_directory("peaks.png", path, sizeof path);
     return read_png(path);
+}
+
+static struct png_file draw_peaks(const char *output, const double values[CONTACTS], size_t open, size_t exceeded)
+{
+    return draw_known_peaks(output, values, open, exceeded, 99, NULL);
 }
 
 /* Pixels in the full colour of the first curve, in the picture's columns and rows from..to. */
@@ -250,6 +259,48 @@ static void test_exceeded_peaks_are_hollow(void **state)
     free(plain.rgb);
     free(exceeded.rgb);
     free(open.rgb);
+}
+
+/* Rows with a colour that is clearly blue, as bars are, which are too thin for the full colour. */
+static int blue_rows(const struct png_file *png, int right)
+{
+    int rows = 0;
+    for (int y = 0; y < png->height; y++) {
+        bool blue = false;
+        for (int x = 0; x < right; x++) {
+            const uint8_t *rgb = png->rgb + 3 * ((size_t)y * (size_t)png->width + (size_t)x);
+            blue = blue || rgb[0] + 60 < rgb[2];
+        }
+        rows += blue;
+    }
+    return rows;
+}
+
+/* Bars are as long as peaks are uncertain; those that marks would hide are left out. What cannot be predicted is hollow, without a
+ * bar. */
+static void test_uncertain_peaks_have_bars(void **state)
+{
+    (void)state;
+    static const double values[CONTACTS] = {10, 10, 10, 10, 10, 10, 10, 10, 10, 10};
+    static const char output[] = "plot: peaks.png, show: peaks, size: [640, 400], range: [0, 12]";
+    double u[3][CONTACTS] = {{0.09}, {1}, {2}};
+    struct png_file plain = draw_peaks(output, values, 99, 99), lost = draw_known_peaks(output, values, 99, 99, 0, u[2]), barred[3],
+                    exceeded = draw_peaks(output, values, 99, 0);
+    int height[3];
+    const int column = plain.width / 8;
+    for (size_t i = 0; i < 3; i++) {
+        barred[i] = draw_known_peaks(output, values, 99, 99, 99, u[i]);
+        height[i] = blue_rows(&barred[i], column);
+    }
+    const double pixels = (height[2] - height[1]) / 2.; /* 1 N */
+    assert_int_equal(height[0], blue_rows(&plain, column));
+    assert_true(pixels > 20 && fabs(height[1] - 2 * pixels) < 4);
+    assert_int_equal(count_ink(&lost, 0, column, 0, plain.height), count_ink(&exceeded, 0, column, 0, plain.height));
+    free(plain.rgb);
+    free(lost.rgb);
+    free(exceeded.rgb);
+    for (size_t i = 0; i < 3; i++)
+        free(barred[i].rgb);
 }
 
 static void run_scene(const char *text)
@@ -341,6 +392,7 @@ int main(void)
         cmocka_unit_test(test_peaks_stand_at_their_height),
         cmocka_unit_test(test_peaks_below_a_logarithmic_axis_are_marked),
         cmocka_unit_test(test_exceeded_peaks_are_hollow),
+        cmocka_unit_test(test_uncertain_peaks_have_bars),
         cmocka_unit_test(test_peaks_are_not_cut),
         cmocka_unit_test(test_long_names_leave_the_others),
         cmocka_unit_test(test_settings_that_do_not_fit_are_refused),
