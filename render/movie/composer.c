@@ -241,6 +241,17 @@ static void draw_sample(const struct bead_composer *c, size_t chain, struct bead
     rect->width -= room;
 }
 
+/* The names above images are all as small as one of them has to be. */
+static double size_of_names(const struct bead_composer *c)
+{
+    double size = 1;
+    for (size_t i = 0; i < c->layout.chain_count; i++) {
+        const double width = c->layout.chains[i].name.width;
+        size = width > 0 ? fmin(size, bead_name_size(&c->look, c->setup.chains[i], width)) : size;
+    }
+    return size;
+}
+
 /* The heading of a chain, over the top of its stage, and its name above its image. */
 static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
 {
@@ -259,7 +270,7 @@ static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
     if (rect.width > 0)
         bead_heading_draw(cr, look, &heading, rect);
     if (place->name.width > 0)
-        bead_name_draw(cr, look, &heading, place->name);
+        bead_name_draw(cr, look, &heading, size_of_names(c), place->name);
 }
 
 static void composer_draw_words(struct bead_composer *c, cairo_t *cr)

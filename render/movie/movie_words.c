@@ -358,11 +358,18 @@ double bead_name_least(const struct bead_look *look, const struct bead_chain *ch
     return bead_chain_title(chain)[0] ? name_room(NULL, &style, chain) : 0;
 }
 
-void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
+double bead_name_size(const struct bead_look *look, const struct bead_chain *chain, double width)
+{
+    const struct bead_text_style style = name_style(look, look->ink);
+    return fmax(smallest_image_name, fmin(1, width / name_room(NULL, &style, chain)));
+}
+
+void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double size,
+                    struct bead_rect rect)
 {
     struct bead_text_style style = name_style(look, heading->colour);
     char markup[2048];
-    style.size *= fmax(smallest_image_name, fmin(1, rect.width / name_room(cr, &style, heading->chain)));
+    style.size *= size;
     bead_words_fit(cr, &style, bead_chain_title(heading->chain), false, rect.width, markup, sizeof markup);
     bead_text_draw(cr, &style, rect.x + rect.width, rect.y + 0.5 * rect.height, markup);
 }

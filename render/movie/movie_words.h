@@ -64,8 +64,11 @@ double bead_heading_least(const struct bead_look *look, const struct bead_chain 
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 /* px, of a chain's name above its image as small as may be; 0: it has none. */
 double bead_name_least(const struct bead_look *look, const struct bead_chain *chain);
-/* To the right; as much as fits. */
-void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
+/* The part of its usual size in which it fits, or the smallest. */
+double bead_name_size(const struct bead_look *look, const struct bead_chain *chain, double width);
+/* To the right, in such a part of its usual size; as much as fits. */
+void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double size,
+                    struct bead_rect rect);
 
 /* ---- captions: captions.c ---- */
 

@@ -375,6 +375,33 @@ static void test_numbers_of_a_grid_part(void **state)
     }
 }
 
+/* Beside the title of the first image its name has less room than the others: like labels have one size. */
+static void test_names_of_images_have_one_size(void **state)
+{
+    static const int size[2] = {1080, 1080};
+    static struct stage s;
+    (void)state;
+    char text[1024] = "chains:\n";
+    for (int c = 1; c <= 4; c++)
+        snprintf(text + strlen(text), sizeof text - strlen(text),
+                 "  - {name: Chain %d, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 60}]}\n",
+                 c);
+    snprintf(text + strlen(text), sizeof text - strlen(text), "outputs: [{movie: m.mp4, size: [1080, 1080]}]\n");
+    open_stage(&s, text, size);
+    show(&s, "names");
+    size_t names = 0;
+    double height = 0;
+    for (size_t k = 0; k < s.seen.count; k++) { /* those above images are the lower half of the frame's */
+        if (!strstr(s.seen.text[k].markup, "Chain ") || s.seen.text[k].y < 0.6 * size[1])
+            continue;
+        if (names++ > 0 && fabs(s.seen.text[k].height - height) > 0.01)
+            fail_msg("'%s' is %g px high, not %g", s.seen.text[k].markup, s.seen.text[k].height, height);
+        height = s.seen.text[k].height;
+    }
+    assert_int_equal(names, 4);
+    close_stage(&s);
+}
+
 /* Numbers at the end of a chain do not touch the edge of a phone, below its stage or its curve, with images or without. */
 static void test_numbers_at_the_end_have_air(void **state)
 {
@@ -515,6 +542,7 @@ int main(void)
         cmocka_unit_test(test_every_frame),
         cmocka_unit_test(test_windows_that_move),
         cmocka_unit_test(test_numbers_at_the_end_have_air),
+        cmocka_unit_test(test_names_of_images_have_one_size),
         cmocka_unit_test(test_tips_meet_their_beads),
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_names_are_words),
