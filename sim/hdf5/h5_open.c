@@ -49,6 +49,11 @@ static enum bead_error look_through(struct bead_h5 *h5)
     h5->bytes = (uint64_t)found.st_size;
     BEAD_TRY(find_seal(h5));
     const struct bead_seal *seal = &h5->check.seal;
+    if (!seal->covered && !bead_h5_is(h5->path))
+        return bead_h5_fail(
+            h5, false,
+            "not an HDF5 file: only trajectories and the files of sweeps have digests; --reproduce makes tables and "
+            "pictures again");
     if (!seal->covered)
         return bead_h5_fail(h5, false, "has no digests: it is unfinished, of an older version, or another program has changed it");
     const int error = bead_seal_look(seal, h5->check.file, &damaged, &from, &to);

@@ -16,7 +16,7 @@ static struct words time_words(const struct bead_session *s, double time, bool m
     struct words words;
     if (!*bead_chain_time_unit(s->chains[0]))
         snprintf(words.text, sizeof words.text, "%.6g", time);
-    else if (milli)
+    else if (milli || time >= 1e-3)
         snprintf(words.text, sizeof words.text, "%.6g ms", 1e3 * time);
     else
         snprintf(words.text, sizeof words.text, "%.4g us", 1e6 * time);

@@ -71,6 +71,7 @@ static const char *hint(const char *problem)
          "; lines are indented with spaces, not tabs, and @, % or ` begin only texts in \"quotes\""},
         {"did not find expected ',' or '}'", quotes},
         {"did not find expected ',' or ']'", quotes},
+        {"invalid leading UTF-8 octet", "; a scene is a text in UTF-8, which a picture or a film is not"},
         {"mapping values are not allowed in this context",
          "; is a colon missing in the line before? A text with a colon in it must be in \"quotes\""},
         {"could not find expected ':'", "; a key ends with a colon and a space: is one missing here, or in the line before?"},

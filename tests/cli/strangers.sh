@@ -135,6 +135,7 @@ truncate -s -1000 run.h5
 ok "a file cut off" fails 1 "$beadsim" --verify run.h5
 ok "..." says "run.h5: has no digests: it is unfinished"
 ok "a scene is not verified" fails 1 "$beadsim" --verify run.yaml
+ok "... and says what is" says "run.yaml: not an HDF5 file: only trajectories and the files of sweeps have digests"
 
 # ---- no threads, no time ----
 if [ "${sanitized:-}" ] || ! refuse pthread_create 11 11 libglib; then
