@@ -95,17 +95,18 @@ set -m # a script's background jobs ignore SIGINT otherwise
 "$beadsim" scene.yaml -o slow --set 'simulate={until: 30 s, method: rk4, step: 0.1 us}' --only peaks.csv >out 2>err </dev/null &
 ok "lines of progress in a file" await grep -E '^simulating: [0-9]+ %, .* left$' err
 kill -INT $! && wait $!
-set +m
 ok "... which never say that nothing is left" bash -c "! grep -q ' 0 s left' err"
-film=(--set 'outputs=[{movie: m.mp4, size: [320, 240], fps: 240, duration: 20 s}]')
-"$beadreel" scene.yaml -o slow "${film[@]}" --progress json >out 2>err
-ok "a film is drawn" grep -q '"what": "drawing"' err
+film=(--set 'outputs=[{movie: m.mp4, size: [320, 240], fps: 240, duration: 100 s}]')
+"$beadreel" scene.yaml -o slow "${film[@]}" --progress json >out 2>err </dev/null &
+ok "a film is drawn" await grep -q '"what": "drawing"' err
+kill -INT $! && wait $!
+set +m
 ok "... not simulated" bash -c "! grep -q '\"simulating\"' err"
 ok "--progress=none is quiet" bash -c "'$beadsim' scene.yaml -o slow --set simulate.until='600 ms' --only peaks.csv --progress=none 2>&1 >/dev/null | (! grep .)"
 "$beadreel" scene.yaml -o slow --set 'outputs=[{image: late.png, size: [300, 200]}]' --progress json >out 2>err
 ok "what is written at the end is told before" grep -q '"what": "writing late.png", "done": 0,' err
 named() { TERM=xterm script -qec "$beadreel scene.yaml -o slow --set 'outputs=[{image: late.png, size: [300, 200]}]'" typescript >/dev/null && grep -q 'writing late.png' typescript; }
-bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='600 ms' --set simulate.method=rk4 \
+bar() { TERM=xterm script -qec "$beadsim scene.yaml -o slow --set simulate.until='150 ms' --set simulate.method=rk4 \
     --set simulate.step='0.1us' --only peaks.csv" typescript >/dev/null && grep -q '\[[#.]*\] *[0-9]* %' typescript; }
 if TERM=xterm script -qec true typescript >/dev/null 2>&1; then
     ok "a bar on a terminal" bar
