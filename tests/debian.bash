@@ -62,13 +62,17 @@ make_root() {
     [ -z "${BARE:-}" ] || cp -a "$root" "$BARE/$suite" || exit 1
 }
 
-# within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it.
+# within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it. Where
+# COMPILER_CACHE=DIRECTORY is set, ccache there uses this directory of the host's: what the same compiler has made here is not made again.
 within() {
+    local -x cache=/var/cache/ccache
     # shellcheck disable=SC2016
     alone bash -c '
         root=$1; shift
         mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
+        [ -z "${COMPILER_CACHE:-}" ] || { mkdir -p "$root$cache" && mount --bind "$COMPILER_CACHE" "$root$cache"; } || exit 1
         exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+        ${COMPILER_CACHE:+CC="ccache gcc" CCACHE_DIR=$cache CCACHE_BASEDIR=/root/beadreel CCACHE_NOHASHDIR=1} \
         DEBIAN_FRONTEND=noninteractive ${CFLAGS:+CFLAGS="$CFLAGS"} ${WERROR:+WERROR="$WERROR"} ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
         ${no_proxy:+no_proxy="$no_proxy"} "$@"
 }

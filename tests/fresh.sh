@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The README's two commands on a bare Debian of this checkout's HEAD: tests/fresh.sh SUITE [TEST...] (bookworm or trixie), or `make fresh`.
 # Makes a minimal system (see debian.bash), adds make, git and ca-certificates, clones the commit into it, runs the commands there
-# and removes it all. It takes 3 GB and some minutes. With tests named, everything is compiled, but only these are run.
+# and removes it all. It takes 3 GB and some minutes. With tests named, everything is compiled, but only these are linked and run.
 # Exit status 0 passed, 1 failed, 77 it cannot be tried here.
 set -u
 suites="bookworm trixie"
@@ -12,15 +12,17 @@ source "$(dirname "$0")/debian.bash"
 mapfile -t commands < <(grep -xE 'make deps [a-z]+' README.md)
 [ ${#commands[@]} -eq 2 ] || { say "README.md has ${#commands[@]} commands 'make deps ...', not 2" >&2; exit 1; }
 make_root "$suite"
-connect && within apt-get -q -y install --no-install-recommends make git ca-certificates ||
-    { say "make, git and ca-certificates cannot be installed" >&2; exit 1; }
+tools=(make git ca-certificates ${COMPILER_CACHE:+ccache})
+connect && within apt-get -q -y install --no-install-recommends "${tools[@]}" || { say "${tools[*]} cannot be installed" >&2; exit 1; }
 git clone -q --no-hardlinks . "$root/root/beadreel" || exit 1
 [ -z "$(git status --porcelain)" ] || say "what is not committed is left out"
 say "commit $(git -C "$root/root/beadreel" log -1 --format='%h %s')"
 
+programs=()
+for test in "${@:2}"; do if compgen -G "tests/*/$test.c" >/dev/null; then programs+=("build/tests/$test"); fi; done
 failed=0 report=()
 for command in "${commands[@]}"; do
-    if [ $# -gt 1 ] && [ "$command" = "make deps test" ]; then command="make deps compile && tests/run.sh build ${*:2}"; fi
+    if [ $# -gt 1 ] && [ "$command" = "make deps test" ]; then command="make deps compile ${programs[*]} && tests/run.sh build ${*:2}"; fi
     say "$command"
     SECONDS=0
     within sh -c "cd /root/beadreel && $command"
