@@ -105,7 +105,8 @@ static enum bead_error read_range(struct bead_reader *reader, const struct bead_
     for (size_t i = 0; i < 2; i++) {
         const char *name = range_rows[i].key;
         if (bead_units_read(reader->units, range.ends[i], *unit ? unit : "1", &ends[i], why, sizeof why))
-            return BEAD_WRONG_KEY(reader, at, name, "%s", why);
+            return BEAD_WRONG_KEY(reader, at, name, "is `%s`; must be a number%s%s", range.ends[i], *unit ? " with a unit of " : "",
+                                  unit);
         if (range.spacing == SPACING_LOG && !(ends[i] > 0))
             return BEAD_WRONG_KEY(reader, at, name, "is %s; must be above 0 with `spacing: log`", range.ends[i]);
     }

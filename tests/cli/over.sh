@@ -151,7 +151,7 @@ refused() { # SETTING MESSAGE
     fails 2 "$beadsim" v.yaml --plan --set "$1" && says "$2"
 }
 ok "a key that no scene has" refused 'sweep.over={chain.strike.velocity: [1]}' 'over:1:1: chain.strike'
-ok "a range to another unit" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 N, count: 3}}' 'over.chain.striker.velocity.to: '
+ok "a range to another unit" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 N, count: 3}}' 'over.chain.striker.velocity.to: is `2 N`; must be a number with a unit of m/s'
 ok "a range of ratios from 0" refused 'sweep.over={chain.striker.velocity: {from: 0 m/s, to: 2 m/s, count: 3, spacing: log}}' 'must be above 0'
 ok "a range of one" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 m/s, count: 1}}' 'from 2 to'
 ok "a range without end" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, count: 4}}' 'to: is missing'
