@@ -42,6 +42,16 @@ ok "... are counted" test "$(tail -n +2 trimer.csv | cut -d, -f1-4 | tr '\n' ' '
 ok "... in order, without a hole" eval 'tail -n +2 trimer.csv | awk -F, "NR > 1 {bad += \$5 != end} {bad += !(\$6 > \$5); end = \$6} END {exit !(NR == 5 && bad == 0)}"'
 ok "... modes, too" eval 'tail -n +2 modes.csv | awk -F, "{bad += \$1 != NR || \$2 < last; last = \$2} END {exit !(NR == 22 && bad == 0)}"'
 
+# Legends of spreading have the exponents and errors of the table.
+cat >spread.yaml <<'YAML'
+chain: {start: [{bead: 100, velocity: 1 m/s}], beads: [{bead: large-steel, count: 200}]}
+simulate: {until: 1 ms}
+outputs: [{plot: spread.svg, show: spreading, every: 5 us}, {table: spread.csv, show: spreading, every: 5 us, uncertainty: false}]
+YAML
+ok "plot and table of spreading" exits 0 "$beadreel" spread.yaml -o .
+exponents() { tail -n 1 spread.csv | awk -F, '{printf ">exponent %.3f ± %.3f<\n>exponent %.3f ± %.3f<\n", $5, $6, $7, $8}'; }
+ok "... say the same exponents and errors" test "$(exponents)" = "$(grep -o '>exponent [^<]*<' spread.svg | grep -v :)"
+
 # Two bands have two edges each; the energy past a bead is the last curve. The first pulse has .99366 of the striker's 2 J.
 cat >energy.yaml <<'YAML'
 materials: {unit: {mass: 1 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}}
