@@ -114,7 +114,7 @@ static enum bead_error card_chains(struct card *c, const struct bead_facts *fact
         struct bead_rect rect = {(int)c->left, (int)c->y, (int)c->width, each.heading};
         struct bead_heading heading = {facts->chains[i], look->ink, false};
         if (headed)
-            bead_heading_draw(c->cr, look, &heading, rect);
+            bead_heading_draw(c->cr, look, &heading, bead_heading_label(look, &heading, rect), rect);
         if (each.beads > 0) {
             struct bead_view_setup setup = *stage;
             setup.chain = facts->chains[i];

@@ -14,6 +14,8 @@
 /* The second line of a heading, in units of the label's font size. */
 static const double heading_line = 1.35;
 /* Its first line, in units of the title's font size; the gap between its parts, in those of the look's gap. */
+/* No letters are smaller, px. */
+static const double least_letters = 11;
 static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smallest_image_name = 0.8, smaller_label = 0.85;
 
 struct bead_clock bead_clock_make(double end, double step, const char *unit)
@@ -296,16 +298,6 @@ static void label_markup(const struct bead_chain *chain, char *markup, size_t si
     bead_markup(marked, markup, size);
 }
 
-/* Beside the name or below it; a little smaller where it does not fit, else left out. */
-static void draw_label(cairo_t *cr, const struct bead_look *look, const char *markup, double size, double x, double y, double room)
-{
-    struct bead_text_style style = bead_words_style(look, size, look->faint, BEAD_ALIGN_BASELINE);
-    if (bead_words_width(cr, &style, markup) > room)
-        style.size *= smaller_label;
-    if (bead_words_width(cr, &style, markup) <= room)
-        bead_text_draw(cr, &style, x, y, markup);
-}
-
 /* px of name and M in one line, with the gap after each. */
 static double name_width(const struct bead_look *look, const struct bead_chain *chain, double size, double m_size)
 {
@@ -374,34 +366,74 @@ void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead
     bead_text_draw(cr, &style, rect.x + rect.width, rect.y + 0.5 * rect.height, markup);
 }
 
-void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
+/* The parts of a heading: name, M, and the label beside the name or below it. */
+struct heading {
+    struct bead_text_style name, m, label;
+    char name_markup[HEADING_MARKUP], m_markup[256], label_markup[HEADING_MARKUP];
+    double x, m_x, label_x, y, m_y, label_y;
+};
+
+static void place_heading(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect,
+                          struct heading *h)
 {
     const struct bead_chain *chain = heading->chain;
     const double under = heading->lines ? heading_line * look->label : 0, line = rect.height - under;
     const double size = fmin(heading_size * look->title, 0.75 * line), part = size / (heading_size * look->title);
     const bool has_m = bead_chain_spins(chain)[0], below = has_m && heading->lines && bead_heading_least(look, chain) > rect.width;
-    struct bead_text_style style = bead_words_style(look, size, look->accent, BEAD_ALIGN_BASELINE);
-    double x = rect.x, y = rect.y + 0.5 * line + 0.36 * size, gap = heading_gap * look->gap;
-    char markup[HEADING_MARKUP], m[256] = "";
+    const double gap = heading_gap * look->gap;
+    *h = (struct heading){.x = rect.x, .y = rect.y + 0.5 * line + 0.36 * size};
+    h->m = bead_words_style(look, size, look->accent, BEAD_ALIGN_BASELINE);
     if (has_m)
-        bead_text_magnetism(bead_chain_magnetism(chain), m, sizeof m);
-    const double m_width = has_m ? bead_words_width(cr, &style, m) : 0, room = rect.width - (has_m && !below ? m_width + gap : 0);
+        bead_text_magnetism(bead_chain_magnetism(chain), h->m_markup, sizeof h->m_markup);
+    const double m_width = has_m ? bead_words_width(cr, &h->m, h->m_markup) : 0,
+                 room = rect.width - (has_m && !below ? m_width + gap : 0);
+    double x = rect.x;
     if (bead_chain_title(chain)[0]) { /* long names are set smaller before they are cut */
-        struct bead_text_style name = style;
-        name.bold = true;
-        name.colour = heading->colour;
-        bead_text_escape(bead_chain_title(chain), markup, sizeof markup);
-        double fits = 0.98 * room / fmax(1, bead_words_width(cr, &name, markup));
-        name.size *= fmin(1, fmax(smallest_name, fits));
-        x += bead_words_fit(cr, &name, bead_chain_title(chain), false, room, markup, sizeof markup) + gap;
-        bead_text_draw(cr, &name, rect.x, y, markup);
+        h->name = h->m;
+        h->name.bold = true;
+        h->name.colour = heading->colour;
+        bead_text_escape(bead_chain_title(chain), h->name_markup, sizeof h->name_markup);
+        double fits = 0.98 * room / fmax(1, bead_words_width(cr, &h->name, h->name_markup));
+        h->name.size *= fmin(1, fmax(smallest_name, fits));
+        x += bead_words_fit(cr, &h->name, bead_chain_title(chain), false, room, h->name_markup, sizeof h->name_markup) + gap;
     }
-    style.size = below ? part * look->label : size;
-    x = below ? rect.x : x;
-    if (has_m)
-        bead_text_draw(cr, &style, x, below ? y + under : y, m);
-    x = heading->lines && !below ? rect.x : x + (has_m ? bead_words_width(cr, &style, m) + gap : 0);
-    label_markup(chain, markup, sizeof markup);
-    if (markup[0])
-        draw_label(cr, look, markup, part * look->label, x, y + under, rect.x + rect.width - x);
+    h->m.size = below ? part * look->label : size;
+    h->m_x = below ? rect.x : x;
+    h->m_y = below ? h->y + under : h->y;
+    h->label_x = heading->lines && !below ? rect.x : h->m_x + (has_m ? bead_words_width(cr, &h->m, h->m_markup) + gap : 0);
+    h->label_y = h->y + under;
+    h->label = bead_words_style(look, part * look->label, look->faint, BEAD_ALIGN_BASELINE);
+    label_markup(chain, h->label_markup, sizeof h->label_markup);
+}
+
+/* Does the label fit, if it is so much smaller? */
+static bool label_fits(cairo_t *cr, const struct heading *h, struct bead_rect rect, double smaller)
+{
+    struct bead_text_style style = h->label;
+    style.size *= smaller;
+    return bead_words_width(cr, &style, h->label_markup) <= rect.x + rect.width - h->label_x;
+}
+
+double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
+{
+    struct heading h;
+    place_heading(NULL, look, heading, rect, &h);
+    const bool shrinks = h.label_markup[0] && smaller_label * h.label.size >= least_letters && !label_fits(NULL, &h, rect, 1) &&
+                         label_fits(NULL, &h, rect, smaller_label);
+    return shrinks ? smaller_label : 1;
+}
+
+void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double label,
+                       struct bead_rect rect)
+{
+    struct heading h;
+    place_heading(cr, look, heading, rect, &h);
+    if (h.name_markup[0])
+        bead_text_draw(cr, &h.name, h.x, h.y, h.name_markup);
+    if (h.m_markup[0])
+        bead_text_draw(cr, &h.m, h.m_x, h.m_y, h.m_markup);
+    if (!h.label_markup[0] || !label_fits(cr, &h, rect, label))
+        return;
+    h.label.size *= label;
+    bead_text_draw(cr, &h.label, h.label_x, h.label_y, h.label_markup);
 }

@@ -60,8 +60,12 @@ bool bead_heading_has(const struct bead_chain *chain);
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
 /* px, of name and M as small as they may be. */
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain);
-/* M stands beside the name or, in the second line, before the label. A label that does not fit is left out, M never. */
-void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
+/* The part of its usual size in which its label fits; 1: in full, or not at all. */
+double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
+/* M stands beside the name or, in the second line, before the label. A label that does not fit in such a part of its size is left
+ * out, M never. */
+void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double label,
+                       struct bead_rect rect);
 /* px, of a chain's name above its image as small as may be; 0: it has none. */
 double bead_name_least(const struct bead_look *look, const struct bead_chain *chain);
 /* The part of its usual size in which it fits, or the smallest. */

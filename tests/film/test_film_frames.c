@@ -402,6 +402,39 @@ static void test_names_of_images_have_one_size(void **state)
     close_stage(&s);
 }
 
+/* Where the label beside one name has to be smaller, those beside the others are, too. */
+static void test_labels_of_chains_have_one_size(void **state)
+{
+    (void)state;
+    double least = INFINITY, most = 0;
+    for (int width = 700; width < 1400; width += 20) {
+        static struct stage s;
+        const int size[2] = {width, 720};
+        char text[1024], what[80];
+        snprintf(text, sizeof text,
+                 "chains:\n"
+                 "  - {name: A, label: five long balls that touch, beads: [{bead: large-steel, count: 5}]}\n"
+                 "  - {name: B, label: five balls of a long row that touch another, beads: [{bead: large-steel, count: 5}]}\n"
+                 "outputs: [{movie: m.mp4, size: [%d, %d]}]\n",
+                 size[0], size[1]);
+        snprintf(what, sizeof what, "labels-%d", width);
+        open_stage(&s, text, size);
+        show(&s, what);
+        double height = 0;
+        for (size_t k = 0; k < s.seen.count; k++) {
+            if (!strstr(s.seen.text[k].markup, "that touch"))
+                continue;
+            if (height > 0 && fabs(s.seen.text[k].height - height) > 0.01)
+                fail_msg("%s: '%s' is %g px high, not %g", what, s.seen.text[k].markup, s.seen.text[k].height, height);
+            height = s.seen.text[k].height;
+        }
+        least = height > 0 ? fmin(least, height) : least;
+        most = fmax(most, height);
+        close_stage(&s);
+    }
+    assert_true(least < most); /* there were frames where they had to be smaller */
+}
+
 /* Numbers at the end of a chain do not touch the edge of a phone, below its stage or its curve, with images or without. */
 static void test_numbers_at_the_end_have_air(void **state)
 {
@@ -543,6 +576,7 @@ int main(void)
         cmocka_unit_test(test_windows_that_move),
         cmocka_unit_test(test_numbers_at_the_end_have_air),
         cmocka_unit_test(test_names_of_images_have_one_size),
+        cmocka_unit_test(test_labels_of_chains_have_one_size),
         cmocka_unit_test(test_tips_meet_their_beads),
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_names_are_words),
