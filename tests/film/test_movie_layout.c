@@ -47,6 +47,7 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
         if (layout->head == 0) /* else it is over a stage */
             count = add(all, count, layout->chains[c].heading, "heading");
         count = add(all, count, layout->chains[c].name, "name");
+        const size_t first = count;
         for (size_t v = 0; v < w->view_count; v++) {
             bool along = bead_movie_across(w, v) == BEAD_ACROSS_CHAIN;
             struct bead_rect panel = layout->chains[c].plot[v];
@@ -60,6 +61,10 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
             panel.x -= along ? layout->beyond[0] : 0;
             panel.width += along ? layout->beyond[0] + layout->beyond[1] : 0;
             count = add(all, count, panel, "panel");
+            if (layout->layout <= BEAD_LAYOUT_GRID && panel.x == all[first].rect.x &&
+                panel.width != all[first].rect.width) /* whatever runs along them */
+                fail_msg("%d x %d, %zu chains, %zu views: panels below each other are %d and %d px wide", w->width, w->height,
+                         w->chain_count, w->view_count, all[first].rect.width, panel.width);
         }
     }
     for (size_t i = 0; i < count; i++) {
