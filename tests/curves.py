@@ -5,6 +5,7 @@ one curve back (the first; bands count, too), and compares each of its points wi
 With - instead of
 the table: writes the points of the curve, in units of the axes. Ends with status 3 where they differ, with 1 where the plot cannot be read."""
 import bisect
+import math
 import re
 import sys
 
@@ -37,18 +38,28 @@ assert len(labels) > len(down) + len(left) if bar else len(labels) == len(down) 
 
 
 def scale(places, values):
-    """The line through the first and the last tick; those in between lie on it, up to a unit of the device."""
-    by = (values[-1] - values[0]) / (places[-1] - places[0])
-    for place, value in zip(places, values):
-        assert abs(values[0] + by * (place - places[0]) - value) <= 1.5 * abs(by), (place, value)
-    return lambda at: values[0] + by * (at - places[0]), 2 * abs(by)
+    """The line through the first and the last tick; those in between lie on it, up to a unit of the device, or they do so by their
+    logarithms."""
+    def line(values):
+        by = (values[-1] - values[0]) / (places[-1] - places[0])
+        on_it = all(abs(values[0] + by * (place - places[0]) - value) <= 1.5 * abs(by) for place, value in zip(places, values))
+        return on_it, by
+    even, by = line(values)
+    if even:
+        return lambda at: values[0] + by * (at - places[0]), 2 * abs(by)
+    logs = [math.log(value) for value in values]
+    even, rate = line(logs)
+    assert even, (places, values)
+    return lambda at: math.exp(logs[0] + rate * (at - places[0])), 2 * abs(rate) * max(values)
 
 
 to_x, unit_x = scale(down, labels[:len(down)])
 to_y, unit_y = scale(left, labels[len(down):len(down) + len(left)])
 number = int(sys.argv[5]) if len(sys.argv) > 5 else 0
-clipped = re.findall(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg)[number]
-curve = [(to_x(x), to_y(y)) for x, y in path(clipped)]
+curves = re.findall(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg)
+if not curves:  # none reaches the frame; only lines of curves are round where they bend
+    curves = re.findall(r'<path [^>]*stroke-linejoin(?:="|:)round[^>]* d="([^"]+)"', svg)
+curve = [(to_x(x), to_y(y)) for x, y in path(curves[number])]
 if not points:
     print("\n".join(f"{x:.9g},{y:.9g}" for x, y in curve))
     sys.exit()

@@ -263,7 +263,8 @@ enum bead_sweep_show {
     BEAD_SWEEP_DEVIATION, /* of images, and the next two */
     BEAD_SWEEP_LOWER_QUARTILE,
     BEAD_SWEEP_UPPER_QUARTILE,
-    BEAD_SWEEP_SPREADING /* of sweeps over keys: runs the chains itself */
+    BEAD_SWEEP_SPREADING, /* of sweeps over keys: runs the chains itself */
+    BEAD_SWEEP_PLANE      /* by two quantities: cells and magnetism, or two keys */
 };
 enum bead_parts { BEAD_PARTS_BY_FORM, BEAD_PARTS_BY_PLACE };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };

@@ -350,6 +350,19 @@ static void curve_draw_bar(cairo_t *cr, const struct graph_cell *cell, double x,
     }
 }
 
+/* Strokes a path that may lie on any colour of an image: with an edge like the page. */
+static void stroke_over(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, struct bead_rgb ink, double width)
+{
+    if (cell->panel->image) {
+        graph_set_colour(cr, ground(look));
+        cairo_set_line_width(cr, width + 2 * look->line);
+        cairo_stroke_preserve(cr);
+    }
+    graph_set_colour(cr, ink);
+    cairo_set_line_width(cr, width);
+    cairo_stroke(cr);
+}
+
 static void draw_bars(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
 {
     cairo_new_path(cr);
@@ -359,10 +372,8 @@ static void draw_bars(cairo_t *cr, const struct bead_look *look, const struct gr
             continue;
         curve_draw_bar(cr, cell, px_x(cell, series->x[i]), series->y[i] - error, series->y[i] + error, cap * look->label);
     }
-    graph_set_colour(cr, ink_of(look, series));
     cairo_set_dash(cr, NULL, 0, 0);
-    cairo_set_line_width(cr, look->line);
-    cairo_stroke(cr);
+    stroke_over(cr, look, cell, ink_of(look, series), look->line);
 }
 
 /* ---- a series ---- */
@@ -442,10 +453,13 @@ static void draw_band(cairo_t *cr, const struct bead_look *look, const struct gr
 static void draw_line(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
 {
     trace(cr, cell, series, 8 * look->line);
-    graph_stroke_style(cr, look, series, graph_is_guide(cell, look, series));
+    graph_stroke_style(cr, look, series, !cell->panel->image && graph_is_guide(cell, look, series));
     if (cell->undashed)
         cairo_set_dash(cr, NULL, 0, 0);
-    cairo_stroke(cr);
+    if (cell->panel->image)
+        stroke_over(cr, look, cell, ink_of(look, series), cairo_get_line_width(cr));
+    else
+        cairo_stroke(cr);
 }
 
 void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)

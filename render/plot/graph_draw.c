@@ -38,6 +38,8 @@ static enum bead_error draw_cell(cairo_t *cr, const struct graph_layout *layout,
     bead_axis_draw(cr, look, &cell->axis[0], *plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0], cell->panel->x.title);
     bead_axis_draw(cr, look, &cell->axis[1], *plot, BEAD_SIDE_LEFT, false, cell->labelled[1], cell->panel->y.title);
     graph_draw_words(cr, look, cell);
+    if (cell->panel->image)
+        graph_legend_back(&cell->legend, look, cr);
     graph_legend_draw(&cell->legend, look, cr);
     graph_draw_head(cr, layout, cell);
     return graph_draw_bar(cr, look, cell, msg);

@@ -57,16 +57,27 @@ static double largest(const struct bead_graph_image *image, const size_t columns
     return most;
 }
 
+/* Two values of an axis, where they are along it. */
+static void places_on(const struct bead_graph_axis *axis, const double values[2], double places[2])
+{
+    for (size_t i = 0; i < 2; i++)
+        places[i] = axis->scale == BEAD_SCALE_LOG ? log(values[i]) : values[i];
+}
+
 static void fill(const struct graph_cell *cell, const struct bead_colours *colours, uint8_t *indices)
 {
     const struct bead_graph_image *image = cell->panel->image;
-    const double x[2] = {cell->low[0], cell->high[0]}, y[2] = {cell->low[1], cell->high[1]}, w = cell->plot.width,
-                 h = cell->plot.height;
+    const double w = cell->plot.width, h = cell->plot.height;
+    double x[2], y[2], across[2], up[2];
+    places_on(&cell->panel->x, (const double[]){cell->low[0], cell->high[0]}, x);
+    places_on(&cell->panel->y, (const double[]){cell->low[1], cell->high[1]}, y);
+    places_on(&cell->panel->x, image->x, across);
+    places_on(&cell->panel->y, image->y, up);
     for (int j = 0; j < cell->plot.height; j++) {
         size_t rows[2], columns[2];
-        span_of(y, image->y, image->rows, 1 - (j + 1) / h, 1 - j / h, rows);
+        span_of(y, up, image->rows, 1 - (j + 1) / h, 1 - j / h, rows);
         for (int i = 0; i < cell->plot.width; i++) {
-            span_of(x, image->x, image->columns, i / w, (i + 1) / w, columns);
+            span_of(x, across, image->columns, i / w, (i + 1) / w, columns);
             indices[(size_t)j * (size_t)cell->plot.width + (size_t)i] = bead_colours_index(colours, largest(image, columns, rows));
         }
     }

@@ -196,6 +196,19 @@ static void draw_sample(const struct graph_entry *entry, const struct bead_look 
         graph_draw_point(cr, look, entry->series, x + length / 2, y, graph_full_point(look));
 }
 
+/* Letters on the colours of an image could not be read. */
+void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr)
+{
+    const struct bead_rgb page = look->dark ? look->panel : look->background;
+    const double pad = 0.25 * type_of(legend, look);
+    if (legend->box.width <= 0)
+        return;
+    cairo_new_path(cr);
+    cairo_rectangle(cr, legend->box.x - pad, legend->box.y - pad, legend->box.width + 2 * pad, legend->box.height + 2 * pad);
+    graph_set_colour(cr, page);
+    cairo_fill(cr);
+}
+
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr)
 {
     struct bead_text_style style = legend_style_of(legend, look);

@@ -129,6 +129,8 @@ void graph_legend_measure(struct graph_legend *legend, const struct bead_look *l
 void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height);
 /* Places it in free room of a panel. False: no room. */
 bool graph_legend_place(struct graph_legend *legend, const struct bead_look *look, struct graph_mask *mask);
+/* On an image: a piece of the page behind it. */
+void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 
 /* Drawing. */

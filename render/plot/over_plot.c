@@ -25,8 +25,7 @@ struct over_panel {
     char title[300], axis[200];
 };
 
-/* "striker velocity" of chain.striker.velocity; "magnetism" of chain.beads.0.magnetism. */
-static void name_axis(const struct bead_over_key *key, char *text, size_t size)
+void bead_over_axis_name(const struct bead_over_key *key, char *text, size_t size)
 {
     const char *last = strrchr(key->path, '.') + 1, *part = last - 1; /* a path has a point */
     char words[150];
@@ -129,19 +128,12 @@ static void add_curve(struct over_panel *p, const struct bead_output *output, co
         add_law(p, curve, at);
 }
 
-/* The quantity on the axis of values. */
-struct shown {
-    double *values; /* [configurations], of a measure; NULL: peak forces */
-    const char *unit;
-    char title[120];
-};
-
 /* Axes have prefixes for units of SI; counts of beads are no such. */
-static enum bead_error find_shown(const struct bead_output *output, const struct bead_run_context *context, struct shown *what,
-                                  struct bead_message *msg)
+enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
+                                     struct bead_over_shown *what, struct bead_message *msg)
 {
     const char *measure = output->sweep_curves.measure;
-    *what = (struct shown){.unit = "N", .title = "peak bead force"};
+    *what = (struct bead_over_shown){.unit = "N", .title = "peak bead force"};
     if (!*measure)
         return BEAD_OK;
     BEAD_TRY(bead_sweep_measured(context->sweep, measure, context->sweep_settings, &what->values, &what->unit, msg));
@@ -153,7 +145,8 @@ static enum bead_error find_shown(const struct bead_output *output, const struct
 
 /* Several places have a panel each. */
 static enum bead_error fill(struct over_panel *p, struct bead_panel *shown, const struct bead_output *output,
-                            const struct bead_sweep *sweep, size_t place, const struct shown *what, struct bead_message *msg)
+                            const struct bead_sweep *sweep, size_t place, const struct bead_over_shown *what,
+                            struct bead_message *msg)
 {
     const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, 0);
     BEAD_TRY(bead_sweep_curves_find(sweep, 0, place, what->values, output->sweep_curves.against, &p->found, msg));
@@ -167,7 +160,7 @@ static enum bead_error fill(struct over_panel *p, struct bead_panel *shown, cons
         add_curve(p, output, &p->found.curves[i], "", i, &at);
     if (panel->places > 1 && !what->values)
         bead_markup_quote(bead_sweep_place(sweep, 0, place), p->title, sizeof p->title);
-    name_axis(key, p->axis, sizeof p->axis);
+    bead_over_axis_name(key, p->axis, sizeof p->axis);
     const bool log_axes = output->plot.scale == BEAD_SCALE_LOG;
     *shown = (struct bead_panel){.title = *p->title ? p->title : NULL,
                                  .x = {p->axis, key->unit, NAN, NAN, output->plot.scale, false},
@@ -183,10 +176,10 @@ enum bead_error bead_over_plot_write(const struct bead_output *output, const str
 {
     const struct bead_sweep *sweep = context->sweep;
     const size_t places = *output->sweep_curves.measure ? 1 : bead_sweep_panel(sweep, 0)->places;
-    struct shown what;
+    struct bead_over_shown what;
     BEAD_FREED struct over_panel *panels = NULL;
     BEAD_FREED struct bead_panel *shown = NULL;
-    enum bead_error err = find_shown(output, context, &what, msg);
+    enum bead_error err = bead_over_shown_find(output, context, &what, msg);
     if (!err)
         err = bead_new(&panels, places, msg, "a plot of a sweep");
     if (!err)

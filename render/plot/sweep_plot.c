@@ -394,6 +394,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
     if (output->sweep_curves.show == BEAD_SWEEP_SPREADING)
         return bead_spreading_plot_write(output, context, path, bytes, msg);
+    if (output->sweep_curves.show == BEAD_SWEEP_PLANE)
+        return bead_plane_plot_write(output, context, path, bytes, msg);
     if (bead_sweep_panel(sweep, 0)->spec->over.key_count > 0)
         return bead_over_plot_write(output, context, path, bytes, msg);
     struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
@@ -423,6 +425,8 @@ static const char *sweep_plot_why(const struct bead_output *output)
 {
     if (*output->sweep_curves.measure)
         return "a measure against a key, of chains that are run for it";
+    if (output->sweep_curves.show == BEAD_SWEEP_PLANE)
+        return "peak force by magnetism and number of cells, with the threshold, or by two keys";
     return output->sweep_curves.show == BEAD_SWEEP_SPREADING ? "how far energy has spread, in chains that are run for it"
            : output->sweep_curves.show == BEAD_SWEEP_DECAY
                ? "peaks along the chain, and how they decay"

@@ -10,3 +10,18 @@ BEAD_CHECK enum bead_error bead_over_plot_write(const struct bead_output *output
 /* The spread of energy in the chains of a sweep, which are run. Errors: those of bead_sweep_spreads_find and bead_graph_write. */
 BEAD_CHECK enum bead_error bead_spreading_plot_write(const struct bead_output *output, const struct bead_run_context *context,
                                                      const char *path, uint64_t *bytes, struct bead_message *msg);
+/* A plane of two quantities. Errors: as above. */
+BEAD_CHECK enum bead_error bead_plane_plot_write(const struct bead_output *output, const struct bead_run_context *context,
+                                                 const char *path, uint64_t *bytes, struct bead_message *msg);
+
+/* The quantity on the axis of values of plots of sweeps over keys. */
+struct bead_over_shown {
+    double *values; /* [configurations], of a measure; NULL: peak forces */
+    const char *unit;
+    char title[120];
+};
+/* Runs the chains for a measure. Errors: those of bead_sweep_measured. */
+BEAD_CHECK enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
+                                                struct bead_over_shown *what, struct bead_message *msg);
+/* "striker velocity" of chain.striker.velocity; "magnetism" of chain.beads.0.magnetism. */
+void bead_over_axis_name(const struct bead_over_key *key, char *text, size_t size);

@@ -6,9 +6,9 @@
 
 static const char *const sweep_scales[] = {"linear", "log", NULL};
 static const unsigned sweep_scale_values[] = {BEAD_SCALE_LINEAR, BEAD_SCALE_LOG};
-static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", "spreading", NULL};
-static const unsigned sweep_plot_values[] = {BEAD_SWEEP_MEDIAN, BEAD_SWEEP_MEAN, BEAD_SWEEP_BOTH, BEAD_SWEEP_DECAY,
-                                             BEAD_SWEEP_SPREADING};
+static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", "spreading", "plane", NULL};
+static const unsigned sweep_plot_values[] = {BEAD_SWEEP_MEDIAN, BEAD_SWEEP_MEAN,      BEAD_SWEEP_BOTH,
+                                             BEAD_SWEEP_DECAY,  BEAD_SWEEP_SPREADING, BEAD_SWEEP_PLANE};
 
 static const struct bead_option plot_file[] = {
     BEAD_FILE_ROW("plot", BEAD_PICTURE_FILES, "[figure.pdf, figure.png]"),
@@ -51,7 +51,8 @@ static const struct bead_option sweep_plot_rows[] = {
          "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true}), "
          "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end. Of "
          "sweeps over keys: force against a key, with mean and standard error, median and quartiles, or both; or spreading, how "
-         "far energy has spread in time, averaged over seeds"},
+         "far energy has spread in time, averaged over seeds. plane, colours of the mean: over several `sweeps`, by number of "
+         "random cells and magnetism, with the threshold; over two keys, by both"},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = sweep_scales,
      .values = sweep_scale_values,
      .help = "of sweeps over keys: the scale of both axes; log: with the power law that fits each curve, its slope in the legend"},

@@ -10,8 +10,37 @@
 
 /* ---- shared ---- */
 
+/* A plane needs two axes: numbers of cells and magnetisms, or two keys that are numbers. */
+static BEAD_OUTPUT_CHECK(check_plane)
+{
+    const struct bead_scene *scene = reader->scene;
+    const struct bead_sweep_spec *first = scene->sweeps;
+    size_t keys = 0, numbers = 0, cells = 0, several = 0;
+    for (size_t k = 0; k < first->over.key_count; k++) {
+        const struct bead_over_key *key = &first->over.keys[k];
+        bool all = key->count > 1 && !key->seed;
+        for (size_t i = 0; i < key->count; i++)
+            all = all && !isnan(key->value[i]);
+        keys += !key->seed || strcmp(key->path, output->sweep_curves.against) == 0;
+        numbers += all;
+    }
+    for (size_t i = 0; i < scene->sweep_count; i++) {
+        cells += i == 0 || scene->sweeps[i].cells != first->cells;
+        several += scene->sweeps[i].group_count > 1;
+    }
+    if (first->over.key_count > 0 ? keys == 2 && numbers == 2 && first->over.combine == BEAD_COMBINE_GRID
+                                  : cells > 1 && several > 0)
+        return BEAD_OK;
+    return BEAD_WRONG_KEY(reader, at, "show",
+                          first->over.key_count > 0
+                              ? "is plane, by two keys: `over` must be a grid of two keys with several numbers each, and any seeds"
+                              : "is plane, by number of cells and magnetism: it needs `sweeps` with different `cells`");
+}
+
 BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
 {
+    if (output->kind == BEAD_OUTPUT_PLOT && output->sweep_curves.show == BEAD_SWEEP_PLANE)
+        BEAD_TRY(check_plane(reader, at, output));
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY, spreading = output->sweep_curves.show == BEAD_SWEEP_SPREADING;
     if (decay && output->plot.range[0] <= 0)
         return BEAD_WRONG_KEY(reader, at, "range", "begins at %g; must be above 0: the axes of decay are logarithmic",

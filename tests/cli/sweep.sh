@@ -187,4 +187,18 @@ outputs: [{plot: order.svg, against: domain length}]
 YAML
 ok "peaks against the order of spins" exits 0 "$beadreel" "$T/order.yaml" -o "$T"
 ok "... have its name at the axis" grep -q "domain length" "$T/order.svg"
+# The plane of magnetism and number of cells has the threshold of the table over it, sweep by sweep.
+cat >"$T/plane.yaml" <<'YAML'
+sweeps: [{name: long, cells: 40, magnetism: [0, 0.1, 0.2, 0.6, 0.8, 0.9, 1], configurations: 6}, {name: short, cells: 20, magnetism: all, configurations: 6}]
+outputs: [{plot: plane.svg, show: plane}, {table: plane.csv}]
+YAML
+ok "a plane of cells and magnetism" exits 0 "$beadreel" "$T/plane.yaml" -o "$T"
+threshold() { # CELLS NAME : of the curve, and of the table
+    awk -F, -v n="$1" -v name="$2" 'NR == FNR {if ($1 > 0.99 * n && $1 < 1.01 * n) drawn = $2; next}
+        FNR == 1 {for (i = 1; i <= NF; i++) column[$i] = i}
+        $1 == name {t = $column["threshold"]} END {print drawn, t; exit !(t > 0.3 && t < 0.9 && drawn > t - 5e-3 && drawn < t + 5e-3)}' "$T/points" "$T/plane.csv"
+}
+ok "... whose line can be read" eval 'python3 "$top/tests/curves.py" "$T/plane.svg" - >"$T/points"'
+ok "... is at the threshold of 20 cells" threshold 20 short
+ok "... and at that of 40" threshold 40 long
 finish
