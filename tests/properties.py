@@ -229,7 +229,7 @@ def trajectories_say_it_again(scene, every, field):
     """A table made from the trajectory is the one made at once: to the bit for displacements and what follows from them."""
     times = f"{every} us"
     scene["outputs"] = [{"trajectory": "run.h5", "every": times, "fields": ["displacement", "velocity"]},
-                        {"table": "extremes.csv", "show": "extremes", "field": field, "every": times},
+                        {"table": "extremes.csv", "show": "extremes", "field": field, "every": times, "uncertainty": False},
                         {"table": "profiles.csv", "show": "profiles", "field": field, "at": [times, f"{2 * every} us"],
                          "uncertainty": False}]
     with tempfile.TemporaryDirectory(dir=WORK.name) as folder:

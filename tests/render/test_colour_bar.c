@@ -141,7 +141,8 @@ static void planes_for_encoders_have_the_colours_of_the_map(void **state)
     }
 }
 
-/* And as a player sees them. */
+/* And as a player sees them: 3 of the 219 levels from black to white are 1.4 of lightness, where 2.3 are just noticeable (Mahy,
+ * Van Eycken and Oosterlinck, Color Research and Application 19, 105, 1994). */
 static void movies_have_the_colours_of_the_map(void **state)
 {
     (void)state;
@@ -167,7 +168,7 @@ static void movies_have_the_colours_of_the_map(void **state)
         double most, mean;
         decode(path, &back);
         compare(&b, back.frame[back.count - 1], &most, &mean);
-        if (most > 2 || mean > 1)
+        if (most > (kinds[kind].quality == BEAD_QUALITY_HIGH ? 2 : 3) || mean > 1)
             fail_msg("%s, quality %d, %s: %g levels off, %g on average", kinds[kind].name, (int)kinds[kind].quality, maps[k % MAPS],
                      most, mean);
         decoded_free(&back);
