@@ -291,6 +291,13 @@ static void minor_ticks(struct bead_axis *axis, int every, double decade)
     }
 }
 
+/* Powers of ten tell a scale if two of them are on a long axis. */
+static bool has_decades(const struct bead_axis *axis)
+{
+    const double low = axis->low * axis->factor, high = axis->high * axis->factor;
+    return axis->scale == BEAD_SCALE_LOG && high / low > 30 && floor(log10(high) + 1e-9) > ceil(log10(low) - 1e-9);
+}
+
 /* Powers of ten; every n-th if there are many. */
 static void decades(struct bead_axis *axis, const struct room *room)
 {
@@ -339,7 +346,7 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
     const bool mirrored = scale == BEAD_SCALE_SQRT && low == -high;
     if (scale == BEAD_SCALE_LINEAR)
         equal_steps(axis, room, counts);
-    else if (scale == BEAD_SCALE_LOG && high / low > 30)
+    else if (has_decades(axis))
         decades(axis, &room);
     else
         roundest_first(axis, &room, mirrored);
@@ -348,6 +355,6 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
     const bool between = scale == BEAD_SCALE_SQRT || (scale == BEAD_SCALE_LINEAR && axis->count <= FEW && !counts);
     for (size_t i = 0; between && i + 1 < axis->count; i++)
         minor_between(axis, &room, i);
-    if (scale == BEAD_SCALE_LOG && high / low > wide && high / low <= 30)
+    if (scale == BEAD_SCALE_LOG && high / low > wide && !has_decades(axis))
         minor_ticks(axis, 1, length / log10(high / low));
 }

@@ -321,9 +321,28 @@ static void boxes_surround_their_pixels(void **state)
     }
 }
 
+/* One label tells no scale: wherever a range begins, and however far it reaches, there are two or more, with minor ticks between.
+ */
+static void logarithmic_axes_have_labels(void **state)
+{
+    (void)state;
+    for (int begin = 0; begin < 20; begin++) {
+        for (int decades = 3; decades < 60; decades++) {
+            struct bead_axis axis;
+            const double low = pow(10, begin / 20.0), high = low * pow(10, decades / 10.0);
+            bead_axis_make(&axis, low, high, "", BEAD_SCALE_LOG, 600, 16, true);
+            if (axis.count < 2)
+                fail_msg("%g to %g: %zu labels", low, high, axis.count);
+            for (size_t i = 0; i < axis.count; i++)
+                assert_true(fabs(axis.ticks[i].place - log(axis.ticks[i].value / low) / log(high / low)) < 1e-12);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(ticks_stand_at_their_values), cmocka_unit_test(labels_stand_at_their_ticks),
-                                       cmocka_unit_test(titles_fit_the_room), cmocka_unit_test(boxes_surround_their_pixels)};
+                                       cmocka_unit_test(titles_fit_the_room), cmocka_unit_test(boxes_surround_their_pixels),
+                                       cmocka_unit_test(logarithmic_axes_have_labels)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
