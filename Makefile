@@ -44,7 +44,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py python3-hypothesis man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = ccache clang lld libclang-rt-dev clang-format cppcheck shellcheck debootstrap gcovr dpkg-dev debhelper dh-python lintian pandoc chromium \
+CI_DEPS    = ccache clang lld libclang-rt-dev clang-format cppcheck shellcheck debootstrap dpkg-dev debhelper dh-python lintian pandoc chromium \
              patchelf python3-pip python3-venv
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave gnuplot-nox python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
@@ -350,7 +350,7 @@ asan: ## all tests under address and undefined-behaviour sanitizers
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-asan STRICT_LINK= \
 	    CFLAGS="-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all" test
 
-coverage: ## lines and branches of sim and render that the tests reach, by room (gcc, gcovr; a quarter of an hour)
+coverage: ## lines and branches of sim and render that the tests reach, by room (gcc; half an hour)
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-coverage WERROR= CFLAGS="-O0 -g --coverage -fprofile-update=atomic" counted
 	@tests/coverage.sh $(BUILD)-coverage
 # SHORT=1: but for tests that tests/long.txt names.

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests reach of sim and render, by room: python3 tests/coverage.py FILE [PAGE WHEN], where FILE is from `gcovr --json`
-(tests/coverage.sh). PAGE is a file in Markdown, in which the figures between two marks are written anew; WHEN says of what they are.
+"""What the tests reach of sim and render, by room: python3 tests/coverage.py FOLDER [PAGE WHEN], where FOLDER has a report of `gcov
+--json-format` for each object (tests/coverage.sh). PAGE is a file in Markdown, in which the figures between two marks are written anew; WHEN says of what they are.
 
 Names the lines that nothing reaches and the branches that are never taken, as file:line: text. Ends with whether the aims hold."""
 import collections
+import glob
+import itertools
 import json
 import os
 import re
@@ -48,7 +50,7 @@ def count_file(file, counts, unreached):
         text = [line.strip() for line in source]
     for line in file["lines"]:
         number, branches = line["line_number"], [b["count"] > 0 for b in line["branches"]]
-        if line.get("gcovr/noncode") or left_out(path, text[number - 1]):
+        if left_out(path, text[number - 1]):
             continue
         for name in names:
             counts[name].add(0, line["count"] > 0)
@@ -71,9 +73,32 @@ def write_page(page, when, counts, order):
         file.write(before + "\n".join([BEGINS, "", *table, "", ENDS]) + rest.split(ENDS)[1])
 
 
+def merged(folder):
+    """The files of all reports. A line, or a branch, of several objects is reached where one of them has reached it."""
+    files = {}
+    for report in glob.glob(f"{folder}/*.json"):
+        with open(report, encoding="utf-8") as text:
+            for file in json.load(text)["files"]:
+                if not file["file"].startswith(("sim/", "render/")):
+                    continue
+                lines = files.setdefault(file["file"], {})
+                for line in file["lines"]:
+                    into = lines.setdefault(line["line_number"], line)
+                    if into is line:
+                        continue
+                    into["count"] = max(into["count"], line["count"])
+                    for one, other in itertools.zip_longest(into["branches"], line["branches"]):
+                        if one and other:
+                            one["count"] = max(one["count"], other["count"])
+                        elif other:
+                            into["branches"].append(other)
+    return [{"file": name, "lines": list(lines.values())} for name, lines in files.items()]
+
+
 def main():
-    with open(sys.argv[1], encoding="utf-8") as report:
-        files = json.load(report)["files"]
+    files = merged(sys.argv[1])
+    if not files:
+        sys.exit(f"{sys.argv[1]} has no reports")
     counts, unreached = collections.defaultdict(Count), []
     for file in sorted(files, key=lambda f: f["file"]):
         count_file(file, counts, unreached)

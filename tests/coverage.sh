@@ -21,6 +21,9 @@ if [ $# -eq 0 ]; then
 else
     tests/run.sh "$build" "$@"
 fi
-gcovr --root . --object-directory "$build" --filter sim/ --filter render/ -j "$(nproc)" --json "$build/coverage.json" "$build" || exit 1
-python3 tests/coverage.py "$build/coverage.json" "${page[@]}" | tee "$build/coverage.txt"
+rm -rf "$build/coverage" && mkdir "$build/coverage"
+find "$build/sim" "$build/render" -name '*.gcda' | while read -r object; do
+    gcov --branch-probabilities --json-format --stdout "$object" >"$build/coverage/${object//\//-}.json" || exit 1
+done || exit 1
+python3 tests/coverage.py "$build/coverage" "${page[@]}" | tee "$build/coverage.txt"
 exit "${PIPESTATUS[0]}"
