@@ -48,7 +48,8 @@ static double across(const struct bead_view *v)
 }
 
 /* All beads are on the stage where they can be nearly as large as a few above a row of all, and where there is no wave to follow.
- * Of a cradle, where a wave takes a few microseconds and a swing a second, half of that. */
+ * Of a cradle, where a wave takes a few microseconds and a swing a second, half of that: empirical, so that twenty balls which
+ * swing by twelve radii are in view; rows that are longer, or swing further, have a camera that follows no swing. */
 static bool shows_all(const struct bead_view *v, double width, double height, double length)
 {
     const double wanted = fmin(largest_radius(height), width / (2 * (v->setup.small ? small_across : best_across)));
