@@ -9,8 +9,8 @@ static const double part_of_wave = 0.05, least_load = 1e-3;
 enum { HEAD = 9, MEETING = 40 };
 /* In each frame, the speed moves this part of the way towards that of the head. */
 static const double steadiness = 0.1;
-/* The window stands where waves meet if it is off by this part of a step: empirical, of the ready scene `collision`; less makes one
- * more short pan, more lets them meet beside the middle. */
+/* The window stands where waves meet if it is off by this part of a step: chosen, not derived; less makes
+ * one more short pan, more lets them meet beside the middle. */
 static const double negligible = 0.1;
 
 double bead_pan_eased(double t)
