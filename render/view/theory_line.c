@@ -11,6 +11,7 @@
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/measure/compacton.h"
+#include "sim/measure/measure.h"
 
 struct bead_theory_line {
     struct bead_view_setup setup;
@@ -73,10 +74,9 @@ static double top(double before, double here, double after)
     return here >= before && here >= after && bend < 0 ? here - (after - before) * (after - before) / (8 * bend) : 0;
 }
 
-/* A contact is passed as its force has fallen to a tenth of what it was: there measures end a pulse, too. */
+/* A contact is passed where measures end its pulse. */
 void bead_theory_line_feed(struct bead_theory_line *l, const struct bead_sample *sample)
 {
-    static const double valley = 0.1;
     const double *force = sample->field[BEAD_FIELD_CONTACT_FORCE];
     if (l->next == SIZE_MAX)
         l->next = first_at_rest(l, force);
@@ -85,7 +85,7 @@ void bead_theory_line_feed(struct bead_theory_line *l, const struct bead_sample 
         l->before[1][c] = l->before[0][c];
         l->before[0][c] = force[c];
     }
-    while (l->next < l->end && force[l->next] < valley * l->peak[l->next])
+    while (l->next < l->end && force[l->next] < BEAD_PULSE_END * l->peak[l->next])
         l->next++;
 }
 

@@ -29,6 +29,8 @@ BEAD_INTERNAL const struct bead_measure_info *bead_measure_info(size_t index);
 /* Largest distance of samples, in units of the spacing that shows every oscillation: polynomials through seven of them follow a
  * pulse to six digits. */
 #define BEAD_MEASURE_SPACING 2.0
+/* A pulse ends when the force falls to this part of its maximum, or of the next pulse's. */
+#define BEAD_PULSE_END 0.1
 /* Fields that samples must have, of all beads. */
 #define BEAD_MEASURE_FIELDS \
     (BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))

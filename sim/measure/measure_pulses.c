@@ -8,8 +8,6 @@
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
 
-/* A pulse ends when the force falls to this part of its maximum, or of the next pulse's. */
-static const double valley = 0.1;
 /* Maxima below this part of the largest force, or of a contact's first pulse, are not pulses. */
 static const double least = 1e-4, least_follower = 5e-3;
 
@@ -91,7 +89,7 @@ static bool matters(const struct bead_pulses *p, size_t contact, double force)
     if (track->count == 0)
         return true;
     const struct bead_pulse *last = &track->pulse[track->count - 1];
-    if (p->low[contact] > valley * fmin(last->force, force)) /* still the same pulse */
+    if (p->low[contact] > BEAD_PULSE_END * fmin(last->force, force)) /* still the same pulse */
         return force > last->force;
     return track->count < BEAD_PULSES && force > least_follower * track->pulse[0].force;
 }
@@ -109,7 +107,7 @@ static void note(struct bead_pulses *p, size_t contact, struct bead_pulse found,
     if (track->count > 0 && found.force < least_follower * track->pulse[0].force)
         return;
     struct bead_pulse *last = track->count > 0 ? &track->pulse[track->count - 1] : NULL;
-    bool same = last && p->low[contact] > valley * fmin(last->force, found.force);
+    bool same = last && p->low[contact] > BEAD_PULSE_END * fmin(last->force, found.force);
     if (same && found.force <= last->force)
         return;
     if (!same && track->count == BEAD_PULSES)
