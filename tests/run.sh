@@ -12,8 +12,10 @@ work=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-tests.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/log" "$work/tmp"
 export BUILD="$build" BEADREEL_ASSETS="$PWD/assets" TMPDIR="$work/tmp" CMOCKA_MESSAGE_OUTPUT=TAP
+# Traps of undefined behaviour are reported. Blocks of thread-local memory are not looked for: the sanitizer takes the 16 bytes before one
+# that begins 16 bytes into a page for glibc 2.19's header, and the check for leaks then crashed on what stood there.
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.txt:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}" UBSAN_OPTIONS="print_stacktrace=1"
-export ASAN_OPTIONS="handle_sigill=1${ASAN_OPTIONS:+:$ASAN_OPTIONS}" # traps of undefined behaviour
+export ASAN_OPTIONS="handle_sigill=1:intercept_tls_get_addr=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
 left_out() { [ -n "${SHORT:-}" ] && grep -qE "^$1 " tests/long.txt; }
 names=()
@@ -29,12 +31,8 @@ done
 
 one() {
     log=$1/log/$(basename "$2") TIMEFORMAT='%R %U %S'
-    # The check for leaks at the end may crash itself, seldom, and has found nothing then: again. Scripts print what they caught of it.
-    for _ in 1 2 3; do
-        { time timeout -k 10 "${TEST_TIMEOUT:-600}" "$2" >"$log.out" 2>"$log.err" </dev/null; } 2>"$log.times"
-        echo $? >"$log.status"
-        grep -qs 'LeakSanitizer has encountered a fatal error' "$log.err" "$log.out" || break
-    done
+    { time timeout -k 10 "${TEST_TIMEOUT:-600}" "$2" >"$log.out" 2>"$log.err" </dev/null; } 2>"$log.times"
+    echo $? >"$log.status"
 }
 export -f one
 # The long ones first: at the end nothing is left that one core works on alone.
