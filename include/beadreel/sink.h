@@ -78,6 +78,7 @@ struct bead_run_context {
     const volatile sig_atomic_t *stop; /* non-zero: what takes long ends soon, with STOPPED; NULL: never */
     bool replayed;                     /* samples come from a trajectory: there are no peaks */
     bool difference;                   /* of two: values are differences, `comparison` those of the first run */
+    const double *bounds;              /* [chains][BEAD_FIELD_COUNT]: of the errors of these samples, NaN: unknown; NULL: of none */
     /* Is that output of the scene made already, in this run? Asked in `end`, by sinks that come last. NULL: nobody knows. */
     bool (*is_made)(const void *asker, const struct bead_output *output);
     const void *asker;

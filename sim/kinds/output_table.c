@@ -46,7 +46,8 @@ static const struct bead_option table_rows[] = {
          "given step: half "
          "of it), against time the largest so far, of extremes that of the size, of profiles and spectra that of the worst place "
          "or frequency; a measure of a "
-         "motion that the two runs do not share has the note `unpredictable`. false: no such "
+         "motion that the two runs do not share has the note `unpredictable`. Of a trajectory with `uncertainty` tables of "
+         "sensors, extremes and profiles have what it says of their field. false: no such "
          "runs"},
 };
 static const struct bead_option_rows table_shared[] = {

@@ -82,6 +82,11 @@ static bool hits(const struct bead_output *output, double start, double every)
     return true;
 }
 
+bool bead_profile_times_are_samples(const struct bead_profile_times *m)
+{
+    return hits(m->output, m->grid.start, m->grid.every);
+}
+
 static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     enum { MOST_PARTS = 1000 };

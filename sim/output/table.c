@@ -84,6 +84,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
     sink = *made;
     if (can_check(sink) && output->curves.uncertainty && !context->replayed)
         BEAD_TRY(create_table(output, context, &sink->check, msg));
+    sink->bounds = sink->table->of_fields && output->curves.uncertainty ? context->bounds : NULL;
     BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));
     BEAD_TRY(bead_file_part_name(sink->path, &sink->part, msg));
     sink->locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);

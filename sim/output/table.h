@@ -15,7 +15,7 @@ enum table_check { TABLE_UNCHECKED, TABLE_CHECKED_SAMPLES, TABLE_CHECKED };
 
 struct column {
     size_t chain, bead;    /* or contact */
-    enum bead_field field; /* of sensors */
+    enum bead_field field; /* of sensors and extremes */
     char *name;            /* of the column */
     double value;          /* of the row being collected */
     double uncertainty;    /* of it, and of all before; NaN: unknown */
@@ -26,6 +26,7 @@ struct bead_sink {
     const struct bead_output *output;
     const struct table *table;
     struct bead_sink *check; /* the same table of the check run, which is not written; NULL: there is no such run */
+    const double *bounds;    /* instead of it, of a trajectory's samples: those of the context */
     struct bead_grid grid;
     char *path, *part;
     char why[128];
@@ -57,7 +58,19 @@ struct table {
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
     enum table_check checked;
+    bool of_fields; /* its numbers are values of fields, which are as uncertain as a trajectory says of these */
 };
+
+/* Has the table columns of uncertainties? */
+static inline bool bead_table_is_judged(const struct bead_sink *sink)
+{
+    return sink->check || sink->bounds;
+}
+/* What the trajectory says of the errors of a field; NaN: unknown. */
+static inline double bead_table_bound(const struct bead_sink *sink, size_t chain, enum bead_field field)
+{
+    return sink->bounds[chain * BEAD_FIELD_COUNT + (size_t)field];
+}
 
 /* A text, in quotes if it contains a comma, a quote or a line break, and behind a ' if a spreadsheet would compute it. */
 void bead_table_text(FILE *file, const char *text);
@@ -78,12 +91,12 @@ BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t 
 BEAD_CHECK enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg);
 /* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg);
-/* A second name for each column, where there is a check run. */
+/* A second name for each column, where uncertainties are known. */
 void bead_table_uncertainties_header(const struct bead_sink *sink);
 /* With a check run, each column has a second one behind the last: the largest uncertainty so far, since errors of single samples
- * cross zero. */
+ * cross zero; with a trajectory that knows them, that of all its samples. */
 void bead_table_columns_header(struct bead_sink *sink);
-/* Compares the columns of a sample's chain with those of the check run, if there is one. */
+/* Finds the uncertainties of the columns of a sample's chain, if there is a check run or a trajectory that knows them. */
 void bead_table_compare(struct bead_sink *sink, const struct bead_sample *sample);
 /* The uncertainty of a curve by that of the check run: of its worst value, since errors cross zero along a curve. NaN: unknown. */
 double bead_table_worst(const struct bead_sink *sink, const double *values, const double *checks, size_t count);

@@ -20,6 +20,8 @@ static enum bead_error extremes_prepare(struct bead_sink *sink, struct bead_mess
     BEAD_TRY(bead_new(&sink->largest, sink->context.chain_count, msg, "a table"));
     for (size_t c = 0; c < sink->context.chain_count; c++)
         BEAD_TRY(bead_table_add_column(sink, c, 0, "size", msg));
+    for (size_t c = 0; c < sink->context.chain_count; c++)
+        sink->columns[c].field = sink->output->shown.field;
     return bead_table_choose_times(sink, extremes_field(sink)->title, msg);
 }
 
@@ -36,7 +38,7 @@ static void extremes_header(struct bead_sink *sink)
         fputs("chain,", sink->file);
     bead_table_time_header(sink);
     fprintf(sink->file, ",largest%s%s,%s%s%s\n", *field->unit ? "_" : "", field->unit, field->of_contacts ? "contact" : "bead",
-            sink->context.difference ? ",part_of_largest" : "", sink->check ? ",uncertainty" : "");
+            sink->context.difference ? ",part_of_largest" : "", bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 
 static size_t furthest(const double *values, size_t count)
@@ -67,7 +69,7 @@ static enum bead_error extremes_sample(struct bead_sink *sink, const struct bead
         const double part = *largest > 0 ? fabs(values[at]) / *largest : fabs(values[at]) > 0 ? INFINITY : 0;
         bead_table_numbers(sink->file, 1, &part);
     }
-    if (sink->check)
+    if (bead_table_is_judged(sink))
         bead_table_numbers(sink->file, 1, &sink->columns[sample->chain].uncertainty);
     bead_table_end_row(sink);
     return BEAD_OK;
@@ -78,4 +80,5 @@ const struct table bead_table_extremes = {.why = "the largest value of a field o
                                           .needs = extremes_needs,
                                           .header = extremes_header,
                                           .checked = TABLE_CHECKED_SAMPLES,
+                                          .of_fields = true,
                                           .sample = extremes_sample};

@@ -29,7 +29,7 @@ static void profiles_header(struct bead_sink *sink)
     fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
     bead_table_time_header(sink);
     fprintf(sink->file, ",%s,%s%s%s%s\n", bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "",
-            field->unit, sink->check ? ",uncertainty" : "");
+            field->unit, bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 
 static enum bead_error profiles_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -46,10 +46,13 @@ static void write_profile(struct bead_sink *sink, size_t chain, size_t moment, d
     const size_t count = bead_profile_times_values(sink->moments, chain);
     if (checks)
         *worst = fmax(*worst, bead_table_worst(sink, values, checks, count));
+    if (sink->bounds) /* between its samples a trajectory knows nothing */
+        *worst = bead_profile_times_are_samples(sink->moments) ? bead_table_bound(sink, chain, sink->output->shown.field) : NAN;
     for (size_t i = 0; i < count; i++) {
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, sink->output->curves.profile_times[moment]);
-        bead_table_numbers(sink->file, checks ? 3 : 2, (const double[]){places[i], values[i], sink->unknown ? NAN : *worst});
+        bead_table_numbers(sink->file, bead_table_is_judged(sink) ? 3 : 2,
+                           (const double[]){places[i], values[i], checks && sink->unknown ? NAN : *worst});
         bead_table_end_row(sink);
     }
 }
@@ -69,4 +72,5 @@ const struct table bead_table_profiles = {.why = "a field at some times",
                                           .header = profiles_header,
                                           .sample = profiles_sample,
                                           .checked = TABLE_CHECKED_SAMPLES,
+                                          .of_fields = true,
                                           .end = profiles_end};

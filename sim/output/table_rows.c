@@ -96,7 +96,7 @@ void bead_table_time_header(const struct bead_sink *sink)
 
 void bead_table_uncertainties_header(const struct bead_sink *sink)
 {
-    for (size_t i = 0; sink->check && i < sink->column_count; i++) {
+    for (size_t i = 0; bead_table_is_judged(sink) && i < sink->column_count; i++) {
         fputc(',', sink->file);
         write_text(sink->file, sink->columns[i].name, "_uncertainty");
     }
@@ -115,9 +115,13 @@ void bead_table_columns_header(struct bead_sink *sink)
 
 void bead_table_compare(struct bead_sink *sink, const struct bead_sample *sample)
 {
-    for (size_t i = 0; sink->check && i < sink->column_count; i++) {
+    for (size_t i = 0; bead_table_is_judged(sink) && i < sink->column_count; i++) {
         struct column *c = &sink->columns[i];
-        if (c->chain == sample->chain)
+        if (c->chain != sample->chain)
+            continue;
+        if (sink->bounds)
+            c->uncertainty = bead_table_bound(sink, c->chain, c->field);
+        else
             c->uncertainty =
                 sample->check ? fmax(c->uncertainty, bead_uncertainty_measured(0, c->value, sink->check->columns[i].value)) : NAN;
     }
@@ -139,7 +143,7 @@ void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sam
     bead_write_number(sink->file, sample->time);
     for (size_t i = 0; i < sink->column_count; i++)
         bead_table_numbers(sink->file, 1, &sink->columns[i].value);
-    for (size_t i = 0; sink->check && i < sink->column_count; i++)
+    for (size_t i = 0; bead_table_is_judged(sink) && i < sink->column_count; i++)
         bead_table_numbers(sink->file, 1, &sink->columns[i].uncertainty);
     bead_table_end_row(sink);
 }

@@ -63,4 +63,5 @@ const struct table bead_table_sensors = {.why = "curves of sensors, or of the be
                                          .needs = sensors_needs,
                                          .header = bead_table_columns_header,
                                          .checked = TABLE_CHECKED_SAMPLES,
+                                         .of_fields = true,
                                          .sample = sensors_sample};

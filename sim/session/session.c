@@ -210,6 +210,7 @@ void bead_session_close(struct bead_session *s)
         bead_chain_destroy(s->own_chains[i]);
     free(s->own_chains);
     bead_session_part(s);
+    free(s->bounds);
     bead_trajectory_close(s->trajectory);
     bead_sweep_close(s->sweep);
     bead_scene_free(s->scene);

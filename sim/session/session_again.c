@@ -125,6 +125,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     s->native = *bead_trajectory_grid(s->trajectory);
     s->stored = stored_samples(s->trajectory);
     BEAD_TRY(bead_session_join(s, msg));
+    BEAD_TRY(bead_session_bound(s, msg));
     err = bead_session_list_outputs(s, msg);
     struct bead_made *m = s->made;
     if (!err && source == BEAD_OF_TRAJECTORIES)

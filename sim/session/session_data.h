@@ -50,6 +50,7 @@ struct bead_session {
     struct bead_trajectory *trajectory; /* NULL with a scene */
     struct bead_joined *joined;         /* with others; NULL: it is alone */
     struct bead_stored stored;          /* its samples */
+    double *bounds;                     /* [chains][BEAD_FIELD_COUNT]: of their errors; NULL: unknown */
     const struct bead_scene *source;    /* either's */
     struct bead_chain **own_chains;
     const struct bead_chain *const *chains;
@@ -182,6 +183,8 @@ BEAD_CHECK enum bead_error bead_session_join(struct bead_session *session, struc
 BEAD_CHECK enum bead_error bead_session_joined_outcome(const struct bead_session *session, size_t chain,
                                                        struct bead_outcome *outcome, struct bead_message *msg);
 unsigned bead_session_joined_fields(const struct bead_session *session);
+/* What the trajectories say of the errors of their samples. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_session_bound(struct bead_session *session, struct bead_message *msg);
 void bead_session_part(struct bead_session *session);
 
 /* session_scene.c: the session's scene. Errors: USAGE, those of bead_scene_load and bead_sweep_open. */

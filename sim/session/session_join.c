@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several trajectories as one source of samples: their chains side by side, or the difference of two. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
@@ -81,6 +82,43 @@ static enum bead_error read_joined(const struct bead_stored *stored, double time
             j->values[1][f][i] -= j->values[0][f][i];
         sample->field[f] = j->values[1][f];
         sample->comparison[f] = j->values[0][f]; /* what they differ from */
+    }
+    return BEAD_OK;
+}
+
+/* ---- their errors ---- */
+
+/* Are the samples of both at the same times? Others are on straight lines between two, which no bound tells of. */
+static bool are_together(const struct bead_trajectory *a, const struct bead_trajectory *b)
+{
+    static const double near = 1e-6;
+    return fabs(a->grid.every - b->grid.every) <= near * near * a->grid.every &&
+           fabs(a->grid.start - b->grid.start) <= near * a->grid.every;
+}
+
+/* The bound of the errors of a chain's field; NaN: unknown. */
+static double bound_of(const struct bead_session *s, size_t chain, size_t field)
+{
+    const struct joined_chain of = s->joined ? s->joined->of[chain] : (struct joined_chain){s->trajectory, chain};
+    const bool known = of.trajectory->bounds && are_together(s->trajectory, of.trajectory);
+    return known ? of.trajectory->bounds[of.number * BEAD_FIELD_COUNT + field] : NAN;
+}
+
+enum bead_error bead_session_bound(struct bead_session *s, struct bead_message *msg)
+{
+    const bool difference = s->joined && s->joined->difference;
+    bool any = false;
+    BEAD_TRY(bead_new(&s->bounds, s->chain_count * BEAD_FIELD_COUNT, msg, "the uncertainties of trajectories"));
+    for (size_t c = 0; c < s->chain_count; c++) {
+        for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+            double *bound = &s->bounds[c * BEAD_FIELD_COUNT + f];
+            *bound = bound_of(s, c, f) + (difference ? bound_of(s, s->chain_count + c, f) : 0);
+            any = any || !isnan(*bound);
+        }
+    }
+    if (!any) {
+        free(s->bounds);
+        s->bounds = NULL;
     }
     return BEAD_OK;
 }

@@ -157,6 +157,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .stop = s->job.stop,
                                        .replayed = s->trajectory != NULL,
                                        .difference = s->joined && s->job.difference,
+                                       .bounds = s->bounds,
                                        .is_made = is_made,
                                        .asker = s,
                                        .claimed = true,

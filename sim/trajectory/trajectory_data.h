@@ -35,6 +35,7 @@ struct bead_trajectory {
     struct bead_source sources[BEAD_SERIES_COUNT];
     size_t block_rows;
     struct bead_outcome *outcomes; /* [chains] */
+    double *bounds;                /* [chains][BEAD_FIELD_COUNT]: how far samples may be off, NaN: unknown; NULL: it does not say */
     struct bead_h5_text *methods;  /* [chains] */
 };
 

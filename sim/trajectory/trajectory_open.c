@@ -52,6 +52,7 @@ void bead_trajectory_close(struct bead_trajectory *t)
     free(t->rows);
     free(t->forces);
     free(t->outcomes);
+    free(t->bounds);
     free(t->methods);
     free(t->path);
     free(t);
@@ -212,6 +213,29 @@ static enum bead_error read_outcomes(struct bead_trajectory *t)
     return t->h5.error;
 }
 
+/* What the file says of the errors of its samples: a NaN is unknown, a number below 0 is none. */
+static enum bead_error read_bounds(struct bead_trajectory *t)
+{
+    const size_t count = t->chain_count * BEAD_FIELD_COUNT;
+    if (!bead_h5_has(&t->h5, BEAD_PROFILE_GROUP "/uncertainty"))
+        return t->h5.error;
+    BEAD_TRY(bead_new(&t->bounds, count, t->h5.msg, "the uncertainties of a trajectory"));
+    for (size_t i = 0; i < count; i++)
+        t->bounds[i] = NAN;
+    for (int id = 0; id < BEAD_SERIES_COUNT; id++) {
+        char name[128];
+        snprintf(name, sizeof name, BEAD_PROFILE_GROUP "/uncertainty%s", strrchr(bead_series[id].group, '/'));
+        if (bead_series[id].stored && t->fields & BEAD_FIELD_BIT(bead_series[id].field) && bead_h5_has(&t->h5, name))
+            bead_h5_read_numbers(&t->h5, name, BEAD_H5_DOUBLE, t->bounds + bead_series[id].field,
+                                 BEAD_FIELD_COUNT * sizeof *t->bounds, t->chain_count);
+    }
+    for (size_t i = 0; i < count && !t->h5.error; i++) {
+        if (t->bounds[i] < 0 || isinf(t->bounds[i]))
+            bead_h5_fail(&t->h5, false, "holds an uncertainty that is negative or not finite");
+    }
+    return t->h5.error;
+}
+
 static enum bead_error load(struct bead_trajectory *t)
 {
     enum bead_error err = rebuild(t);
@@ -226,6 +250,8 @@ static enum bead_error load(struct bead_trajectory *t)
         err = open_sources(t);
     if (!err)
         err = check_times(t);
+    if (!err)
+        err = read_bounds(t);
     return err ? err : read_outcomes(t);
 }
 

@@ -114,6 +114,36 @@ for accuracy in 1e-4 1e-6; do
     ok "... of participations" bounded m.csv 7 13
 done
 
+# Tables redrawn from a trajectory that knows its errors: what it says is at least the largest error of all its samples, and at most
+# ten times that.
+redrawn() {
+    run "$beadsim" t/run.h5 --set "outputs=[{table: $1, show: $2, field: velocity}]" -o "t/$1"
+}
+says_largest() {
+    awk -F, -v u="$2" '
+        NR == FNR {size = $2 < 0 ? -$2 : $2; if (FNR > 1 && size > largest) largest = size; next}
+        FNR > 1 {rows++; bad += !($u >= largest && $u <= 10 * largest)}
+        END {print bad + 0, "of", rows, ":", largest; exit bad || rows < 100 || !(largest > 0)}
+    ' t/off.csv "$1"
+}
+samples='outputs=[{trajectory: run.h5, every: 2 us, fields: [velocity, displacement], uncertainty: true}]'
+"$beadsim" "$top/tests/errors/draw21.yaml" -o t --quiet "${short[@]}" --set simulate.accuracy=1e-4 --set "$samples" >quiet
+"$beadsim" "$top/tests/errors/draw21.yaml" -o exact --quiet "${short[@]}" --set simulate.accuracy=1e-11 --set "${samples/true/false}" >quiet
+run "$beadsim" --diff t/run.h5 exact/run.h5 --set 'outputs=[{table: off.csv, show: extremes, field: velocity}]' -o t/off.csv
+ok "a difference is not known if one of the two is not" awk -F, 'NR > 1 && NF != 4 {bad++} END {exit bad || NR < 100}' t/off.csv
+redrawn x.csv extremes
+ok "extremes of a trajectory" says_largest t/x.csv 4
+redrawn s.csv 'sensors, beads: [3]'
+ok "sensors of a trajectory" says_largest t/s.csv 3
+redrawn p.csv 'profiles, at: [1 ms, 2 ms]'
+ok "profiles of a trajectory" says_largest t/p.csv 4
+redrawn o.csv 'profiles, at: [1.001 ms, 2 ms]'
+ok "between its samples it knows none" awk -F, 'NR > 1 && $4 != "nan" {bad++} END {exit bad || NR < 10}' t/o.csv
+run "$beadsim" t/run.h5 --set 'outputs=[{table: f.csv, show: extremes}]' -o t/f.csv
+ok "nor of forces that it derives" awk -F, 'NR > 1 && $4 != "nan" {bad++} END {exit bad || NR < 10}' t/f.csv
+run "$beadsim" --diff t/run.h5 t/run.h5 --set 'outputs=[{table: d.csv, show: extremes, field: velocity}]' -o t/d.csv
+ok "a difference may be off by both" awk -F, 'NR == FNR {one = $4; next} FNR > 1 && $5 != 2 * one {bad++} END {exit bad || !(one > 0)}' t/x.csv t/d.csv
+
 # bound : what run.h5 says of its velocities, and the largest that the last row of v.csv says of the same samples
 bound() {
     awk -v a="$(h5dump -m %.17g -d /parameters/beadreel/uncertainty/velocity s/run.h5 | sed -n 's/.*(0): *\([-0-9.e]*\)$/\1/p' | head -n 1)" \

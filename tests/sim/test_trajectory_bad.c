@@ -303,6 +303,19 @@ static void outcome_of_one(hid_t file)
     put_dataset(file, "/parameters/beadreel/outcome/end", H5T_NATIVE_DOUBLE, 1, (hsize_t[]){1}, &(double){1});
 }
 
+static void uncertainty_below_zero(hid_t file)
+{
+    static const double values[] = {1e-9, -1e-9};
+    H5Gclose(H5Gcreate2(file, "/parameters/beadreel/uncertainty", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    put_dataset(file, "/parameters/beadreel/uncertainty/velocity", H5T_NATIVE_DOUBLE, 1, (hsize_t[]){2}, values);
+}
+
+static void uncertainty_of_one(hid_t file)
+{
+    H5Gclose(H5Gcreate2(file, "/parameters/beadreel/uncertainty", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    put_dataset(file, "/parameters/beadreel/uncertainty/velocity", H5T_NATIVE_DOUBLE, 1, (hsize_t[]){1}, &(double){1e-9});
+}
+
 static void one_thing_wrong(void **state)
 {
     static const struct {
@@ -331,6 +344,8 @@ static void one_thing_wrong(void **state)
         {scene_elsewhere, "no /parameters/beadreel/scene"},
         {raw_data_elsewhere, "another file"},
         {outcome_of_one, "outcome/end must have 2 values"},
+        {uncertainty_below_zero, "an uncertainty that is negative"},
+        {uncertainty_of_one, "uncertainty/velocity must have 2 values"},
     };
     struct bad *b = *state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
