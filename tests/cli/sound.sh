@@ -28,6 +28,7 @@ ok "no number of a contact" refused 'a.mp4, sound: contact two' 'sound: `two` is
 ok "a sensor without a name" refused 'a.mp4, sound: sensor' 'must be off, wall, contact NUMBER, contact last or sensor NAME'
 ok "a negative contact" refused 'a.mp4, sound: contact -1' 'sound: `-1` is out of range'
 ok "a film of hours" refused 'a.mp4, sound: wall, fps: 1, duration: 4000 s' 'sound: a movie with sound lasts at most 3600 s'
+ok "... of an hour is not" exits 0 "$beadreel" scene.yaml --plan --set 'outputs=[{movie: a.mp4, sound: wall, fps: 1, duration: 3600 s}]'
 ok "the last contact may be heard" exits 0 "$beadreel" scene.yaml --plan --set 'outputs=[{movie: a.mp4, sound: contact 12}]'
 ok "a transparent mp4 is refused" refused 'a.mp4, background: none' 'mp4 files cannot be transparent (`background: none`); mov, webm, webp, apng and png files can'
 

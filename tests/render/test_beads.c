@@ -21,6 +21,7 @@
 #include "render/movie/composer.h"
 #include "render/movie/film.h"
 #include "render/paint/canvas.h"
+#include "render/stage/beads.h"
 #include "render/stage/camera.h"
 #include "render/stage/magnify.h"
 #include "render/view/views.h"
@@ -302,6 +303,142 @@ static void test_gaps_show(void **state)
     free_world(&w);
 }
 
+/* From the first bead beside one under force to the second, where a spline swings below zero, the curve runs along it. */
+static void test_profiles_of_forces_stay_above_zero(void **state)
+{
+    (void)state;
+    struct world w = make_world();
+    struct pair p;
+    struct bead_message msg = {""};
+    double f[BEADS] = {[20] = 30};
+    const struct bead_rect plot = {80, 20, 780, 120};
+    struct bead_sample sample = {.active = BEADS};
+    make_pair(&p, &w, &bead_view_profile_type, (struct place){plot, 0, true});
+    memset(p.background.pixels, 0, p.background.stride * 200);
+    bead_frame_copy(&p.frame, &p.background, (struct bead_rect){0, 0, 900, 200});
+    sample.field[BEAD_FIELD_FORCE] = f;
+    require(bead_view_profile_type.feed(p.dirty, &sample, &msg), &msg);
+    require(bead_view_profile_type.draw(p.dirty, 0, &p.frame, &p.background, NULL, &msg), &msg);
+    const double pitch = (double)plot.width / BEADS;
+    const int bottom = plot.y + plot.height - 1;
+    double line = brightness(&p.frame, plot.x + (int)(40.5 * pitch), bottom, bottom + 1);
+    assert_true(line > 20);
+    for (int side = -1; side <= 1; side += 2) {
+        for (double beads = 1.1; beads < 1.9; beads += 0.1) {
+            const int x = plot.x + (int)((20.5 + side * beads) * pitch);
+            if (brightness(&p.frame, x, bottom, bottom + 1) < 0.9 * line)
+                fail_msg("%g beads beside the force: %g, not %g", side * beads, brightness(&p.frame, x, bottom, bottom + 1), line);
+        }
+    }
+    free_pair(&p, &bead_view_profile_type);
+    free_world(&w);
+}
+
+static uint8_t level_at(const struct bead_frame *frame, int x, int y, int channel)
+{
+    return frame->pixels[(size_t)y * frame->stride + 4 * (size_t)x + (size_t)channel];
+}
+
+/* The line above the way to the lens is as long as what the lens shows, and where that is in the row; it does not leave the plot.
+ */
+static void test_what_the_lens_shows_is_marked(void **state)
+{
+    (void)state;
+    struct world w = make_world();
+    struct pair p;
+    struct bead_message msg = {""};
+    double u[BEADS], f[BEADS];
+    make_pair(&p, &w, &bead_view_beads_type, (struct place){{80, 20, 780, 160}, 0, true});
+    for (size_t i = 0; i < FRAMES; i++) {
+        struct bead_sample sample;
+        struct bead_changes changes = {0};
+        make_sample(0, i, u, f, &sample);
+        require(bead_view_beads_type.feed(p.dirty, &sample, &msg), &msg);
+        require(bead_view_beads_type.draw(p.dirty, sample.time, &p.frame, &p.background, &changes, &msg), &msg);
+        const struct bead_view *v = p.dirty;
+        const int y = v->area.y + v->zoom.y, accent = (int)lround(255 * v->look.accent.r);
+        int first = 0, last = 0;
+        for (int x = 1; x < 900; x++) { /* the slanted lines that go on from its ends are paler */
+            const double behind = level_at(&p.background, x, y, 2),
+                         part = (level_at(&p.frame, x, y, 2) - behind) / (accent - behind);
+            first = part > 0.6 && first == 0 ? x : first;
+            last = part > 0.6 ? x + 1 : last;
+        }
+        const double length = v->lens.rect.width * v->row.scale / v->lens.scale,
+                     left = v->row.left + (v->lens.from - v->row.from) * v->row.scale;
+        const double from = fmax(80 - v->area.x - v->look.gap, left), to = fmin(80 + 780 - v->area.x, left + length);
+        if (fabs(first - v->area.x - from) > 1.5 || fabs(last - v->area.x - to) > 1.5)
+            fail_msg("frame %zu: marked from %d to %d, shown from %.1f to %.1f", i, first - v->area.x, last - v->area.x, from, to);
+        assert_true(length < 0.6 * v->area.width);
+    }
+    free_pair(&p, &bead_view_beads_type);
+    free_world(&w);
+}
+
+/* As paths, in PDF and SVG, too, each sensor has its ring, with the striker in the picture and without. */
+static void test_sensors_have_rings_as_paths(void **state)
+{
+    (void)state;
+    static const struct bead_rect plot = {10, 10, 880, 160};
+    for (size_t k = 0; k < 2; k++) {
+        char text[400];
+        struct bead_message msg = {""};
+        struct bead_look look;
+        struct bead_colormap map;
+        struct bead_chain *chain;
+        struct bead_view *view;
+        snprintf(
+            text, sizeof text,
+            "chain: {striker: {bead: large-steel, velocity: %zu m/s}, beads: [{bead: large-steel, count: 2}, {bead: aluminium, "
+            "sensor: a}, {bead: large-steel, count: 3}, {bead: aluminium, sensor: b}]}\noutputs: [{table: t.csv}]\n",
+            k);
+        struct bead_scene *scene = parse(text);
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        require(bead_colormap_load("inferno", &map, &msg), &msg);
+        bead_look_screen(&look, 1280, 720, true);
+        const struct bead_view_setup setup = {.chain = chain,
+                                              .field = BEAD_FIELD_FORCE,
+                                              .beads = {1 - k, bead_chain_beads(chain) - 1},
+                                              .time = {0, 1e-3},
+                                              .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                              .look = &look,
+                                              .magnify = 1};
+        require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
+        require(bead_view_beads_type.place(view, plot, NULL, &msg), &msg);
+        double zeros[16] = {0};
+        struct bead_sample sample = {.active = bead_chain_beads(chain)};
+        sample.field[BEAD_FIELD_FORCE] = sample.field[BEAD_FIELD_DISPLACEMENT] = zeros;
+        require(bead_view_beads_type.feed(view, &sample, &msg), &msg);
+        cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 900, 180);
+        cairo_t *cr = cairo_create(paper);
+        require(bead_view_beads_type.vector(view, 0, cr, &msg), &msg);
+        cairo_surface_flush(paper);
+        const uint8_t *pixels = cairo_image_surface_get_data(paper);
+        const int stride = cairo_image_surface_get_stride(paper), ink = (int)lround(255 * look.ink.g);
+        size_t sensors, ringed = 0;
+        const struct bead_sensor *sensor = bead_chain_sensors(chain, &sensors);
+        assert_int_equal(sensors, 2);
+        for (size_t i = 0; i < view->count; i++) {
+            assert_true(view->load[i] == 0); /* nor does anything glow, where nothing has pressed yet */
+            /* In its ring, at its lower left, where the ball itself is darkest. */
+            const double r = view->radius[i] * view->row.scale, in = r - 0.5 * fmax(1.2, 0.07 * r);
+            const double x = view->area.x + bead_window_x(&view->row, view->position[i]) - in * sqrt(0.5),
+                         y = view->area.y + view->row.middle + in * sqrt(0.5);
+            const bool ring = abs(pixels[(int)y * stride + 4 * (int)x + 1] - ink) < 40;
+            const size_t bead = view->first + i;
+            if (ring != (bead == sensor[0].bead || bead == sensor[1].bead)) /* the striker's has another colour */
+                fail_msg("bead %zu, at %g, %g: %d", bead, x, y, ring);
+            ringed += ring;
+        }
+        assert_int_equal(ringed, 2);
+        cairo_destroy(cr);
+        cairo_surface_destroy(paper);
+        bead_view_beads_type.destroy(view);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 /* Whole frames, all views: a copy that only gets what was told to have changed stays equal. */
 static void compare_copies(enum bead_follow follow)
 {
@@ -493,6 +630,9 @@ int main(void)
         cmocka_unit_test(test_profile),
         cmocka_unit_test(test_views_that_move),
         cmocka_unit_test(test_gaps_show),
+        cmocka_unit_test(test_profiles_of_forces_stay_above_zero),
+        cmocka_unit_test(test_what_the_lens_shows_is_marked),
+        cmocka_unit_test(test_sensors_have_rings_as_paths),
         cmocka_unit_test(test_frames_tell_their_changes),
         cmocka_unit_test(test_frames_do_not_depend_on_threads),
         cmocka_unit_test(test_magnification),

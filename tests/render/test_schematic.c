@@ -62,6 +62,22 @@ static void setups_of_all_lengths(void **state)
     }
 }
 
+/* The longest name of a sensor, of letters that take five bytes each in markup, ends where there is no more room for it. */
+static void sensors_have_names_of_any_length(void **state)
+{
+    (void)state;
+    char name[241] = "", text[600];
+    struct seen seen = {.count = 0};
+    memset(name, '&', sizeof name - 1);
+    snprintf(text, sizeof text,
+             "chain: {beads: [{bead: glass, count: 9}, {bead: lead, sensor: '%s'}]}\noutputs: [{plot: a.png, show: setup}]\n",
+             name);
+    struct staged *s = set_stage(text);
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    assert_true(wrote(&seen, "sensor &amp;&amp;"));
+    clear_stage(s);
+}
+
 /* The room that rows do not need is shared evenly: above, between and below them, a third each of what a page is higher. */
 static void rows_share_what_is_left(void **state)
 {
@@ -277,6 +293,7 @@ int main(void)
         cmocka_unit_test(tapered_chains_are_one_row),
         cmocka_unit_test(setups_of_all_lengths),
         cmocka_unit_test(rows_share_what_is_left),
+        cmocka_unit_test(sensors_have_names_of_any_length),
         cmocka_unit_test(the_experiment_is_all_there),
         cmocka_unit_test(ends_that_absorb_are_no_free_ends),
         cmocka_unit_test(what_is_left_out_is_said),

@@ -581,6 +581,40 @@ static void beads_are_over_their_numbers(void **state)
     }
 }
 
+/* Lights go as the step of a compression does, that of beads pushed right or its mirror image, forward or back, however little the
+ * beads have moved from one moment to the next. */
+static void lights_know_the_way_of_the_wave(void **state)
+{
+    (void)state;
+    enum { ALL = 202 };
+    struct bead_message msg = {""};
+    for (int mirrored = 0; mirrored < 2; mirrored++)
+        for (int back = 0; back < 2; back++) {
+            struct setting s;
+            double u[ALL], force[ALL];
+            open_view(&s, many, BEAD_LIGHT_CONTACTS);
+            assert_int_equal(bead_chain_beads(s.chain), ALL - 1);
+            for (int moment = 0; moment < 2; moment++) {
+                const double at = moment == back ? 100 : 100.1;
+                struct bead_sample sample = {.time = 1e-6 * (moment + 1),
+                                             .field = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_CONTACT_FORCE] = force}};
+                for (int i = 0; i < ALL; i++)
+                    u[i] = mirrored ? -1e-5 / (1 + exp(at - i)) : 1e-5 / (1 + exp(i - at));
+                for (int i = 0; i < ALL; i++)
+                    force[i] = i + 1 < ALL ? 4e6 * (u[i] - u[i + 1]) : 0;
+                require(bead_view_stage_type.feed(s.view, &sample, &msg), &msg);
+            }
+            bead_stage_advance(s.view, 2e-6);
+            const int way = back ? -1 : 1;
+            for (size_t k = 90; k < 110; k++) {
+                if (s.view->excess[k] > 0.01 && s.view->way[k] != way)
+                    fail_msg("contact %zu: %d, not %d", k, s.view->way[k], way);
+            }
+            assert_true(s.view->excess[99] > 0.1);
+            close_view(&s);
+        }
+}
+
 /* Sensors and the wall are named, over each other nothing is. */
 static void names_have_room(void **state)
 {
@@ -728,6 +762,7 @@ int main(void)
         cmocka_unit_test(beads_touch_where_they_do),
         cmocka_unit_test(swings_stay_on_the_stage),
         cmocka_unit_test(beads_are_over_their_numbers),
+        cmocka_unit_test(lights_know_the_way_of_the_wave),
         cmocka_unit_test(names_have_room),
         cmocka_unit_test(beads_are_large),
         cmocka_unit_test(the_key_light_is_heard),

@@ -51,7 +51,7 @@ static struct bead_frame make_film(struct film film, enum bead_orientation orien
     struct bead_scene *scene = parse("materials: {one: {radius: 0.5 m, mass: 1 kg, modulus: 1 GPa, poisson: 0}}\n"
                                      "chain: {striker: {bead: one, velocity: 1 m/s}, beads: [{bead: one, count: 60}]}\n"
                                      "simulate: {until: 40 ms}\noutputs: [{table: t.csv, show: peaks}]\n");
-    double contact[BALLS] = {0}, none[BALLS] = {0};
+    double contact[BALLS] = {0}, level[BALLS];
     const struct bead_view_type *type = bead_view_find(BEAD_VIEW_SPACETIME);
     assert_int_equal(bead_chain_create(scene, 0, &chain, &msg), BEAD_OK);
     assert_int_equal(bead_colormap_load("inferno", &map, NULL), BEAD_OK);
@@ -71,12 +71,14 @@ static struct bead_frame make_film(struct film film, enum bead_orientation orien
     assert_int_equal(bead_frame_create(WIDTH, HEIGHT, &frame, NULL), BEAD_OK);
     assert_int_equal(bead_frame_create(WIDTH, HEIGHT, &background, NULL), BEAD_OK);
     memset(background.pixels, 0, background.stride * HEIGHT);
+    for (size_t i = 0; i < BALLS; i++)
+        level[i] = 0.5;
     memcpy(frame.pixels, background.pixels, frame.stride * HEIGHT);
     for (int i = 0; i <= film.until; i++) {
         struct bead_changes changes = {0};
         struct bead_sample sample = {.time = end * i / SAMPLES, .active = BALLS};
         make_wave(sample.time, film.falls, contact);
-        sample.field[BEAD_FIELD_VELOCITY] = none;
+        sample.field[BEAD_FIELD_VELOCITY] = level;
         sample.field[BEAD_FIELD_CONTACT_FORCE] = contact;
         if (type->feed(view, &sample, &msg))
             fail_msg("%s", msg.text);
@@ -169,12 +171,46 @@ static void it_is_the_same_in_parts(void **state)
     }
 }
 
+/* On any colour a light line is seen, and its edges: black of 0.6, on either side, no narrower than half the line and no wider than
+ * it. What each channel has gained is light * (1 - ground) - dark * 0.6 * ground, of two areas, which two channels tell. */
+static void it_has_dark_edges(void **state)
+{
+    (void)state;
+    struct film film = {true, false, 2 * SAMPLES / 3, EVERY};
+    struct bead_frame with = make_film(film, BEAD_TIME_DOWN);
+    film.theory = false;
+    struct bead_frame without = make_film(film, BEAD_TIME_DOWN);
+    const double shown = (double)film.until / SAMPLES;
+    double gained[2] = {0, 0}, ground[2] = {0, 0}, rows = 0;
+    for (int y = 0; y < HEIGHT; y++) {
+        const double when = (y + 0.5 - plot.y) / plot.height;
+        if (when < 0.1 || when > shown - 0.1) /* beside the words, and above the cursor */
+            continue;
+        rows++;
+        for (int x = 0; x < WIDTH; x++) {
+            if (when - (x + 0.5 - plot.x) / plot.width + 0.4 <= 0.1)
+                continue;
+            for (int k = 0; k < 2; k++) { /* blue and red */
+                ground[k] = pixel(&without, plot.x + 1, y)[2 * k] / 255.0;
+                gained[k] += (pixel(&with, x, y)[2 * k] - pixel(&without, x, y)[2 * k]) / 255.0;
+            }
+        }
+    }
+    const double a = 1 - ground[0], b = 0.6 * ground[0], c = 1 - ground[1], d = 0.6 * ground[1], all = a * d - b * c;
+    const double light = (gained[0] * d - b * gained[1]) / all, dark = (gained[0] * c - a * gained[1]) / all;
+    if (!(rows > 60 && light > 0.6 * rows && dark > light && dark < 2 * light))
+        fail_msg("in %g rows %.0f pixels are light, %.0f dark, on %.2f and %.2f", rows, light, dark, ground[0], ground[1]);
+    bead_frame_free(&with);
+    bead_frame_free(&without);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_is_the_closed_forms),
         cmocka_unit_test(it_turns_with_the_force),
         cmocka_unit_test(it_is_the_same_in_parts),
+        cmocka_unit_test(it_has_dark_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
