@@ -596,6 +596,33 @@ static void test_magnification(void **state)
     free_world(&w);
 }
 
+/* The factor is no more than a quarter of a bead allows, and at most a third less: 1, 1.5, 2, 3, 4, 5, 6, 8 of any power of ten. */
+static void test_magnification_is_as_large_as_can_be(void **state)
+{
+    (void)state;
+    static const double first[] = {1, 1.5, 2, 3, 4, 5, 6, 8};
+    unsigned met = 0;
+    for (int i = 0; i < 60; i++) {
+        char text[300];
+        snprintf(text, sizeof text,
+                 "chain: {striker: {bead: large-steel, velocity: %g m/s}, beads: [{bead: large-steel, count: 4}]}\n"
+                 "outputs: [{movie: a.mp4}]\n",
+                 pow(10, -2 + i / 30.0));
+        struct bead_scene *scene = parse(text);
+        struct bead_chain *chain;
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        const double factor = bead_magnify_auto((const struct bead_chain *const *)&chain, 1);
+        const double part = factor * bead_compression_scale(chain) / bead_chain_radius(chain)[0];
+        for (unsigned k = 0; k < 8; k++)
+            met |= (fabs(factor / pow(10, floor(log10(factor))) - first[k]) < 1e-9) << k;
+        if (!(part <= 0.25 && part > 0.25 / 1.5))
+            fail_msg("%g times: %g of a radius", factor, part);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+    assert_int_equal(met, 0xff);
+}
+
 /* Beads on pendulums swing by v sqrt(l/g) and more than collisions press them: as drawn, no further than to the next place. */
 static void test_magnification_of_swings(void **state)
 {
@@ -636,6 +663,7 @@ int main(void)
         cmocka_unit_test(test_frames_tell_their_changes),
         cmocka_unit_test(test_frames_do_not_depend_on_threads),
         cmocka_unit_test(test_magnification),
+        cmocka_unit_test(test_magnification_is_as_large_as_can_be),
         cmocka_unit_test(test_magnification_of_swings),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -33,6 +33,19 @@ static void a_wave_is_found_again(void **state)
     release(&b);
 }
 
+/* Crests between others are waves; where no force is, between two or without a neighbour, there is none. */
+static void without_a_crest_there_is_none(void **state)
+{
+    (void)state;
+    static const double forces[][3] = {{1, 2, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 0}, {0, 0, 0}};
+    struct built b = equal_beads("");
+    struct bead_compacton found;
+    for (size_t i = 0; i < sizeof forces / sizeof *forces; i++)
+        assert_int_equal(bead_compacton_find(b.chain, forces[i], 3, &found), i == 0);
+    assert_false(bead_compacton_find(b.chain, forces[0], 2, &found));
+    release(&b);
+}
+
 /* The wave of beads is .905516 / sqrt(.8) times as fast, and nowhere differs by more than a twenty-fifth of its height (measured:
  * 3.5 %). */
 static void it_is_near_that_of_beads(void **state)
@@ -78,7 +91,7 @@ static void others_have_none(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_wave_is_found_again), cmocka_unit_test(it_is_near_that_of_beads),
-                                       cmocka_unit_test(others_have_none)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_wave_is_found_again), cmocka_unit_test(without_a_crest_there_is_none),
+                                       cmocka_unit_test(it_is_near_that_of_beads), cmocka_unit_test(others_have_none)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

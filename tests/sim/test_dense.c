@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Interpolation between steps, and spins. */
+/* Interpolation between steps, the coefficients of the methods, and spins. */
 #include "support.h"
 
 #include "sim/chain/spins.h"
 #include "sim/integrate/dense.h"
+#include "sim/integrate/methods.h"
 
 static void septic_is_exact_for_septics(void **state)
 {
@@ -21,6 +22,42 @@ static void septic_is_exact_for_septics(void **state)
             assert_near(bead_polynomial_value(&p, x), pow(x, power), 1e-13);
             assert_near(bead_polynomial_slope(&p, x), power ? power * pow(x, power - 1) : 0, 1e-12);
         }
+    }
+}
+
+/* Sum of w c^n over the stages. */
+static double moment(const struct bead_tableau *t, const double *w, int n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < t->stages; i++)
+        sum += w[i] * pow(t->c[i], n);
+    return sum;
+}
+
+/* Conditions of order p, after E. Hairer, S. P. Norsett and G. Wanner, Solving ordinary differential equations I, II.14: weights of
+ * velocities integrate c^n up to n = p - 1, and no further, those of positions follow from them, places of stages are exact up to
+ * second order, and the error is that of a method of order p - 2. */
+static void methods_have_their_order(void **state)
+{
+    (void)state;
+    static const struct bead_tableau *const all[] = {&bead_tableau_rkn6, &bead_tableau_rkn8, &bead_tableau_rkn12};
+    static const int orders[] = {6, 8, 12};
+    for (size_t k = 0; k < 3; k++) {
+        const struct bead_tableau *t = all[k];
+        for (size_t i = 0; i < t->stages; i++) {
+            double sum = 0;
+            for (size_t j = 0; j < t->stages; j++) {
+                sum += t->a[i * t->stages + j];
+                assert_true(j < i || t->a[i * t->stages + j] == 0); /* explicit */
+            }
+            assert_near(sum, t->c[i] * t->c[i] / 2, 1e-14);
+            assert_near(t->b[i], t->bp[i] * (1 - t->c[i]), 1e-15);
+        }
+        for (int n = 0; n < orders[k]; n++) {
+            assert_near(moment(t, t->bp, n), 1.0 / (n + 1), 1e-15);
+            assert_true((fabs(moment(t, t->bpe, n)) < 1e-15) == (n < orders[k] - 2));
+        }
+        assert_true(fabs(moment(t, t->bp, orders[k]) - 1.0 / (orders[k] + 1)) > 1e-9);
     }
 }
 
@@ -99,6 +136,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(septic_is_exact_for_septics),
+        cmocka_unit_test(methods_have_their_order),
         cmocka_unit_test(samples_between_steps_are_accurate),
         cmocka_unit_test(magnetism_is_exact),
         cmocka_unit_test(spins_are_uniform),
