@@ -23,9 +23,6 @@ static size_t view_count(const struct bead_composer *c)
     return c->wants.chain_count * c->wants.view_count;
 }
 
-/* Of a curve before the name of its chain, in units of the label's font size. */
-static const double sample_length = 1.8;
-
 static const struct bead_view_type *type_of(const struct bead_composer *c, size_t index)
 {
     return c->wants.views[index % c->wants.view_count];
@@ -34,13 +31,6 @@ static const struct bead_view_type *type_of(const struct bead_composer *c, size_
 static struct bead_rect plot_of(const struct bead_composer *c, size_t index)
 {
     return c->layout.chains[index / c->wants.view_count].plot[index % c->wants.view_count];
-}
-
-/* Are the curves of several chains on one axis, told apart by colours? */
-static bool shares_curves(const struct bead_composer *c)
-{
-    bool stage = c->layout.layout == BEAD_LAYOUT_STAGE;
-    return stage ? c->wants.chain_count > 1 && c->layout.overlay < c->wants.view_count : c->layout.layout == BEAD_LAYOUT_OVERLAY;
 }
 
 /* Does an image know all samples before the first frame? */
@@ -82,7 +72,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
         .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
         .small = c->layout.grid,
-        .own_colour = shares_curves(c),
+        .own_colour = bead_composer_shares_curves(c),
         .bead_labels = labels && !time,
         .orientation = c->wants.orientation,
         .time_shared = time && !labels,
@@ -141,9 +131,12 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
                                    .clock = c->clock,
                                    .magnify = bead_views_any(&output->views, BEAD_SHOWS_BEADS) ? c->magnify : 0,
                                    .chains = c->setup.chains,
-                                   .chain_count = c->setup.chain_count};
+                                   .chain_count = c->setup.chain_count,
+                                   .held = c->setup.held};
     if (c->setup.interest)
         err = bead_interest_open(c, msg);
+    if (!err && c->setup.held)
+        err = bead_composer_hold(c, msg);
     if (!err)
         err = bead_composer_measure(c, msg);
     if (!err)
@@ -217,92 +210,6 @@ static enum bead_error decorate_views(struct bead_composer *c, cairo_t *cr, stru
     return err;
 }
 
-/* The line of a chain's curve before its heading, which says whose it is without colours; its label gives way. Returns the room
- * that it takes; 0: there is none. */
-static int sample_room(const struct bead_composer *c, size_t chain, struct bead_rect rect)
-{
-    const int room = (int)ceil((sample_length + 0.5) * c->look.label);
-    return shares_curves(c) && bead_heading_least(&c->look, c->setup.chains[chain]) + room <= rect.width ? room : 0;
-}
-
-static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect rect)
-{
-    const struct bead_look *look = &c->look;
-    const struct bead_dashes *dashes = bead_look_dashes(chain % BEAD_DASHES);
-    const double width = fmax(1.6, 1.8 * look->line);
-    const double line = rect.height - (c->layout.label_lines ? 1.35 * look->label : 0);
-    double lengths[6];
-    for (int i = 0; i < dashes->count; i++)
-        lengths[i] = width * dashes->lengths[i];
-    cairo_save(cr);
-    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
-    cairo_set_line_width(cr, width);
-    cairo_set_dash(cr, lengths, dashes->count, 0);
-    cairo_move_to(cr, rect.x, round(rect.y + 0.5 * line));
-    cairo_rel_line_to(cr, sample_length * look->label, 0);
-    cairo_stroke(cr);
-    cairo_restore(cr);
-}
-
-/* Beside the key, if it is over the top of a stage. Width 0: there is no heading. */
-static struct bead_rect heading_rect(const struct bead_composer *c, size_t chain)
-{
-    struct bead_rect rect = c->layout.chains[chain].heading;
-    if (rect.width > 0 && c->layout.head > 0) {
-        rect.x += (int)round(0.5 * c->look.label);
-        rect.width -= (int)round(c->look.label + bead_composer_key(c, chain));
-    }
-    return rect;
-}
-
-static struct bead_rect after_sample(const struct bead_composer *c, size_t chain, struct bead_rect rect)
-{
-    const int room = sample_room(c, chain, rect);
-    return (struct bead_rect){rect.x + room, rect.y, rect.width - room, rect.height};
-}
-
-static struct bead_heading heading_of(const struct bead_composer *c, size_t chain)
-{
-    const struct bead_rgb colour = shares_curves(c) ? bead_look_curve(&c->look, chain) : c->look.ink;
-    return (struct bead_heading){c->setup.chains[chain], colour, c->layout.label_lines};
-}
-
-/* The labels beside names are all as small as one of them has to be. */
-static double size_of_labels(const struct bead_composer *c)
-{
-    double size = 1;
-    for (size_t i = 0; i < c->layout.chain_count; i++) {
-        const struct bead_heading heading = heading_of(c, i);
-        const struct bead_rect rect = heading_rect(c, i);
-        size = rect.width > 0 ? fmin(size, bead_heading_label(&c->look, &heading, after_sample(c, i, rect))) : size;
-    }
-    return size;
-}
-
-/* The names above images are all as small as one of them has to be. */
-static double size_of_names(const struct bead_composer *c)
-{
-    double size = 1;
-    for (size_t i = 0; i < c->layout.chain_count; i++) {
-        const double width = c->layout.chains[i].name.width;
-        size = width > 0 ? fmin(size, bead_name_size(&c->look, c->setup.chains[i], width)) : size;
-    }
-    return size;
-}
-
-/* The heading of a chain, over the top of its stage, and its name above its image. */
-static void draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
-{
-    const struct bead_heading heading = heading_of(c, chain);
-    const struct bead_rect rect = heading_rect(c, chain), name = c->layout.chains[chain].name;
-    if (rect.width > 0 && sample_room(c, chain, rect) > 0)
-        draw_sample(c, chain, heading.colour, cr, rect);
-    if (rect.width > 0)
-        bead_heading_draw(cr, &c->look, &heading, size_of_labels(c), after_sample(c, chain, rect));
-    if (name.width > 0)
-        bead_name_draw(cr, &c->look, &heading, size_of_names(c), name);
-}
-
 static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
 {
     const struct bead_movie_layout *layout = &c->layout;
@@ -317,7 +224,7 @@ static void composer_draw_words(struct bead_composer *c, cairo_t *cr)
         bead_facts_draw(cr, look, &c->facts, layout->facts, layout->words_left);
     bead_composer_draw_key(c, cr);
     for (size_t i = 0; i < layout->chain_count; i++)
-        draw_names(c, i, cr);
+        bead_composer_draw_names(c, i, cr);
 }
 
 static enum bead_error watch_texts(const struct bead_composer *c, cairo_surface_t *surface, struct bead_message *msg)
@@ -359,16 +266,43 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     return err ? err : bead_warnings_check(msg);
 }
 
-enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
+/* Into views of all times, or into those of the present. */
+static enum bead_error feed_views(struct bead_composer *c, const struct bead_sample *sample, bool all_times,
+                                  struct bead_message *msg)
 {
-    if (c->fed)
-        bead_interest_feed(c, sample);
-    if (c->cameras)
-        BEAD_TRY(bead_camera_feed(c->cameras[sample->chain], sample, msg));
     for (size_t v = 0; v < c->wants.view_count; v++) {
         size_t index = sample->chain * c->wants.view_count + v;
-        if (c->views[index] && !previewed(c, index))
+        if (c->views[index] && !previewed(c, index) && bead_view_has(c->wants.views[v], BEAD_SHOWS_ALL_TIMES) == all_times)
             BEAD_TRY(c->wants.views[v]->feed(c->views[index], sample, msg));
+    }
+    return BEAD_OK;
+}
+
+static enum bead_error feed_present(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
+{
+    if (c->fed)
+        bead_interest_keep(c, sample);
+    return feed_views(c, sample, false, msg);
+}
+
+enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sample *sample, struct bead_message *msg)
+{
+    if (c->cameras)
+        BEAD_TRY(bead_camera_feed(c->cameras[sample->chain], sample, msg));
+    BEAD_TRY(feed_views(c, sample, true, msg));
+    if (!c->held)
+        return feed_present(c, sample, msg);
+    bead_held_feed(c->held[sample->chain], sample);
+    return BEAD_OK;
+}
+
+/* A frame begins: what has been held since the last one is fed. */
+static enum bead_error feed_held(struct bead_composer *c, struct bead_message *msg)
+{
+    for (size_t i = 0; c->held && i < c->wants.chain_count; i++) {
+        const struct bead_sample *sample = bead_held_take(c->held[i]);
+        if (sample)
+            BEAD_TRY(feed_present(c, sample, msg));
     }
     return BEAD_OK;
 }
@@ -404,13 +338,15 @@ static void advance_cameras(struct bead_composer *c, double time)
         bead_camera_advance(c->cameras[i], time);
 }
 
-void bead_composer_pass(struct bead_composer *c, double time)
+enum bead_error bead_composer_pass(struct bead_composer *c, double time, struct bead_message *msg)
 {
+    BEAD_TRY(feed_held(c, msg));
     advance_cameras(c, time);
     for (size_t i = 0; i < view_count(c); i++) {
         if (type_of(c, i)->pass && c->views[i])
             type_of(c, i)->pass(c->views[i], time);
     }
+    return BEAD_OK;
 }
 
 enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct bead_changes *changes, struct bead_message *msg)
@@ -421,7 +357,7 @@ enum bead_error bead_composer_draw(struct bead_composer *c, double time, struct 
         bead_changes_add(changes, all);
         c->started = true;
     }
-    enum bead_error err = BEAD_OK;
+    enum bead_error err = feed_held(c, msg);
     advance_cameras(c, time);
     for (size_t i = 0; !err && i < view_count(c); i++) {
         if (!overlaid(c, i) && c->views[i])
@@ -469,6 +405,9 @@ void bead_composer_destroy(struct bead_composer *c)
     for (size_t i = 0; c->cameras && i < c->wants.chain_count; i++)
         bead_camera_destroy(c->cameras[i]);
     free(c->cameras);
+    for (size_t i = 0; c->held && i < c->setup.chain_count; i++)
+        bead_held_destroy(c->held[i]);
+    free(c->held);
     free(c->fed);
     bead_movie_layout_free(&c->layout);
     bead_frame_free(&c->frame);

@@ -30,6 +30,7 @@ struct bead_composer_setup {
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
     const struct bead_text_watch *watch; /* told of all texts; NULL: none */
     bool interest;                       /* will bead_composer_interest be asked? */
+    bool held;                           /* frames show the largest forces since the one before */
     bool fine;                           /* see bead_view_setup */
     const struct bead_preview *preview;  /* all samples of the field, for images that show their future; NULL: none */
 };
@@ -67,12 +68,13 @@ BEAD_CHECK enum bead_error bead_composer_card(struct bead_composer *composer, st
 BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, double time, struct bead_changes *changes,
                                               struct bead_message *msg);
 /* Called instead of draw for a frame that is not shown: later frames look as if it had been drawn. */
-void bead_composer_pass(struct bead_composer *composer, double time);
+BEAD_CHECK enum bead_error bead_composer_pass(struct bead_composer *composer, double time, struct bead_message *msg);
 /* The interest of the frame at `time`: of several chains, the difference of their values; of one, the mean distance of its values
  * from zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
-/* Takes a sample for that alone. */
+/* Takes a sample for that alone; and, before it is asked, brings it to the frame at the last sample. */
 void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
+void bead_interest_advance(struct bead_composer *composer);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
 /* The painter of the beads, known from bead_composer_open on; "": none is needed. */
 const char *bead_composer_painter(const struct bead_composer *composer);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shared by the files of a composer: composer.c, movie_measure.c (and cameras), movie_shown.c (fields,
- * beads, interest), movie_overlay.c (the parts over and around the views). */
+ * beads, interest), movie_names.c (names of chains), movie_overlay.c (the parts over and around the views). */
 #pragma once
 
 #include <cairo.h>
@@ -9,6 +9,7 @@
 #include "render/movie/movie_layout.h"
 #include "render/movie/movie_words.h"
 #include "render/paint/canvas.h"
+#include "render/view/held.h"
 
 struct bead_composer {
     struct bead_composer_setup setup;
@@ -33,8 +34,9 @@ struct bead_composer {
     bool carded, started;                 /* the card has been drawn; the static layer has been */
     bool trust_said;
     struct bead_note_boxes notes;
-    size_t caption; /* shown now; SIZE_MAX: none */
-    double *fed;    /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
+    size_t caption;          /* shown now; SIZE_MAX: none */
+    struct bead_held **held; /* of the chains: samples since the last frame; NULL: views are fed each sample */
+    double *fed;             /* [chain][fed_room]: values as of the last samples, for bead_composer_interest; NULL: no poster */
     size_t fed_room;
     struct bead_film_clock even; /* of setups without one */
 };
@@ -47,6 +49,10 @@ struct bead_span bead_composer_span(const struct bead_composer *composer, size_t
 BEAD_CHECK enum bead_error bead_composer_measure(struct bead_composer *composer, struct bead_message *msg);
 /* px: room of the key of a chain's stage; 0: there is none. */
 double bead_composer_key(const struct bead_composer *composer, size_t chain);
+/* Are the curves of several chains on one axis, told apart by colours? */
+bool bead_composer_shares_curves(const struct bead_composer *composer);
+/* The heading of a chain, and its name above its image. */
+void bead_composer_draw_names(const struct bead_composer *composer, size_t chain, cairo_t *cr);
 /* The key of all stages of a grid. */
 void bead_composer_draw_key(const struct bead_composer *composer, cairo_t *cr);
 /* Markup such as "force (N)". */
@@ -54,8 +60,12 @@ void bead_composer_bar_title(const struct bead_composer *composer, char *out, si
 /* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:
  * MEMORY. */
 BEAD_CHECK enum bead_error bead_composer_cameras(struct bead_composer *composer, struct bead_message *msg);
+/* Makes room for samples between frames. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_composer_hold(struct bead_composer *composer, struct bead_message *msg);
 /* Keeps values for the poster. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_interest_open(struct bead_composer *composer, struct bead_message *msg);
+/* Takes the values of a sample for it. */
+void bead_interest_keep(struct bead_composer *composer, const struct bead_sample *sample);
 /* The colour bar, into the static layer. */
 void bead_overlay_draw_bar(struct bead_composer *composer, cairo_t *cr);
 /* Bring the parts of the frame around the views to `time`; each adds its changes. */

@@ -89,7 +89,8 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
 {
     const struct bead_output *output = film->output;
     const struct bead_chain *first = film->context.chains[0];
-    const bool struck = bead_chain_spec(first)->system->has_striker; /* only then something short is left out */
+    /* Only of waves that a strike began is something short left out, not of impacts that all are short. */
+    const bool struck = bead_chain_spec(first)->system->has_striker && !film->times.held;
     const double typical = film->preview && struck ? bead_preview_typical(film->preview) : INFINITY;
     const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),
                                                                     &(struct bead_shown_values){range.low, range.high, typical});
@@ -107,6 +108,7 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
                                         .tolerance_factor = film->context.tolerance_factor,
                                         .canvas = film->context.canvas,
                                         .interest = interest,
+                                        .held = film->times.held,
                                         .fine = film->context.frame || output->movie.quality >= BEAD_QUALITY_HIGH,
                                         .preview = film->preview && bead_preview_whole(film->preview) ? film->preview : NULL};
     bead_colour_range_ends(output, first, &colours, &setup.over, &setup.under);

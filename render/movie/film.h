@@ -17,6 +17,7 @@ struct bead_movie_times {
     size_t card, frames;   /* frames of the card; all frames */
     size_t group;          /* consecutive frames with one picture: drafts have fewer pictures than frames */
     struct bead_grid grid; /* of the samples */
+    bool held;             /* frames show the largest forces since the one before */
 };
 
 /* Borrows the output and all that the context points to. */

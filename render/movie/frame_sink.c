@@ -130,10 +130,11 @@ static enum bead_error pass_frame(struct bead_sink *s, struct bead_message *msg)
     if (s->drawn || (s->found && !card && s->film.output->shown.trust)) { /* the line about the horizon depends on earlier frames */
         return card ? bead_composer_card(s->composer, &changes, msg) : bead_composer_draw(s->composer, time, &changes, msg);
     }
-    if (!s->found && !card && bead_poster_prefers(&s->peak, s->composer, time))
+    if (s->found)
+        return card ? BEAD_OK : bead_composer_pass(s->composer, time, msg);
+    bead_interest_advance(s->composer);
+    if (!card && bead_poster_prefers(&s->peak, s->composer, time))
         s->frame = s->next;
-    if (s->found && !card)
-        bead_composer_pass(s->composer, time);
     return BEAD_OK;
 }
 
@@ -161,6 +162,7 @@ static enum bead_error frame_again(struct bead_sink *s, bool *again, struct bead
     enum bead_error err = isnan(s->seen) ? BEAD_OK : pass_frames(s, s->seen + s->film.times.grid.every, msg);
     *again = !err && !s->found;
     if (*again) {
+        bead_interest_advance(s->composer); /* nothing is left of this run */
         s->found = true;
         s->next = 0;
         s->seen = NAN;

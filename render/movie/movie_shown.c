@@ -5,6 +5,7 @@
 
 #include "render/movie/composer_private.h"
 #include "render/view/views.h"
+#include "sim/base/memory.h"
 #include "sim/kinds/view_kinds.h"
 
 /* Fields of views that show all times, or of all views. */
@@ -59,6 +60,19 @@ struct bead_span bead_composer_beads(const struct bead_composer *c, size_t chain
     return within(c->setup.output->shown.beads, bead_chain_beads(c->setup.chains[chain]));
 }
 
+/* ---- samples between frames ---- */
+
+enum bead_error bead_composer_hold(struct bead_composer *c, struct bead_message *msg)
+{
+    const struct bead_output *output = c->setup.output;
+    const unsigned fields =
+        bead_composer_fields(output, c->setup.chains[0]) | (c->setup.interest ? BEAD_FIELD_BIT(output->shown.field) : 0);
+    BEAD_TRY(bead_new(&c->held, c->setup.chain_count, msg, "a movie"));
+    for (size_t i = 0; i < c->setup.chain_count; i++)
+        BEAD_TRY(bead_held_create(c->setup.chains[i], fields, output->shown.beads, &c->held[i], msg));
+    return BEAD_OK;
+}
+
 /* ---- interest: the difference between chains, or the values that a single chain shows ---- */
 
 enum bead_error bead_interest_open(struct bead_composer *c, struct bead_message *msg)
@@ -72,12 +86,29 @@ enum bead_error bead_interest_open(struct bead_composer *c, struct bead_message 
     return c->fed ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a poster");
 }
 
-void bead_interest_feed(struct bead_composer *c, const struct bead_sample *sample)
+void bead_interest_keep(struct bead_composer *c, const struct bead_sample *sample)
 {
     const double *value = sample->field[c->setup.output->shown.field];
     struct bead_span span = bead_composer_span(c, sample->chain);
     if (value)
         memcpy(c->fed + sample->chain * c->fed_room, value + span.first, (span.last - span.first + 1) * sizeof *value);
+}
+
+void bead_interest_feed(struct bead_composer *c, const struct bead_sample *sample)
+{
+    if (c->held)
+        bead_held_feed(c->held[sample->chain], sample);
+    else
+        bead_interest_keep(c, sample);
+}
+
+void bead_interest_advance(struct bead_composer *c)
+{
+    for (size_t i = 0; c->held && i < c->setup.chain_count; i++) {
+        const struct bead_sample *sample = bead_held_take(c->held[i]);
+        if (sample)
+            bead_interest_keep(c, sample);
+    }
 }
 
 /* Root of the sum, over the beads, of the squared deviations of the chains from their mean. */

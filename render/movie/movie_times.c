@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "render/encode/movie_private.h"
+#include "render/view/held.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/kinds/view_kinds.h"
 
@@ -72,12 +73,21 @@ static enum bead_error choose_frames(struct bead_film *film, struct bead_message
         bead_film_factors(&t->film, factors);
         t->step = factors[0] * lasting / (frames - 1);
     }
-    t->group = o->movie.quality == BEAD_QUALITY_DRAFT ? (size_t)fmax(1, ceil(o->movie.fps / draft_pictures - 1e-6)) : 1;
+    const struct bead_codec *codec = bead_codec_find(o->path, false);
+    const size_t least = codec ? bead_codec_group(codec, o->movie.fps) : 1; /* others are not in the file */
+    const double wanted = o->movie.quality == BEAD_QUALITY_DRAFT ? o->movie.fps / draft_pictures : 1;
+    t->group = least * (size_t)fmax(1, ceil(wanted / (double)least - 1e-6));
     return BEAD_OK;
 }
 
+/* Are frames so far apart that impacts fall between them? */
+static bool holds(const struct bead_film *film)
+{
+    return bead_held_is_needed(film->context.chains[0], film->fields, film->times.step, film->context.resolution);
+}
+
 /* Samples at the times of the strobe, between which frames blend; else at the frames, or k times as often for views that average
- * over time and for sound. Replayed trajectories keep their own times; frames between two samples blend them. */
+ * over time, for impacts and for sound. Replayed trajectories keep their own times; frames between two samples blend them. */
 static enum bead_error times_choose_grid(struct bead_film *film, struct bead_message *msg)
 {
     const struct bead_output *o = film->output;
@@ -94,11 +104,12 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
                                      t->time[0] + ceil((t->time[1] - t->time[0]) / o->movie.strobe - 1e-9) * o->movie.strobe};
         t->grid.end = fmin(t->grid.end, context->end);
     } else {
-        double finer = (bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF) && context->resolution > 0
+        double finer = (holds(film) || bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF) && context->resolution > 0
                            ? ceil(t->step / context->resolution - 1e-9)
                            : 1;
         t->grid = (struct bead_grid){t->time[0], t->step / fmax(1, finer), t->time[1]};
     }
+    t->held = holds(film) && t->grid.every < t->step * (1 - 1e-9);
     double samples = (t->grid.end - t->grid.start) / t->grid.every;
     if (!(samples <= most_samples))
         return bead_output_wrong(o, msg, "duration: a movie of so much motion needs too many samples; show less time");

@@ -196,6 +196,8 @@ static size_t words_gather(const struct bead_facts *facts, char text[MOST_FACTS]
     bead_facts_chain(facts, plain, sizeof plain);
     if (plain[0])
         snprintf(text[count++], MOST_FACT, "%s", plain);
+    if (facts->held)
+        snprintf(text[count++], MOST_FACT, "largest forces of each frame");
     return count;
 }
 

@@ -32,6 +32,7 @@ struct bead_facts {
     bool keyed;     /* a key of the beads says what they are made of */
     const struct bead_chain *const *chains;
     size_t chain_count;
+    bool held; /* frames show the largest forces since the one before */
 };
 /* Facts common to all chains, text for bead_markup: "large-steel:aluminium, striker 0.443 m/s"; "" if none. */
 void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size);

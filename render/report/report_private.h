@@ -6,6 +6,7 @@
 #include "render/colour/colour_range.h"
 #include "render/report/report_write.h"
 #include "render/view/area.h"
+#include "render/view/held.h"
 #include "render/view/tale.h"
 #include "sim/measure/measure.h"
 
@@ -18,7 +19,7 @@ struct report_chain {
     size_t beads_shown, values;     /* how many */
     float *field;                   /* [samples][values] */
     float *displacement;            /* [samples][beads_shown]; NULL without beads */
-    double *largest;                /* of values since the last sample kept, in size; NULL: the values themselves are kept */
+    struct bead_held *held;         /* NULL: the samples themselves are kept */
     size_t fed, kept;               /* samples */
     struct bead_measures *measures; /* NULL: too few samples for them */
     struct bead_area *area;         /* finds the strike that would hide the wave */

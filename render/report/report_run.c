@@ -19,8 +19,6 @@ static const double wanted_bytes = 1.2e6, most_bytes = 12e6;
 static const double most_samples = 1201, fewest_samples = 201;
 /* Pixels along time of the image that finds the range of colours. */
 enum { IMAGE_TIMES = 400 };
-/* A pulse lasts as many times the spacing that shows every oscillation. Samples farther apart miss some. */
-static const double pulse = 4;
 
 static void report_destroy(struct bead_sink *s)
 {
@@ -29,7 +27,7 @@ static void report_destroy(struct bead_sink *s)
     for (size_t c = 0; s->chains && c < s->chain_count; c++) {
         free(s->chains[c].field);
         free(s->chains[c].displacement);
-        free(s->chains[c].largest);
+        bead_held_destroy(s->chains[c].held);
         bead_area_destroy(s->chains[c].area);
         bead_measures_destroy(s->chains[c].measures);
     }
@@ -109,10 +107,8 @@ static void choose_stride(struct bead_sink *s)
     const double native = s->context.native.every, most = BEAD_MEASURE_SPACING * s->context.resolution;
     const double every = native > 0 ? native : most;
     s->measured = s->peaks && isnan(shown->time[0]) && isnan(shown->time[1]) && every <= most * (1 + 1e-9) && isfinite(every);
-    /* Only forces of contacts come and go; what swings would be distorted. */
-    const bool comes_and_goes =
-        s->chains[0].beads && (shown->field == BEAD_FIELD_FORCE || shown->field == BEAD_FIELD_CONTACT_FORCE);
-    s->held = comes_and_goes && s->grid.every > pulse * s->context.resolution && every < s->grid.every;
+    s->held = every < s->grid.every &&
+              bead_held_is_needed(s->context.chains[0], BEAD_FIELD_BIT(shown->field), s->grid.every, s->context.resolution);
     s->stride = s->measured || s->held ? (size_t)fmax(1, ceil(s->grid.every / every - 1e-6)) : 1;
 }
 
@@ -148,9 +144,15 @@ static enum bead_error report_create(const struct bead_output *output, const str
     return BEAD_OK;
 }
 
+/* Those of a chain that are kept. */
+static unsigned report_fields(const struct bead_sink *s, const struct report_chain *c)
+{
+    return BEAD_FIELD_BIT(s->output->shown.field) | (c->beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
+}
+
 static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(s->output->shown.field),
+    *needs = (struct bead_needs){.fields = 0,
                                  .beads = s->output->shown.beads,
                                  .grid = {s->grid.start, s->grid.every / (double)s->stride, s->grid.end},
                                  .contact_peaks = s->peaks,
@@ -158,7 +160,7 @@ static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
                                  .until = s->peaks ? INFINITY : s->grid.end,
                                  .why = s->why};
     for (size_t i = 0; i < s->chain_count; i++)
-        needs->fields |= s->chains[i].beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0;
+        needs->fields |= report_fields(s, &s->chains[i]);
     if (!s->measured)
         return;
     needs->fields |= BEAD_MEASURE_FIELDS;
@@ -173,13 +175,13 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
                                           c->values < IMAGE_TIMES ? (int)c->values : IMAGE_TIMES,
                                           IMAGE_TIMES,
                                           BEAD_SAMPLING_AREA};
-    const size_t all = bead_chain_beads(c->chain) + 1; /* contacts with both walls */
-    c->largest = s->held ? calloc(all, sizeof *c->largest) : NULL;
     c->field = calloc(s->samples * c->values, sizeof *c->field);
     c->displacement = c->beads ? calloc(s->samples * c->beads_shown, sizeof *c->displacement) : NULL;
-    if (!c->field || (c->beads && !c->displacement) || (s->held && !c->largest))
+    if (!c->field || (c->beads && !c->displacement))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
     enum bead_error err = bead_area_create(&setup, &c->area, msg);
+    if (!err && s->held)
+        err = bead_held_create(c->chain, report_fields(s, c), s->output->shown.beads, &c->held, msg);
     return err || !s->measured ? err : bead_measures_create(c->chain, &c->measures, msg);
 }
 
@@ -198,34 +200,25 @@ static void keep(const double *values, struct bead_span span, size_t sample, flo
         kept[sample * count + i] = (float)values[span.first + i];
 }
 
-/* Values farther from zero than those since the last sample kept. */
-static void hold(double *largest, const double *values, struct bead_span span)
-{
-    for (size_t i = span.first; i <= span.last; i++)
-        largest[i] = fabs(values[i]) > fabs(largest[i]) ? values[i] : largest[i];
-}
-
 static enum bead_error report_sample(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)
 {
     struct report_chain *c = &s->chains[sample->chain];
-    const double *values = sample->field[s->output->shown.field];
     enum bead_error err = c->measures ? bead_measures_feed(c->measures, sample, msg) : BEAD_OK;
-    if (c->largest)
-        hold(c->largest, values, c->value);
+    if (c->held)
+        bead_held_feed(c->held, sample);
     if (err || c->fed++ % s->stride > 0)
         return err;
-    const double *shown = c->largest ? c->largest : values;
     if (sample->index != c->fed - 1 || c->kept == s->samples)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: sample %zu of chain %zu arrived out of order", s->path, sample->index,
                          sample->chain);
-    keep(shown, c->value, c->kept, c->field);
+    const struct bead_sample *shown = c->held ? bead_held_take(c->held) : sample;
+    const double *values = shown->field[s->output->shown.field];
+    keep(values, c->value, c->kept, c->field);
     if (c->beads)
-        keep(sample->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->kept, c->displacement);
-    bead_area_feed(c->area, sample->time, shown, sample->active);
-    bead_tale_feed(s->tale, sample);
+        keep(shown->field[BEAD_FIELD_DISPLACEMENT], c->bead, c->kept, c->displacement);
+    bead_area_feed(c->area, shown->time, values, shown->active);
+    bead_tale_feed(s->tale, shown);
     c->kept++;
-    for (size_t i = c->value.first; c->largest && i <= c->value.last; i++)
-        c->largest[i] = 0;
     return BEAD_OK;
 }
 

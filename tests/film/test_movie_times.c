@@ -42,13 +42,13 @@ static void pictures_are_counted(void **state)
     }
 }
 
-/* The same film; animated PNG has the same pixels at all qualities. */
+/* The same film, with no impact between frames; animated PNG has the same pixels at all qualities. */
 static void film(const char *quality, const char *fps, struct decoded *movie)
 {
     char scene[512], text[600], path[512];
     snprintf(text, sizeof text,
              "chain: {beads: [{bead: large-steel, count: 9}], striker: {bead: large-steel, velocity: 0.4 m/s}}\n"
-             "simulate: {until: 0.3 ms}\n"
+             "simulate: {until: 0.05 ms}\n"
              "outputs: [{movie: film.apng, size: [320, 180], quality: %s, fps: %s, duration: 0.5 s}]\n",
              quality, fps);
     write_scene(text, scene);
@@ -185,34 +185,133 @@ static void strobes_have_their_own_samples(void **state)
     bead_scene_free(scene);
 }
 
-/* The largest values so far are those between frames, too: a film of few frames needs more samples for them. */
+/* Seconds between the samples of a film of these views with so many frames in its second. */
+static double spacing(const char *views, int fps)
+{
+    char text[400];
+    struct bead_scene *scene;
+    struct bead_chain *chain;
+    snprintf(text, sizeof text,
+             "simulate: {until: 0.9 ms}\nchain: {beads: [{bead: large-steel, count: 40}]}\n"
+             "outputs: [{movie: film.mp4, views: %s, duration: 1 s, fps: %d}]\n",
+             views, fps);
+    const struct bead_film film = prepared(text, 0.9e-3, &scene, &chain);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+    return film.times.grid.every;
+}
+
+/* The largest values so far are those between frames, too, and so are impacts: a film of few frames needs more samples for them. */
 static void few_frames_miss_no_peaks(void **state)
 {
     (void)state;
-    double every[2];
-    for (int k = 0; k < 2; k++) {
-        char text[400];
-        struct bead_scene *scene;
-        struct bead_chain *chain;
-        snprintf(text, sizeof text,
-                 "simulate: {until: 1 ms}\nchain: {beads: [{bead: large-steel, count: 40}]}\n"
-                 "outputs: [{movie: film.mp4, views: [stage%s], duration: 1 s, fps: 10}]\n",
-                 k ? ", profile" : "");
-        const struct bead_film film = prepared(text, 1e-3, &scene, &chain);
-        every[k] = film.times.grid.every;
-        bead_chain_destroy(chain);
-        bead_scene_free(scene);
+    const double near = spacing("[stage]", 240);
+    assert_float_equal(near, 0.9e-3 / 239, 1e-12);
+    assert_true(spacing("[stage, profile]", 240) < 0.3 * near);
+    assert_true(spacing("[stage]", 10) < 1.0001e-6);
+    assert_true(spacing("[beads], field: velocity", 10) > 0.9e-4); /* nothing comes and goes */
+}
+
+/* ---- impacts between frames ---- */
+
+enum { IMPACT_FRAMES = 48 };
+static const double cradle_time = 2.4, cradle_length = 0.2; /* s, m */
+
+/* A film, 24 frames a second, of two balls that swing, without anything written on it. */
+static void film_of_impacts(const char *keys, struct decoded *movie)
+{
+    char scene[512], text[600], path[512];
+    snprintf(text, sizeof text,
+             "chain: {cradle: {length: %g m}, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel}]}\n"
+             "simulate: {until: %g s}\n"
+             "outputs: [{movie: impacts.%s, size: [160, 90], axes: false, fps: 24, duration: 2 s}]\n",
+             cradle_length, cradle_time, keys);
+    write_scene(text, scene);
+    play_counts((struct bead_job){.input = scene, .output = directory});
+    snprintf(path, sizeof path, "%s/impacts.%.*s", directory, (int)strcspn(keys, ","), keys);
+    decode(path, movie);
+}
+
+/* So many bytes of a frame are brighter than in another by more than dither is. */
+static size_t brighter(const AVFrame *frame, const AVFrame *than)
+{
+    size_t count = 0;
+    for (int y = 0; y < frame->height; y++) {
+        for (int x = 0; x < 3 * frame->width; x++)
+            count +=
+                frame->data[0][(ptrdiff_t)y * frame->linesize[0] + x] > than->data[0][(ptrdiff_t)y * than->linesize[0] + x] + 8;
     }
-    assert_float_equal(every[0], 1e-3 / 9, 1e-9);
-    assert_true(every[1] < 0.2 * every[0]);
+    return count;
+}
+
+/* Has an impact begun since the frame before this one? Small swings take 2 pi sqrt(l / g), and the balls meet twice in each. */
+static bool struck_before(size_t frame)
+{
+    const double half = 3.14159265358979 * sqrt(cradle_length / 9.80665), step = cradle_time / (IMPACT_FRAMES - 1);
+    const double last = floor(step * (double)frame / half) * half;
+    return frame > 0 && last >= step * ((double)frame - 1);
+}
+
+/* The balls touch for a tenth of a millisecond, less than a hundredth of the time between frames, but each impact is seen, and
+ * nothing else is: in the light of the stage and in the curve. */
+static void impacts_are_seen(void **state)
+{
+    (void)state;
+    static const char *const views[][2] = {{"apng, views: [stage]", "apng, views: [stage], light: none"},
+                                           {"apng, views: [profile]", NULL}};
+    for (size_t v = 0; v < 2; v++) {
+        static struct decoded movie, dark;
+        size_t seen = 0;
+        film_of_impacts(views[v][0], &movie);
+        if (views[v][1])
+            film_of_impacts(views[v][1], &dark);
+        assert_int_equal(movie.count, IMPACT_FRAMES);
+        for (size_t i = 0; i < movie.count; i++) {
+            const bool lit = brighter(movie.frame[i], views[v][1] ? dark.frame[i] : movie.frame[0]) > 20;
+            if (lit != struck_before(i))
+                fail_msg("%s: frame %zu: %s", views[v][0], i, lit ? "light without an impact" : "an impact is not seen");
+            seen += lit;
+        }
+        assert_int_equal(seen, 6);
+        decoded_free(&movie);
+        if (views[v][1])
+            decoded_free(&dark);
+    }
+}
+
+/* The frame that shows most has an impact in it. A picture that stands still has finer edges than the film. */
+static void posters_show_an_impact(void **state)
+{
+    (void)state;
+    static struct decoded movie, peak;
+    film_of_impacts("apng, views: [stage]", &movie);
+    char scene[512], path[512];
+    snprintf(scene, sizeof scene, "%s/scene.yaml", directory);
+    snprintf(path, sizeof path, "%s/peak.png", directory);
+    play_counts((struct bead_job){.input = scene, .output = path, .frame = "peak"});
+    decode(path, &peak);
+    size_t like = 0, least = SIZE_MAX;
+    for (size_t i = 0; i < movie.count; i++) {
+        const size_t unlike = brighter(movie.frame[i], peak.frame[0]) + brighter(peak.frame[0], movie.frame[i]);
+        like = unlike < least ? i : like;
+        least = unlike < least ? unlike : least;
+    }
+    assert_true(struck_before(like));
+    decoded_free(&movie);
+    decoded_free(&peak);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_are_counted),         cmocka_unit_test(drafts_show_pictures_for_longer),
-        cmocka_unit_test(waves_stay_in_sight),          cmocka_unit_test(strobes_have_their_own_samples),
-        cmocka_unit_test(plans_count_what_is_in_a_gif), cmocka_unit_test(few_frames_miss_no_peaks),
+        cmocka_unit_test(pictures_are_counted),
+        cmocka_unit_test(drafts_show_pictures_for_longer),
+        cmocka_unit_test(waves_stay_in_sight),
+        cmocka_unit_test(strobes_have_their_own_samples),
+        cmocka_unit_test(plans_count_what_is_in_a_gif),
+        cmocka_unit_test(few_frames_miss_no_peaks),
+        cmocka_unit_test(impacts_are_seen),
+        cmocka_unit_test(posters_show_an_impact),
     };
     return cmocka_run_group_tests_name("movie_times", tests, make_directory, remove_directory);
 }

@@ -133,7 +133,7 @@ static void test_own_views_draw(void **state)
     assert_int_equal(make("image: a.png, views: [green]", &own, &msg), BEAD_OK);
     assert_true(count_green("a.png") > 320 * 240 / 4);
     drawn = fed = 0;
-    assert_int_equal(make("movie: a.png, views: [beads, green], fps: 10, duration: 1 s", &own, &msg), BEAD_OK);
+    assert_int_equal(make("movie: a.png, views: [beads, green], time: [0, 30 us], fps: 10, duration: 1 s", &own, &msg), BEAD_OK);
     assert_int_equal(drawn, 10);
     assert_true(fed >= 10);
     assert_true(count_green("a.png") > 320 * 240 / 5); /* an animated PNG's first frame */

@@ -138,7 +138,7 @@ static const struct ready_film {
     {"kdv", 0, {"duration=12 s"}, 1},
     {"shock", 0, {"duration=6 s", "until=4"}, 1},
     {"zabusky-kruskal", 0, {"duration=12 s", "until=4.8"}, 1},
-    {"cradle", 0, {"duration=4 s", "until=0.4"}, 1},
+    {"cradle", 0, {"duration=8 s", "until=1.4"}, 1},
 };
 enum { READY_FILMS = sizeof ready_films / sizeof *ready_films };
 

@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The names of chains in a movie: headings, over the tops of stages, with the curve's line before them; names above images. */
+#include <math.h>
+
+#include "render/draw/looks.h"
+#include "render/movie/composer_private.h"
+
+/* Of a curve before the name of its chain, in units of the label's font size. */
+static const double sample_length = 1.8;
+
+bool bead_composer_shares_curves(const struct bead_composer *c)
+{
+    bool stage = c->layout.layout == BEAD_LAYOUT_STAGE;
+    return stage ? c->wants.chain_count > 1 && c->layout.overlay < c->wants.view_count : c->layout.layout == BEAD_LAYOUT_OVERLAY;
+}
+
+/* The line of a chain's curve before its heading, which says whose it is without colours; its label gives way. Returns the room
+ * that it takes; 0: there is none. */
+static int sample_room(const struct bead_composer *c, size_t chain, struct bead_rect rect)
+{
+    const int room = (int)ceil((sample_length + 0.5) * c->look.label);
+    return bead_composer_shares_curves(c) && bead_heading_least(&c->look, c->setup.chains[chain]) + room <= rect.width ? room : 0;
+}
+
+static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect rect)
+{
+    const struct bead_look *look = &c->look;
+    const struct bead_dashes *dashes = bead_look_dashes(chain % BEAD_DASHES);
+    const double width = fmax(1.6, 1.8 * look->line);
+    const double line = rect.height - (c->layout.label_lines ? 1.35 * look->label : 0);
+    double lengths[6];
+    for (int i = 0; i < dashes->count; i++)
+        lengths[i] = width * dashes->lengths[i];
+    cairo_save(cr);
+    cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
+    cairo_set_line_width(cr, width);
+    cairo_set_dash(cr, lengths, dashes->count, 0);
+    cairo_move_to(cr, rect.x, round(rect.y + 0.5 * line));
+    cairo_rel_line_to(cr, sample_length * look->label, 0);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
+/* Beside the key, if it is over the top of a stage. Width 0: there is no heading. */
+static struct bead_rect heading_rect(const struct bead_composer *c, size_t chain)
+{
+    struct bead_rect rect = c->layout.chains[chain].heading;
+    if (rect.width > 0 && c->layout.head > 0) {
+        rect.x += (int)round(0.5 * c->look.label);
+        rect.width -= (int)round(c->look.label + bead_composer_key(c, chain));
+    }
+    return rect;
+}
+
+static struct bead_rect after_sample(const struct bead_composer *c, size_t chain, struct bead_rect rect)
+{
+    const int room = sample_room(c, chain, rect);
+    return (struct bead_rect){rect.x + room, rect.y, rect.width - room, rect.height};
+}
+
+static struct bead_heading heading_of(const struct bead_composer *c, size_t chain)
+{
+    const struct bead_rgb colour = bead_composer_shares_curves(c) ? bead_look_curve(&c->look, chain) : c->look.ink;
+    return (struct bead_heading){c->setup.chains[chain], colour, c->layout.label_lines};
+}
+
+/* The labels beside names are all as small as one of them has to be. */
+static double size_of_labels(const struct bead_composer *c)
+{
+    double size = 1;
+    for (size_t i = 0; i < c->layout.chain_count; i++) {
+        const struct bead_heading heading = heading_of(c, i);
+        const struct bead_rect rect = heading_rect(c, i);
+        size = rect.width > 0 ? fmin(size, bead_heading_label(&c->look, &heading, after_sample(c, i, rect))) : size;
+    }
+    return size;
+}
+
+/* The names above images are all as small as one of them has to be. */
+static double size_of_names(const struct bead_composer *c)
+{
+    double size = 1;
+    for (size_t i = 0; i < c->layout.chain_count; i++) {
+        const double width = c->layout.chains[i].name.width;
+        size = width > 0 ? fmin(size, bead_name_size(&c->look, c->setup.chains[i], width)) : size;
+    }
+    return size;
+}
+
+void bead_composer_draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
+{
+    const struct bead_heading heading = heading_of(c, chain);
+    const struct bead_rect rect = heading_rect(c, chain), name = c->layout.chains[chain].name;
+    if (rect.width > 0 && sample_room(c, chain, rect) > 0)
+        draw_sample(c, chain, heading.colour, cr, rect);
+    if (rect.width > 0)
+        bead_heading_draw(cr, &c->look, &heading, size_of_labels(c), after_sample(c, chain, rect));
+    if (name.width > 0)
+        bead_name_draw(cr, &c->look, &heading, size_of_names(c), name);
+}
