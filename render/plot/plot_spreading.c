@@ -136,7 +136,7 @@ enum bead_error bead_spreading_plot_write(const struct bead_output *output, cons
     struct bead_sweep_spreads spreads;
     BEAD_FREED struct means *means = NULL;
     BEAD_FREED struct bead_panel *panels = NULL;
-    enum bead_error err = bead_sweep_spreads_find(context->sweep, context->sweep_settings, &spreads, msg);
+    enum bead_error err = bead_sweep_spreads_find(context->sweep, context->sweep_settings, false, &spreads, msg);
     if (!err)
         err = bead_new(&means, spreads.count, msg, "a plot of a sweep");
     if (!err)

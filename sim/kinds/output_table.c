@@ -107,7 +107,8 @@ static const struct bead_option sweep_table_rows[] = {
              "configuration; mean peaks along the chain; or, over keys, spreading, how far energy has spread at 401 times in "
              "chains that are run for it, averaged over seeds, and the exponents of the window from 7 % of the time to its end "
              "with their standard errors. Forces have an `uncertainty`: a finer run measures that of the first of "
-             "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of these"},
+             "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of "
+             "these; so it is with spreading, for each curve"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {
     {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, {NULL, 0}};

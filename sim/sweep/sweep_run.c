@@ -145,7 +145,7 @@ static enum bead_error measure_errors(const struct measure *m, const struct bead
     struct bead_play play = *asked;
     struct bead_played finer = {.count = 0};
     play.consumers = &consumer;
-    play.refinement = BEAD_UNCERTAINTY_FINER;
+    play.refinement = bead_play_check_factor(&play);
     enum bead_error err = bead_play_cut(&play, &try, &finer, msg);
     for (size_t i = 0; !err && i < m->panel->shown.places; i++) {
         struct bead_sweep_peak *peak = &m->panel->peaks[m->row * m->panel->shown.places + i];

@@ -2,9 +2,12 @@
 /* Finds how far energy spreads in the chains of a sweep: see sweep_spreading.h. */
 #include "sim/sweep/sweep_spreading.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
+#include "sim/run/method_choice.h"
+#include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
@@ -13,7 +16,14 @@
 struct chain {
     struct bead_spreading spreading;
     double numbers[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES];
-    size_t beads, curve, taken;
+    size_t index, beads, curve, taken;
+    bool is_long;
+};
+
+/* All chains, then those that are run again to check them. */
+struct chains {
+    struct chain *of;
+    size_t count, all;
 };
 
 static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *)
@@ -34,7 +44,9 @@ static enum bead_error begin(const struct bead_sweep *sweep, size_t index, struc
     struct bead_sweep_chain *made = NULL;
     enum bead_error err = bead_sweep_chain_create(sweep, 0, index, &made, msg);
     if (!err) {
+        chain->index = index;
         chain->beads = bead_chain_beads(bead_sweep_chain_of(made));
+        chain->is_long = bead_is_long(bead_sweep_chain_of(made));
         chain->curve = bead_sweep_curve_of(sweep, 0, index, SIZE_MAX);
         err = bead_spreading_begin(&chain->spreading, bead_sweep_chain_of(made), BEAD_SWEEP_TIMES, msg);
     }
@@ -71,47 +83,100 @@ static void reduce(const struct chain *chains, size_t count, size_t curve, doubl
     }
 }
 
-static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, struct chain *chains,
-                            size_t count, struct bead_sweep_spreads *spreads, struct bead_message *msg)
+/* Adds a second run of the first of every CHECKED chains of each curve, and of long ones, whose errors differ more. `met`: room for
+ * one of each curve. */
+static enum bead_error add_checks(const struct bead_sweep *sweep, size_t *met, struct chains *chains, struct bead_message *msg)
 {
-    const double end = bead_sweep_scene(sweep)->simulate.until;
-    BEAD_FREED struct bead_sweep_watch *watches = NULL;
-    BEAD_FREED double *values = NULL;
-    BEAD_TRY(bead_new(&watches, count, msg, "the spreading of %zu chains", count));
-    BEAD_TRY(bead_new(&values, count, msg, "the spreading of %zu chains", count));
-    for (size_t i = 0; i < count; i++) {
-        BEAD_TRY(begin(sweep, i, &chains[i], msg));
-        watches[i] = (struct bead_sweep_watch){.index = i,
-                                               .end = end,
-                                               .fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY),
-                                               .every = end / (BEAD_SWEEP_TIMES - 1),
-                                               .take = take,
-                                               .context = &chains[i]};
-        spreads->count = chains[i].curve >= spreads->count ? chains[i].curve + 1 : spreads->count;
+    enum { CHECKED = 64 };
+    for (size_t i = 0; i < chains->count; i++) {
+        const struct chain *chain = &chains->of[i];
+        if (met[chain->curve]++ % CHECKED == 0 || chain->is_long)
+            BEAD_TRY(begin(sweep, i, &chains->of[chains->all++], msg));
     }
-    BEAD_TRY(bead_sweep_watch(sweep, watches, count, settings, msg));
-    BEAD_TRY(bead_new(&spreads->of, spreads->count, msg, "the spreading of %zu chains", count));
-    for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++)
-        spreads->time[i] = end * (double)i / (BEAD_SWEEP_TIMES - 1);
-    for (size_t i = 0; i < count; i++) {
-        if (!*spreads->of[chains[i].curve].name)
-            bead_sweep_curve_name(sweep, 0, i, SIZE_MAX, spreads->of[chains[i].curve].name);
-    }
-    for (size_t i = 0; i < spreads->count; i++)
-        reduce(chains, count, i, values, &spreads->of[i]);
     return BEAD_OK;
 }
 
-enum bead_error bead_sweep_spreads_find(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
+/* The larger of two uncertainties; what is not known (NaN) remains so. */
+static double worse(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : fmax(a, b);
+}
+
+/* Compares a chain with its second run. */
+static void compare(const struct chain *chain, const struct chain *check, struct bead_sweep_spread *spread)
+{
+    for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
+        double worst = 0;
+        for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++) {
+            worst = worse(worst, bead_uncertainty_measured(0, chain->numbers[n][i], check->numbers[n][i]));
+            spread->uncertainty[n][i] = worse(spread->uncertainty[n][i], worst);
+        }
+    }
+    for (int n = 0; n < 2; n++) {
+        const double slope = bead_spreading_exponent(&chain->spreading, n).slope,
+                     finer = bead_spreading_exponent(&check->spreading, n).slope;
+        spread->of_exponent[n] = worse(spread->of_exponent[n], isnan(finer) ? NAN : bead_uncertainty_measured(0, slope, finer));
+    }
+}
+
+static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
+                               const struct chains *chains, double end, struct bead_message *msg)
+{
+    BEAD_FREED struct bead_sweep_watch *watches = NULL;
+    BEAD_TRY(bead_new(&watches, chains->all, msg, "the spreading of %zu chains", chains->count));
+    for (size_t i = 0; i < chains->all; i++)
+        watches[i] = (struct bead_sweep_watch){.index = chains->of[i].index,
+                                               .end = end,
+                                               .fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY),
+                                               .every = end / (BEAD_SWEEP_TIMES - 1),
+                                               .finer = i >= chains->count,
+                                               .take = take,
+                                               .context = &chains->of[i]};
+    return bead_sweep_watch(sweep, watches, chains->all, settings, msg);
+}
+
+static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, bool checked,
+                            struct chains *chains, struct bead_sweep_spreads *spreads, struct bead_message *msg)
+{
+    const double end = bead_sweep_scene(sweep)->simulate.until;
+    const size_t count = chains->count;
+    BEAD_FREED double *values = NULL;
+    BEAD_FREED size_t *met = NULL;
+    BEAD_TRY(bead_new(&values, count, msg, "the spreading of %zu chains", count));
+    for (; chains->all < count; chains->all++) {
+        const struct chain *chain = &chains->of[chains->all];
+        BEAD_TRY(begin(sweep, chains->all, &chains->of[chains->all], msg));
+        spreads->count = chain->curve >= spreads->count ? chain->curve + 1 : spreads->count;
+    }
+    BEAD_TRY(bead_new(&met, spreads->count, msg, "the spreading of %zu chains", count));
+    BEAD_TRY(bead_new(&spreads->of, spreads->count, msg, "the spreading of %zu chains", count));
+    if (checked)
+        BEAD_TRY(add_checks(sweep, met, chains, msg));
+    BEAD_TRY(run_all(sweep, settings, chains, end, msg));
+    for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++)
+        spreads->time[i] = end * (double)i / (BEAD_SWEEP_TIMES - 1);
+    for (size_t i = 0; i < count; i++) {
+        if (!*spreads->of[chains->of[i].curve].name)
+            bead_sweep_curve_name(sweep, 0, i, SIZE_MAX, spreads->of[chains->of[i].curve].name);
+    }
+    for (size_t i = 0; i < spreads->count; i++)
+        reduce(chains->of, count, i, values, &spreads->of[i]);
+    for (size_t i = count; i < chains->all; i++)
+        compare(&chains->of[chains->of[i].index], &chains->of[i], &spreads->of[chains->of[i].curve]);
+    return BEAD_OK;
+}
+
+enum bead_error bead_sweep_spreads_find(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, bool checked,
                                         struct bead_sweep_spreads *spreads, struct bead_message *msg)
 {
-    const size_t count = bead_sweep_panel(sweep, 0)->configurations;
-    BEAD_FREED struct chain *chains = NULL;
+    struct chains chains = {.count = bead_sweep_panel(sweep, 0)->configurations};
+    const size_t room = (checked ? 2 : 1) * chains.count;
     *spreads = (struct bead_sweep_spreads){.count = 0};
-    BEAD_TRY(bead_new(&chains, count, msg, "the spreading of %zu chains", count));
-    enum bead_error err = find(sweep, settings, chains, count, spreads, msg);
-    for (size_t i = 0; i < count; i++)
-        bead_spreading_free(&chains[i].spreading);
+    BEAD_TRY(bead_new(&chains.of, room, msg, "the spreading of %zu chains", chains.count));
+    enum bead_error err = find(sweep, settings, checked, &chains, spreads, msg);
+    for (size_t i = 0; i < room; i++)
+        bead_spreading_free(&chains.of[i].spreading);
+    free(chains.of);
     return err;
 }
 

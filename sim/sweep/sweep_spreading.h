@@ -14,14 +14,18 @@ struct bead_sweep_spread {
     double mean[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], error[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES]; /* standard errors */
     struct bead_summary exponent[2]; /* of the chains, of second moment and participation */
     double offset[2];                /* mean of ln y at t = 1 s */
+    /* The worst of the chains that were run twice, since errors of chains may be alike: until each time, and of the exponents; 0:
+     * not asked for. */
+    double uncertainty[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], of_exponent[2];
 };
 struct bead_sweep_spreads {
     double time[BEAD_SWEEP_TIMES]; /* s */
     struct bead_sweep_spread *of;
     size_t count;
 };
-/* Runs all chains of the sweep, which has an `until`. To be freed even after an error. Errors: those of bead_sweep_watch. */
+/* Runs all chains of the sweep, which has an `until`; `checked`: the first of every 64 of each curve, and long ones, also at the
+ * tolerance of check runs, for uncertainties. To be freed even after an error. Errors: those of bead_sweep_watch. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_spreads_find(const struct bead_sweep *sweep,
-                                                                 const struct bead_sweep_settings *settings,
+                                                                 const struct bead_sweep_settings *settings, bool checked,
                                                                  struct bead_sweep_spreads *spreads, struct bead_message *msg);
 BEAD_INTERNAL void bead_sweep_spreads_free(struct bead_sweep_spreads *spreads);

@@ -246,10 +246,11 @@ static enum bead_error write_statistics(const struct out *o, struct bead_message
 static enum bead_error write_spreading(const struct out *o, struct bead_message *msg)
 {
     struct bead_sweep_spreads spreads;
-    enum bead_error err = bead_sweep_spreads_find(o->sweep, o->settings, &spreads, msg);
+    enum bead_error err = bead_sweep_spreads_find(o->sweep, o->settings, true, &spreads, msg);
     if (!err)
         fputs("time_s,curve,configurations,second_moment,second_moment_error,participation,participation_error,front,front_error,"
-              "gamma,gamma_error,eta,eta_error,fit_from_s,fit_to_s\n",
+              "gamma,gamma_error,eta,eta_error,fit_from_s,fit_to_s,second_moment_uncertainty,participation_uncertainty,"
+              "front_uncertainty,gamma_uncertainty,eta_uncertainty\n",
               o->file);
     for (size_t k = 0; k < spreads.count && !err; k++) {
         const struct bead_sweep_spread *s = &spreads.of[k];
@@ -267,6 +268,10 @@ static enum bead_error write_spreading(const struct out *o, struct bead_message 
             }
             for (size_t n = 0; n < sizeof fits / sizeof *fits; n++)
                 number(o->file, fits[n]);
+            for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++)
+                number(o->file, s->uncertainty[n][i]);
+            for (int n = 0; n < 2; n++)
+                number(o->file, s->of_exponent[n]);
             fputc('\n', o->file);
         }
     }

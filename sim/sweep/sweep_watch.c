@@ -71,6 +71,8 @@ static enum bead_error play_watched(void *context, size_t index, const struct be
         consumer.needs.beads = (struct bead_span){0, chain->beads - 1};
         consumer.needs.grid = (struct bead_grid){0, watch->every, play.end};
     }
+    if (watch->finer)
+        play.refinement = bead_play_check_factor(&play);
     play.peak_span = &span;
     play.consumers = &consumer;
     play.consumer_count = 1;

@@ -188,6 +188,20 @@ said() {
 "$beadsim" long.yaml -o long-exact --quiet --set simulate.accuracy=1e-9 >quiet
 ok "long chains of a sweep" said
 
+# Where the step is given, a chain is measured with half of it.
+cat >step.yaml <<'YAML'
+chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 20, spins: random}, {bead: large-steel, sensor: S}, {bead: large-steel, count: 10}]}
+simulate: {step: 1 us, method: verlet}
+sweep: {magnetism: [0.5], configurations: 1, seed: 3}
+outputs: [{table: c.csv, show: configurations}]
+YAML
+"$beadsim" step.yaml -o step --quiet >quiet
+"$beadsim" step.yaml -o half --quiet --set 'simulate.step=0.5 us' >quiet
+halved() {
+    paste -d, step/c.csv half/c.csv | awk -F, 'NR == 2 {d = 5 * ($4 - $13); if (d < 0) d = -d; print d, $9; exit !(d > 0 && $9 > .999999 * d && $9 < 1.000001 * d)}'
+}
+ok "a sweep of given steps is compared with half of them" halved
+
 # The front outruns the motion that is lost behind it: its peaks are known, but later maxima overtake some of them.
 cat >outrun.yaml <<'YAML'
 chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 1000, spins: random, seed: 2}]}
