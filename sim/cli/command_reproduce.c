@@ -14,6 +14,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
+#include "sim/session/session_data.h"
 #include "sim/yaml/yaml.h"
 
 static const char *base_name(const char *path)
@@ -155,24 +156,26 @@ static enum bead_error compare(const struct command *command, const struct comma
                      command->job.output ? "; the new file is there to compare" : "; -o DIRECTORY keeps the new file");
 }
 
-/* The result of a run that has this name; NULL: there is none. */
+/* The result of a run that has this name, or NULL: the first; NULL: there is none. */
 static const char *find_result(const struct bead_session *session, const char *output)
 {
     const struct bead_result *results = NULL;
     const size_t count = bead_session_results(session, &results);
     for (size_t i = 0; i < count; i++) {
-        if (strcmp(results[i].name, output) == 0)
+        if (!output || strcmp(results[i].name, output) == 0)
             return results[i].path;
     }
     return NULL;
 }
 
+/* The output of the scene, or NULL: what `-o` makes of one for the file's name. */
 static enum bead_error make_again(const struct command *command, const struct command_origin *origin, const char *output,
                                   bool alone, const char *directory, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
-    char path[PATH_MAX];
+    char path[PATH_MAX], converted[PATH_MAX];
     const int length = snprintf(path, sizeof path, "%s/.beadreel-scene.yaml", directory);
-    if (length >= (int)sizeof path)
+    if (length >= (int)sizeof path ||
+        snprintf(converted, sizeof converted, "%s/%s", directory, base_name(command->job.input)) >= (int)sizeof converted)
         return bead_fail(msg, BEAD_ERROR_IO, "%s: too long", directory);
     FILE *file = NULL;
     BEAD_TRY(bead_file_create(path, &file, msg));
@@ -184,10 +187,10 @@ static enum bead_error make_again(const struct command *command, const struct co
     command_meter_init(&meter, command->progress);
     again.job.input = path;
     again.job.name = *origin->file ? origin->file : NULL;
-    again.job.output = directory;
+    again.job.output = output ? directory : converted;
     again.job.config = NULL; /* the scene is as it was run */
     again.job.only = &output;
-    again.job.only_count = alone ? 1 : 0;
+    again.job.only_count = alone && output ? 1 : 0;
     again.job.stop = stop;
     again.job.progress = command_meter_tell;
     again.job.progress_context = &meter;
@@ -198,7 +201,7 @@ static enum bead_error make_again(const struct command *command, const struct co
     command_meter_clear(&meter);
     const char *made = err ? NULL : find_result(session, output);
     if (!err && !made)
-        err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: %s does not make it", output, command->program->name);
+        err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: %s does not make it", output ? output : converted, command->program->name);
     if (!err)
         err = compare(command, origin, made, msg);
     command_guard(NULL);
@@ -213,7 +216,7 @@ static enum bead_error try_both(const struct command *command, const struct comm
                                 const char *directory, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
     enum bead_error err = make_again(command, origin, output, true, directory, stop, msg);
-    return err == BEAD_ERROR_NUMBERS ? make_again(command, origin, output, false, directory, stop, msg) : err;
+    return err == BEAD_ERROR_NUMBERS && output ? make_again(command, origin, output, false, directory, stop, msg) : err;
 }
 
 enum bead_error command_make_temporary(char path[PATH_MAX], struct bead_message *msg)
@@ -253,7 +256,7 @@ enum bead_error command_reproduce(const struct command *command, const volatile 
     if (!err)
         err = parse(command, &origin, &scene, msg);
     const char *output = err ? NULL : find_output(scene, command->job.input, true, names, sizeof names);
-    if (!err && !output)
+    if (!err && !output && !bead_session_names_file(command->job.input, command->job.own))
         err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: its scene makes no such file, only %s; was it drawn from a trajectory?",
                         command->job.input, names);
     if (!err)

@@ -10,6 +10,7 @@
 #include "beadreel/scene.h"
 #include "sim/base/assets.h"
 #include "sim/base/file.h"
+#include "sim/base/text.h"
 #include "sim/cli/command_line.h"
 
 enum { LONGEST = 4 << 20 };
@@ -94,6 +95,34 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
     return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
 }
 
+/* A path as a shell reads it: in quotes, where it has more than plain characters. */
+static void put_shell_word(FILE *out, const char *path)
+{
+    static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+,:=@%-";
+    char shown[PATH_MAX];
+    path = bead_text_show(path, shown, sizeof shown); /* a comment is one line */
+    if (path[strspn(path, plain)] == '\0') {
+        fputs(path, out);
+        return;
+    }
+    fputc('\'', out);
+    for (; *path; path++)
+        *path == '\'' ? fputs("'\\''", out) : fputc(*path, out);
+    fputc('\'', out);
+}
+
+/* The scene, after a line by which editors complete and check its keys; its comments name the file at `path` instead of `own`. */
+static bool write_new(FILE *file, const char *schema, const char *text, const char *own, const char *path)
+{
+    fprintf(file, "# yaml-language-server: $schema=%s\n", schema);
+    for (const char *found; (found = strstr(text, own)); text = found + strlen(own)) {
+        fwrite(text, 1, (size_t)(found - text), file);
+        put_shell_word(file, path);
+    }
+    fputs(text, file);
+    return !ferror(file);
+}
+
 enum bead_error command_new(const struct command *command, struct bead_message *msg)
 {
     char asset[64], own[64], *text = NULL;
@@ -101,24 +130,26 @@ enum bead_error command_new(const struct command *command, struct bead_message *
     snprintf(asset, sizeof asset, "new/%s.yaml", command->kind);
     snprintf(own, sizeof own, "%s.yaml", command->kind);
     const char *path = command->job.output ? command->job.output : own;
+    const bool printed = strcmp(path, "-") == 0;
     enum bead_error err = bead_asset_read(asset, &text, &length, msg);
     char found[PATH_MAX], schema[PATH_MAX];
     if (!err)
         err = bead_asset_path("scene.schema.json", found, sizeof found, msg);
-    FILE *file = err ? NULL : fopen(path, "wx");
+    FILE *file = err ? NULL : printed ? stdout : fopen(path, "wx");
     if (!err && !file)
         err = bead_fail(msg, errno == EEXIST ? BEAD_ERROR_USAGE : BEAD_ERROR_IO,
                         errno == EEXIST ? "--new: %s is there already; give another name with -o FILE.yaml"
                                         : "--new: %s: cannot be made: %s",
                         path, strerror(errno));
-    /* Editors that know the line complete and check the keys. */
-    bool written = file && fprintf(file, "# yaml-language-server: $schema=%s\n", realpath(found, schema) ? schema : found) > 0;
-    written = written && fwrite(text, 1, length, file) == length;
-    written = file && fclose(file) == 0 && written;
+    bool written = file && write_new(file, realpath(found, schema) ? schema : found, text, own, printed ? own : path);
+    written = file && (printed ? fflush(file) : fclose(file)) == 0 && written;
     if (file && !written)
         err = bead_fail(msg, BEAD_ERROR_IO, "--new: %s: cannot be written: %s", path, strerror(errno));
     free(text);
-    if (!err)
-        printf("%s  edit it, then: %s %s\n", path, command->program->name, path);
+    if (err || printed)
+        return err;
+    printf("%s  edit it, then: %s ", path, command->program->name);
+    put_shell_word(stdout, path);
+    putchar('\n');
     return err;
 }

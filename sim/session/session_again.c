@@ -114,9 +114,12 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     const enum bead_source_kind source = s->job.difference        ? BEAD_OF_DIFFERENCE
                                          : s->job.other_count > 0 ? BEAD_OF_TRAJECTORIES
                                                                   : BEAD_OF_TRAJECTORY;
-    enum bead_error err = bead_session_choose(s, bead_trajectory_scene(s->trajectory), source, NULL, &changed, msg);
+    const struct bead_scene *stored = bead_trajectory_scene(s->trajectory);
+    size_t only = SIZE_MAX;
+    enum bead_error err = s->job.configuration ? bead_session_choose_chain(s, stored, source, &only, &changed, msg)
+                                               : bead_session_choose(s, stored, source, NULL, &changed, msg);
     if (!err)
-        err = bead_trajectory_settle(s->trajectory, changed, msg);
+        err = bead_trajectory_settle(s->trajectory, changed, only, msg);
     if (err)
         return err;
     s->source = bead_trajectory_scene(s->trajectory);

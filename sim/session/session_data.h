@@ -130,7 +130,10 @@ BEAD_CHECK enum bead_error bead_session_create_sinks(struct bead_session *sessio
 /* Does this output need to know the end of the run before it starts? */
 bool bead_output_needs_end(const struct bead_output *output);
 
-/* session_outputs.c: list the outputs and mark those that --only asks for. Errors: USAGE (--only names no output), MEMORY. */
+/* session_outputs.c */
+/* The output of a scene that stores samples, whose times all outputs keep to; NULL: none. */
+const struct bead_output *bead_session_keeper(const struct bead_scene *scene);
+/* List the outputs and mark those that --only asks for. Errors: USAGE (--only names no output), MEMORY. */
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
 /* Is the output made, for all that --only says? It may be named `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4. */
 bool bead_session_is_asked(const struct bead_session *session, const struct bead_output *output);
@@ -147,6 +150,11 @@ bool bead_session_names_file(const char *output, const struct bead_own *own);
 BEAD_CHECK enum bead_error bead_session_choose(struct bead_session *session, const struct bead_scene *scene,
                                                enum bead_source_kind source, const struct bead_override *first,
                                                struct bead_scene **changed, struct bead_message *msg);
+/* session_scene.c: the same for the one of several chains that the job's configuration names; *index becomes its number. Errors:
+ * USAGE (no chain has this name), those above. */
+BEAD_CHECK enum bead_error bead_session_choose_chain(struct bead_session *session, const struct bead_scene *scene,
+                                                     enum bead_source_kind source, size_t *index, struct bead_scene **changed,
+                                                     struct bead_message *msg);
 /* session_run.c: the run of a scene or a trajectory; finish an output; finish all that are not, those that work in the background
  * last, and list the results. Errors: those of the outputs. */
 BEAD_CHECK enum bead_error bead_session_run_single(struct bead_session *session, struct bead_message *msg);

@@ -121,6 +121,15 @@ bool bead_session_is_asked(const struct bead_session *s, const struct bead_outpu
     return s->job.only_count == 0;
 }
 
+const struct bead_output *bead_session_keeper(const struct bead_scene *scene)
+{
+    for (size_t i = 0; i < scene->output_count; i++) {
+        if (bead_output_type(scene->outputs[i].kind)->stores_samples)
+            return &scene->outputs[i];
+    }
+    return NULL;
+}
+
 /* ---- where the one output goes that -o or a frame names ---- */
 
 /* "50%", "50 %": a part of the film. */
@@ -180,9 +189,9 @@ static enum bead_error place_single(const struct bead_session *s, struct bead_ma
             BEAD_TRY(bare_beads(s->source, &m->changed, msg));
         return read_frame(s, &m->frame, msg);
     }
-    if (s->source->output_count != 1 && s->job.setting_count > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "-o names one file, but there are %zu outputs: give a directory",
-                         s->source->output_count);
+    const size_t count = s->source->output_count - (s->trajectory && bead_session_keeper(s->source) != NULL);
+    if (count != 1 && s->job.setting_count > 0)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "-o names one file, but there are %zu outputs: give a directory", count);
     if (!*beside || !**beside || length == 0)
         return BEAD_OK;
     char *directory = strndup(path, length);

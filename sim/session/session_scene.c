@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
+#include "sim/base/suggest.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 #include "sim/sweep/sweep_internal.h"
@@ -64,6 +65,30 @@ enum bead_error bead_session_choose_sheet(struct bead_session *s, const struct b
     return bead_session_choose(s, scene, BEAD_OF_CONFIGURATIONS, first, changed, msg);
 }
 
+/* ---- one chain of several ---- */
+
+static bool has_several_chains(const struct bead_scene *scene)
+{
+    return scene->sweep_count == 0 && scene->chain_count > 1;
+}
+
+enum bead_error bead_session_choose_chain(struct bead_session *s, const struct bead_scene *scene, enum bead_source_kind source,
+                                          size_t *index, struct bead_scene **changed, struct bead_message *msg)
+{
+    const char *asked = s->job.configuration;
+    char names[256] = "";
+    if (!has_several_chains(scene))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration %s: %s has only one chain", asked, s->job.input);
+    for (*index = 0; *index < scene->chain_count && strcmp(scene->chains[*index].name, asked) != 0; ++*index)
+        bead_list_add(names, sizeof names, ", ", scene->chains[*index].name);
+    if (*index == scene->chain_count)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration %s: no chain has this name; there are %s", asked, names);
+    struct bead_node *entry = bead_node_get(bead_yaml_root(scene->tree), "chains", NULL)->items[*index],
+                     one = {.kind = BEAD_NODE_LIST, .place = entry->place, .items = &entry, .count = 1};
+    const struct bead_override chain = {.origin = "--configuration", .path = "chains", .place = {1, 1}, .node = &one};
+    return bead_session_choose(s, scene, source, &chain, changed, msg);
+}
+
 /* ---- one configuration ---- */
 
 /* "17" or "NAME:17". */
@@ -95,16 +120,17 @@ static enum bead_error find_configuration(const struct bead_sweep *sweep, const 
     return BEAD_OK;
 }
 
-/* A scene of one random chain has the sweep that its sheet shows. */
+/* A scene of one random chain has the sweep that its sheet shows; one of several chains has none. */
 static enum bead_error load_sweep(const struct bead_session *s, struct bead_scene **scene, struct bead_message *msg)
 {
     const struct bead_override first[] = {
         sweep_of_chain, {.origin = "--sheet", .path = "outputs", .place = {1, 1}, .value = "[{sheet: sheet.png}]"}};
     struct bead_scene *plain = NULL;
     enum bead_error err = load(s, false, &plain, msg);
-    if (!err)
+    const bool several = !err && has_several_chains(plain);
+    if (!err && !several)
         err = check_sweep(plain, "--configuration", msg);
-    if (err || plain->sweep_count > 0) {
+    if (err || several || plain->sweep_count > 0) {
         *scene = plain;
         return err;
     }
@@ -113,7 +139,7 @@ static enum bead_error load_sweep(const struct bead_session *s, struct bead_scen
     return err;
 }
 
-/* The sweep of a file, or that of a scene, which then stays as long. */
+/* The sweep of a file, or that of a scene, which then stays as long; NULL: the scene has several chains instead. */
 static enum bead_error open_configurations(const struct bead_session *s, struct bead_scene **scene, struct bead_sweep **sweep,
                                            struct bead_message *msg)
 {
@@ -121,10 +147,8 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
     BEAD_TRY(bead_sweep_is(s->job.input, &of_sweep, msg));
     if (of_sweep)
         return bead_sweep_open(s->job.input, &(struct bead_overrides){.own = s->job.own}, sweep, msg);
-    if (bead_trajectory_is(s->job.input))
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration: %s is the trajectory of a single run", s->job.input);
     BEAD_TRY(load_sweep(s, scene, msg));
-    return bead_sweep_create(*scene, sweep, msg);
+    return has_several_chains(*scene) ? BEAD_OK : bead_sweep_create(*scene, sweep, msg);
 }
 
 /* In a part's file only some are. */
@@ -155,11 +179,13 @@ static enum bead_error load_configuration(struct bead_session *s, struct bead_me
     struct bead_scene *scene = NULL;
     size_t panel = 0, index = 0;
     enum bead_error err = open_configurations(s, &scene, &sweep, msg);
-    if (!err)
+    if (!err && !sweep)
+        err = bead_session_choose_chain(s, scene, BEAD_OF_RUN, &index, &s->scene, msg);
+    else if (!err)
         err = find_configuration(sweep, s->job.configuration, &panel, &index, msg);
     if (!err && !scene)
         err = check_stored(s, sweep, panel, index, msg);
-    if (!err)
+    if (!err && sweep)
         err = make_configuration(s, sweep, panel, index, msg);
     bead_sweep_close(sweep);
     bead_scene_free(scene);

@@ -138,7 +138,8 @@ static enum bead_error name_output(struct changes *changes, const char *file, en
     if (kind == BEAD_OUTPUT_KINDS && !sink)
         return no_kind(file, source, msg);
     const char *show = bead_output_type(kind)->shown_of[source];
-    changes->file = (struct bead_node){.kind = BEAD_NODE_SCALAR, .origin = "--output", .place = {1, 1}, .text = file};
+    changes->file =
+        (struct bead_node){.kind = BEAD_NODE_SCALAR, .origin = "--output", .place = {1, 1}, .text = bead_session_base_name(file)};
     add(changes, (struct bead_override){.path = "outputs", .value = "[]"});
     add(changes,
         (struct bead_override){.below = "outputs.+", .path = sink ? sink->name : bead_output_key(kind), .node = &changes->file});
@@ -190,7 +191,8 @@ static enum bead_error choose_file(struct bead_session *s, const struct bead_sce
     const struct bead_output *found = own ? find(scene, &s->job, source) : NULL;
     if (!found)
         return name_output(changes, s->job.output, source, s->job.own, msg);
-    if (s->job.setting_count + s->job.look_count > 0)
+    const bool same_name = strcmp(bead_session_base_name(found->path), bead_session_base_name(s->single)) == 0;
+    if (s->job.setting_count + s->job.look_count + changes->count > 0 || (source == BEAD_OF_TRAJECTORY && !same_name))
         keep_output(changes, found);
     else
         s->single_index = (size_t)(found - scene->outputs); /* the scene stays as it is, as do the bytes of files with its text */
@@ -288,6 +290,28 @@ static enum bead_error choose_frame(struct bead_session *s, const struct bead_sc
     return BEAD_OK;
 }
 
+/* What is drawn from a trajectory is told as a scene that names this file and keeps the sample times: it makes the same file again.
+ */
+static enum bead_error tell(const struct bead_session *s, const struct bead_scene *stored, struct bead_scene **changed,
+                            struct bead_message *msg)
+{
+    const struct bead_output *keeper = bead_session_keeper(stored), *made = (*changed)->outputs;
+    if (!s->single || (*changed)->output_count != 1 || !keeper)
+        return BEAD_OK;
+    const struct bead_node file = {.kind = BEAD_NODE_SCALAR, .place = {1, 1}, .text = bead_session_base_name(s->single)};
+    const struct bead_override all[] = {{.origin = "--output",
+                                         .path = made->own ? made->own->name : bead_output_key(made->kind),
+                                         .below = "outputs.0",
+                                         .place = {1, 1},
+                                         .node = &file},
+                                        {.origin = "--output", .path = "outputs.+", .place = {1, 1}, .node = keeper->node}};
+    struct bead_scene *told = NULL;
+    BEAD_TRY(bead_scene_change(*changed, &(struct bead_overrides){.all = all, .count = 2, .config = s->job.config}, &told, msg));
+    bead_scene_free(*changed);
+    *changed = told;
+    return BEAD_OK;
+}
+
 enum bead_error bead_session_choose(struct bead_session *s, const struct bead_scene *scene, enum bead_source_kind source,
                                     const struct bead_override *first, struct bead_scene **changed, struct bead_message *msg)
 {
@@ -298,6 +322,12 @@ enum bead_error bead_session_choose(struct bead_session *s, const struct bead_sc
     enum bead_error err = s->job.frame ? choose_frame(s, scene, &entry, msg) : choose_file(s, scene, source, &changes, msg);
     if (!err)
         err = change(s, scene, &changes, entry, changed, msg);
+    if (!err && source == BEAD_OF_TRAJECTORY)
+        err = tell(s, scene, changed, msg);
+    if (err) {
+        bead_scene_free(*changed);
+        *changed = NULL;
+    }
     s->job.output = NULL; /* the scene says where */
     return err;
 }

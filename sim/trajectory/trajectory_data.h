@@ -44,11 +44,12 @@ enum bead_error bead_trajectory_no_memory(struct bead_trajectory *trajectory);
 size_t bead_trajectory_longest(const struct bead_trajectory *trajectory);
 
 /* Opening in two steps, for callers whose overrides depend on the stored scene: first the file and its scene as stored, then the
- * rest, for the scene as `changed` (taken in any case; NULL: as stored). For a sweep's file, *trajectory is NULL without an error.
+ * rest, for the scene as `changed` (taken in any case; NULL: as stored), which may have the stored chain number `only` alone
+ * (SIZE_MAX: it has all). For a sweep's file, *trajectory is NULL without an error.
  * If either step fails, close the trajectory. Errors: as bead_trajectory_open. */
 BEAD_CHECK enum bead_error bead_trajectory_begin(const char *path, const struct bead_own *own, struct bead_trajectory **trajectory,
                                                  struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, struct bead_scene *changed,
+BEAD_CHECK enum bead_error bead_trajectory_settle(struct bead_trajectory *trajectory, struct bead_scene *changed, size_t only,
                                                   struct bead_message *msg);
 /* True if the file looks like HDF5, whatever it is called. */
 bool bead_trajectory_is(const char *path);

@@ -306,14 +306,38 @@ enum bead_error bead_trajectory_begin(const char *path, const struct bead_own *o
     return err;
 }
 
-enum bead_error bead_trajectory_settle(struct bead_trajectory *t, struct bead_scene *changed, struct bead_message *msg)
+static void take_scene(struct bead_trajectory *t, struct bead_scene *scene)
+{
+    bead_scene_free(t->scene);
+    t->scene = scene;
+}
+
+/* Leaves one chain, which is then that of the changed scene; its rows stay where they are. */
+static enum bead_error narrow(struct bead_trajectory *t, struct bead_scene *changed, size_t only)
+{
+    for (size_t c = 0; c < t->chain_count; c++)
+        bead_chain_destroy(t->chains[c]);
+    t->chain_count = 0;
+    t->rows[0] = t->rows[only];
+    t->outcomes[0] = t->outcomes[only];
+    t->methods[0] = t->methods[only];
+    t->outcomes[0].method = t->methods[0].text;
+    take_scene(t, changed);
+    BEAD_TRY(bead_chain_create(t->scene, 0, &t->chains[0], t->h5.msg));
+    t->chain_count = 1;
+    return t->rows[0].beads.count > 0 ? BEAD_OK : bead_h5_fail(&t->h5, false, "holds no bead of this chain");
+}
+
+enum bead_error bead_trajectory_settle(struct bead_trajectory *t, struct bead_scene *changed, size_t only, struct bead_message *msg)
 {
     t->h5.msg = msg;
-    if (changed) {
-        bead_scene_free(t->scene);
-        t->scene = changed;
-    }
+    if (changed && only == SIZE_MAX)
+        take_scene(t, changed);
     enum bead_error err = load(t);
+    if (only != SIZE_MAX && err)
+        bead_scene_free(changed);
+    else if (only != SIZE_MAX)
+        err = narrow(t, changed, only);
     if (!err)
         t->derived = derivable(t);
     t->h5.msg = NULL;
@@ -330,7 +354,7 @@ enum bead_error bead_trajectory_open(const char *path, const struct bead_overrid
     if (!err && overrides)
         err = bead_scene_change((*trajectory)->scene, overrides, &changed, msg);
     if (!err)
-        err = bead_trajectory_settle(*trajectory, changed, msg);
+        err = bead_trajectory_settle(*trajectory, changed, SIZE_MAX, msg);
     if (err) {
         bead_trajectory_close(*trajectory);
         *trajectory = NULL;

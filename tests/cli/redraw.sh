@@ -144,6 +144,39 @@ ok "... or for a file in the plan" fails 2 "$beadreel" scene.yaml --plan --time 
 ok "a poster goes along" exits 0 "$beadreel" scene.yaml -o p/film.mp4 --set outputs.0.poster=poster.png
 ok "... beside the film" test -s p/poster.png
 
+# ---- one of several chains ----
+
+cat >several.yaml <<'YAML'
+chains:
+  - {name: short, beads: [{bead: brass, count: 9}]}
+  - {name: the long one, beads: [{bead: large-steel, count: 20}, {bead: brass, sensor: B}]}
+simulate: {until: 0.2 ms}
+outputs:
+  - {image: both.svg, size: [400, 300]}
+  - {movie: film.mp4, size: [320, 240], duration: 0.2 s, notes: [{at: 0.1 ms, bead: 9, chain: the long one, text: long}]}
+  - {trajectory: several.h5, every: 2 us}
+YAML
+"$beadreel" several.yaml -o . --only several.h5 -q >/dev/null
+sed '2d; s/several/alone/' several.yaml >alone.yaml
+"$beadreel" alone.yaml -o . --only alone.h5 -q >/dev/null
+for from in several.h5 several.yaml; do
+    ok "the second chain of $from" exits 0 "$beadreel" $from --configuration 'the long one' -o second.png
+    "$beadreel" "${from/several/alone}" -o alone.png -q >/dev/null
+    if command -v ffmpeg >/dev/null; then ok "... as a run of it alone" same second.png alone.png; else skip ffmpeg "its pixels"; fi
+    ok "... as a GIF, with the film's note to it" exits 0 "$beadreel" $from --configuration 'the long one' -o second.gif
+    ok "... which is one" [ "$(head -c 6 second.gif)" = GIF89a ]
+    ok "... with another name" exits 0 "$beadreel" $from --configuration 'the long one' -o second.svg --set chains.0.name=another
+    ok "... nothing else" fails 1 grep -q short second.svg
+    ok "a note to a chain that is not shown" fails 2 "$beadreel" $from --configuration short -o first.gif
+    ok "... says so" says "notes.0.chain: "
+    ok "no such chain of $from" fails 2 "$beadreel" $from --configuration long -o no.png
+    ok "... but others" says "--configuration long: no chain has this name; there are short, the long one"
+done
+ok "sensors of the second chain" exits 0 "$beadsim" several.h5 --configuration 'the long one' -o b.csv --set 'outputs=[{table: b.csv, show: sensors}]'
+ok "... are its own" grep -q B b.csv
+ok "of one chain there is no other" fails 2 "$beadreel" run/run.h5 --configuration A -o no.png
+ok "..." says "--configuration A: run/run.h5 has only one chain"
+
 # ---- a sweep ----
 
 cat >sweep.yaml <<'YAML'

@@ -40,6 +40,25 @@ else
     skip "poppler-utils" "a PDF has its scene attached, ready to run"
 fi
 
+# What -o makes of a scene's picture or film, and of a trajectory.
+printf 'chain: {beads: [{bead: brass, count: 8}]}\nsimulate: {until: 0.2 ms}\noutputs: [{image: a.png, size: [300, 200]}, {image: b.png}, {movie: c.mp4, duration: 0.2 s, size: [320, 200]}, {trajectory: drawn.h5, every: 7 us}]\n' >drawn.yaml
+"$beadreel" drawn.yaml -o . --only drawn.h5 -q >/dev/null
+again() { # FROM FILE OPTION...
+    local from=$1 file=alone/$2
+    shift 2
+    mkdir alone && "$beadreel" "$from" -o "$file" "$@" -q >/dev/null && exits 0 "$beadreel" --reproduce "$file" && prints "$file: same bits"
+    local result=$?
+    rm -r alone
+    return $result
+}
+for from in drawn.yaml drawn.h5; do
+    for file in x.png x.svg x.webm; do ok "$file of $from" again $from $file; done
+    ok "... in another size" again $from x.png --size 400x300
+    ok "... a film" again $from x.mp4 --size 300x300
+done
+ok "... for a span of time, with a title" again drawn.h5 x.pdf --time 20us:150us --set title=other
+ok "... another plot" again drawn.h5 x.png --set 'outputs=[{plot: x.png, show: profiles, at: [50 us, 100 us]}]'
+
 # What was changed is found.
 other() { # FILE SED SAYS
     sed -i "$2" "all/$1" && fails 1 "$beadreel" --reproduce "all/$1" && says "$3"

@@ -16,7 +16,15 @@ for kind in paper lecture sweep compare; do
 done
 ok "editors find the schema by the first line" test -f "$(sed -n '1s/^# yaml-language-server: $schema=//p' paper.yaml)"
 ok "--new elsewhere" exits 0 "$beadsim" --new sweep -o other.yaml
-ok "... is the same" cmp sweep.yaml other.yaml
+ok "... is the same, but for its name" cmp <(sed 's/sweep\.yaml/other.yaml/' sweep.yaml) other.yaml
+run_it() { eval "set -- $(sed -n 's/.*Run it: beadreel //p' "$1")" && exits 0 "$beadreel" --plan "$@"; }
+for name in other.yaml "with spaces.yaml" "it's.yaml" '$HOME.yaml' 'été.yaml'; do
+    [ -e "$name" ] || ok "--new of $name" exits 0 "$beadreel" --new paper -o "$name"
+    ok "... says how to run it" run_it "$name"
+done
+ok "--new to standard output" exits 0 "$beadreel" --new paper -o -
+ok "... is the scene, nothing else" cmp out paper.yaml
+ok "... and makes no file" test ! -e ./-
 ok "--new nowhere" fails 1 "$beadreel" --new sweep -o none/other.yaml
 ok "--new of what there is not" fails 2 "$beadreel" --new papre
 ok "... suggests" says 'did you mean `paper`?'

@@ -69,7 +69,13 @@ static const char *const odd[] = {"0",
                                   "\"\\u0007<b>&\"",
                                   "../x.png",
                                   "a/b.png",
-                                  "!!int 3"};
+                                  "!!int 3",
+                                  "last",
+                                  "[0, last]",
+                                  "1/100",
+                                  "1/1e-300",
+                                  "{from: 1 m/s, to: 9 m/s, count: 3}",
+                                  "{from: 1, to: 1000, count: 4, spacing: log}"};
 static const char marks[] = "{}[]:,-\"'#&*!|>%@`\t";
 
 static bool is_word(char c)

@@ -27,6 +27,10 @@ chain={beads: [{bead: brass, count: 3}]}
 materials.light.mass=1 g
 simulate.until=follow
 outputs=[]
+chain.start=[{bead: last, velocity: -1 m/s}, {bead: [0, last], velocity: 1 mm/s}]
+chain.drive={bead: last, force: 1 N}
+outputs.0.beads=[0, last]
+outputs.m.mp4.duration=auto\noutputs.m.mp4.speed=[{at: 0, factor: 1/100}, {at: 20 us, factor: 1/4000}]
 SETTINGS
 
 settings() { cat >"$seeds/config/$1"; }
@@ -38,6 +42,12 @@ materials: materials.yaml
 colormaps: {own: own.txt, other: /somewhere/other.txt}
 YAML
 settings wrong <<<'style: [1, 2]'
+cat >"$seeds/scene/over" <<'YAML'
+chain: {striker: {velocity: 1 m/s}, beads: [{bead: large-steel, count: 4}], start: [{bead: [2, last], velocity: 1 mm/s}]}
+sweep: {over: {chain.striker.velocity: {from: 0.1 m/s, to: 10 m/s, count: 3, spacing: log}, chain.beads.0.count: [2, 4]}}
+simulate: {until: 100 us}
+outputs: [{sweep: sweep.h5}]
+YAML
 # Each option of the program, with a value that it may have; a whole command line a row.
 "$build/beadsim" --help=words | cut -f 1 | while read -r name _ argument value _; do
     printf '%s\n' "$name" ${argument%.} | sed "s/^[A-Z].*/${value:-1}/" >"$seeds/command/${name#--}"
