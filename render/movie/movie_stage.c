@@ -235,9 +235,12 @@ static struct bead_rect last_plot(const struct stage *s)
     return s->to->chains[s->w->chain_count - 1].plot[s->others[s->other_count - 1]];
 }
 
-/* Is there room for the title of the axes, with the name of the first chain beside it or above? */
+/* Is there room for the title of the axes, with the name of the first chain beside it or above? In a line of its own, the title
+ * of all images may reach over the next ones. */
 static bool titled(const struct stage *s, double width)
 {
+    if (s->names_above && s->to->against && s->other_count == 1)
+        width = width * (double)s->w->chain_count + left_of(s, false) * (double)(s->w->chain_count - 1);
     const bool named = s->w->axes && s->w->chain_count > 1 && s->w->headings && s->w->name_least > 0;
     const double beside = named && !s->names_above ? beside_title * s->em + s->w->name_least : 0;
     return s->other_count == 0 || beside + (beside > 0 || s->to->against ? title_width(s) : 0) <= width;

@@ -225,6 +225,36 @@ static void test_stage_has_its_share(void **state)
     }
 }
 
+/* The title of both axes of three images on a phone is wider than one of them, but not than all: in a line of its own it is above
+ * all, no image has a title of its time below, and they are the larger for it. */
+static void test_one_title_for_all_images(void **state)
+{
+    (void)state;
+    static const int phone[2] = {1080, 1920};
+    double images[2];
+    for (int wide = 0; wide < 2; wide++) {
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, phone[0], phone[1], true, false);
+        struct bead_movie_wants w = story(&look, phone, 3, BEAD_VIEW_STAGE);
+        w.layout = BEAD_LAYOUT_STAGE;
+        w.orientation = BEAD_TIME_RIGHT;
+        w.key_width = 29 * look.label;
+        w.below_numbers = w.below_beads;
+        w.against = (wide ? 30 : 9) * look.label;
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        const struct bead_rect first = found.chains[0].plot[2], last = found.chains[2].plot[2];
+        assert_true(w.against > first.width);
+        assert_true(found.against == (w.against < last.x + last.width - first.x));
+        assert_true(found.against == !wide);
+        images[wide] = share_of(&w, &found, 2);
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+    }
+    if (!(images[0] > images[1]))
+        fail_msg("images have %.1f %% with one title, %.1f %% without", 100 * images[0], 100 * images[1]);
+}
+
 /* The layout that `auto` takes, by number of chains: 1, 2, 3, 4. */
 static void test_automatic_layouts(void **state)
 {
@@ -412,6 +442,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rectangles),
         cmocka_unit_test(test_stage_has_its_share),
+        cmocka_unit_test(test_one_title_for_all_images),
         cmocka_unit_test(test_automatic_layouts),
         cmocka_unit_test(test_full_size_keeps_everything),
         cmocka_unit_test(test_bars_are_for_colours),
