@@ -12,6 +12,8 @@ told() {
 end='\noutputs: [{image: a.png}]'
 ok "a decimal comma" told 'scene.yaml:1:53: chain.striker.velocity: `0,443 m/s` has a comma, but numbers have a decimal point' \
     "chain: {beads: [{bead: brass}], striker: {velocity: \"0,443 m/s\"}}$end"
+ok "a time without its unit" told 'scene.yaml:2:19: simulate.until: `2e7` is out of range; must be above 0, at most 1e6 s or auto; did you mean `2e7 ms`?' \
+    "chain: {beads: [{bead: brass}]}\nsimulate: {until: 2e7}$end"
 ok "... in brackets" told 'chain.striker.443 m/s: unknown key; in { } a comma ends a value: numbers have a decimal point' \
     "chain: {beads: [{bead: brass}], striker: {velocity: 0,443 m/s}}$end"
 ok "part of a material's name" told 'there is no material `steel`; did you mean `large-steel` or `small-steel`?' "chain: {beads: [{bead: steel}]}$end"

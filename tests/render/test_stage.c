@@ -9,6 +9,7 @@
 #include "render/paint/canvas.h"
 #include "render/paint/paint.h"
 #include "render/paint/pixel_kernels.h"
+#include "render/stage/stage_key.h"
 #include "render/stage/stage_view.h"
 #include "render/view/views.h"
 #include "sim/chain/system.h"
@@ -675,6 +676,71 @@ static void the_key_light_is_heard(void **state)
         }
 }
 
+/* How far from light on a nearly black bead the colours are along a row of pixels, at most, levels. */
+static double off_scale(const uint8_t *row, int from, int width)
+{
+    double most = 0;
+    for (int x = 0; x < width; x++) {
+        float light[3];
+        bead_stage_glow((x + 0.5) / width, light);
+        for (int c = 0; c < 3; c++)
+            most = fmax(most, fabs(row[4 * (from + x) + 2 - c] - 255 * bead_stage_shown((c < 2 ? 0.05 : 0.06) + light[c])));
+    }
+    return most;
+}
+
+/* The scale of the key is light itself, from none to all, no shorter than three letters are wide. */
+static void the_key_shows_light(void **state)
+{
+    (void)state;
+    enum { WIDE = 400, HIGH = 40, SIZE = 20 };
+    struct setting s;
+    open_view(&s, few, BEAD_LIGHT_CONTACTS);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDE, HIGH);
+    cairo_t *cr = cairo_create(surface);
+    (void)bead_stage_draw_key_of(cr, &s.view->setup, NULL, 0, WIDE - SIZE, HIGH / 2, SIZE);
+    cairo_surface_flush(surface);
+    const uint8_t *row = cairo_image_surface_get_data(surface) + HIGH / 2 * (size_t)cairo_image_surface_get_stride(surface);
+    double least = 255;
+    for (int width = 3 * SIZE; width < 6 * SIZE; width++)
+        for (int from = 0; from + width < WIDE; from++)
+            least = fmin(least, off_scale(row, from, width));
+    if (least > 8) /* measured: 4.6, where light rises most, as between its 17 points the scale is linear */
+        fail_msg("what comes nearest to light is off by %g levels", least);
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    close_view(&s);
+}
+
+/* A neighbour hides light of contacts from a bead, here more and there less, and gives none. */
+static void neighbours_hide_light(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    for (int theme = 0; theme < 2; theme++) {
+        struct bead_stage s;
+        open_stage(&s, themes[theme], 40);
+        put_three(&s, (const double[]){0.7, 0.7, 0.72});
+        for (int i = 0; i < 3; i++)
+            s.beads[i].near[0] = s.beads[i].near[1] = 0.5;
+        require(bead_stage_prepare(&s, &msg), &msg);
+        const struct bead_stage_bake *bake = s.beads[1].bake;
+        const int span = bake->wide + 2 * BEAD_STAGE_PAD;
+        const float *beside = bake->picture[BEAD_STAGE_BESIDE], *alone = bake->picture[BEAD_STAGE_ALONE];
+        assert_non_null(beside);
+        assert_non_null(alone);
+        float most = 0;
+        for (int y = 0; y < bake->high; y++)
+            for (int x = 0; x < bake->wide; x++) {
+                const int at = (y * BEAD_STAGE_PLANES + BEAD_STAGE_FORM) * span + BEAD_STAGE_PAD + x;
+                assert_true(beside[at] >= 0 && beside[at] <= alone[at]);
+                most = fmaxf(most, alone[at] - beside[at]);
+            }
+        assert_true(most > 0.1f);
+        bead_stage_close(&s);
+    }
+}
+
 /* The floor below a wall is brighter than without it, and where the contact's light is mirrored brighter still. */
 static void walls_are_mirrored(void **state)
 {
@@ -766,6 +832,8 @@ int main(void)
         cmocka_unit_test(names_have_room),
         cmocka_unit_test(beads_are_large),
         cmocka_unit_test(the_key_light_is_heard),
+        cmocka_unit_test(the_key_shows_light),
+        cmocka_unit_test(neighbours_hide_light),
         cmocka_unit_test(stages_are_transparent),
         cmocka_unit_test(walls_are_mirrored),
     };
