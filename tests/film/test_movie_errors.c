@@ -212,11 +212,22 @@ static void misuse_is_an_error(void **state)
     assert_int_equal(bead_movie_open(path, &wanted, &movie, NULL), BEAD_OK);
     assert_int_equal(bead_movie_close(movie, NULL, NULL), BEAD_ERROR_CODEC); /* no frames */
     assert_false(left_behind(path));
-    assert_int_equal(bead_frame_create(WIDTH - 2, HEIGHT, &frame, NULL), BEAD_OK);
-    assert_int_equal(bead_movie_open(path, &wanted, &movie, NULL), BEAD_OK);
-    assert_int_equal(bead_movie_add(movie, &frame, NULL, NULL), BEAD_ERROR_CODEC);
-    assert_int_equal(bead_movie_close(movie, NULL, NULL), BEAD_ERROR_CODEC);
-    assert_false(left_behind(path));
+    assert_int_equal(bead_frame_create(WIDTH, HEIGHT, &frame, NULL), BEAD_OK);
+    /* Frames narrower, lower, without pixels, with rows that begin anywhere or overlap. */
+    struct bead_frame wrong[5];
+    for (size_t i = 0; i < 5; i++)
+        wrong[i] = frame;
+    wrong[0].width -= 2;
+    wrong[1].height -= 2;
+    wrong[2].pixels = NULL;
+    wrong[3].stride += 4;
+    wrong[4].stride = 64;
+    for (size_t i = 0; i < 5; i++) {
+        assert_int_equal(bead_movie_open(path, &wanted, &movie, NULL), BEAD_OK);
+        assert_int_equal(bead_movie_add(movie, &wrong[i], NULL, NULL), BEAD_ERROR_CODEC);
+        assert_int_equal(bead_movie_close(movie, NULL, NULL), BEAD_ERROR_CODEC);
+        assert_false(left_behind(path));
+    }
     bead_frame_free(&frame);
 }
 
