@@ -34,9 +34,36 @@ static int clear(void)
     return unfinished;
 }
 
+static int is_table(const struct dirent *e)
+{
+    return strlen(e->d_name) > 4 && strcmp(e->d_name + strlen(e->d_name) - 4, ".csv") == 0;
+}
+
+/* All tables that an action has made. */
+static void read_tables(char text[1 << 14])
+{
+    struct dirent **entries;
+    size_t used = 0;
+    const int count = scandir(directory, &entries, is_table, alphasort);
+    assert_true(count >= 0);
+    for (int i = 0; i < count; i++) {
+        char path[1024];
+        snprintf(path, sizeof path, "%s/%s", directory, entries[i]->d_name);
+        FILE *file = fopen(path, "r");
+        assert_non_null(file);
+        used += fread(text + used, 1, (1 << 14) - 1 - used, file);
+        fclose(file);
+        free(entries[i]);
+    }
+    free(entries);
+    assert_true(used < (1 << 14) - 1);
+    text[used] = '\0';
+}
+
 /* Number of allocations of `act`, each of which has failed once. */
 static long fail_each(action act, const void *context)
 {
+    static char whole[1 << 14], tables[1 << 14];
     long made, kept;
     struct bead_message msg = {""};
 #ifdef FAIL_ALLOC_SANITIZED
@@ -44,6 +71,7 @@ static long fail_each(action act, const void *context)
 #endif
     if (act(context, &msg)) /* what is made once for the whole program is there from now on */
         fail_msg("%s", msg.text);
+    read_tables(whole);
     for (long k = 1;; k++) {
         clear();
         msg.text[0] = '\0';
@@ -56,6 +84,9 @@ static long fail_each(action act, const void *context)
             fail_msg("allocation %ld: error %d: %s", k, err, msg.text);
         if (err && (!*msg.text || strchr(msg.text, '\n')))
             fail_msg("allocation %ld: the message is '%s'", k, msg.text);
+        read_tables(tables);
+        if (!err && strcmp(tables, whole) != 0)
+            fail_msg("allocation %ld changes a result, and nobody is told", k);
         if (clear() != 0)
             fail_msg("allocation %ld leaves unfinished files (%s)", k, msg.text);
         if (made < k && err != BEAD_ERROR_MEMORY) { /* the process that reads HDF5 files counts on from this one */
@@ -232,7 +263,8 @@ static void files_of_sweeps(void **state)
     char path[512], out[512];
     make_file(sweep, "sweep.h5", path);
     snprintf(out, sizeof out, "%s/again.csv", directory);
-    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out}) > 100);
+    static const char *const settings[] = {"outputs=[{table: again.csv, show: configurations}]"};
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .settings = settings, .setting_count = 1}) > 100);
     assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .configuration = "b:1"}) > 100);
 }
 

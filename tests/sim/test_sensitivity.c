@@ -278,9 +278,32 @@ static void collision(void **state)
     bead_scene_free(scene);
 }
 
+/* Without sensors it is the last contact whose peak the run has seen pass, or the last of all. */
+static void the_contact_meant_is_the_last_with_a_peak(void **state)
+{
+    (void)state;
+    struct built b = build("chain: {beads: [{bead: brass, count: 9}], wall: brass}\n", "until: 1 us");
+    struct bead_peak peaks[16] = {{0}};
+    size_t list[16];
+    const size_t contacts = bead_chain_contacts(b.chain);
+    assert_int_equal(bead_sensitive_contacts(b.chain, peaks, list), 1);
+    assert_int_equal(list[0], contacts - 1);
+    for (size_t k = 0; k < 6; k++) {
+        peaks[k].time = 1e-6;
+        peaks[k].open = k != 3;
+    }
+    assert_int_equal(bead_sensitive_contacts(b.chain, peaks, list), 1);
+    assert_int_equal(list[0], 3);
+    peaks[3].open = true;
+    assert_int_equal(bead_sensitive_contacts(b.chain, peaks, list), 1);
+    assert_int_equal(list[0], contacts - 1);
+    release(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(central_differences_of_a_bead),
-                                       cmocka_unit_test(derivatives_add_up), cmocka_unit_test(collision)};
+                                       cmocka_unit_test(derivatives_add_up), cmocka_unit_test(collision),
+                                       cmocka_unit_test(the_contact_meant_is_the_last_with_a_peak)};
     return cmocka_run_group_tests_name("sensitivity", tests, NULL, NULL);
 }
