@@ -406,24 +406,17 @@ static enum bead_error print_info(const struct command *command, FILE *out, stru
 /* The file may come from anybody: its texts go through command_show. */
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
-    char *text = NULL;
-    size_t size = 0;
+    struct command_held held;
     if (command->json)
         return print_info(command, out, msg);
-    FILE *held = open_memstream(&text, &size);
-    enum bead_error err = held ? print_info(command, held, msg) : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
-    if (held && fclose(held) == 0)
-        command_show(out, text, "");
-    else if (!err)
-        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
-    free(text);
-    return err;
+    BEAD_TRY(command_hold(&held, msg));
+    return command_let_go(&held, out, print_info(command, held.file, msg), msg);
 }
 
 enum bead_error command_verify(const struct command *command, struct bead_message *msg)
 {
     uint64_t bytes;
     BEAD_TRY(bead_h5_verify(command->job.input, &bytes, msg));
-    printf("%s: whole: %llu bytes as they were written\n", command->job.input, (unsigned long long)bytes);
+    command_print(stdout, "%s: whole: %llu bytes as they were written\n", command->job.input, (unsigned long long)bytes);
     return BEAD_OK;
 }

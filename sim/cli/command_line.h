@@ -163,6 +163,16 @@ bool command_catch_faults(void);
 /* Prints text that may come from anybody, without control characters; starts each further line with `line` (NULL: there is only
  * one line). */
 void command_show(FILE *out, const char *text, const char *line);
+/* The same of words with names of files. */
+BEAD_PRINTF(2, 3) void command_print(FILE *out, const char *format, ...);
+/* The same of all that is written to `file`, once it is let go. Errors: `err`, MEMORY. */
+struct command_held {
+    FILE *file;
+    char *text;
+    size_t size;
+};
+BEAD_CHECK enum bead_error command_hold(struct command_held *held, struct bead_message *msg);
+BEAD_CHECK enum bead_error command_let_go(struct command_held *held, FILE *out, enum bead_error err, struct bead_message *msg);
 /* The message on stderr. */
 void command_complain(const struct command_program *program, enum bead_error err, const struct bead_message *msg);
 /* As above for a warning, which may have several lines. */

@@ -142,8 +142,8 @@ static enum bead_error compare(const struct command *command, const struct comma
     while (same < old_length && same < new_length && old[same] == new[same])
         same++;
     if (same == old_length && same == new_length) {
-        printf("%s: same bits: %zu bytes, by the scene %s%s\n", command->job.input, old_length, *origin->beside ? "of " : "in it",
-               origin->beside);
+        command_print(stdout, "%s: same bits: %zu bytes, by the scene %s%s\n", command->job.input, old_length,
+                      *origin->beside ? "of " : "in it", origin->beside);
         return BEAD_OK;
     }
     if (strcasecmp(ending(made), ".csv") == 0)

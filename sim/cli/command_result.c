@@ -2,11 +2,14 @@
 /* The result of a command: the exit status, the message on stderr, and for programs (--json) the result of a run as one JSON object
  * on stdout, whose keys the man page documents. */
 #include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "beadreel/chain.h"
 #include "beadreel/sweep.h"
 #include "sim/base/json.h"
+#include "sim/base/memory.h"
 #include "sim/base/text.h"
 #include "sim/cli/command_line.h"
 #include "sim/session/session_internal.h"
@@ -25,6 +28,35 @@ void command_show(FILE *out, const char *text, const char *line)
         else
             fputc(obeyed ? ' ' : *text, out);
     }
+}
+
+void command_print(FILE *out, const char *format, ...)
+{
+    BEAD_FREED char *text = NULL;
+    va_list arguments;
+    va_start(arguments, format);
+    if (vasprintf(&text, format, arguments) < 0)
+        text = NULL;
+    va_end(arguments);
+    if (text)
+        command_show(out, text, "");
+}
+
+enum bead_error command_hold(struct command_held *held, struct bead_message *msg)
+{
+    *held = (struct command_held){.text = NULL};
+    held->file = open_memstream(&held->text, &held->size);
+    return held->file ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+}
+
+enum bead_error command_let_go(struct command_held *held, FILE *out, enum bead_error err, struct bead_message *msg)
+{
+    if (fclose(held->file) == 0)
+        command_show(out, held->text, "");
+    else if (!err)
+        err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
+    free(held->text);
+    return err;
 }
 
 /* One line, or, with `lines`, one for each line of the text. */

@@ -23,7 +23,10 @@ enum bead_error command_plan(const struct command *command, const volatile sig_a
     struct bead_session *session;
     job.stop = stop;
     BEAD_TRY(bead_session_open(&job, &session, msg));
-    enum bead_error err = command->json ? command_describe_plan(stdout, session, msg) : bead_session_plan(session, stdout, msg);
+    struct command_held held;
+    enum bead_error err = command->json ? command_describe_plan(stdout, session, msg) : command_hold(&held, msg);
+    if (!err && !command->json)
+        err = command_let_go(&held, stdout, bead_session_plan(session, held.file, msg), msg);
     const char *warning;
     for (size_t i = 0; (warning = bead_session_warning(session, i)); i++)
         command_warn(command->program, warning);
@@ -58,7 +61,8 @@ static void print_results(const struct bead_result *results, size_t count)
         if ((int)strlen(results[i].path) > width && strlen(results[i].path) < 80)
             width = (int)strlen(results[i].path);
     for (size_t i = 0; i < count; i++) {
-        printf("%-*s  %8s", width, results[i].path, command_quantity((double)results[i].bytes, "B", size, sizeof size));
+        command_print(stdout, "%-*s  %8s", width, results[i].path,
+                      command_quantity((double)results[i].bytes, "B", size, sizeof size));
         print_origin(&results[i]);
     }
 }

@@ -59,13 +59,13 @@ static void say_change(FILE *out, const char *path, const char *before, const ch
     }
     const size_t number = lines_of(now, same) + 1, fresh = lines_of(now + same, left[1]);
     if (left[0] == 0 && left[1] == 0)
-        fprintf(out, "%s: saved, not changed\n", path);
+        command_print(out, "%s: saved, not changed\n", path);
     else if (lines_of(before + same, left[0]) == 1 && fresh == 1)
-        fprintf(out, "%s:%zu: `%.*s`, was `%.*s`\n", path, number, (int)strcspn(line[1], "\n"), line[1],
-                (int)strcspn(line[0], "\n"), line[0]);
+        command_print(out, "%s:%zu: `%.*s`, was `%.*s`\n", path, number, (int)strcspn(line[1], "\n"), line[1],
+                      (int)strcspn(line[0], "\n"), line[0]);
     else
-        fprintf(out, "%s:%zu: %zu line%s instead of %zu\n", path, number, fresh, fresh == 1 ? "" : "s",
-                lines_of(before + same, left[0]));
+        command_print(out, "%s:%zu: %zu line%s instead of %zu\n", path, number, fresh, fresh == 1 ? "" : "s",
+                      lines_of(before + same, left[0]));
     fflush(out);
 }
 
@@ -148,7 +148,7 @@ enum bead_error command_new(const struct command *command, struct bead_message *
     free(text);
     if (err || printed)
         return err;
-    printf("%s  edit it, then: %s ", path, command->program->name);
+    command_print(stdout, "%s  edit it, then: %s ", path, command->program->name);
     put_shell_word(stdout, path);
     putchar('\n');
     return err;

@@ -88,6 +88,17 @@ else
     skip "python3-h5py" "--info of escapes in files"
 fi
 
+quietly() { exits 0 "$@" && quiet out err; }
+evil=$'\e[31m\xc2\x9bred\xe2\x80\xae'
+scene '{table: a.csv}, {trajectory: run.h5, every: 5 us}' >"$evil.yaml"
+ok "a run of a file that is named like an escape" quietly "$beadsim" "$evil.yaml" -o "$evil"
+ok "... made all the same" test -s "$evil/run.h5"
+ok "... its plan" quietly "$beadsim" --plan "$evil.yaml" -o "$evil"
+ok "... its digests" quietly "$beadsim" --verify "$evil/run.h5"
+ok "... the same again" quietly "$beadsim" --reproduce "$evil/run.h5"
+ok "... one of that name to start from" quietly "$beadsim" --new paper -o "$evil.new.yaml"
+ok "... the drawing of it" quietly "$beadreel" "$evil/run.h5" -o drawn.png
+
 # ---- a trajectory without a film ----
 scene '{trajectory: run.h5, every: 5 us}' >run.yaml
 "$beadsim" run.yaml -o . >/dev/null
