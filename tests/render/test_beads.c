@@ -354,6 +354,7 @@ static void test_what_the_lens_shows_is_marked(void **state)
         struct bead_changes changes = {0};
         make_sample(0, i, u, f, &sample);
         require(bead_view_beads_type.feed(p.dirty, &sample, &msg), &msg);
+        require(bead_view_beads_type.feed(p.full, &sample, &msg), &msg);
         require(bead_view_beads_type.draw(p.dirty, sample.time, &p.frame, &p.background, &changes, &msg), &msg);
         const struct bead_view *v = p.dirty;
         const int y = v->area.y + v->zoom.y, accent = (int)lround(255 * v->look.accent.r);
@@ -371,6 +372,20 @@ static void test_what_the_lens_shows_is_marked(void **state)
             fail_msg("frame %zu: marked from %d to %d, shown from %.1f to %.1f", i, first - v->area.x, last - v->area.x, from, to);
         assert_true(length < 0.6 * v->area.width);
     }
+    /* As paths, too, without a frame before, the lens is full of beads. */
+    cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 900, 200);
+    cairo_t *cr = cairo_create(paper);
+    require(bead_view_beads_type.vector(p.full, 0.8e-3, cr, &msg), &msg);
+    cairo_surface_flush(paper);
+    const struct bead_view *v = p.full;
+    const uint8_t *row = cairo_image_surface_get_data(paper) +
+                         (size_t)(v->area.y + (int)v->lens.middle) * (size_t)cairo_image_surface_get_stride(paper);
+    int inked = 0;
+    for (int x = 0; x < v->lens.rect.width; x++)
+        inked += row[4 * (v->area.x + v->lens.rect.x + x) + 1] > 30;
+    assert_true(inked > v->lens.rect.width / 2);
+    cairo_destroy(cr);
+    cairo_surface_destroy(paper);
     free_pair(&p, &bead_view_beads_type);
     free_world(&w);
 }
