@@ -77,6 +77,45 @@ static void long_captions_take_two_lines(void **state)
     assert_int_equal(bead_captions_lines(&movie, &look, 1280), 0);
 }
 
+/* One line or two, they are in the middle of their strip, nowhere beyond it. */
+static void captions_are_in_the_middle(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "Most move together now", "Most have moved together for so long that nobody who looks at them now can say which of all "
+                                  "these beads was the first one to be struck, and which the last"};
+    enum { WIDE = 1280, HIGH = 200 };
+    struct bead_look look;
+    bead_look_screen(&look, WIDE, 720, true);
+    const struct bead_rect strip = {100, 60, 1080, (int)ceil(2 * bead_caption_height(&look))};
+    double tall[2];
+    for (size_t k = 0; k < 2; k++) {
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDE, HIGH);
+        cairo_t *cr = cairo_create(surface);
+        bead_caption_draw(cr, &look, texts[k], strip);
+        cairo_surface_flush(surface);
+        const uint8_t *pixels = cairo_image_surface_get_data(surface);
+        int box[4] = {WIDE, HIGH, 0, 0};
+        for (int y = 0; y < HIGH; y++)
+            for (int x = 0; x < WIDE; x++) {
+                if (pixels[y * cairo_image_surface_get_stride(surface) + 4 * x + 1] < 40)
+                    continue;
+                box[0] = x < box[0] ? x : box[0];
+                box[1] = y < box[1] ? y : box[1];
+                box[2] = x > box[2] ? x : box[2];
+                box[3] = y > box[3] ? y : box[3];
+            }
+        const double across = 0.5 * (box[0] + box[2] + 1) - (strip.x + 0.5 * strip.width),
+                     down = 0.5 * (box[1] + box[3] + 1) - (strip.y + 0.5 * strip.height);
+        if (!(fabs(across) < 3 && fabs(down) < 0.2 * look.label && box[1] >= strip.y && box[3] < strip.y + strip.height))
+            fail_msg("caption %zu is at %d, %d to %d, %d: off by %g, %g", k, box[0], box[1], box[2], box[3], across, down);
+        tall[k] = box[3] - box[1];
+        cairo_destroy(cr);
+        cairo_surface_destroy(surface);
+    }
+    assert_true(tall[1] > 1.8 * tall[0]);
+}
+
 static void large_numbers_are_powers_of_ten(void **state)
 {
     (void)state;
@@ -338,6 +377,7 @@ int main(void)
         cmocka_unit_test(captions_come_and_go),
         cmocka_unit_test(long_captions_stay_longer),
         cmocka_unit_test(long_captions_take_two_lines),
+        cmocka_unit_test(captions_are_in_the_middle),
         cmocka_unit_test(large_numbers_are_powers_of_ten),
         cmocka_unit_test(cards_come_first_and_take_their_time),
         cmocka_unit_test(posters_are_frames),
