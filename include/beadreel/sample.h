@@ -42,9 +42,12 @@ struct bead_span {
     size_t first, last;
 };
 
-/* Equally spaced times start, start + every, ... <= end (seconds). every == 0: no samples. */
+/* Equally spaced times start, start + every, ... <= end (seconds). every == 0: no samples. Where they widen, for laws that are
+ * powers of time, only the first 64 are so close; then there are 32 more each time that the distance from the start doubles, and
+ * the last is the end. All but that are multiples of `every` from the start. */
 struct bead_grid {
     double start, every, end;
+    int widens;
 };
 
 /* Number of times on the grid; an end that misses a grid point by rounding only counts. */

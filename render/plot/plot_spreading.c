@@ -123,7 +123,7 @@ static void fill(const struct bead_sweep_spreads *spreads, size_t k, const doubl
         struct bead_exponent e = {NAN, NAN, NAN};
         if (n != BEAD_FRONT)
             e = (struct bead_exponent){s->exponent[n].mean, s->exponent[n].standard_error, s->offset[n]};
-        used += add(&m->series[used], &m->labels[used], n, spreads->time, s->mean[n], BEAD_SWEEP_TIMES, &e, m->law[n % 2]);
+        used += add(&m->series[used], &m->labels[used], n, spreads->time, s->mean[n], spreads->times, &e, m->law[n % 2]);
     }
     bead_markup_quote(s->name, m->title, sizeof m->title);
     *panel = (struct bead_panel){.title = *m->title ? m->title : NULL, .series = m->series, .series_count = used};

@@ -5,12 +5,14 @@
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/output_kinds.h"
+#include "sim/measure/sink_grid.h"
 
 /* Times of a curve unless the scene gives an interval; more would not be visible. */
 static const double most_times = 4000;
 
 /* The requested interval, or as many times as are visible; replayed samples keep their times. */
-static struct bead_grid choose_grid(const struct bead_output *output, const struct bead_run_context *context)
+static struct bead_grid even_grid(const struct bead_output *output, const struct bead_run_context *context)
 {
     const struct bead_grid *native = &context->native;
     double from = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
@@ -18,15 +20,18 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
     if (native->every > 0) {
         double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
         double stride = output->shown.every > 0 ? fmax(1, round(output->shown.every / native->every)) : 1;
-        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end)};
+        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end), 0};
     }
     double every = output->shown.every > 0 ? output->shown.every : fmax(context->resolution, (to - from) / most_times);
-    return (struct bead_grid){from, every, to};
+    return (struct bead_grid){from, every, to, 0};
 }
 
 enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what, struct bead_message *msg)
 {
-    data->grid = choose_grid(data->output, &data->context);
+    if (bead_show_type(data->output->curves.show)->of_powers)
+        BEAD_TRY(bead_sink_grid(data->output, &data->context, &data->grid, msg));
+    else
+        data->grid = even_grid(data->output, &data->context);
     const size_t times = bead_grid_count(&data->grid);
     if (times < 2 || times > (size_t)1 << 22)
         return bead_output_wrong(data->output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every,
@@ -44,7 +49,7 @@ struct plot_panel *plot_times_take(struct bead_plot_data *data, const struct bea
     const double slack = 1e-6 * data->grid.every;
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        if (part->chain != sample->chain || sample->time < data->grid.start + (double)part->taken * data->grid.every - slack)
+        if (part->chain != sample->chain || sample->time < bead_grid_time(&data->grid, part->taken) - slack)
             continue;
         if (part->taken >= bead_grid_count(&data->grid))
             return NULL;

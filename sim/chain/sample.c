@@ -22,15 +22,32 @@ const struct bead_field_info *bead_field_info(enum bead_field field)
  * are not exact. */
 static const double slack = 1e-6;
 
+/* Samples of a grid that widens, while their distance from its start doubles. */
+enum { DOUBLING = 32 };
+
+/* How many spacings from the start that sample is. */
+static double widened(size_t index)
+{
+    const size_t doubled = index / DOUBLING;
+    return doubled < 2 ? (double)index : ldexp((double)(DOUBLING + index % DOUBLING), doubled < 2000 ? (int)doubled - 1 : 2000);
+}
+
 size_t bead_grid_count(const struct bead_grid *grid)
 {
     if (!(grid->every > 0) || !(grid->end >= grid->start))
         return 0;
-    const double last = floor((grid->end - grid->start) / grid->every + slack);
+    const double length = (grid->end - grid->start) / grid->every, last = floor(length + slack);
+    if (grid->widens && isfinite(length)) {
+        size_t before = 0;
+        while (widened(before) < length - slack)
+            before++;
+        return before + 1;
+    }
     return last < 0x1p63 ? (size_t)last + 1 : SIZE_MAX;
 }
 
 double bead_grid_time(const struct bead_grid *grid, size_t index)
 {
-    return grid->start + (double)index * grid->every;
+    const double time = grid->start + (grid->widens ? widened(index) : (double)index) * grid->every;
+    return grid->widens && !(time < grid->end - slack * grid->every) ? grid->end : time;
 }

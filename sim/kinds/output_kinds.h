@@ -74,8 +74,9 @@ struct bead_show_type {
     bool of_places;               /* of the beads and contacts listed, or of sensors */
     bool of_motion;               /* its field is velocity by default, and none of contacts */
     bool own_times;               /* no samples but its own are close enough */
+    bool of_powers;               /* powers of time are found in it: its times widen */
 };
-const struct bead_show_type *bead_show_type(enum bead_show show);
+BEAD_INTERNAL const struct bead_show_type *bead_show_type(enum bead_show show);
 /* The row of the output's `show`; NULL: its kind has no such key. */
 const struct bead_show_type *bead_output_show(const struct bead_output *output);
 

@@ -43,7 +43,11 @@ const struct bead_option bead_beads_row[1] = {
 };
 const struct bead_option bead_every_row[1] = {
     {"every", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(shown.every), .unit = "s", .of_motion = true, .initial = "auto", .low = 1e-12,
-     .high = 1e3, .word = "auto", .help = "time between samples; auto: as short as the output needs", .example = "1 us"},
+     .high = 1e3, .word = "auto",
+     .help =
+         "time between samples; auto: as short as the output needs; of spreading, whose laws are powers of time, that only for the "
+         "first 64 samples, and then 32 more each time that the time since the first doubles",
+     .example = "1 us"},
 };
 const struct bead_option bead_trust_row[1] = {
     {"trust", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.trust), .initial = "false",

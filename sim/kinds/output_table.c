@@ -104,8 +104,9 @@ static const struct bead_option sweep_table_rows[] = {
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "magnetism", .choices = sweep_table_shows,
      .values = sweep_table_values,
      .help = "magnetism or statistics: those of each magnetism, or over keys of each value along the axis; results of each "
-             "configuration; mean peaks along the chain; or, over keys, spreading, how far energy has spread at 401 times in "
-             "chains that are run for it, averaged over seeds, and the exponents of the window from 7 % of the time to its end "
+             "configuration; mean peaks along the chain; or, over keys, spreading, how far energy has spread at the times "
+             "of such a table of one chain in chains that are run for it, averaged over seeds, and the exponents of the window "
+             "from 7 % of the time to its end "
              "with their standard errors. Forces have an `uncertainty`: a finer run measures that of the first of "
              "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of "
              "these; so it is with spreading, for each curve"},

@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/kinds/output_kinds.h"
+
 double bead_round_down(double x)
 {
     int exponent = (int)floor(log10(x));
@@ -29,6 +31,8 @@ static void snap(const struct bead_grid *native, double every, struct bead_grid 
     grid->start = native->start + first * native->every;
     grid->every = multiple * native->every;
     grid->end = fmin(grid->end, native->end);
+    if (grid->widens) /* which ends with a sample */
+        grid->end = grid->start + fmax(0, floor((grid->end - grid->start) / grid->every + 1e-6)) * grid->every;
 }
 
 enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_run_context *context, struct bead_grid *grid,
@@ -38,6 +42,7 @@ enum bead_error bead_sink_grid(const struct bead_output *output, const struct be
     grid->start = isnan(output->shown.time[0]) ? 0 : output->shown.time[0];
     grid->end = isnan(output->shown.time[1]) ? context->end : fmin(output->shown.time[1], context->end);
     grid->every = output->shown.every > 0 ? output->shown.every : bead_round_down(resolution);
+    grid->widens = !(output->shown.every > 0) && bead_output_show(output) && bead_output_show(output)->of_powers;
     if (!(grid->start >= 0) || !(grid->end >= grid->start))
         return bead_output_wrong(output, msg, "time: starts at %g, but the run ends at %g", grid->start, grid->end);
     if (context->native.every > 0)

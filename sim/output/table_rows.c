@@ -84,7 +84,8 @@ enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what
     char every[32];
     enum bead_error error = bead_sink_grid(sink->output, &sink->context, &sink->grid, msg);
     bead_time_text(sink->grid.every, bead_chain_time_unit(sink->context.chains[0]), every, sizeof every);
-    snprintf(sink->why, sizeof sink->why, "%zu samples of %s, every %s", bead_grid_count(&sink->grid), what, every);
+    snprintf(sink->why, sizeof sink->why, "%zu samples of %s, every %s%s", bead_grid_count(&sink->grid), what, every,
+             sink->grid.widens ? " at first" : "");
     return error;
 }
 

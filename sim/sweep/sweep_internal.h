@@ -33,6 +33,7 @@ struct bead_sweep_watch {
     double end;          /* s; 0: as the front arrives */
     unsigned fields;     /* BEAD_FIELD_BITs of the samples at 0, every, ... <= end, of all beads */
     double every;        /* s */
+    bool widens;         /* as times of a bead_grid do */
     bool finer;          /* at the tolerance of check runs */
     enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
     void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
+#include "sim/measure/sink_grid.h"
 #include "sim/run/method_choice.h"
+#include "sim/run/run_kinds.h"
 #include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_curves.h"
@@ -17,6 +19,7 @@ struct chain {
     struct bead_spreading spreading;
     double numbers[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES];
     size_t index, beads, curve, taken;
+    double resolution; /* s */
     bool is_long;
 };
 
@@ -42,12 +45,17 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
 static enum bead_error begin(const struct bead_sweep *sweep, size_t index, struct chain *chain, struct bead_message *msg)
 {
     struct bead_sweep_chain *made = NULL;
+    struct bead_pace pace = {.resolution = 0};
     enum bead_error err = bead_sweep_chain_create(sweep, 0, index, &made, msg);
+    if (!err)
+        err = bead_run_kind_of(bead_sweep_chain_of(made))
+                  ->pace(bead_sweep_chain_of(made), &bead_sweep_scene(sweep)->simulate, 1, &pace, msg);
     if (!err) {
         chain->index = index;
         chain->beads = bead_chain_beads(bead_sweep_chain_of(made));
         chain->is_long = bead_is_long(bead_sweep_chain_of(made));
         chain->curve = bead_sweep_curve_of(sweep, 0, index, SIZE_MAX);
+        chain->resolution = pace.resolution;
         err = bead_spreading_begin(&chain->spreading, bead_sweep_chain_of(made), BEAD_SWEEP_TIMES, msg);
     }
     bead_sweep_chain_destroy(made);
@@ -55,11 +63,12 @@ static enum bead_error begin(const struct bead_sweep *sweep, size_t index, struc
 }
 
 /* The mean over the chains of a curve, in their order. `values`: room for one of each. */
-static void reduce(const struct chain *chains, size_t count, size_t curve, double *values, struct bead_sweep_spread *spread)
+static void reduce(const struct chain *chains, size_t count, size_t times, size_t curve, double *values,
+                   struct bead_sweep_spread *spread)
 {
     struct bead_summary summary;
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-        for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++) {
+        for (size_t i = 0; i < times; i++) {
             spread->chains = 0;
             for (size_t c = 0; c < count; c++) {
                 if (chains[c].curve == curve)
@@ -96,6 +105,22 @@ static enum bead_error add_checks(const struct bead_sweep *sweep, size_t *met, s
     return BEAD_OK;
 }
 
+/* The times of all chains: as close at first as the quickest needs. */
+static enum bead_error choose_times(const struct bead_sweep *sweep, const struct chains *chains, struct bead_sweep_spreads *spreads,
+                                    struct bead_grid *grid, struct bead_message *msg)
+{
+    double resolution = INFINITY;
+    for (size_t i = 0; i < chains->count; i++)
+        resolution = fmin(resolution, chains->of[i].resolution);
+    *grid = (struct bead_grid){0, bead_round_down(resolution), bead_sweep_scene(sweep)->simulate.until, 1};
+    spreads->times = bead_grid_count(grid);
+    if (bead_grid_is_too_fine(grid) || spreads->times > BEAD_SWEEP_TIMES)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "spreading: %g s are too long for samples %g s apart", grid->end, grid->every);
+    for (size_t i = 0; i < spreads->times; i++)
+        spreads->time[i] = bead_grid_time(grid, i);
+    return BEAD_OK;
+}
+
 /* The larger of two uncertainties; what is not known (NaN) remains so. */
 static double worse(double a, double b)
 {
@@ -103,11 +128,11 @@ static double worse(double a, double b)
 }
 
 /* Compares a chain with its second run. */
-static void compare(const struct chain *chain, const struct chain *check, struct bead_sweep_spread *spread)
+static void compare(const struct chain *chain, const struct chain *check, size_t times, struct bead_sweep_spread *spread)
 {
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
         double worst = 0;
-        for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++) {
+        for (size_t i = 0; i < times; i++) {
             worst = worse(worst, bead_uncertainty_measured(0, chain->numbers[n][i], check->numbers[n][i]));
             spread->uncertainty[n][i] = worse(spread->uncertainty[n][i], worst);
         }
@@ -120,15 +145,16 @@ static void compare(const struct chain *chain, const struct chain *check, struct
 }
 
 static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
-                               const struct chains *chains, double end, struct bead_message *msg)
+                               const struct chains *chains, const struct bead_grid *grid, struct bead_message *msg)
 {
     BEAD_FREED struct bead_sweep_watch *watches = NULL;
     BEAD_TRY(bead_new(&watches, chains->all, msg, "the spreading of %zu chains", chains->count));
     for (size_t i = 0; i < chains->all; i++)
         watches[i] = (struct bead_sweep_watch){.index = chains->of[i].index,
-                                               .end = end,
+                                               .end = grid->end,
                                                .fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY),
-                                               .every = end / (BEAD_SWEEP_TIMES - 1),
+                                               .every = grid->every,
+                                               .widens = true,
                                                .finer = i >= chains->count,
                                                .take = take,
                                                .context = &chains->of[i]};
@@ -138,8 +164,8 @@ static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead
 static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, bool checked,
                             struct chains *chains, struct bead_sweep_spreads *spreads, struct bead_message *msg)
 {
-    const double end = bead_sweep_scene(sweep)->simulate.until;
     const size_t count = chains->count;
+    struct bead_grid grid;
     BEAD_FREED double *values = NULL;
     BEAD_FREED size_t *met = NULL;
     BEAD_TRY(bead_new(&values, count, msg, "the spreading of %zu chains", count));
@@ -152,17 +178,16 @@ static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sw
     BEAD_TRY(bead_new(&spreads->of, spreads->count, msg, "the spreading of %zu chains", count));
     if (checked)
         BEAD_TRY(add_checks(sweep, met, chains, msg));
-    BEAD_TRY(run_all(sweep, settings, chains, end, msg));
-    for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++)
-        spreads->time[i] = end * (double)i / (BEAD_SWEEP_TIMES - 1);
+    BEAD_TRY(choose_times(sweep, chains, spreads, &grid, msg));
+    BEAD_TRY(run_all(sweep, settings, chains, &grid, msg));
     for (size_t i = 0; i < count; i++) {
         if (!*spreads->of[chains->of[i].curve].name)
             bead_sweep_curve_name(sweep, 0, i, SIZE_MAX, spreads->of[chains->of[i].curve].name);
     }
     for (size_t i = 0; i < spreads->count; i++)
-        reduce(chains->of, count, i, values, &spreads->of[i]);
+        reduce(chains->of, count, spreads->times, i, values, &spreads->of[i]);
     for (size_t i = count; i < chains->all; i++)
-        compare(&chains->of[chains->of[i].index], &chains->of[i], &spreads->of[chains->of[i].curve]);
+        compare(&chains->of[chains->of[i].index], &chains->of[i], spreads->times, &spreads->of[chains->of[i].curve]);
     return BEAD_OK;
 }
 

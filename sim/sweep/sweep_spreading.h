@@ -5,8 +5,8 @@
 #include "beadreel/sweep.h"
 #include "sim/measure/spreading.h"
 
-/* Times of the samples, evenly from 0 to the end of the runs. */
-enum { BEAD_SWEEP_TIMES = 401 };
+/* Most times of samples: of a grid that widens, and has a spacing of at least 1e-10 of the end. */
+enum { BEAD_SWEEP_TIMES = 1024 };
 
 struct bead_sweep_spread {
     char name[200]; /* the values of the other keys; "" where there are none */
@@ -20,6 +20,7 @@ struct bead_sweep_spread {
 };
 struct bead_sweep_spreads {
     double time[BEAD_SWEEP_TIMES]; /* s */
+    size_t times;
     struct bead_sweep_spread *of;
     size_t count;
 };

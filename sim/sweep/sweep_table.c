@@ -254,10 +254,10 @@ static enum bead_error write_spreading(const struct out *o, struct bead_message 
               o->file);
     for (size_t k = 0; k < spreads.count && !err; k++) {
         const struct bead_sweep_spread *s = &spreads.of[k];
-        const double end = spreads.time[BEAD_SWEEP_TIMES - 1],
+        const double end = spreads.time[spreads.times - 1],
                      fits[] = {s->exponent[0].mean,           s->exponent[0].standard_error, s->exponent[1].mean,
                                s->exponent[1].standard_error, BEAD_SPREADING_WINDOW * end,   end};
-        for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++) {
+        for (size_t i = 0; i < spreads.times; i++) {
             bead_write_number(o->file, spreads.time[i]);
             fputc(',', o->file);
             bead_table_text(o->file, s->name);

@@ -30,8 +30,10 @@ static enum bead_error asker_create(const struct bead_output *output, const stru
 
 static void asker_needs(const struct bead_sink *sink, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){
-        .fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE), .beads = {0, SIZE_MAX}, .grid = {0, sink->end, sink->end}, .until = sink->end};
+    *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE),
+                                 .beads = {0, SIZE_MAX},
+                                 .grid = {0, sink->end, sink->end, 0},
+                                 .until = sink->end};
 }
 
 static enum bead_error asker_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Samples between steps are as accurate as the steps, where contacts open or close within them, too. */
+/* Samples between steps are as accurate as the steps, where contacts open or close within them, too; and the times of those whose
+ * spacing grows. */
 #include "support.h"
 
 /* A steel chain that is struck, one of disorder, one that parts from its precompression, and light beads that rattle between heavy
@@ -122,11 +123,35 @@ static void they_converge_where_a_contact_closes(void **state)
     }
 }
 
+/* As close as asked at first; from 32 spacings on the next is never further than 1/32 of the way, nor closer than 1/64; all but the
+ * last, which is the end, are multiples of the spacing; and nothing is left out of a short grid. */
+static void grids_widen_as_powers_of_time_do(void **state)
+{
+    (void)state;
+    static const double ends[] = {0, 0.125, 40, 63, 64, 65, 66, 4000, 1e9 + 0.5};
+    for (size_t e = 0; e < sizeof ends / sizeof *ends; e++) {
+        const struct bead_grid grid = {0.25, 0.5, 0.25 + 0.5 * ends[e], 1};
+        const size_t count = bead_grid_count(&grid);
+        double before = -1;
+        for (size_t i = 0; i < count; i++) {
+            const double place = (bead_grid_time(&grid, i) - 0.25) / 0.5;
+            assert_true(place > before && place <= ends[e]);
+            assert_true(i + 1 == count || place == floor(place));
+            assert_true(place - before <= fmax(1, place / 32));
+            assert_true(i + 1 == count || place - before >= fmax(1, place / 64));
+            before = place;
+        }
+        assert_true(before == ends[e] && count <= 66 + 32 * fmax(0, log2(fmax(1, ends[e]) / 64)));
+        assert_true(bead_grid_time(&grid, count) == grid.end);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(samples_are_as_asked),
         cmocka_unit_test(they_converge_where_a_contact_closes),
+        cmocka_unit_test(grids_widen_as_powers_of_time_do),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }
