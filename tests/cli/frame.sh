@@ -130,7 +130,7 @@ cat >given.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 40}]}
 simulate: {until: 0.6 ms}
 outputs:
-  - {movie: films/one.mp4, duration: 1 s, fps: 21, layout: images, size: [320, 240], range: [0, 40 N]}
+  - {movie: films/one.mp4, duration: 1 s, fps: 21, views: [beads, profile], size: [320, 240], range: [0, 40 N]}
   - {image: still.png, size: [320, 240]}
   - {movie: two.webm, duration: 1 s, fps: 21, size: [320, 240], colormap: grey}
 YAML
