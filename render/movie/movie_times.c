@@ -80,10 +80,21 @@ static enum bead_error choose_frames(struct bead_film *film, struct bead_message
     return BEAD_OK;
 }
 
-/* Are frames so far apart that impacts fall between them? */
+/* Are frames so far apart that impacts of this chain fall between them? A wave is in some frame, unless it passes the whole chain
+ * between two, or its beads cross gaps for longer than they push. */
+static bool misses_impacts(const struct bead_film *film, const struct bead_chain *chain)
+{
+    const double flight = bead_chain_flight(chain), pushing = bead_chain_passage(chain, bead_chain_energy(chain)) - flight;
+    return bead_held_is_needed(chain, film->fields, film->times.step, film->context.resolution) &&
+           (film->times.step > passage_time * pushing || flight > passage_time * pushing);
+}
+
 static bool holds(const struct bead_film *film)
 {
-    return bead_held_is_needed(film->context.chains[0], film->fields, film->times.step, film->context.resolution);
+    bool any = false;
+    for (size_t i = 0; i < film->context.chain_count; i++)
+        any = any || misses_impacts(film, film->context.chains[i]);
+    return any;
 }
 
 /* Samples at the times of the strobe, between which frames blend; else at the frames, or k times as often for views that average

@@ -187,6 +187,15 @@ double bead_chain_omega(const struct bead_chain *chain, double energy)
     return sqrt(fmax(worst, here * (left + right) + before * left) + chain->spring_rate);
 }
 
+double bead_chain_flight(const struct bead_chain *chain)
+{
+    struct bead_contact_walk w;
+    double gaps = 0;
+    for (bead_contact_walk_start(&w, chain, false); bead_contact_walk_next(&w);)
+        gaps += fmax(0, 0 - w.static_compression);
+    return chain->speed > 0 ? gaps / chain->speed : 0;
+}
+
 double bead_chain_passage(const struct bead_chain *chain, double energy)
 {
     struct bounds bounds = {0};
@@ -196,10 +205,8 @@ double bead_chain_passage(const struct bead_chain *chain, double energy)
         const double stiffness = remembered_bound(&bounds, &w, energy)->pushed;
         const double mass = isfinite(w.right_mass) ? fmax(w.left_mass, w.right_mass) : w.left_mass;
         time += stiffness > 0 ? sqrt(mass / stiffness) : 0;
-        if (w.static_compression < 0 && chain->speed > 0)
-            time -= w.static_compression / chain->speed;
     }
-    return time;
+    return time + bead_chain_flight(chain);
 }
 
 void bead_derive_forces(const struct bead_chain *chain, const double *u, double *contact_force, double *bead_force)

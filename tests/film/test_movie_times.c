@@ -185,16 +185,17 @@ static void strobes_have_their_own_samples(void **state)
     bead_scene_free(scene);
 }
 
-/* Seconds between the samples of a film of these views with so many frames in its second. */
-static double spacing(const char *views, int fps)
+/* Seconds between the samples of a film of these views with so many frames in its second, of beads with gaps of so many
+ * micrometres. */
+static double spacing(const char *views, int fps, int gap)
 {
     char text[400];
     struct bead_scene *scene;
     struct bead_chain *chain;
     snprintf(text, sizeof text,
-             "simulate: {until: 0.9 ms}\nchain: {beads: [{bead: large-steel, count: 40}]}\n"
+             "simulate: {until: 0.9 ms}\nchain: {gap: %d um, beads: [{bead: large-steel, count: 40}]}\n"
              "outputs: [{movie: film.mp4, views: %s, duration: 1 s, fps: %d}]\n",
-             views, fps);
+             gap, views, fps);
     const struct bead_film film = prepared(text, 0.9e-3, &scene, &chain);
     bead_chain_destroy(chain);
     bead_scene_free(scene);
@@ -205,11 +206,13 @@ static double spacing(const char *views, int fps)
 static void few_frames_miss_no_peaks(void **state)
 {
     (void)state;
-    const double near = spacing("[stage]", 240);
+    const double near = spacing("[stage]", 240, 0);
     assert_float_equal(near, 0.9e-3 / 239, 1e-12);
-    assert_true(spacing("[stage, profile]", 240) < 0.3 * near);
-    assert_true(spacing("[stage]", 10) < 1.0001e-6);
-    assert_true(spacing("[beads], field: velocity", 10) > 0.9e-4); /* nothing comes and goes */
+    assert_true(spacing("[stage, profile]", 240, 0) < 0.3 * near);
+    assert_float_equal(spacing("[stage]", 10, 0), 1e-4, 1e-12); /* the wave is in the chain for longer, in some frame */
+    assert_true(spacing("[stage]", 2, 0) < 1.0001e-6);
+    assert_true(spacing("[stage]", 10, 20) < 1.0001e-6);              /* beads fly for longer than they push */
+    assert_true(spacing("[beads], field: velocity", 2, 20) > 0.8e-3); /* nothing comes and goes */
 }
 
 /* ---- impacts between frames ---- */
