@@ -34,8 +34,7 @@ static bool is_kept(const struct bead_film *film)
 {
     const struct bead_views_asked *views = &film->output->views;
     const struct bead_shown *shown = &film->output->shown;
-    const bool wanted =
-        bead_views_any(views, BEAD_SHOWS_IMAGE) && !shown->trust && !shown->theory;
+    const bool wanted = bead_views_any(views, BEAD_SHOWS_IMAGE) && !shown->trust && !shown->theory;
     double values = (double)bead_grid_count(&film->times.grid) * (double)film->context.chain_count * (double)(film->last_bead + 1);
     return wanted && values <= (range_is_asked(film) ? most_values : most_scouted);
 }
