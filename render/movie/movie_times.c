@@ -115,9 +115,9 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
                                      t->time[0] + ceil((t->time[1] - t->time[0]) / o->movie.strobe - 1e-9) * o->movie.strobe, 0};
         t->grid.end = fmin(t->grid.end, context->end);
     } else {
-        double finer = (holds(film) || bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF) && context->resolution > 0
-                           ? ceil(t->step / context->resolution - 1e-9)
-                           : 1;
+        const bool all = bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF;
+        const double spacing = all ? context->resolution : holds(film) ? bead_held_spacing(context->resolution) : 0;
+        const double finer = spacing > 0 ? ceil(t->step / spacing - 1e-9) : 1;
         t->grid = (struct bead_grid){t->time[0], t->step / fmax(1, finer), t->time[1], 0};
     }
     t->held = holds(film) && t->grid.every < t->step * (1 - 1e-9);

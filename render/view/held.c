@@ -22,9 +22,14 @@ struct bead_held {
     bool fed; /* since the last sample was taken */
 };
 
+double bead_held_spacing(double resolution)
+{
+    return pulse * resolution;
+}
+
 bool bead_held_is_needed(const struct bead_chain *chain, unsigned fields, double every, double resolution)
 {
-    return bead_chain_spec(chain)->system->has_contacts && (fields & come_and_go) && every > pulse * resolution;
+    return bead_chain_spec(chain)->system->has_contacts && (fields & come_and_go) && every > bead_held_spacing(resolution);
 }
 
 void bead_held_destroy(struct bead_held *h)

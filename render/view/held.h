@@ -10,7 +10,9 @@
 
 struct bead_held;
 
-/* Do pictures so far apart, s, miss pulses of one of these fields (BEAD_FIELD_BITs)? `resolution`: as in bead_run_context. */
+/* Samples so far apart, s, miss no pulse. `resolution`: as in bead_run_context. */
+double bead_held_spacing(double resolution);
+/* Do pictures so far apart, s, miss pulses of one of these fields (BEAD_FIELD_BITs)? */
 bool bead_held_is_needed(const struct bead_chain *chain, unsigned fields, double every, double resolution);
 /* For these fields of the beads of a chain, and as many contacts. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_held_create(const struct bead_chain *chain, unsigned fields, struct bead_span beads,

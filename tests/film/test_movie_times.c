@@ -210,8 +210,8 @@ static void few_frames_miss_no_peaks(void **state)
     assert_float_equal(near, 0.9e-3 / 239, 1e-12);
     assert_true(spacing("[stage, profile]", 240, 0) < 0.3 * near);
     assert_float_equal(spacing("[stage]", 10, 0), 1e-4, 1e-12); /* the wave is in the chain for longer, in some frame */
-    assert_true(spacing("[stage]", 2, 0) < 1.0001e-6);
-    assert_true(spacing("[stage]", 10, 20) < 1.0001e-6);              /* beads fly for longer than they push */
+    assert_true(spacing("[stage]", 2, 0) < 4.0004e-6);
+    assert_true(spacing("[stage]", 10, 20) < 4.0004e-6);              /* beads fly for longer than they push */
     assert_true(spacing("[beads], field: velocity", 2, 20) > 0.8e-3); /* nothing comes and goes */
 }
 
