@@ -9,8 +9,8 @@ if ! command -v ffprobe >/dev/null; then
 fi
 formats="mp4 mov mkv webm apng gif"
 
-# What does not change the film's times, and makes scenes quick.
-lighter() { case $1 in kdv | zabusky-kruskal) echo chain.points=160 ;; fput-kdv) echo chains.1.points=256 ;; esac; }
+# What makes scenes quick, and changes no film's frames.
+lighter() { case $1 in kdv | zabusky-kruskal) echo chain.points=160 ;; fput-kdv) echo chains.1.points=256 ;; cradle) echo simulate.until=300ms ;; esac; }
 # film SCENE INDEX KEY=VALUE... : arguments for a run or a plan of output INDEX as m.EXTENSION.
 film() {
     local scene=$1 index=$2 pair
