@@ -3,6 +3,7 @@
 #ifndef BEADREEL_SAMPLE_H
 #define BEADREEL_SAMPLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "beadreel/api.h"
@@ -47,7 +48,7 @@ struct bead_span {
  * the last is the end. All but that are multiples of `every` from the start. */
 struct bead_grid {
     double start, every, end;
-    int widens;
+    bool widens;
 };
 
 /* Number of times on the grid; an end that misses a grid point by rounding only counts. */

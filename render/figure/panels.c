@@ -67,7 +67,7 @@ static enum bead_error panels_make_panel(struct bead_still *s, size_t index, str
  * times. */
 static void join_grids(struct bead_still *s)
 {
-    struct bead_grid all = {INFINITY, INFINITY, -INFINITY, 0};
+    struct bead_grid all = {INFINITY, INFINITY, -INFINITY, false};
     bool profiles = false;
     size_t grids = 0;
     for (size_t p = 0; p < s->count; p++) {
@@ -83,7 +83,7 @@ static void join_grids(struct bead_still *s)
     }
     if (profiles && grids > 1 && s->context.resolution > 0 && !(s->context.native.every > 0))
         all.every = fmin(all.every, s->context.resolution / 8);
-    s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0, 0};
+    s->grid = all.end >= all.start ? all : (struct bead_grid){0, 0, 0, false};
     for (size_t p = 0; p < s->count; p++) {
         if (s->panels[p].figure)
             s->panels[p].figure->grid = s->grid;

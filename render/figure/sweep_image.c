@@ -144,7 +144,7 @@ static enum bead_error draw(struct ensemble *e, const struct bead_run_context *c
     own.chains = &chain;
     own.chain_count = 1;
     own.end = e->end;
-    own.native = (struct bead_grid){0, e->end / TIMES, e->end, 0};
+    own.native = (struct bead_grid){0, e->end / TIMES, e->end, false};
     own.resolution = e->end / TIMES;
     own.directory = ".";
     own.sweep = NULL;

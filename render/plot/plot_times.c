@@ -20,10 +20,10 @@ static struct bead_grid even_grid(const struct bead_output *output, const struct
     if (native->every > 0) {
         double first = fmax(0, ceil((from - native->start) / native->every - 1e-6));
         double stride = output->shown.every > 0 ? fmax(1, round(output->shown.every / native->every)) : 1;
-        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end), 0};
+        return (struct bead_grid){native->start + first * native->every, stride * native->every, fmin(to, native->end), false};
     }
     double every = output->shown.every > 0 ? output->shown.every : fmax(context->resolution, (to - from) / most_times);
-    return (struct bead_grid){from, every, to, 0};
+    return (struct bead_grid){from, every, to, false};
 }
 
 enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what, struct bead_message *msg)

@@ -98,19 +98,19 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
         double first = fmax(0, floor((from - native->start) / native->every + 1e-6));
         double end = ceil((to - native->start) / native->every - 1e-6);
         return (struct bead_grid){native->start + first * native->every, native->every,
-                                  fmin(native->end, native->start + end * native->every), 0};
+                                  fmin(native->end, native->start + end * native->every), false};
     }
     for (size_t i = 1; i < last; i++)
         gap = fmin(gap, output->curves.profile_times[i + 1] - output->curves.profile_times[i]);
     for (int parts = 1; parts <= MOST_PARTS; parts++) {
-        const struct bead_grid grid = {from, gap / parts, to, 0};
+        const struct bead_grid grid = {from, gap / parts, to, false};
         if (bead_grid_is_too_fine(&grid))
             break;
         if (hits(output, from, grid.every))
             return grid;
     }
     double every = context->resolution / 8;
-    return (struct bead_grid){from, every, fmin(context->end, from + ceil((to - from) / every) * every), 0};
+    return (struct bead_grid){from, every, fmin(context->end, from + ceil((to - from) / every) * every), false};
 }
 
 enum bead_error bead_profile_times_create(const struct bead_output *output, const struct bead_run_context *context,

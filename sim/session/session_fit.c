@@ -55,7 +55,7 @@ static enum bead_error play(const struct fit *f, const struct bead_scene *scene,
 {
     const struct bead_session *s = f->session;
     struct bead_consumer consumer = {
-        .needs = {.beads = {SIZE_MAX, 0}, .grid = {0, f->every, f->end, 0}, .until = f->end}, .take = keep, .context = record};
+        .needs = {.beads = {SIZE_MAX, 0}, .grid = {0, f->every, f->end, false}, .until = f->end}, .take = keep, .context = record};
     const struct bead_play run = {.chains = &record->chain,
                                   .chain_count = 1,
                                   .simulate = &scene->simulate,

@@ -149,7 +149,7 @@ enum bead_error bead_session_create_sink(struct bead_session *s, struct bead_mad
                                        .chains = s->chains,
                                        .chain_count = s->chain_count,
                                        .end = s->end,
-                                       .native = m->shared ? s->native : (struct bead_grid){0, 0, 0, 0},
+                                       .native = m->shared ? s->native : (struct bead_grid){0, 0, 0, false},
                                        .resolution = s->resolution,
                                        .tolerance_factor = s->tolerance_factor,
                                        .threads = s->threads,

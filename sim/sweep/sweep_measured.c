@@ -49,7 +49,7 @@ static enum bead_error run(const struct work *work, const struct bead_play *aske
     BEAD_TRY(find_end(&play, msg));
     const double every = play.end / ceil(play.end / (BEAD_MEASURE_SPACING * pace.resolution));
     struct bead_consumer consumer = {
-        .needs = {.fields = BEAD_MEASURE_FIELDS, .beads = {0, SIZE_MAX}, .grid = {0, every, play.end, 0}, .states = true},
+        .needs = {.fields = BEAD_MEASURE_FIELDS, .beads = {0, SIZE_MAX}, .grid = {0, every, play.end, false}, .states = true},
         .take = take,
         .context = measures};
     play.consumers = &consumer;

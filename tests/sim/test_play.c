@@ -85,7 +85,7 @@ static void samples_end_with_their_own_run(void **state)
     s->consumer.take = take;
     s->consumer.needs.fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
     s->consumer.needs.beads.last = 10;
-    s->consumer.needs.grid = (struct bead_grid){0, every, INFINITY, 0};
+    s->consumer.needs.grid = (struct bead_grid){0, every, INFINITY, false};
     if (bead_play(&s->play, &s->played, &s->msg))
         fail_msg("%s", s->msg.text);
     for (size_t c = 0; c < CHAINS; c++) {
@@ -158,7 +158,7 @@ static void an_end_is_kept(void **state)
     s->play.passage = BEAD_PASSAGE_NONE;
     s->play.hash = true;
     s->consumer.take = take;
-    s->consumer.needs.grid = (struct bead_grid){3e-5, 1, 3e-5, 0};
+    s->consumer.needs.grid = (struct bead_grid){3e-5, 1, 3e-5, false};
     for (int sampled = 0; sampled < 2; sampled++) {
         s->counts = (struct bead_counts){0};
         s->consumer.needs.fields = sampled ? BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) : 0;
