@@ -84,9 +84,10 @@ static enum bead_error choose_frames(struct bead_film *film, struct bead_message
  * between two, or its beads cross gaps for longer than they push. */
 static bool misses_impacts(const struct bead_film *film, const struct bead_chain *chain)
 {
+    if (!bead_held_is_needed(chain, film->fields, film->times.step, film->context.resolution))
+        return false;
     const double flight = bead_chain_flight(chain), pushing = bead_chain_passage(chain, bead_chain_energy(chain)) - flight;
-    return bead_held_is_needed(chain, film->fields, film->times.step, film->context.resolution) &&
-           (film->times.step > passage_time * pushing || flight > passage_time * pushing);
+    return fmax(film->times.step, flight) > passage_time * pushing;
 }
 
 static bool holds(const struct bead_film *film)
@@ -105,6 +106,7 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
     const struct bead_run_context *context = &film->context;
     struct bead_movie_times *t = &film->times;
     const struct bead_grid *native = &context->native;
+    const bool held = holds(film);
     if (native->every > 0) {
         double first = fmax(0, floor((t->time[0] - native->start) / native->every + 1e-6));
         double beyond = ceil((t->time[1] - native->start) / native->every - 1e-6);
@@ -117,11 +119,11 @@ static enum bead_error times_choose_grid(struct bead_film *film, struct bead_mes
         t->grid.end = fmin(t->grid.end, context->end);
     } else {
         const bool all = bead_composer_averages(o) || o->movie.sound.of != BEAD_SOUND_OFF;
-        const double spacing = all ? context->resolution : holds(film) ? bead_held_spacing(context->resolution) : 0;
+        const double spacing = all ? context->resolution : held ? bead_held_spacing(context->resolution) : 0;
         const double finer = spacing > 0 ? ceil(t->step / spacing - 1e-9) : 1;
         t->grid = (struct bead_grid){t->time[0], t->step / fmax(1, finer), t->time[1], false};
     }
-    t->held = holds(film) && t->grid.every < t->step * (1 - 1e-9);
+    t->held = held && t->grid.every < t->step * (1 - 1e-9);
     double samples = (t->grid.end - t->grid.start) / t->grid.every;
     if (!(samples <= most_samples))
         return bead_output_wrong(o, msg, "duration: a movie of so much motion needs too many samples; show less time");
