@@ -24,7 +24,7 @@ ok "... a row each" is "$(column all.csv 2 | tr '\n' ';')" "0.1 m/s;300 mm/s;1 m
 drawn() {
     "$beadreel" v.yaml -q -o . --set 'outputs=[{plot: v.svg}]' && python3 -c 'import re, sys
 x, y = (0.1, 0.3, 1, 3), [float(line.split(",")[2]) for line in list(open("all.csv"))[1:]]
-lines = [re.findall(r"[ML] ([-.\d]+) ([-.\d]+)", d) for d in re.findall(r"fill:none;[^>]* d=\"(M [^\"]*)\"", open("v.svg").read()) if d.count("L") == 3 and "Z" not in d]
+lines = [re.findall(r"[ML] ([-.\d]+) ([-.\d]+)", d) for d in re.findall(r"fill(?::|=\")none[^>]* d=\"(M [^\"]*)\"", open("v.svg").read()) if d.count("L") == 3 and "Z" not in d]
 for values, axis in ((x, 0), (y, 1)):
     at = [float(point[axis]) for point in lines[0]]
     for value, place in zip(values, at):

@@ -90,7 +90,7 @@ across() {
     python3 -c 'import re, sys
 svg = open(sys.argv[1]).read()
 frame, curve = ([float(x) for x, _ in re.findall(r"[ML] ([-.\d]+) ([-.\d]+)", re.search(p, svg).group(1))]
-                for p in (r"<path style=\"fill:none[^>]* d=\"([^\"]*Z[^\"]*)\"", r"<g clip-path=\"[^\"]*\"[^>]*>\n<path [^>]* d=\"([^\"]+)\""))
+                for p in (r"<path [^>]*fill(?::|=\")none[^>]* d=\"([^\"]*Z[^\"]*)\"", r"<g clip-path=\"[^\"]*\"[^>]*>\n<path [^>]* d=\"([^\"]+)\""))
 off = [abs(edge(frame) - edge(curve)) / (max(frame) - min(frame)) for edge in (min, max)]
 sys.exit(max(off) > 0.005 and f"bands end {off} of the width beside the edges")' "$1"
 }
