@@ -96,6 +96,13 @@ static void add_strong(struct count *c, double effectivity)
     c->strongly[c->strong++] = effectivity;
 }
 
+static void tell_miss(const struct said *got, size_t i, double error, double said)
+{
+    const bool contact = i < got->contacts;
+    printf("    missed: %s %zu, %.6g N at %.6g s, is off by %.3g times what was asked, and says %.3g\n",
+           contact ? "contact" : "bead", contact ? i : i - got->contacts, got->peak[i].value, got->peak[i].time, error, said);
+}
+
 static void judge(struct count *c, const struct said *got, const struct said references[2], double accuracy)
 {
     for (size_t i = 0; i < got->count; i++) {
@@ -110,7 +117,10 @@ static void judge(struct count *c, const struct said *got, const struct said ref
         c->lost += peak->unpredictable;
         if (peak->unpredictable)
             continue;
-        c->misses += error - known > said;
+        if (error - known > said) {
+            c->misses++;
+            tell_miss(got, i, error, said);
+        }
         c->worst = fmax(c->worst, (error - known) / said);
         c->too_much += said > 10 * fmax(error, 1);
         if (error > 1)
@@ -124,7 +134,19 @@ static int rising(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Seeds that missed, one a line. */
+/* Adds what came of a chain to its kind's. */
+static void add(struct count *sum, const struct count *c)
+{
+    sum->rows += c->rows;
+    sum->misses += c->misses;
+    sum->too_much += c->too_much;
+    sum->lost += c->lost;
+    sum->worst = fmax(sum->worst, c->worst);
+    for (size_t i = 0; i < c->strong; i++)
+        add_strong(sum, c->strongly[i]);
+}
+
+/* One line for each accuracy, after those of its misses. */
 static bool try_seed(uint64_t seed, struct count counts[ASKED])
 {
     char text[DRAWN_TEXT];
@@ -138,12 +160,19 @@ static bool try_seed(uint64_t seed, struct count counts[ASKED])
     const bool known = references[0].peak && references[1].peak;
     for (size_t a = 0; known && a < (damped ? ASKED - 1 : ASKED); a++) {
         struct said got = say(text, asked[a], until, true);
-        const size_t before = counts[a].misses;
+        struct count c = {.rows = 0};
         if (got.peak)
-            judge(&counts[a], &got, references, asked[a]);
-        if (counts[a].misses > before)
-            printf("    seed %d, %g: %zu missed\n", (int)seed, asked[a], counts[a].misses - before);
+            judge(&c, &got, references, asked[a]);
+        printf("  seed %d, %s, %g: %zu rows: %zu missed (%.2g), %zu too much, %zu unpredictable\n", (int)seed,
+               kind_names[seed % KIND_COUNT], asked[a], c.rows, c.misses, c.worst, c.too_much, c.lost);
+        fflush(stdout);
+        add(&counts[a], &c);
+        free(c.strongly);
         forget(&got);
+    }
+    if (!known) {
+        printf("  seed %d, %s: no reference\n", (int)seed, kind_names[seed % KIND_COUNT]);
+        fflush(stdout);
     }
     forget(&first);
     forget(&references[0]);
