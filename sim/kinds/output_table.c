@@ -110,6 +110,8 @@ static const struct bead_option sweep_table_rows[] = {
              "with their standard errors. Forces have an `uncertainty`: a finer run measures that of the first of "
              "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of "
              "these; so it is with spreading, for each curve"},
+    {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
+     .help = "with `show: spreading`: how well its numbers are known, from second runs of some chains; false: no such runs"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {
     {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, {NULL, 0}};

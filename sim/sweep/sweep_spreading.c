@@ -144,6 +144,16 @@ static void compare(const struct chain *chain, const struct chain *check, size_t
     }
 }
 
+/* No second run has said how uncertain this is. */
+static void know_nothing(size_t times, struct bead_sweep_spread *spread)
+{
+    for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
+        for (size_t i = 0; i < times; i++)
+            spread->uncertainty[n][i] = NAN;
+    }
+    spread->of_exponent[0] = spread->of_exponent[1] = NAN;
+}
+
 static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
                                const struct chains *chains, const struct bead_grid *grid, struct bead_message *msg)
 {
@@ -186,6 +196,8 @@ static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sw
     }
     for (size_t i = 0; i < spreads->count; i++)
         reduce(chains->of, count, spreads->times, i, values, &spreads->of[i]);
+    for (size_t i = 0; i < spreads->count && !checked; i++)
+        know_nothing(spreads->times, &spreads->of[i]);
     for (size_t i = count; i < chains->all; i++)
         compare(&chains->of[chains->of[i].index], &chains->of[i], spreads->times, &spreads->of[chains->of[i].curve]);
     return BEAD_OK;

@@ -14,7 +14,7 @@ struct bead_sweep_spread {
     double mean[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], error[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES]; /* standard errors */
     struct bead_summary exponent[2]; /* of the chains, of second moment and participation */
     double offset[2];                /* mean of ln y at t = 1 s */
-    /* The worst of the chains that were run twice, since errors of chains may be alike: until each time, and of the exponents; 0:
+    /* The worst of the chains that were run twice, since errors of chains may be alike: until each time, and of the exponents; NaN:
      * not asked for. */
     double uncertainty[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], of_exponent[2];
 };

@@ -246,7 +246,7 @@ static enum bead_error write_statistics(const struct out *o, struct bead_message
 static enum bead_error write_spreading(const struct out *o, struct bead_message *msg)
 {
     struct bead_sweep_spreads spreads;
-    enum bead_error err = bead_sweep_spreads_find(o->sweep, o->settings, true, &spreads, msg);
+    enum bead_error err = bead_sweep_spreads_find(o->sweep, o->settings, o->output->curves.uncertainty, &spreads, msg);
     if (!err)
         fputs("time_s,curve,configurations,second_moment,second_moment_error,participation,participation_error,front,front_error,"
               "gamma,gamma_error,eta,eta_error,fit_from_s,fit_to_s,second_moment_uncertainty,participation_uncertainty,"

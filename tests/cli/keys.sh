@@ -88,6 +88,7 @@ needs() { # SECTION KEY
     case "$1: $2" in
     'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against' | 'outputs ('*' of a sweep): measure') scene=over ;;
     'sweep: over' | 'sweep: combine') scene=over ;;
+    'outputs (table of a sweep): uncertainty') scene=over before=('outputs=[{table: t.csv, show: spreading}]' simulate.until=1ms) ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
     'outputs.measured: file' | 'outputs.measured: columns' | 'outputs.measured: time') before=('outputs=[{plot: p.svg, beads: 3, measured: {file: scope.csv}}]') ;;
     'outputs (plot): measured') before+=(outputs.0.beads=3) ;;

@@ -26,7 +26,7 @@ ok "... that stays as narrow: eta 0" within "$(last 7)" 0 0.03
 ok "... whose front is a solitary wave" within "$(last 4)" "$(awk 'BEGIN {print 4000 * 0.907470 * 0.68163 ^ 0.2}')" 5
 scene '{bead: one, count: 8000, disorder: {material: [one, small], seed: 1}}' >random.yaml
 # The ready scene: eight chains, one command. AB or BA, AA or BB dimers are its comment's, and tests/stress/spreading.sh's.
-ready() { "$beadsim" martinez2016 -o . -q --set 'outputs=[{table: m.csv, show: spreading}]' "$@" >"$T/out" 2>&1; }
+ready() { "$beadsim" martinez2016 -o . -q --set 'outputs=[{table: m.csv, show: spreading, uncertainty: false}]' "$@" >"$T/out" 2>&1; }
 of_means() { tail -n 1 m.csv | cut -d, -f"$1"; }
 ok "eight disordered ones, in one command" ready
 ok "... spread superdiffusively: gamma 1.77" within "$(of_means 10)" 1.77 0.02
@@ -51,6 +51,10 @@ ok "... and the mean of both exponents" within "$(of_means 10)" "$(both 5 | awk 
 # chain, which is not checked, is a little worse: here at .35 s, when both are off by 2e-8.
 ok "a sweep of one chain" short one --set 'sweep={over: {chain.beads.0.disorder.seed: [3]}}'
 ok "... says what its own table says" eval '[ "$(cut -d, -f16-18 one.csv | tail -n +2)" = "$(cut -d, -f9-11 3.csv | tail -n +2)" ]'
+ok "... and nothing, unless asked" short none --set 'sweep={over: {chain.beads.0.disorder.seed: [3]}}' \
+    --set 'outputs=[{table: none.csv, show: spreading, uncertainty: false}]'
+ok "... but the same numbers" cmp <(cut -d, -f1-15 one.csv) <(cut -d, -f1-15 none.csv)
+ok "... with nothing in the five columns" eval '[ "$(cut -d, -f16-20 none.csv | tail -n +2 | sort -u)" = ,,,, ]'
 ok "... of exponents that of the last, not of the worst until then" awk -F, 'FNR == 1 {next} NR == FNR {g = $12; e = $13; next}
     !($19 > 0 && $20 > 0 && $19 <= g && $20 <= e) {bad++} END {exit bad}' 3.csv one.csv
 ok "... of two, what the first of them says" eval '[ "$(cut -d, -f16-20 m.csv)" = "$(cut -d, -f16-20 one.csv)" ]'
