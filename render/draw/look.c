@@ -120,11 +120,11 @@ void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, 
     cairo_fill(cr);
 }
 
-/* First row on light, second on dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue.
- */
+/* First row on light, second on dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue,
+ * each has a contrast of 4.5, as letters need. */
 static const struct bead_rgb inks[2][6] = {
-    {{0.02, 0.34, 0.84}, {0.82, 0.33, 0.07}, {0.17, 0.40, 0.27}, {0.69, 0.01, 0.52}, {0.48, 0.47, 0.47}, {0.24, 0.16, 0.11}},
-    {{0.22, 0.57, 0.98}, {0.99, 0.58, 0.31}, {0.08, 0.83, 0.65}, {0.91, 0.68, 0.95}, {0.86, 0.26, 0.32}, {0.94, 0.99, 0.67}},
+    {{0.02, 0.34, 0.81}, {0.74, 0.28, 0.05}, {0.17, 0.40, 0.27}, {0.64, 0.01, 0.52}, {0.43, 0.42, 0.43}, {0.24, 0.16, 0.11}},
+    {{0.22, 0.57, 0.98}, {0.99, 0.58, 0.31}, {0.08, 0.83, 0.65}, {0.91, 0.68, 0.95}, {0.89, 0.28, 0.34}, {0.94, 0.99, 0.67}},
 };
 
 struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index)

@@ -112,6 +112,25 @@ static int beyond(const struct bead_axis *axis, double value)
     return place < -slack ? -1 : place > 1 + slack ? 1 : 0;
 }
 
+bool graph_series_end(const struct graph_cell *cell, const struct bead_series *series, double end[2])
+{
+    const double right = cell->plot.x + cell->plot.width, bottom = cell->plot.y + cell->plot.height, slack = 1e-6;
+    double beyond[2] = {INFINITY, 0};
+    for (size_t i = series->count; i-- > 0;) {
+        end[0] = px_x(cell, series->x[i]);
+        end[1] = px_y(cell, series->y[i]);
+        if (is_there(cell, series, i) && end[0] <= right + slack) {
+            const double part = (right - end[0]) / (beyond[0] - end[0]); /* cut off by the frame; 0: it ends before */
+            end[0] = part > 0 ? right : end[0];
+            end[1] += part * (beyond[1] - end[1]);
+            return end[1] >= cell->plot.y - slack && end[1] <= bottom + slack;
+        }
+        if (is_there(cell, series, i))
+            memcpy(beyond, end, sizeof beyond);
+    }
+    return false;
+}
+
 /* ---- lines ---- */
 
 /* Lines are cut off far outside the plot: cairo's fixed-point numbers would overflow. */

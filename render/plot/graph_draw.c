@@ -41,6 +41,7 @@ static enum bead_error draw_cell(cairo_t *cr, const struct graph_layout *layout,
     if (cell->panel->image)
         graph_legend_back(&cell->legend, look, cr);
     graph_legend_draw(&cell->legend, look, cr);
+    graph_ends_draw(cell, look, cr);
     graph_draw_head(cr, layout, cell);
     return graph_draw_bar(cr, look, cell, msg);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of a graph: axes and words are measured, plots get the remaining room. Words and legends without free room inside the
- * panels move outside, which makes plots smaller; this repeats until everything has a place. */
+/* The layout of a graph: axes and words are measured, plots get the remaining room. Names without room at the ends of their lines
+ * move to the legend, words and legends without free room inside the panels move outside; this repeats until everything has a
+ * place. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -204,7 +205,8 @@ static struct bead_insets reach_of(const struct graph_layout *l, const struct gr
         bead_axis_draw(NULL, look, &cell->axis[0], cell->plot, BEAD_SIDE_BOTTOM, false, cell->labelled[0], cell->panel->x.title);
     return (struct bead_insets){.left = cell->labelled[0] ? fmax(left, over_left) : left,
                                 .top = fmax(half, points),
-                                .right = fmax(cell->labelled[0] ? fmax(points, over_right) : points, graph_image_reach(look, cell)),
+                                .right = fmax(cell->labelled[0] ? fmax(points, over_right) : points,
+                                              fmax(graph_image_reach(look, cell), graph_ends_reach(cell, look))),
                                 .bottom = fmax(bottom, half)};
 }
 
@@ -321,6 +323,11 @@ static void move_words(struct graph_layout *l)
 static enum bead_error furnish(struct graph_layout *l, struct graph_cell *cell, bool *moved, struct bead_message *msg)
 {
     struct graph_mask mask;
+    if (cell->ends && !graph_ends_fit(cell, l->look)) {
+        cell->ends = false;
+        *moved = true;
+        return BEAD_OK;
+    }
     if (cell->panel->ruler_count == 0 && cell->legend.count == 0)
         return BEAD_OK;
     BEAD_TRY(graph_mask_make(cell, l->look, &mask, msg));
@@ -362,7 +369,9 @@ enum bead_error graph_layout_make(const struct bead_graph *graph, const struct b
         graph_page_measure(&layout->page, look, width, height);
         err = make_grid(layout, msg);
     }
-    for (bool moved = true; !err && moved;) { /* ends: every word and legend moves at most once */
+    for (size_t p = 0; !err && p < graph->panel_count; p++)
+        layout->cells[p].ends = graph_ends_wanted(layout, p);
+    for (bool moved = true; !err && moved;) { /* ends: every name, word and legend moves at most once */
         moved = false;
         graph_gather_legends(layout);
         graph_measure_outside(layout);

@@ -66,7 +66,7 @@ void graph_gather_legends(struct graph_layout *l)
         for (size_t i = 0; i < cell->panel->series_count + cell->panel->ruler_count; i++) {
             struct graph_entry entry = {0};
             size_t r = i - cell->panel->series_count;
-            if (i < cell->panel->series_count && l->frame.explained)
+            if (i < cell->panel->series_count && (l->frame.explained || cell->ends))
                 continue;
             if (i < cell->panel->series_count) {
                 entry.series = &cell->panel->series[i];

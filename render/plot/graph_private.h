@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Common to the files of a graph: graph.c (entry, files), graph_range.c (axes), graph_layout.c (places), graph_words.c (words at
- * rulers), graph_legend.c, graph_outer.c (legends), graph_draw.c (panels), graph_page.c (title and caption), graph_image.c (colours
- * and their bar), graph_contents.c (inside a plot's frame), graph_curve.c (curves and points). Lengths in px. */
+ * rulers), graph_legend.c, graph_outer.c (legends), graph_ends.c (names at lines' ends), graph_draw.c (panels), graph_page.c (title
+ * and caption), graph_image.c (colours and their bar), graph_contents.c (inside a plot's frame), graph_curve.c (curves and points).
+ * Lengths in px. */
 #pragma once
 
 #include "render/draw/layout.h"
@@ -60,6 +61,7 @@ struct graph_cell {
     struct graph_legend legend;  /* what is left inside */
     size_t most_points;          /* of the largest cloud of all panels: clouds have equal points */
     bool undashed;               /* lines are drawn whole: their gaps are no room for words */
+    bool ends;                   /* curves have their names at their ends, and no entries */
     bool legend_outside;         /* the curves' entries; of one panel, the rulers', too */
     bool rulers_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
@@ -132,6 +134,16 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
 /* On an image: a piece of the page behind it. */
 void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
+
+/* Might the names of a panel's curves stand at the ends of their lines, by what they are called and how wide that is? */
+bool graph_ends_wanted(const struct graph_layout *layout, size_t cell);
+/* Do the ends of the lines leave room for that? */
+bool graph_ends_fit(const struct graph_cell *cell, const struct bead_look *look);
+/* Such names reach this far to the right of the plot, px; 0 without any. */
+double graph_ends_reach(const struct graph_cell *cell, const struct bead_look *look);
+void graph_ends_draw(const struct graph_cell *cell, const struct bead_look *look, cairo_t *cr);
+/* Where a line ends within the frame, px. False: nowhere. */
+bool graph_series_end(const struct graph_cell *cell, const struct bead_series *series, double end[2]);
 
 /* Drawing. */
 void graph_set_colour(cairo_t *cr, struct bead_rgb colour);

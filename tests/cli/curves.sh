@@ -63,4 +63,24 @@ ok "plot and table of energies" exits 0 "$beadreel" energy.yaml -o .
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c = $i == "past_bead_5_J" ? i : c } { print $1 "," $c }' energy.csv >past.csv
 ok "the plot has the energy past a bead" curve energy.svg past.csv 1e-3 1 4
 ok "... most of what was put in" awk -F, '{ last = $2 } END { exit !((last / 2 - 0.99366) ^ 2 < 1e-8) }' past.csv
+# Names of curves are at the ends of their lines, in their colours; where two end in one place, or names are long, in a legend.
+cat >ends.yaml <<'YAML'
+chain: {equation: shock, epsilon: 0.5, length: 6.283185307179586, start: {simple-wave: 1, amplitude: 1}}
+simulate: {until: 6}
+outputs:
+  - {plot: apart.svg, show: profiles, at: [0, 1, 2, 6]}
+  - {plot: dark.svg, show: profiles, at: [0, 1, 2, 6], style: movie, size: [1280, 720]}
+  - {plot: narrow.svg, show: profiles, at: [0, 1, 2, 6], size: [45 mm, 60 mm]}
+  - {plot: together.svg, show: profiles, at: [0, 0.05, 2]}
+YAML
+ends() { python3 "$top/tests/ends.py" "$1"; }
+at_ends() { ends "$1" | awk -v n="$2" '/:/ && ($2 < 0.3 || $2 > 1 || $3 ^ 2 > 0.04) { bad++; print } END { exit !(NR == n + 1 && $1 == n && bad == 0) }'; }
+ok "profiles whose names have room, and others" exits 0 "$beadreel" ends.yaml -o .
+ok "the names are at the ends of the lines" at_ends apart.svg 4
+ok "... on dark pages" at_ends dark.svg 4
+ok "... in a legend, where they would take a third of the width" test "$(ends narrow.svg)" = "0 names"
+ok "... or two lines end in one place" test "$(ends together.svg)" = "0 names"
+ok "contacts whose pulses are over have a legend" exits 0 "$beadreel" s.yaml -o . --only over.svg \
+    --set 'outputs=[{plot: over.svg, show: sensors, contacts: [0, 1], time: [0, 30 ms]}]'
+ok "... both forces end at 0" test "$(ends over.svg)" = "0 names" -a "$(grep -c '>contact [01]</tspan>' over.svg)" -eq 2
 finish
