@@ -14,6 +14,7 @@ BEAD_BEGIN
 #define BEAD_FIELDS(X)                                               \
     X(FORCE, "force", "N", "bead force", BEAD)                       \
     X(CONTACT_FORCE, "contact-force", "N", "contact force", CONTACT) \
+    X(COMPRESSION, "compression", "m", "compression", CONTACT)       \
     X(VELOCITY, "velocity", "m/s", "velocity", BEAD)                 \
     X(DISPLACEMENT, "displacement", "m", "displacement", BEAD)       \
     X(ENERGY, "energy", "J", "energy", BEAD)                         \

@@ -14,6 +14,7 @@
  *   /particles/chain/force/value           [time][bead][3]  with it: net force, mass times acceleration
  *   /particles/chain/energy/value          [time][bead]
  *   /contacts/contact_force/value          [time][contact]
+ *   /contacts/compression/value            [time][contact]
  * each with time, step (the sample's number) and the numbers of its beads or contacts beside it; mass, radius, id, species
  * (index of the material), chain and rest_position of every bead in /particles/chain; scene, materials, chains and
  * outcome in /parameters/beadreel. */

@@ -13,8 +13,9 @@
  * allows. Its shortest pulse, half an oscillation, lasts pi/omega: of samples 1/omega apart one is within half of that from the
  * maximum, and has cos(1/2) = 88 % of it or more; longer pulses lose less. */
 static const double widest = 4;
-/* Only forces of contacts come and go; what swings would be distorted. */
-static const unsigned come_and_go = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
+/* Only forces and compressions of contacts come and go; what swings would be distorted. */
+static const unsigned come_and_go =
+    BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION);
 
 struct bead_held {
     struct bead_sample sample;

@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The system `beads`: a striker and beads that push each other. */
+#include "beadreel/law.h"
 #include "sim/chain/system.h"
 
 /* No strain: springs have a length, contacts do not. */
-static const enum bead_field fields[] = {BEAD_FIELD_FORCE,        BEAD_FIELD_CONTACT_FORCE, BEAD_FIELD_VELOCITY,
-                                         BEAD_FIELD_DISPLACEMENT, BEAD_FIELD_ENERGY,        BEAD_FIELD_COUNT};
+static const enum bead_field fields[] = {BEAD_FIELD_FORCE,    BEAD_FIELD_CONTACT_FORCE, BEAD_FIELD_COMPRESSION,
+                                         BEAD_FIELD_VELOCITY, BEAD_FIELD_DISPLACEMENT,  BEAD_FIELD_ENERGY,
+                                         BEAD_FIELD_COUNT};
 
-static bool field_signed(const struct bead_chain_spec *, enum bead_field field)
+static bool field_signed(const struct bead_chain_spec *spec, enum bead_field field)
 {
-    return field == BEAD_FIELD_VELOCITY || field == BEAD_FIELD_DISPLACEMENT;
+    return field == BEAD_FIELD_VELOCITY || field == BEAD_FIELD_DISPLACEMENT ||
+           (field == BEAD_FIELD_COMPRESSION && !spec->law.row->one_sided);
 }
 
 static void describe(const struct bead_chain_spec *, char *text, size_t size)

@@ -87,6 +87,8 @@ static inline bool bead_chain_is_damped(const struct bead_chain *chain)
 
 /* Do its contacts' forces depend on displacements only? */
 bool bead_chain_forces_follow(const struct bead_chain *chain);
+/* Fields (BEAD_FIELD_BITs) that follow from the displacements of all beads. */
+unsigned bead_chains_derivable(const struct bead_chain *const *chains, size_t count);
 
 /* The derivatives of a quantity by the numbers of a chain. */
 struct bead_chain_raw_rates {
@@ -105,3 +107,6 @@ void bead_chain_find_rates(const struct bead_chain *chain, const struct bead_cha
 /* Contact forces (N, [beads]; 0 for a last bead without wall) and bead forces (N, [beads]) of displacements u (m, [beads]), for
  * trajectories that store only these; equal to the samples of a run without damping, bit for bit. */
 void bead_derive_forces(const struct bead_chain *chain, const double *u, double *contact_force, double *bead_force);
+/* Compressions (m) of contacts first..last, by how much their beads overlap, static ones included; never negative where contacts
+ * can open. */
+void bead_derive_compressions(const struct bead_chain *chain, const double *u, size_t first, size_t last, double *compression);

@@ -81,3 +81,14 @@ bool bead_chain_forces_follow(const struct bead_chain *chain)
 {
     return chain->spec->system->has_contacts && !(chain->spec->damping_coefficient > 0);
 }
+
+unsigned bead_chains_derivable(const struct bead_chain *const *chains, size_t count)
+{
+    unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
+    bool contacts = true;
+    for (size_t c = 0; c < count; c++) {
+        contacts = contacts && chains[c]->spec->system->has_contacts;
+        fields = bead_chain_forces_follow(chains[c]) ? fields : 0;
+    }
+    return contacts ? fields | BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION) : 0;
+}

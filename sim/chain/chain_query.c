@@ -209,6 +209,14 @@ double bead_chain_passage(const struct bead_chain *chain, double energy)
     return time + bead_chain_flight(chain);
 }
 
+void bead_derive_compressions(const struct bead_chain *chain, const double *u, size_t first, size_t last, double *compression)
+{
+    for (size_t k = first; k <= last && k < chain->contacts; k++) {
+        const double next = k + 1 < chain->beads ? u[k + 1] : 0, d = chain->static_compression[k] + (u[k] - next);
+        compression[k] = chain->law->one_sided ? fmax(0, d) : d;
+    }
+}
+
 void bead_derive_forces(const struct bead_chain *chain, const double *u, double *contact_force, double *bead_force)
 {
     const struct bead_law_spec *spec = &chain->spec->law;

@@ -46,7 +46,7 @@ static const struct bead_field_info *field(enum bead_field field)
 static const char *kdv_check(const struct bead_equation_spec *spec, const char **key)
 {
     *key = "variable";
-    if (spec->variable == BEAD_FIELD_CONTACT_FORCE)
+    if (bead_field_info(spec->variable)->of_contacts)
         return "must be a field of points, not of contacts";
     *key = "points";
     if (spec->start == BEAD_START_COSINE && spec->points && 3 * spec->mode + 1 > spec->points)

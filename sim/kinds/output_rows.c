@@ -30,7 +30,8 @@ const struct bead_option_family bead_output_family = {"outputs", "outputs of kin
 
 const struct bead_option bead_field_row[1] = {
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
-     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; strain: of fput and shock"},
+     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; compression, by how much the "
+             "beads of a contact overlap, damped or not; strain: of fput and shock"},
 };
 const struct bead_option bead_time_row[1] = {
     {"time", BEAD_OPTION_PAIR, BEAD_OF_OUTPUT(shown.time), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto",

@@ -48,7 +48,7 @@ static void fit_without_contacts(const struct bead_reader *reader, const struct 
 
 static void fit_motion(const struct bead_at *at, struct bead_output *output)
 {
-    if (bead_show_type(output->curves.show)->of_motion && !bead_given(at, "field"))
+    if (bead_show_type(output->curves.show)->of_motion && !bead_given(at, "field") && !output->curves.contacts.all)
         output->shown.field = BEAD_FIELD_VELOCITY;
 }
 

@@ -74,7 +74,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                                .ends = PLOT | TABLE,
                                .of_field = true,
                                .of_places = true},
-    [BEAD_SHOW_TRANSFER] = {.keys = KEYS("every", "time", "field", "beads", "overlay", "scale", SPECTRA),
+    [BEAD_SHOW_TRANSFER] = {.keys = KEYS("every", "time", "field", "beads", "contacts", "overlay", "scale", SPECTRA),
                             .why_not = of_frequencies,
                             .without_contacts = "is that of driven beads, which equations do not have",
                             .ends = PLOT | TABLE,
@@ -141,10 +141,6 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     const struct bead_curves_asked *curves = &output->curves;
     const struct bead_show_type *show = &shows[curves->show];
     const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
-    if (show->of_motion && (of_contacts || output->shown.field == BEAD_FIELD_FORCE))
-        return BEAD_WRONG_KEY(reader, at, "field",
-                              "must be one of beads here, and not their force, which short waves do not change: "
-                              "velocity, displacement or energy");
     if (curves->show == BEAD_SHOW_SPECTROGRAM && curves->beads.count + curves->contacts.count > 1)
         return BEAD_WRONG_KEY(reader, at, "beads", "are several places; a spectrogram is that of one");
     if (!show->of_places)

@@ -36,7 +36,8 @@ struct bead_place_shown bead_place_shown(const struct bead_output *output, const
         return place;
     }
     place.index = k < beads ? output->curves.beads.all[k] : output->curves.contacts.all[k - beads];
-    place.field = k < beads ? place.field : BEAD_FIELD_CONTACT_FORCE;
+    if (k >= beads && !bead_field_info(place.field)->of_contacts)
+        place.field = BEAD_FIELD_CONTACT_FORCE;
     snprintf(place.name, sizeof place.name, "%s %zu", k < beads ? "bead" : "contact", place.index);
     return place;
 }

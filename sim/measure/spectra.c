@@ -67,39 +67,49 @@ void bead_spectra_destroy(struct bead_spectra *s)
 
 /* ---- what is collected ---- */
 
-/* All beads of the first cell that the chain repeats, or of the whole chain. */
+/* All beads, or the contacts between them, of the first cell that the chain repeats, or of the whole chain. */
 static enum bead_error place_cells(struct bead_spectra *s, size_t c, struct bead_message *msg)
 {
     const struct bead_chain *chain = s->context.chains[c];
     struct curves *curves = &s->chains[c];
-    size_t first = 0, beads = bead_chain_beads(chain);
+    const bool contacts = bead_field_info(s->output->shown.field)->of_contacts;
+    size_t first = 0, count = contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain);
     BEAD_TRY(bead_media_find(chain, &curves->media, &curves->media_count, msg));
     curves->cell = 1;
     if (curves->media_count > 0) {
         first = curves->media[0].first;
-        beads = curves->media[0].last - first + 1;
+        count = curves->media[0].last - first + !contacts;
         curves->cell = curves->media[0].cell.count;
     }
-    curves->count = smooth(beads / curves->cell) * curves->cell;
+    curves->count = smooth(count / curves->cell) * curves->cell;
     BEAD_TRY(bead_new(&curves->places, curves->count, msg, "a dispersion"));
     for (size_t i = 0; i < curves->count; i++)
         curves->places[i] = (struct bead_place_shown){.index = first + i, .field = s->output->shown.field};
     return BEAD_OK;
 }
 
-/* Those of curves; of a transfer, the driven bead behind them. */
+/* Where a transfer is from: the driven bead, or its contact, to the right if there is one. */
+static struct bead_place_shown driven_place(const struct bead_spectra *s, const struct bead_chain *chain)
+{
+    const struct bead_drive *drive = &bead_chain_spec(chain)->drive;
+    struct bead_place_shown place = {.index = drive->amplitude > 0 ? drive->bead : 0};
+    place.field = bead_place_shown(s->output, chain, 0).field;
+    if (bead_field_info(place.field)->of_contacts && place.index >= bead_chain_contacts(chain))
+        place.index = bead_chain_contacts(chain) - 1;
+    return place;
+}
+
+/* Those of curves; of a transfer, the driven place behind them. */
 static enum bead_error place_listed(struct bead_spectra *s, size_t c, struct bead_message *msg)
 {
     const struct bead_chain *chain = s->context.chains[c];
-    const struct bead_drive *drive = &bead_chain_spec(chain)->drive;
     struct curves *curves = &s->chains[c];
     const size_t count = bead_places_count(s->output, chain);
     BEAD_TRY(bead_new(&curves->places, count + 1, msg, "a spectrum"));
     for (curves->count = 0; curves->count < count; curves->count++)
         curves->places[curves->count] = bead_place_shown(s->output, chain, curves->count);
-    if (s->output->curves.show == BEAD_SHOW_TRANSFER)
-        curves->places[curves->count++] =
-            (struct bead_place_shown){.index = drive->amplitude > 0 ? drive->bead : 0, .field = s->output->shown.field};
+    if (s->output->curves.show == BEAD_SHOW_TRANSFER && count > 0)
+        curves->places[curves->count++] = driven_place(s, chain);
     return BEAD_OK;
 }
 

@@ -466,6 +466,8 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     const double *f = run->field[BEAD_FIELD_CONTACT_FORCE];
     for (size_t j = first; (fields & BEAD_FIELD_BIT(BEAD_FIELD_FORCE)) && j <= last; j++)
         run->field[BEAD_FIELD_FORCE][j] = 0.5 * ((j > 0 ? f[j - 1] : 0) + f[j]);
+    if (fields & BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION))
+        bead_derive_compressions(c, run->u, first, last, run->field[BEAD_FIELD_COMPRESSION]);
     if (fields & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY))
         sample_energy(run, first, last);
     for (size_t i = 0; i < BEAD_FIELD_COUNT; i++)

@@ -77,16 +77,13 @@ struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session
                                         .progress_context = s->job.progress_context};
 }
 
-/* The fields that a trajectory output gives: those stored, and forces that follow from displacements of all beads. */
+/* The fields that a trajectory output gives: those stored, and what follows from displacements of all beads. */
 static unsigned kept_fields(const struct bead_session *s)
 {
     const struct bead_output *k = s->keeper;
-    bool all = k->trajectory.fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->shown.beads.first == 0 &&
-               k->shown.beads.last == SIZE_MAX;
-    for (size_t i = 0; i < s->chain_count; i++)
-        all = all && bead_chain_forces_follow(s->chains[i]);
-    return all ? k->trajectory.fields | BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)
-               : k->trajectory.fields;
+    const bool all = k->trajectory.fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && k->shown.beads.first == 0 &&
+                     k->shown.beads.last == SIZE_MAX;
+    return k->trajectory.fields | (all ? bead_chains_derivable((const struct bead_chain *const *)s->chains, s->chain_count) : 0);
 }
 
 static unsigned fields_of(const struct bead_session *s, const struct bead_output *output)
@@ -96,7 +93,7 @@ static unsigned fields_of(const struct bead_session *s, const struct bead_output
     unsigned fields = show && !show->of_field ? 0 : BEAD_FIELD_BIT(output->shown.field);
     for (size_t c = 0; modes && c < s->chain_count; c++)
         fields |= bead_chain_mode_fields(s->chains[c]);
-    if (output->curves.contacts.all)
+    if (output->curves.contacts.all && !bead_field_info(output->shown.field)->of_contacts)
         fields |= BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
     return fields ? fields : BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
 }

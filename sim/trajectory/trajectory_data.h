@@ -29,7 +29,7 @@ struct bead_trajectory {
     size_t samples;
     unsigned fields;  /* stored */
     unsigned derived; /* computed from displacements */
-    double *forces;   /* derived ones: contact forces, then bead forces, with room for the longest chain */
+    double *forces;   /* derived ones: contact forces, bead forces, compressions, with room for the longest chain each */
     bool complete;
     double end;
     struct bead_source sources[BEAD_SERIES_COUNT];

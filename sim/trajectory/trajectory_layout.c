@@ -15,6 +15,8 @@ const struct bead_series_info bead_series[BEAD_SERIES_COUNT] = {
                                "net force: mass times acceleration"},
     [BEAD_SERIES_CONTACT_FORCE] = {BEAD_FIELD_CONTACT_FORCE, true, true, 1, "/contacts/contact_force", "N",
                                    "force in the contact of a bead with its right neighbour"},
+    [BEAD_SERIES_COMPRESSION] = {BEAD_FIELD_COMPRESSION, true, true, 1, "/contacts/compression", "m",
+                                 "how far a bead and its right neighbour overlap"},
     [BEAD_SERIES_ENERGY] = {BEAD_FIELD_ENERGY, true, false, 1, "/particles/chain/energy", "J",
                             "kinetic energy, half the energy of both contacts, and all of the wall's"},
     [BEAD_SERIES_STRAIN] = {BEAD_FIELD_STRAIN, true, false, 1, "/particles/chain/strain", "1", "strain"},

@@ -28,6 +28,7 @@ enum bead_series_id {
     BEAD_SERIES_BEAD_FORCE,
     BEAD_SERIES_NET_FORCE, /* with the bead force: H5MD's force is mass times acceleration */
     BEAD_SERIES_CONTACT_FORCE,
+    BEAD_SERIES_COMPRESSION,
     BEAD_SERIES_ENERGY,
     BEAD_SERIES_STRAIN,
     BEAD_SERIES_COUNT
@@ -41,6 +42,8 @@ struct bead_series_info {
     const char *group, *units, *title;
 };
 extern const struct bead_series_info bead_series[BEAD_SERIES_COUNT];
+/* The fields of contacts. */
+#define BEAD_TRAJECTORY_CONTACTS (BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION))
 
 /* The places of a chain's beads and contacts along the axes. */
 struct bead_rows {

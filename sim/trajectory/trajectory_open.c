@@ -155,7 +155,7 @@ static enum bead_error open_sources(struct bead_trajectory *t)
         struct bead_source *source = &t->sources[id];
         source->columns = bead_series[id].of_contacts ? t->contacts : t->beads;
         if (source->columns == 0)
-            return bead_h5_fail(&t->h5, false, "holds contact forces, but its scene has no contacts there");
+            return bead_h5_fail(&t->h5, false, "holds values of contacts, but its scene has no contacts there");
         source->value = bead_h5_open_series(&t->h5, name, source->columns, bead_series[id].components, &rows);
         if (t->h5.error)
             return t->h5.error;
@@ -255,15 +255,11 @@ static enum bead_error load(struct bead_trajectory *t)
     return err ? err : read_outcomes(t);
 }
 
-/* Forces can be computed from the displacements of all beads, unless they depend on velocities, too. */
 static unsigned derivable(const struct bead_trajectory *t)
 {
-    const unsigned forces = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE);
-    bool possible =
+    const bool all =
         t->fields & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && t->span.first == 0 && t->span.last >= bead_trajectory_longest(t) - 1;
-    for (size_t c = 0; c < t->chain_count; c++)
-        possible = possible && bead_chain_forces_follow(t->chains[c]);
-    return possible ? forces & ~t->fields : 0;
+    return all ? bead_chains_derivable((const struct bead_chain *const *)t->chains, t->chain_count) & ~t->fields : 0;
 }
 
 static bool is_sweep(struct bead_trajectory *t)

@@ -142,7 +142,7 @@ static void lay_out_axes(struct bead_sink *sink)
     static const char *const axes[] = {"x", "y", "z"};
     bead_h5_write_texts(h5, h5->file, "/particles/chain/spatial", axes, sizeof *axes, 3);
     sink->spatial_scale = bead_h5_open_scale(h5, h5->file, "/particles/chain/spatial", "spatial");
-    if (bead_trajectory_wants(sink, BEAD_SERIES_CONTACT_FORCE))
+    if (sink->fields & BEAD_TRAJECTORY_CONTACTS)
         sink->contact_scale = make_axis(sink, "/contacts/contact", "contact", true);
 }
 
@@ -198,7 +198,8 @@ static void put_default(struct bead_sink *sink, const char *path, const char *cl
 static void write_nexus(struct bead_sink *sink)
 {
     static const enum bead_series_id order[] = {BEAD_SERIES_BEAD_FORCE,   BEAD_SERIES_STRAIN, BEAD_SERIES_VELOCITY,
-                                                BEAD_SERIES_DISPLACEMENT, BEAD_SERIES_ENERGY, BEAD_SERIES_CONTACT_FORCE};
+                                                BEAD_SERIES_DISPLACEMENT, BEAD_SERIES_ENERGY, BEAD_SERIES_CONTACT_FORCE,
+                                                BEAD_SERIES_COMPRESSION};
     size_t first = 0, count = sizeof order / sizeof *order;
     while (first + 1 < count && !bead_trajectory_wants(sink, order[first]))
         first++;

@@ -103,15 +103,21 @@ static const double *values_of(struct bead_trajectory *t, enum bead_series_id id
 static void derive(struct bead_trajectory *t, size_t chain, const double *u, unsigned fields, struct bead_sample *sample)
 {
     size_t longest = bead_trajectory_longest(t);
-    if (!t->forces && !(t->forces = calloc(2 * longest, sizeof *t->forces))) {
+    if (!t->forces && !(t->forces = calloc(3 * longest, sizeof *t->forces))) {
         bead_trajectory_no_memory(t);
         return;
     }
-    bead_derive_forces(t->chains[chain], u, t->forces, t->forces + longest);
-    if (fields & t->derived & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE))
+    const unsigned compression = BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION), derived = fields & t->derived;
+    if (derived & ~compression)
+        bead_derive_forces(t->chains[chain], u, t->forces, t->forces + longest);
+    if (derived & compression)
+        bead_derive_compressions(t->chains[chain], u, 0, longest, t->forces + 2 * longest);
+    if (derived & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE))
         sample->field[BEAD_FIELD_CONTACT_FORCE] = t->forces;
-    if (fields & t->derived & BEAD_FIELD_BIT(BEAD_FIELD_FORCE))
+    if (derived & BEAD_FIELD_BIT(BEAD_FIELD_FORCE))
         sample->field[BEAD_FIELD_FORCE] = t->forces + longest;
+    if (derived & compression)
+        sample->field[BEAD_FIELD_COMPRESSION] = t->forces + 2 * longest;
 }
 
 enum bead_error bead_trajectory_read(struct bead_trajectory *t, size_t index, size_t chain, unsigned fields,

@@ -78,7 +78,7 @@ static enum bead_error trajectory_measure(struct bead_sink *sink, struct bead_me
                          &sink->contacts);
     if (sink->beads == 0)
         return no_rows(sink, "chain has beads", msg);
-    if (sink->contacts == 0 && (sink->fields & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)))
+    if (sink->contacts == 0 && (sink->fields & BEAD_TRAJECTORY_CONTACTS))
         return no_rows(sink, "chain has contacts", msg);
     sink->chunk_rows = bead_trajectory_chunk_rows(sink->beads, sink->contacts);
     char every[32];

@@ -17,6 +17,9 @@ outputs:
   - {table: extremes.csv, show: extremes, field: contact-force, every: 1 us}
   - {table: force.csv, show: profiles, field: force, at: [0.2 ms]}
   - {table: contact-force.csv, show: profiles, field: contact-force, at: [0.2 ms]}
+  - {table: compression.csv, show: profiles, field: compression, at: [0.2 ms, 8 ms]}
+  - {table: most.csv, show: extremes, field: compression, every: 1 us}
+  - {trajectory: run.h5, fields: [displacement], every: 1 us}
   - {table: velocity.csv, show: profiles, field: velocity, at: [0, 0.2 ms, 8 ms]}
   - {table: displacement.csv, show: profiles, field: displacement, at: [0.2 ms, 8 ms]}
   - {table: profile-of-energy.csv, show: profiles, field: energy, at: [0.2 ms, 8 ms]}
@@ -55,6 +58,23 @@ ok "displacements: the centre of mass goes on, v t" near "$(awk -F, 'NR > 1 && $
 wanted() { awk -F, -v a="$A" 'NR == 2 {u = $3} NR == 3 {d = u - $3; printf "%.15g", a * d * sqrt(d)}' displacement.csv; }
 ok "force of the contact follows from displacements" near "$(at contact-force 1 3)" "$(wanted)" 1e-11
 ok "... a bead's is half of it" near "$(at force 1 3)" "$(awk -v f="$(wanted)" 'BEGIN {printf "%.15g", f / 2}')" 1e-11
+ok "compression is (F / A)^(2/3)" near "$(at compression 1 3)" "$(awk -F, -v a="$A" 'NR == 2 {printf "%.15g", exp(2 / 3 * log($3 / a))}' contact-force.csv)" 1e-11
+ok "... none where beads are apart" zero "$(at compression 2 3)" 0
+ok "... at most that of the closed form" near "$(tail -n +2 most.csv | cut -d, -f2 | sort -g | tail -n 1)" "$d" 1e-5
+ok "... from a stored run" exits 0 "$beadsim" run.h5 -o again.csv --set 'outputs=[{table: again.csv, show: extremes, field: compression, every: 1 us}]'
+ok "... the same" cmp <(cut -d, -f1-3 most.csv) <(cut -d, -f1-3 again.csv)
+# With damping the force has two parts, A d^p and gamma D^q: compressions are those of the beads' places all the same, (F / A)^(1/p) the
+# other way round only where nothing moves.
+damped() { # DAMPING LAW
+    "$beadsim" s.yaml -q -o damped --set "chain.damping={$1}" --set "chain.law=$2" --set simulate.accuracy=1e-8 \
+        --set 'outputs=[{table: u.csv, show: sensors, beads: [0, 1], field: displacement, every: 20 us}, {table: d.csv, show: sensors, contacts: 0, field: compression, every: 20 us}, {table: f.csv, show: sensors, contacts: 0, every: 20 us}]' || return 1
+    paste -d, damped/{u,d,f}.csv | awk -F, -v a="$3" -v p="$4" -v damped="${5:-}" 'NR > 1 {
+        d = $2 - $3 > 0 ? $2 - $3 : 0; off = $7 - d; bad = bad || off * off > 1e-30; most = d > most ? d : most
+        law = $7 > 0 ? a * exp(p * log($7)) : 0; if ((law - $10) ^ 2 > (1e-9 * law) ^ 2) other = 1}
+        END {exit bad || most < 1e-5 || (damped != "") != (other + 0)}'
+}
+ok "... of the power law, (F / A)^(1/p)" damped "coefficient: 0" "{power: 2.5, coefficient: 1e9}" 1e9 2.5
+ok "... of damped contacts, which lag behind the force" damped "coefficient: 1e3, exponent: 1" "{power: 1.5, coefficient: 3e8}" 3e8 1.5 lags
 # Of bead and half its contact's (2/5) A d^(5/2) each.
 energy() { paste -d, displacement.csv velocity.csv | awk -F, -v a="$A" -v bead="$1" 'NR == 2 {u = $3} NR == 3 {d = u - $3} END {while ((getline line < "velocity.csv") > 0) {split(line, x, ","); if (x[1] == "0.0002" && x[2] == bead) v = x[3]} printf "%.15g", 0.5 * v * v + 0.5 * 0.4 * a * d * d * sqrt(d)}'; }
 ok "energy of a bead: its own and half its contact's" near "$(at profile-of-energy 1 3)" "$(energy 0)" 1e-9

@@ -337,7 +337,7 @@ static void wrong_settings_say_what_is_wrong(void **state)
         {{.chain = chain, .step = 1}, BEAD_ERROR_SCENE, "too long"},
         {{.chain = chain, .every = 1}, BEAD_ERROR_USAGE, "give all of them or none"},
         {{.chain = chain, .every = 1, .take = take}, BEAD_ERROR_USAGE, "give all of them or none"},
-        {{.chain = chain, .every = 1, .take = take, .fields = 1u << BEAD_FIELD_STRAIN}, BEAD_ERROR_USAGE, "fields 0x20"},
+        {{.chain = chain, .every = 1, .take = take, .fields = 1u << BEAD_FIELD_STRAIN}, BEAD_ERROR_USAGE, "fields 0x40"},
         {{.chain = chain, .instructions = "mmx"}, BEAD_ERROR_USAGE, "mmx"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
