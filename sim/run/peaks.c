@@ -23,11 +23,13 @@ struct bead_peaks {
     const double *after; /* [beads]: s; NULL: all maxima count */
     double earliest;     /* of these times; 0 */
     struct bead_peak *best;
-    struct bead_peak *rival; /* [beads]: the last other maximum; time NaN: none. NULL: not asked */
-    unsigned char *mark;     /* [beads]: has a maximum in this step */
-    unsigned char *high;     /* [beads]: contacts that may be compressed beyond `least` in this step; NULL: not needed */
-    bool *late;              /* [beads]: was still rising at the limit */
-    double *least;           /* [beads]: compressions beyond the static one, m, required for a higher maximum */
+    struct bead_peak *rival;  /* [beads]: the last other maximum; time NaN: none. NULL: not asked */
+    struct bead_peak *second; /* [beads]: the second highest; the same */
+    double apart;             /* s: maxima of `best` and `second` that are closer are one */
+    unsigned char *mark;      /* [beads]: has a maximum in this step */
+    unsigned char *high;      /* [beads]: contacts that may be compressed beyond `least` in this step; NULL: not needed */
+    bool *late;               /* [beads]: was still rising at the limit */
+    double *least;            /* [beads]: compressions beyond the static one, m, required for a higher maximum */
 };
 
 /* The static force, at time 0; time NaN if there is none. */
@@ -44,7 +46,8 @@ static const double rivalry = 0.5;
 /* Maxima of lower forces are of no interest. */
 static double interest(const struct bead_peaks *p, size_t i)
 {
-    return p->rival ? rivalry * p->best[i].value : p->best[i].value;
+    const double best = p->best[i].value, second = p->second ? fmax(BEAD_PEAKS_SECOND * best, p->second[i].value) : best;
+    return p->rival ? fmin(rivalry * best, second) : second;
 }
 
 /* A lower bound of the compression of contact k beyond the static one, m, at a higher maximum. A bead has a higher force only if
@@ -90,6 +93,7 @@ void bead_peaks_destroy(struct bead_peaks *peaks)
         return;
     free(peaks->best);
     free(peaks->rival);
+    free(peaks->second);
     free(peaks->mark);
     free(peaks->high);
     free(peaks->late);
@@ -102,15 +106,29 @@ const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks)
     return peaks->best;
 }
 
-enum bead_error bead_peaks_keep_rivals(struct bead_peaks *p, const struct bead_stepper *stepper, struct bead_message *msg)
+/* Keeps another maximum of each. */
+static enum bead_error keep_others(struct bead_peaks *p, const struct bead_stepper *stepper, struct bead_peak **others,
+                                   struct bead_message *msg)
 {
     const struct bead_chain *c = stepper->chain;
-    BEAD_TRY(bead_new(&p->rival, stepper->beads, msg, "the peaks of %zu beads", stepper->beads));
+    BEAD_TRY(bead_new(others, stepper->beads, msg, "the peaks of %zu beads", stepper->beads));
     for (size_t i = 0; i < stepper->beads; i++)
-        p->rival[i].time = NAN;
+        (*others)[i].time = NAN;
     for (size_t k = 0; k < c->contacts && c->law->one_sided; k++)
         p->least[k] = least_of(p, c, k);
     return BEAD_OK;
+}
+
+enum bead_error bead_peaks_keep_rivals(struct bead_peaks *p, const struct bead_stepper *stepper, struct bead_message *msg)
+{
+    return keep_others(p, stepper, &p->rival, msg);
+}
+
+enum bead_error bead_peaks_keep_second(struct bead_peaks *p, const struct bead_stepper *stepper, double apart,
+                                       struct bead_message *msg)
+{
+    p->apart = apart;
+    return keep_others(p, stepper, &p->second, msg);
 }
 
 void bead_peaks_only_after(struct bead_peaks *p, const double *after)
@@ -124,6 +142,11 @@ void bead_peaks_only_after(struct bead_peaks *p, const double *after)
 const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks)
 {
     return peaks->rival;
+}
+
+const struct bead_peak *bead_peaks_second(const struct bead_peaks *peaks)
+{
+    return peaks->second;
 }
 
 /* A maximum within the step. */
@@ -178,6 +201,22 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
     return p->of_beads ? 0.5 * force : force;
 }
 
+/* Keeps the highest maximum, and others that are asked for. An open one is the flank of what follows. */
+static void keep(struct bead_peaks *p, size_t index, struct bead_peak found)
+{
+    const struct bead_peak before = p->best[index];
+    const bool is_best = found.value > before.value, is_other = before.time > 0 && !before.open;
+    if (is_best)
+        p->best[index] = found;
+    if (p->rival && (!is_best || is_other))
+        p->rival[index] = is_best ? before : found;
+    if (!p->second || (is_best && !is_other) || !(found.time - before.time > p->apart))
+        return;
+    const struct bead_peak lower = is_best ? before : found;
+    if (lower.value > p->second[index].value)
+        p->second[index] = lower;
+}
+
 /* The maximum within a part of the step at whose start the force rises and at whose end it falls. */
 static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_curve_part *part,
                          double rate0, double rate1, double limit)
@@ -189,12 +228,7 @@ static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, siz
     double time = s->t0 + most.x * s->h;
     if (!(time <= limit && most.value > interest(p, index)))
         return;
-    const struct bead_peak found = {.value = most.value, .time = time}, before = p->best[index];
-    const bool is_best = found.value > before.value;
-    if (is_best)
-        p->best[index] = found;
-    if (p->rival && (!is_best || before.time > 0))
-        p->rival[index] = is_best ? before : found;
+    keep(p, index, (struct bead_peak){.value = most.value, .time = time});
     for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < s->chain->contacts; k++)
         p->least[k] = least_of(p, s->chain, k);
 }
@@ -205,7 +239,7 @@ static void find_jump(struct bead_peaks *p, const struct bead_stepper *s, size_t
 {
     double value = bead_force_curve_value(curve, 0);
     if (s->t0 <= limit && value > p->best[index].value && bead_force_curve_rate(curve, 0) <= 0)
-        p->best[index] = (struct bead_peak){.value = value, .time = s->t0};
+        keep(p, index, (struct bead_peak){.value = value, .time = s->t0});
 }
 
 /* Does the step begin before maxima count? */
@@ -238,13 +272,13 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
 /* A force still rising at the limit, and higher than any maximum before: the peak is its value at the limit, marked as open. */
 static void find_open(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
-    struct bead_peak *best = &p->best[index];
+    const struct bead_peak *best = &p->best[index];
     if (is_early(p, s, index) || (!bead_stepper_damped(s) && force_bound(p, s, index) < best->value))
         return;
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     double x = (limit - s->t0) / s->h, value = bead_force_curve_value(&curve, x);
     if (bead_force_curve_rate(&curve, x) > 0 && value > best->value)
-        *best = (struct bead_peak){.value = value, .time = limit, .open = true};
+        keep(p, index, (struct bead_peak){.value = value, .time = limit, .open = true});
 }
 
 /* Marks the contacts that belong to beads or contacts first..n-1. */

@@ -21,6 +21,11 @@ BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper,
  * which answers most strongly, or the one before the highest if that is the last. Before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, const struct bead_stepper *stepper,
                                                   struct bead_message *msg);
+/* Also keeps the second highest maximum of each, if it is above this part of the highest: one that errors of the run may have made
+ * lower. Maxima less than `apart` seconds after the highest count as the same. Before the first step. Errors: MEMORY. */
+#define BEAD_PEAKS_SECOND 0.9
+BEAD_CHECK enum bead_error bead_peaks_keep_second(struct bead_peaks *peaks, const struct bead_stepper *stepper, double apart,
+                                                  struct bead_message *msg);
 /* Counts maxima of each after its time only, s. The times must outlive the peaks. Before the first step. */
 void bead_peaks_only_after(struct bead_peaks *peaks, const double *after);
 void bead_peaks_destroy(struct bead_peaks *peaks);
@@ -32,3 +37,5 @@ void bead_peaks_step(struct bead_peaks *peaks, const struct bead_stepper *steppe
 const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks);
 /* The rivals, if they are kept (else NULL); time NaN: none. */
 const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks);
+/* The second highest, the same. */
+const struct bead_peak *bead_peaks_second(const struct bead_peaks *peaks);

@@ -104,6 +104,7 @@ static enum bead_error create_runs(const struct bead_play *p, struct bead_played
     }
     for (size_t i = 0; i < p->chain_count; i++) {
         settings.chain = p->chains[i];
+        settings.peaks_apart = bead_compare_apart(p, i);
         BEAD_TRY(bead_runner_create(&settings, &played->runs[i], msg));
     }
     return BEAD_OK;

@@ -35,6 +35,12 @@ bool bead_compare_peaks(const struct bead_play *p)
     return any;
 }
 
+double bead_compare_apart(const struct bead_play *p, size_t chain)
+{
+    const struct bead_chain *c = p->chains[chain];
+    return bead_compare_peaks(p) ? pi / bead_chain_omega(c, bead_chain_energy(c)) : 0;
+}
+
 double bead_play_comparison_factor(const struct bead_play *p, bool samples)
 {
     const bool free = !samples && !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
@@ -67,6 +73,7 @@ static enum bead_error create_runs(const struct bead_play *p, struct bead_run_se
     BEAD_TRY(bead_new(runs, p->chain_count, msg, "%zu chains", p->chain_count));
     for (size_t i = 0; i < p->chain_count; i++) {
         settings->chain = p->chains[i];
+        settings->peaks_apart = bead_compare_apart(p, i);
         BEAD_TRY(bead_runner_create(settings, &(*runs)[i], msg));
     }
     return BEAD_OK;
@@ -138,8 +145,10 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
     const double over = other->kind->over(other->run);
     other->kind->finish(other->run, outcome->end, &found);
     const struct bead_peak *peaks[2] = {found.contact_peaks, found.bead_peaks};
-    for (size_t kind = 0; kind < 2; kind++)
-        *(is_fine ? &compared->kinds[kind].fine : &compared->kinds[kind].coarse) = peaks[kind];
+    for (size_t kind = 0; kind < 2; kind++) {
+        struct bead_uncertain_peaks *k = &compared->kinds[kind];
+        *(is_fine ? &k->fine : &k->coarse) = (struct bead_maxima){peaks[kind], bead_run_second_peaks(other->run, kind > 0)};
+    }
     if (!is_fine && outcome->energy_error > 0)
         compared->of.factor = fmax(fmin(compared->of.factor, found.energy_error / outcome->energy_error), least_factor);
     if (!isnan(over))
@@ -147,13 +156,14 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
 }
 
 /* Runs a chain again, as far as its run went, and looks for peaks, after some times only if these are given. */
-static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor,
+static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor, double apart,
                                  double *const after[2], struct bead_runner *again, struct bead_message *msg)
 {
     struct bead_run_settings settings = settings_of(p, tolerance_factor);
     const bool is_over = !isnan(run->kind->over(run->run));
     const struct bead_way way = bead_play_way(p, is_over ? INFINITY : run->kind->time(run->run));
     settings.chain = run->chain;
+    settings.peaks_apart = apart;
     for (size_t kind = 0; after && kind < 2; kind++)
         settings.peaks_after[kind] = after[kind];
     BEAD_TRY(bead_runner_create(&settings, again, msg));
@@ -172,7 +182,7 @@ static enum bead_error run_late(const struct bead_play *p, const struct bead_run
 {
     for (size_t i = 0; i < BEAD_UNCERTAINTY_LATE; i++, factor /= 2) {
         struct bead_outcome found;
-        BEAD_TRY(run_again(p, run, factor, after, &late[i], msg));
+        BEAD_TRY(run_again(p, run, factor, 0, after, &late[i], msg));
         late[i].kind->finish(late[i].run, late[i].kind->time(late[i].run), &found);
         compared->kinds[0].late[i] = found.contact_peaks;
         compared->kinds[1].late[i] = found.bead_peaks;
@@ -234,25 +244,26 @@ static enum bead_error compare_peaks(void *context, size_t chain, bool, struct b
     struct bead_outcome *outcome = &c->played->outcomes[chain];
     const size_t count[2] = {bead_chain_contacts(p->chains[chain]), bead_chain_beads(p->chains[chain])};
     double **u = c->played->uncertainty + 2 * chain;
+    const struct bead_runner *run = &c->played->runs[chain];
     for (size_t kind = 0; kind < 2; kind++)
         BEAD_TRY(bead_new(&u[kind], count[kind], msg, "the peaks of %zu beads", count[1]));
     const double refinement = p->refinement > 0 ? p->refinement : 1;
-    const double omega = bead_chain_omega(p->chains[chain], bead_chain_energy(p->chains[chain]));
     struct compared compared = {
         .of = {.accuracy = p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
                .factor = bead_run_effective_factor(p->chains[chain], p->simulate, c->factor) / refinement,
-               .apart = pi / omega},
-        .kinds = {{.peaks = outcome->contact_peaks, .uncertainty = u[0]}, {.peaks = outcome->bead_peaks, .uncertainty = u[1]}}};
+               .apart = bead_compare_apart(p, chain)},
+        .kinds = {{.peaks = outcome->contact_peaks, .second = bead_run_second_peaks(run->run, false), .uncertainty = u[0]},
+                  {.peaks = outcome->bead_peaks, .second = bead_run_second_peaks(run->run, true), .uncertainty = u[1]}}};
     const bool is_fine = compared.of.accuracy > 0 && compared.of.factor < 1;
     add_run(&c->played->comparison_runs[chain], is_fine, outcome, &compared);
     for (size_t kind = 0; kind < 2; kind++)
-        compared.kinds[kind].count = (is_fine ? compared.kinds[kind].fine : compared.kinds[kind].coarse) ? count[kind] : 0;
+        compared.kinds[kind].count =
+            (is_fine ? &compared.kinds[kind].fine : &compared.kinds[kind].coarse)->highest ? count[kind] : 0;
     struct bead_runner fine = {NULL, NULL, NULL}, late[BEAD_UNCERTAINTY_LATE] = {{NULL, NULL, NULL}};
-    const struct bead_runner *run = &c->played->runs[chain];
     double from = INFINITY;
     enum bead_error err = BEAD_OK;
     if (!is_fine && bead_uncertainty_wants_fine(&compared.of, compared.kinds)) {
-        err = run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, NULL, &fine, msg);
+        err = run_again(p, run, BEAD_UNCERTAINTY_FINER * refinement, compared.of.apart, NULL, &fine, msg);
         if (!err)
             add_run(&fine, true, outcome, &compared);
     }

@@ -79,6 +79,18 @@ static enum bead_error allocate(struct bead_run *run, struct bead_message *msg)
     return BEAD_OK;
 }
 
+static enum bead_error create_peaks(struct bead_run *r, bool of_beads, struct bead_peaks **peaks, struct bead_message *msg)
+{
+    const struct bead_run_settings *settings = &r->settings;
+    const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
+    BEAD_TRY(bead_peaks_create(r->stepper, of_beads, span, peaks, msg));
+    if (settings->peaks_after[of_beads])
+        bead_peaks_only_after(*peaks, settings->peaks_after[of_beads]);
+    if (settings->rivals)
+        BEAD_TRY(bead_peaks_keep_rivals(*peaks, r->stepper, msg));
+    return settings->peaks_apart > 0 ? bead_peaks_keep_second(*peaks, r->stepper, settings->peaks_apart, msg) : BEAD_OK;
+}
+
 enum bead_error bead_run_create(const struct bead_run_settings *settings, struct bead_run **run, struct bead_message *msg)
 {
     *run = NULL;
@@ -90,7 +102,6 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     if (settings->passage == BEAD_PASSAGE_OF_PULSE)
         bead_passing_begin(&r->passing, settings->chain);
     const double tolerance_factor = settings->tolerance_factor > 0 ? settings->tolerance_factor : 1;
-    const struct bead_span span = settings->peak_span ? *settings->peak_span : (struct bead_span){0, SIZE_MAX};
     enum bead_error err = bead_run_stepping(settings->chain, settings->simulate, tolerance_factor, &r->stepping, msg);
     if (!err)
         err = bead_stepper_create(settings->chain, r->stepping.method, settings->kernels, settings->full_window, &r->stepper, msg);
@@ -99,18 +110,9 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
     if (!err)
         err = allocate(r, msg);
     if (!err && settings->contact_peaks)
-        err = bead_peaks_create(r->stepper, false, span, &r->contact_peaks, msg);
+        err = create_peaks(r, false, &r->contact_peaks, msg);
     if (!err && settings->bead_peaks)
-        err = bead_peaks_create(r->stepper, true, span, &r->bead_peaks, msg);
-    struct bead_peaks *const kinds[] = {r->contact_peaks, r->bead_peaks};
-    for (int kind = 0; !err && kind < 2; kind++) {
-        if (kinds[kind] && settings->peaks_after[kind])
-            bead_peaks_only_after(kinds[kind], settings->peaks_after[kind]);
-    }
-    if (!err && settings->rivals && r->contact_peaks)
-        err = bead_peaks_keep_rivals(r->contact_peaks, r->stepper, msg);
-    if (!err && settings->rivals && r->bead_peaks)
-        err = bead_peaks_keep_rivals(r->bead_peaks, r->stepper, msg);
+        err = create_peaks(r, true, &r->bead_peaks, msg);
     if (err) {
         bead_run_destroy(r);
         return err;
@@ -156,6 +158,12 @@ const struct bead_peak *bead_run_rivals(const struct bead_run *run, bool of_bead
 {
     const struct bead_peaks *peaks = of_beads ? run->bead_peaks : run->contact_peaks;
     return peaks ? bead_peaks_rivals(peaks) : NULL;
+}
+
+const struct bead_peak *bead_run_second_peaks(const struct bead_run *run, bool of_beads)
+{
+    const struct bead_peaks *peaks = of_beads ? run->bead_peaks : run->contact_peaks;
+    return peaks ? bead_peaks_second(peaks) : NULL;
 }
 
 double bead_run_arrival(const struct bead_run *run)

@@ -37,6 +37,7 @@ struct bead_run_settings {
     bool contact_peaks, bead_peaks;
     const double *peaks_after[2];      /* [contacts], [beads]: after these times only, s; NULL: all. They must outlive the run */
     bool rivals;                       /* and their rivals: see peaks.h */
+    double peaks_apart;                /* s: and the second highest maxima, at least so far from the highest; 0: none */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
     size_t target;                     /* with that: the first contact or bead whose peaks are wanted; 0: all are */
@@ -92,6 +93,8 @@ bool bead_run_cut_short(const struct bead_run *run);
 const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);
 /* Rivals of the peaks of contacts, or beads; NULL: not kept. */
 const struct bead_peak *bead_run_rivals(const struct bead_run *run, bool of_beads);
+/* The second highest maxima, the same. */
+const struct bead_peak *bead_run_second_peaks(const struct bead_run *run, bool of_beads);
 /* Errors: NUMBERS if the energy diverges. */
 BEAD_CHECK enum bead_error bead_run_step(struct bead_run *run, struct bead_message *msg);
 /* Samples fields (BEAD_FIELD_BITs) of the beads in `span` at time t: sets time, active and field. Borrowed until the next call. */

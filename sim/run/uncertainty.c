@@ -6,6 +6,7 @@
 
 #include "sim/base/elementary.h"
 #include "sim/base/wide.h"
+#include "sim/run/peaks.h"
 
 /* The safety factor. The error X of a run and that of a finer one, X_q, with q of its tolerance, are scattered like normal deviates
  * of the ratio 1/q; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale q, lies between .8 and
@@ -26,13 +27,20 @@ static const double overtaken = 1e-3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
-/* Difference of two runs, relative to the peak; 0 after the end of either. */
-static double difference(const struct bead_uncertainty_of *of, const struct bead_peak *a, const struct bead_peak *b)
+/* The maxima of one peak in a run, the highest first; those that there are. */
+struct maxima {
+    const struct bead_peak *most[2];
+    size_t count;
+};
+
+static struct maxima maxima_of(const struct bead_uncertainty_of *of, const struct bead_peak *highest,
+                               const struct bead_peak *second, size_t i)
 {
-    if (of->end > 0 && (a->time > of->end || b->time > of->end))
-        return 0;
-    const double largest = fmax(fabs(a->value), fabs(b->value));
-    return largest > 0 ? fabs(a->value - b->value) / fabs(a->value > 0 ? a->value : largest) : 0;
+    struct maxima m = {.most = {&highest[i]}, .count = 1};
+    if (second && second[i].time > 0 && second[i].value >= BEAD_PEAKS_SECOND * highest[i].value &&
+        !(of->end > 0 && second[i].time > of->end))
+        m.most[m.count++] = &second[i];
+    return m;
 }
 
 /* Did both runs find the same maximum? */
@@ -41,16 +49,59 @@ static bool is_same(const struct bead_uncertainty_of *of, const struct bead_peak
     return !(fabs(a->time - b->time) > of->apart);
 }
 
-/* The answer of peak i to the coarser run: what this says of the error of the run itself, relative, if errors are proportional to
- * the tolerance. */
-static double answer(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
+/* A maximum of a run in another one; NULL: it is not among the highest, or merges with another. */
+static const struct bead_peak *same_in(const struct bead_uncertainty_of *of, const struct maxima *other,
+                                       const struct bead_peak *one)
 {
-    return p->coarse ? difference(of, &p->peaks[i], &p->coarse[i]) / (of->factor - 1) : 0;
+    for (size_t i = 0; i < other->count; i++) {
+        if (is_same(of, other->most[i], one))
+            return other->most[i];
+    }
+    return NULL;
 }
 
-static bool is_strong(const struct bead_uncertainty_of *of, double answer)
+/* What is not known of a peak: a part of it, and because of what happens when, s. */
+struct doubt {
+    double part, time;
+};
+
+/* The doubt of peak i, if errors of maxima are `scale` times the differences to another run; none after the end of either. */
+static struct doubt doubt_by(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p,
+                             const struct bead_maxima *by, size_t i, double scale)
 {
-    return safety * answer > of->accuracy;
+    const struct bead_peak *peak = &p->peaks[i], *highest = &by->highest[i];
+    const double largest = peak->value > 0 ? peak->value : fabs(highest->value);
+    if (!(largest > 0) || (of->end > 0 && (peak->time > of->end || highest->time > of->end)))
+        return (struct doubt){0, peak->time};
+    const struct maxima run = maxima_of(of, p->peaks, p->second, i), other = maxima_of(of, by->highest, by->second, i);
+    const struct bead_peak *same = same_in(of, &other, peak), *second = run.count > 1 ? run.most[1] : NULL,
+                           *rival = second ? same_in(of, &other, second) : NULL;
+    const struct doubt doubts[] = {
+        {scale * fabs(peak->value - highest->value), fmax(peak->time, highest->time)},
+        {same ? scale * fabs(peak->value - same->value) : 0, peak->time},
+        {rival ? second->value + scale * fabs(second->value - rival->value) - peak->value : 0, rival ? second->time : peak->time}};
+    struct doubt most = doubts[0];
+    for (size_t d = 1; d < sizeof doubts / sizeof *doubts; d++)
+        most = doubts[d].part > most.part ? doubts[d] : most;
+    return (struct doubt){most.part / largest, most.time};
+}
+
+/* By how much the peak itself differs in another run, relative; NaN if that has another maximum in its place. The highest may have
+ * moved, unless the run has that of the other, too. */
+static double difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, const struct bead_maxima *by,
+                         size_t i)
+{
+    const struct maxima run = maxima_of(of, p->peaks, p->second, i), other = maxima_of(of, by->highest, by->second, i);
+    const struct bead_peak *same = same_in(of, &other, run.most[0]),
+                           *found = same || same_in(of, &run, other.most[0]) ? same : other.most[0];
+    return found ? fabs(p->peaks[i].value - found->value) / p->peaks[i].value : NAN;
+}
+
+/* The doubt by the coarser run, whose differences are factor - 1 times the errors of the run if these are proportional to the
+ * tolerance. */
+static struct doubt answer(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
+{
+    return p->coarse.highest ? doubt_by(of, p, &p->coarse, i, safety / (of->factor - 1)) : (struct doubt){0, p->peaks[i].time};
 }
 
 bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
@@ -58,55 +109,112 @@ bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const str
     size_t strong = 0, all = 0;
     for (size_t kind = 0; kind < 2; kind++) {
         for (size_t i = 0; i < kinds[kind].count; i++)
-            strong += is_strong(of, answer(of, &kinds[kind], i));
+            strong += answer(of, &kinds[kind], i).part > of->accuracy;
         all += kinds[kind].count;
     }
     return of->accuracy > 0 && (all < SHORT || (double)strong > few * (double)all);
 }
 
-/* The usual ratio of the measured error to the answer, the geometric mean of those of all peaks that answer strongly. At most
- * factor - 1: the coarser run is not the better one. */
-static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+/* The differences of a peak to both other runs. */
+struct differences {
+    double fine, answer; /* that to the coarser run, in units of the error if errors are proportional to the tolerance */
+};
+
+/* Of a peak that answers strongly, and is not lost; false: it does not. */
+static bool find_differences(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i,
+                             struct differences *d)
+{
+    if (!p->coarse.highest || !p->fine.highest)
+        return false;
+    *d = (struct differences){difference(of, p, &p->fine, i), difference(of, p, &p->coarse, i) / (of->factor - 1)};
+    return safety * d->answer > of->accuracy && d->fine > 0 && safety * d->fine <= lost;
+}
+
+/* The usual ratio of the measured error to the answer, the geometric mean of those of the peaks that answer strongly and differ by
+ * `least` or more. At most factor - 1: the coarser run is not the better one. 0: there are none. */
+static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
 {
     double sum = 0;
     size_t count = 0;
+    struct differences d;
     for (size_t kind = 0; kind < 2; kind++) {
-        const struct bead_uncertain_peaks *p = &kinds[kind];
-        for (size_t i = 0; p->coarse && p->fine && i < p->count; i++) {
-            const double a = answer(of, p, i), error = difference(of, &p->peaks[i], &p->fine[i]);
-            if (!is_strong(of, a) || !(error > 0) || safety * error > lost || !is_same(of, &p->peaks[i], &p->coarse[i]) ||
-                !is_same(of, &p->peaks[i], &p->fine[i]))
+        for (size_t i = 0; i < kinds[kind].count; i++) {
+            if (!find_differences(of, &kinds[kind], i, &d) || d.fine < least)
                 continue;
-            sum += bead_log(error / a);
+            sum += bead_log(d.fine / d.answer);
             count++;
         }
     }
     return count > 0 ? fmin(bead_exp(sum / (double)count), of->factor - 1) : 0;
 }
 
-/* Bound of the relative error of peak i, unless it is smaller than what was asked. */
-static double error_of(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double ratio)
+/* The safety factor where errors fall more slowly than the tolerance, as its power p: the differences to both runs are as 1 - q^p
+ * to r^p - 1, nearly 1 to the latter, and the finer run is off by q^p of the run, where `safety` is for q. */
+static double safety_for(const struct bead_uncertainty_of *of, double ratio)
 {
-    const double a = answer(of, p, i);
-    if (!p->fine)
-        return is_strong(of, a) ? (of->factor - 1) * a : 0;
-    const double measured = safety * difference(of, &p->peaks[i], &p->fine[i]);
-    return p->coarse && is_same(of, &p->peaks[i], &p->coarse[i]) ? fmax(measured, ratio * a) : measured;
+    const double p = bead_log(1 + (of->factor - 1) / ratio) / bead_log(of->factor);
+    return safety * fmax(bead_exp((p - 1) * bead_log(BEAD_UNCERTAINTY_FINER)), 1);
+}
+
+/* The largest difference to the finer run of a peak that is not lost. */
+static double largest_difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+{
+    double largest = 0;
+    struct differences d;
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++)
+            largest = find_differences(of, &kinds[kind], i, &d) ? fmax(largest, d.fine) : largest;
+    }
+    return largest;
+}
+
+/* The time from which on peaks differ by `least` or more; INFINITY: none does. */
+static double first_that_differs(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
+{
+    double first = INFINITY;
+    struct differences d;
+    for (size_t kind = 0; kind < 2; kind++) {
+        for (size_t i = 0; i < kinds[kind].count; i++) {
+            if (find_differences(of, &kinds[kind], i, &d) && d.fine >= least)
+                first = fmin(first, kinds[kind].peaks[i].time);
+        }
+    }
+    return first;
+}
+
+/* The time from which on the motion that differs most is not known to a tenth, by the safety factor that its own differences call
+ * for; INFINITY: it is. Chaos of light beads may end at a per cent of the force on heavy ones: then no run knows better. */
+static double saturated_from(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
+{
+    const double largest = largest_difference(of, kinds), ratio = usual_ratio(of, kinds, lost * largest);
+    return ratio > 0 && safety_for(of, ratio) * largest > lost ? first_that_differs(of, kinds, lost * largest) : INFINITY;
+}
+
+/* The doubt of peak i, unless it is smaller than what was asked. */
+static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double ratio)
+{
+    const struct doubt strong = answer(of, p, i);
+    if (!(of->accuracy > 0)) /* steps of a given length: the runs differ by more than the better one is off */
+        return doubt_by(of, p, &p->coarse, i, 1);
+    if (!p->fine.highest)
+        return strong.part > of->accuracy ? doubt_by(of, p, &p->coarse, i, 1) : (struct doubt){0, strong.time};
+    struct doubt measured = doubt_by(of, p, &p->fine, i, safety);
+    const double usual = p->coarse.highest ? ratio * difference(of, p, &p->coarse, i) / (of->factor - 1) : NAN;
+    measured.part = fmax(measured.part, usual); /* fmax ignores NaN */
+    return measured;
 }
 
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
-    const double ratio = usual_ratio(of, kinds);
-    double from = INFINITY;
+    const double ratio = usual_ratio(of, kinds, 0), least = of->accuracy > 0 ? of->accuracy : rounding;
+    double from = saturated_from(of, kinds);
     for (size_t kind = 0; kind < 2; kind++) {
         const struct bead_uncertain_peaks *p = &kinds[kind];
         for (size_t i = 0; i < p->count; i++) {
-            /* steps of a given length: the runs differ by more than the better one is off */
-            const double part = of->accuracy > 0 ? fmax(of->accuracy, error_of(of, p, i, ratio))
-                                                 : fmax(difference(of, &p->peaks[i], &p->coarse[i]), rounding);
-            p->uncertainty[i] = part * fabs(p->peaks[i].value);
-            if (part > lost)
-                from = fmin(from, p->fine ? fmax(p->peaks[i].time, p->fine[i].time) : p->peaks[i].time);
+            const struct doubt doubt = doubt_of(of, p, i, ratio);
+            p->uncertainty[i] = fmax(least, doubt.part) * fabs(p->peaks[i].value);
+            if (doubt.part > lost)
+                from = fmin(from, doubt.time);
         }
     }
     return from;
@@ -198,7 +306,7 @@ double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double
 static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
                              double reach)
 {
-    const struct bead_peak *const others[] = {p->coarse, p->fine};
+    const struct bead_peak *const others[] = {p->coarse.highest, p->fine.highest};
     for (size_t r = 0; r < sizeof others / sizeof *others; r++) {
         const struct bead_peak *other = others[r] ? &others[r][i] : NULL;
         if (other && is_late(other, from) && !is_same(of, &p->peaks[i], other) && !(of->end > 0 && other->time > of->end))

@@ -20,6 +20,16 @@
  * later maximum of the true motion may then overtake an earlier one that is known well. Two more coarse runs look for maxima after
  * the horizon and the peak only: how high they are, and by how much two such motions differ.
  *
+ * A maximum is compared with the same one of the other run, too, not only with its highest, which may be another: in each of two
+ * bumps the runs may differ by a per cent, and one may be the higher in the first run, the other in the second, both as high by
+ * chance. If h is the height of a maximum and e the bound of its error, the highest, P, may really be as low as P - e, but no
+ * higher than the largest h + e of all. The runs keep their two highest.
+ *
+ * The finer run's own error is a part of about q only if errors fall with the tolerance. Chaos of light beads may end at a per cent
+ * of the force on heavy ones, for any tolerance. The differences to both runs tell the power by which they fall, and so how large
+ * the finer run's part is, and how large the safety factor must be; where that is too much for the motion that differs most, it is
+ * not predictable.
+ *
  * A peak at which P - P_q happens to cross zero has an error nonetheless: at least its answer to the coarser run, times the usual
  * ratio of the measured errors to the answers in this chain. */
 #pragma once
@@ -41,10 +51,16 @@ struct bead_uncertainty_of {
     double apart;    /* s: half the shortest period of the chain; maxima further apart than that are different ones */
 };
 
+/* The highest maxima of a run for each contact or bead, and the second highest if that is above BEAD_PEAKS_SECOND of it, else with
+ * the time NaN; NULL: none. */
+struct bead_maxima {
+    const struct bead_peak *highest, *second;
+};
+
 /* The peaks of contacts, or of beads, in order. */
 struct bead_uncertain_peaks {
-    const struct bead_peak *peaks;
-    const struct bead_peak *coarse, *fine;               /* of the other runs; NULL: none */
+    const struct bead_peak *peaks, *second;
+    struct bead_maxima coarse, fine;                     /* of the other runs */
     const struct bead_peak *late[BEAD_UNCERTAINTY_LATE]; /* of other runs: the highest after bead_uncertainty_after; NULL: none */
     size_t count;                                        /* 0: unknown */
     double *uncertainty;                                 /* N: out */

@@ -36,6 +36,12 @@ for accuracy in 1e-4 1e-12; do
 done
 ok "taper" judge taper-1e-4/p.csv taper-1e-12/p.csv 1e-4 1
 
+# Where two maxima are nearly as high, the other may be the higher one in truth: each is compared with itself.
+for accuracy in 1e-6 1e-12; do
+    "$beadsim" "$top/tests/errors/rivals.yaml" -o rivals-$accuracy --quiet --set simulate.accuracy=$accuracy >quiet
+done
+ok "rivals" judge rivals-1e-6/p.csv rivals-1e-12/p.csv 1e-6 4
+
 # columns TABLE REFERENCE : each number of a table with a row for each time is off by no more than its column of uncertainties says, and
 # the last of these is at most ten times the largest error. Rounding is a part of the largest value.
 columns() {

@@ -44,7 +44,8 @@ static void make(struct made *m, const double coarse[PEAKS], const double fine[P
 static double judge(const struct bead_uncertainty_of *of, struct made *m, bool fine)
 {
     const struct bead_uncertain_peaks kinds[2] = {
-        {.peaks = m->peaks, .coarse = m->coarse, .fine = fine ? m->fine : NULL, .count = PEAKS, .uncertainty = m->u}, {.count = 0}};
+        {.peaks = m->peaks, .coarse = {m->coarse}, .fine = {fine ? m->fine : NULL}, .count = PEAKS, .uncertainty = m->u},
+        {.count = 0}};
     assert_int_equal(bead_uncertainty_wants_fine(of, kinds), of->accuracy > 0); /* they are few */
     return bead_uncertainty_find(of, kinds);
 }
@@ -71,7 +72,8 @@ static void a_few_strong_answers_need_no_finer_run(void **state)
     for (size_t i = 0; i < 400; i++)
         peaks[i] = coarse[i] = (struct bead_peak){.value = 10, .time = (double)i * 1e-3};
     coarse[7].value *= 1 + 3e-3;
-    const struct bead_uncertain_peaks kinds[2] = {{.peaks = peaks, .coarse = coarse, .count = 400, .uncertainty = u}, {.count = 0}};
+    const struct bead_uncertain_peaks kinds[2] = {{.peaks = peaks, .coarse = {coarse}, .count = 400, .uncertainty = u},
+                                                  {.count = 0}};
     assert_false(bead_uncertainty_wants_fine(&usual, kinds));
     assert_true(isinf(bead_uncertainty_find(&usual, kinds)));
     for (size_t i = 0; i < 400; i++)
@@ -153,9 +155,49 @@ static void later_maxima_may_overtake(void **state)
     assert_near(bead_uncertainty_after(&usual, kinds, 0, from), from, 1e-15);
     assert_near(bead_uncertainty_after(&usual, kinds, 3, from), m.peaks[3].time + usual.apart, 1e-15);
     m.fine[0] = (struct bead_peak){.value = 10.1, .time = 3.5e-3};
-    const struct bead_uncertain_peaks overtaken = {.peaks = m.peaks, .fine = m.fine, .count = PEAKS, .uncertainty = m.u};
+    const struct bead_uncertain_peaks overtaken = {.peaks = m.peaks, .fine = {m.fine}, .count = PEAKS, .uncertainty = m.u};
     assert_true(bead_uncertainty_is_lost(&usual, &overtaken, 0, from, 1));
     assert_false(bead_uncertainty_is_lost(&usual, &overtaken, 1, from, 1));
+}
+
+/* Two maxima of a contact that a finer run has 2 % lower and 2 % higher: where the other one is the highest there, the heights
+ * agree by chance, and neither is known. Where the first is known, but the second, 1 % lower, is not, it may be the higher one by 5
+ * times .003 less 1 %. A second one that is known does not count, nor one that the other run does not have. */
+static void maxima_are_compared_with_themselves(void **state)
+{
+    (void)state;
+    struct made m;
+    make(&m, (const double[]){1e-3, 0, 0, 0}, (const double[PEAKS]){0});
+    const double early = 1e-4;
+    struct bead_peak second[PEAKS] = {{.value = 9.8, .time = early},
+                                      {.value = 9.9, .time = 8e-3},
+                                      {.value = 9.9, .time = 8e-3},
+                                      {.value = 9.9, .time = 8e-3}},
+                     fine[PEAKS] = {
+                         {.value = 9.8, .time = 1e-3}, {.value = 9.87, .time = 8e-3}, {.value = 9.9, .time = 8e-3}, {.time = NAN}};
+    m.fine[0] = (struct bead_peak){.value = 10, .time = early};
+    const struct bead_uncertain_peaks kinds[2] = {
+        {.peaks = m.peaks, .second = second, .coarse = {m.coarse}, .fine = {m.fine, fine}, .count = PEAKS, .uncertainty = m.u},
+        {.count = 0}};
+    bead_uncertainty_find(&usual, kinds);
+    assert_near(m.u[0], 5 * 0.2, 1e-12);
+    assert_near(m.u[1], 5 * 0.03 - 0.1, 1e-12);
+    assert_near(m.u[2], 1e-5, 1e-12);
+    assert_near(m.u[3], 1e-5, 1e-12);
+}
+
+/* Runs at 301 and .01 times the tolerance that both differ by half a per cent from the run: no run knows better. Peaks of a motion
+ * that is known to a tenth of that come before the horizon. Where the coarser run differs by 301 times as much, the finer one
+ * knows. */
+static void motions_that_no_run_knows_are_lost(void **state)
+{
+    (void)state;
+    struct made m;
+    make(&m, (const double[]){1e-4, 5e-3, -7e-3, 6e-3}, (const double[]){1e-6, -5e-3, 4e-3, 6e-3});
+    assert_near(judge(&usual, &m, true), 2e-3, 1e-15);
+    assert_near(m.u[1], 5 * 5e-2, 1e-12);
+    make(&m, (const double[]){1e-4, 0.5, -0.7, 0.6}, (const double[]){1e-6, -5e-3, 4e-3, 6e-3});
+    assert_true(isinf(judge(&usual, &m, true)));
 }
 
 /* Steps of a given length: uncertain by the difference. */
@@ -165,7 +207,7 @@ static void given_steps_are_compared(void **state)
     const struct bead_uncertainty_of step = {.factor = 2, .apart = 1e-5};
     struct made m;
     make(&m, (const double[]){0, 1e-3, 1e-6, 0}, (const double[PEAKS]){0});
-    const struct bead_uncertain_peaks kinds[2] = {{.peaks = m.peaks, .coarse = m.coarse, .count = PEAKS, .uncertainty = m.u},
+    const struct bead_uncertain_peaks kinds[2] = {{.peaks = m.peaks, .coarse = {m.coarse}, .count = PEAKS, .uncertainty = m.u},
                                                   {.count = 0}};
     assert_true(isinf(bead_uncertainty_find(&step, kinds)));
     assert_near(m.u[1], 1e-2, 1e-12);
@@ -206,14 +248,15 @@ static void peaks_that_agree_by_chance_are_known_by_others(void **state)
 }
 
 /* Chains of stress_errors: 3065 with a steep law, where errors fall more slowly than the tolerance, but as that of the energy does;
- * 3010 and 3017, where maxima after the horizon overtake those that are known well. */
+ * 3010 and 3017, where maxima after the horizon overtake those that are known well; 8162, where a light bead's chaos leaves the
+ * forces on heavy ones uncertain by a per cent at any accuracy. */
 static void steep_laws_and_later_maxima_are_known(void **state)
 {
     (void)state;
     static const struct {
         uint64_t seed;
         double accuracy;
-    } cases[] = {{3065, 1e-8}, {3010, 1e-4}, {3017, 1e-4}};
+    } cases[] = {{3065, 1e-8}, {3010, 1e-4}, {3017, 1e-4}, {8162, 1e-4}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double accuracy = cases[i].accuracy;
         struct drawn d = {.damped = kind_draw(cases[i].seed, (enum kind)(cases[i].seed % KIND_COUNT), d.text)};
@@ -280,6 +323,8 @@ int main(void)
                                        cmocka_unit_test(later_maxima_may_overtake),
                                        cmocka_unit_test(steep_laws_and_later_maxima_are_known),
                                        cmocka_unit_test(given_steps_are_compared),
+                                       cmocka_unit_test(maxima_are_compared_with_themselves),
+                                       cmocka_unit_test(motions_that_no_run_knows_are_lost),
                                        cmocka_unit_test(what_comes_behind_the_end_of_either_is_not_compared),
                                        cmocka_unit_test(slow_contacts_count_as_they_are),
                                        cmocka_unit_test(pulses_that_hardly_part_do),
