@@ -109,7 +109,9 @@ static const struct bead_option sweep_table_rows[] = {
              "from 7 % of the time to its end "
              "with their standard errors. Forces have an `uncertainty`: a finer run measures that of the first of "
              "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of "
-             "these; so it is with spreading, for each curve"},
+             "these. Of spreading, one of 64 chains of each curve is measured, at least five, and the mean is uncertain by their "
+             "mean and "
+             "by how much that of all may differ from it"},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help = "with `show: spreading`: how well its numbers are known, from second runs of some chains; false: no such runs"},
 };

@@ -42,6 +42,26 @@ void bead_summary_of(double *values, size_t count, struct bead_summary *s)
     s->quartile[1] = quantile(values, count, 0.75);
 }
 
+/* The normal quantile of .0013, both tails. */
+static const double z = 3.2159797607880902;
+
+/* That of Student's distribution: M. Abramowitz and I. A. Stegun, Handbook of Mathematical Functions, 26.7.5. From four degrees of
+ * freedom on, the tails are .0013 to .0016. */
+static double student(double freedom)
+{
+    const double z2 = z * z, g1 = (z2 + 1) / 4, g2 = ((5 * z2 + 16) * z2 + 3) / 96,
+                 g3 = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
+    return z * (1 + (g1 + (g2 + g3 / freedom) / freedom) / freedom);
+}
+
+double bead_sample_error(const struct bead_summary *sample, size_t all)
+{
+    if (sample->count == all)
+        return 0;
+    const double left = 1 - (double)sample->count / (double)all;
+    return student((double)sample->count - 1) * sample->standard_error * sqrt(left);
+}
+
 void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line)
 {
     double mx = 0, my = 0, xx = 0, xy = 0, rest = 0;

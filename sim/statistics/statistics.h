@@ -15,6 +15,11 @@
 /* Sorts `values`. count 0: all NaN. */
 BEAD_INTERNAL void bead_summary_of(double *values, size_t count, struct bead_summary *summary);
 
+/* A mean of `all` numbers, of which a sample was taken: by how much that mean may differ from the sample's, with a probability of
+ * .0013 for normal numbers; 0 if the sample is all of them, NaN if it is one number of several. Student's quantile times the
+ * standard error of a sample without replacement (W. G. Cochran, Sampling Techniques, 1977, 2.6 to 2.8). */
+BEAD_INTERNAL double bead_sample_error(const struct bead_summary *sample, size_t all);
+
 /* Results of one magnetism. */
 struct bead_group_results {
     double magnetism;

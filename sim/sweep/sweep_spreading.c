@@ -69,12 +69,12 @@ static void reduce(const struct chain *chains, size_t count, size_t times, size_
     struct bead_summary summary;
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
         for (size_t i = 0; i < times; i++) {
-            spread->chains = 0;
+            size_t used = 0;
             for (size_t c = 0; c < count; c++) {
                 if (chains[c].curve == curve)
-                    values[spread->chains++] = chains[c].numbers[n][i];
+                    values[used++] = chains[c].numbers[n][i];
             }
-            bead_summary_of(values, spread->chains, &summary);
+            bead_summary_of(values, used, &summary);
             spread->mean[n][i] = summary.mean;
             spread->error[n][i] = summary.standard_error;
         }
@@ -92,14 +92,16 @@ static void reduce(const struct chain *chains, size_t count, size_t times, size_
     }
 }
 
-/* Adds a second run of the first of every CHECKED chains of each curve, and of long ones, whose errors differ more. `met`: room for
- * one of each curve. */
-static enum bead_error add_checks(const struct bead_sweep *sweep, size_t *met, struct chains *chains, struct bead_message *msg)
+/* Adds a second run of the first of every CHECKED chains of each curve, of at least LEAST, or all if they are fewer: Student's
+ * quantiles are much larger for a smaller sample. And of long ones, whose errors differ more. `met`: room for one of each curve. */
+static enum bead_error add_checks(const struct bead_sweep *sweep, const struct bead_sweep_spreads *spreads, size_t *met,
+                                  struct chains *chains, struct bead_message *msg)
 {
-    enum { CHECKED = 64 };
+    enum { CHECKED = 64, LEAST = 5 };
     for (size_t i = 0; i < chains->count; i++) {
         const struct chain *chain = &chains->of[i];
-        if (met[chain->curve]++ % CHECKED == 0 || chain->is_long)
+        const size_t most = spreads->of[chain->curve].chains / LEAST, every = most > CHECKED ? CHECKED : most > 1 ? most : 1;
+        if (met[chain->curve]++ % every == 0 || chain->is_long)
             BEAD_TRY(begin(sweep, i, &chains->of[chains->all++], msg));
     }
     return BEAD_OK;
@@ -127,21 +129,47 @@ static double worse(double a, double b)
     return isnan(a) || isnan(b) ? NAN : fmax(a, b);
 }
 
-/* Compares a chain with its second run. */
-static void compare(const struct chain *chain, const struct chain *check, size_t times, struct bead_sweep_spread *spread)
+/* The number of a chain less that of its second run: of spreading at time i, or of an exponent. */
+static double difference(const struct chain *chain, const struct chain *check, int n, size_t i)
+{
+    return chain->numbers[n][i] - check->numbers[n][i];
+}
+
+static double difference_of_exponent(const struct chain *chain, const struct chain *check, int n, size_t)
+{
+    return bead_spreading_exponent(&chain->spreading, n).slope - bead_spreading_exponent(&check->spreading, n).slope;
+}
+
+/* How well the mean over a curve's chains is known: by the mean difference of those that were run twice, and by how much the mean
+ * of all may differ from that. `values`: room for one of each. */
+static double bound(const struct chains *chains, const struct bead_sweep_spread *spread, size_t curve,
+                    double (*of)(const struct chain *chain, const struct chain *check, int n, size_t i), int n, size_t i,
+                    double *values)
+{
+    struct bead_summary sample;
+    size_t used = 0;
+    for (size_t c = chains->count; c < chains->all; c++) {
+        const struct chain *check = &chains->of[c];
+        if (check->curve == curve)
+            values[used++] = of(&chains->of[check->index], check, n, i);
+    }
+    for (size_t c = 0; c < used; c++) {
+        if (isnan(values[c]))
+            return NAN;
+    }
+    bead_summary_of(values, used, &sample);
+    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, spread->chains);
+}
+
+static void compare(const struct chains *chains, size_t curve, size_t times, double *values, struct bead_sweep_spread *spread)
 {
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
         double worst = 0;
-        for (size_t i = 0; i < times; i++) {
-            worst = worse(worst, bead_uncertainty_measured(0, chain->numbers[n][i], check->numbers[n][i]));
-            spread->uncertainty[n][i] = worse(spread->uncertainty[n][i], worst);
-        }
+        for (size_t i = 0; i < times; i++)
+            spread->uncertainty[n][i] = worst = worse(worst, bound(chains, spread, curve, difference, n, i, values));
     }
-    for (int n = 0; n < 2; n++) {
-        const double slope = bead_spreading_exponent(&chain->spreading, n).slope,
-                     finer = bead_spreading_exponent(&check->spreading, n).slope;
-        spread->of_exponent[n] = worse(spread->of_exponent[n], isnan(finer) ? NAN : bead_uncertainty_measured(0, slope, finer));
-    }
+    for (int n = 0; n < 2; n++)
+        spread->of_exponent[n] = bound(chains, spread, curve, difference_of_exponent, n, 0, values);
 }
 
 /* No second run has said how uncertain this is. */
@@ -186,8 +214,10 @@ static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sw
     }
     BEAD_TRY(bead_new(&met, spreads->count, msg, "the spreading of %zu chains", count));
     BEAD_TRY(bead_new(&spreads->of, spreads->count, msg, "the spreading of %zu chains", count));
+    for (size_t i = 0; i < count; i++)
+        spreads->of[chains->of[i].curve].chains++;
     if (checked)
-        BEAD_TRY(add_checks(sweep, met, chains, msg));
+        BEAD_TRY(add_checks(sweep, spreads, met, chains, msg));
     BEAD_TRY(choose_times(sweep, chains, spreads, &grid, msg));
     BEAD_TRY(run_all(sweep, settings, chains, &grid, msg));
     for (size_t i = 0; i < count; i++) {
@@ -198,8 +228,8 @@ static enum bead_error find(const struct bead_sweep *sweep, const struct bead_sw
         reduce(chains->of, count, spreads->times, i, values, &spreads->of[i]);
     for (size_t i = 0; i < spreads->count && !checked; i++)
         know_nothing(spreads->times, &spreads->of[i]);
-    for (size_t i = count; i < chains->all; i++)
-        compare(&chains->of[chains->of[i].index], &chains->of[i], spreads->times, &spreads->of[chains->of[i].curve]);
+    for (size_t i = 0; i < spreads->count && checked; i++)
+        compare(chains, i, spreads->times, values, &spreads->of[i]);
     return BEAD_OK;
 }
 

@@ -14,8 +14,7 @@ struct bead_sweep_spread {
     double mean[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], error[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES]; /* standard errors */
     struct bead_summary exponent[2]; /* of the chains, of second moment and participation */
     double offset[2];                /* mean of ln y at t = 1 s */
-    /* The worst of the chains that were run twice, since errors of chains may be alike: until each time, and of the exponents; NaN:
-     * not asked for. */
+    /* Of the means, by the chains that were run twice: the largest until each time, and of the exponents; NaN: not asked for. */
     double uncertainty[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], of_exponent[2];
 };
 struct bead_sweep_spreads {
@@ -24,7 +23,7 @@ struct bead_sweep_spreads {
     struct bead_sweep_spread *of;
     size_t count;
 };
-/* Runs all chains of the sweep, which has an `until`; `checked`: the first of every 64 of each curve, and long ones, also at the
+/* Runs all chains of the sweep, which has an `until`; `checked`: at least five of each curve, one of 64, and long ones, also at the
  * tolerance of check runs, for uncertainties. To be freed even after an error. Errors: those of bead_sweep_watch. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_spreads_find(const struct bead_sweep *sweep,
                                                                  const struct bead_sweep_settings *settings, bool checked,

@@ -159,12 +159,28 @@ static void bootstrap_errors(void **state)
     assert_memory_equal(&t, &again, sizeof t);
 }
 
+/* Student's tails have closed forms for four degrees of freedom: t is left by 1 - sin a (1 + cos^2 a / 2), tan a = t / 2. Of a
+ * sample of half of all, the standard error counts by sqrt(1/2); one of all is exact, and one number of several says nothing. */
+static void means_are_known_from_samples(void **state)
+{
+    (void)state;
+    double values[] = {1, 2, 4, 7, 11};
+    struct bead_summary s, one;
+    bead_summary_of(values, 5, &s);
+    bead_summary_of(values, 1, &one);
+    const double t = bead_sample_error(&s, 1000000000) / s.standard_error, a = atan(t / 2);
+    assert_near(1 - sin(a) * (1 + 0.5 * cos(a) * cos(a)), 0.0013, 0.0003);
+    assert_near(bead_sample_error(&s, 10), t * s.standard_error * sqrt(0.5), 1e-6 * t);
+    assert_true(bead_sample_error(&s, 5) == 0 && bead_sample_error(&one, 1) == 0);
+    assert_true(isnan(bead_sample_error(&one, 2)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(summaries),        cmocka_unit_test(lines),         cmocka_unit_test(decay_of_known_laws),
-        cmocka_unit_test(errors_of_decay),  cmocka_unit_test(participation), cmocka_unit_test(threshold_of_known_means),
-        cmocka_unit_test(bootstrap_errors),
+        cmocka_unit_test(means_are_known_from_samples), cmocka_unit_test(summaries),        cmocka_unit_test(lines),
+        cmocka_unit_test(decay_of_known_laws),          cmocka_unit_test(errors_of_decay),  cmocka_unit_test(participation),
+        cmocka_unit_test(threshold_of_known_means),     cmocka_unit_test(bootstrap_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
