@@ -180,8 +180,19 @@ static bool try_seed(uint64_t seed, struct count counts[ASKED])
     return known;
 }
 
+/* `scene SEED`: the chain of a seed, with its kind, for tables.py. */
+static int print_scene(int seed)
+{
+    char text[DRAWN_TEXT];
+    kind_draw((uint64_t)seed, (enum kind)(seed % KIND_COUNT), text);
+    printf("# %s\n%s", kind_names[seed % KIND_COUNT], text);
+    return 0;
+}
+
 int main(int count, char **word)
 {
+    if (count > 2 && strcmp(word[1], "scene") == 0)
+        return print_scene(atoi(word[2]));
     struct stress stress = stress_start();
     const int first = count > 1 ? atoi(word[1]) : 0,
               last = count > 2 ? atoi(word[2]) : first + (stress.quick ? KIND_COUNT : CHAINS);
