@@ -264,7 +264,12 @@ enum bead_sweep_show {
     BEAD_SWEEP_LOWER_QUARTILE,
     BEAD_SWEEP_UPPER_QUARTILE,
     BEAD_SWEEP_SPREADING, /* of sweeps over keys: runs the chains itself */
-    BEAD_SWEEP_PLANE      /* by two quantities: cells and magnetism, or two keys */
+    BEAD_SWEEP_PLANE,     /* by two quantities: cells and magnetism, or two keys */
+    BEAD_SWEEP_SENSORS,   /* of sweeps over keys, as are the next three: curves of the bead_show of that name, of chains that are
+                           * run for them */
+    BEAD_SWEEP_SPECTRUM,
+    BEAD_SWEEP_TRANSFER,
+    BEAD_SWEEP_DISPERSION
 };
 enum bead_parts { BEAD_PARTS_BY_FORM, BEAD_PARTS_BY_PLACE };
 enum bead_scale { BEAD_SCALE_LINEAR, BEAD_SCALE_SQRT, BEAD_SCALE_LOG };

@@ -9,6 +9,7 @@
 #include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"
 #include "sim/chain/spins.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/sweep/sweep_internal.h"
 
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
@@ -394,6 +395,8 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
     if (output->sweep_curves.show == BEAD_SWEEP_SPREADING)
         return bead_spreading_plot_write(output, context, path, bytes, msg);
+    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
+        return bead_lines_plot_write(output, context, path, bytes, msg);
     if (output->sweep_curves.show == BEAD_SWEEP_PLANE)
         return bead_plane_plot_write(output, context, path, bytes, msg);
     if (bead_sweep_panel(sweep, 0)->spec->over.key_count > 0)
@@ -425,6 +428,8 @@ static const char *sweep_plot_why(const struct bead_output *output)
 {
     if (*output->sweep_curves.measure)
         return "a measure against a key, of chains that are run for it";
+    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
+        return "curves of chains that are run for them, averaged over seeds";
     if (output->sweep_curves.show == BEAD_SWEEP_PLANE)
         return "peak force by magnetism and number of cells, with the threshold, or by two keys";
     return output->sweep_curves.show == BEAD_SWEEP_SPREADING ? "how far energy has spread, in chains that are run for it"

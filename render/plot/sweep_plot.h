@@ -14,6 +14,10 @@ BEAD_CHECK enum bead_error bead_spreading_plot_write(const struct bead_output *o
 BEAD_CHECK enum bead_error bead_plane_plot_write(const struct bead_output *output, const struct bead_run_context *context,
                                                  const char *path, uint64_t *bytes, struct bead_message *msg);
 
+/* Curves of the chains of a sweep, which are run. Errors: those of bead_sweep_lines_find and bead_graph_write. */
+BEAD_CHECK enum bead_error bead_lines_plot_write(const struct bead_output *output, const struct bead_run_context *context,
+                                                 const char *path, uint64_t *bytes, struct bead_message *msg);
+
 /* The quantity on the axis of values of plots of sweeps over keys. */
 struct bead_over_shown {
     double *values; /* [configurations], of a measure; NULL: peak forces */

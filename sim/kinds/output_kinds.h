@@ -77,6 +77,8 @@ struct bead_show_type {
     bool of_powers;               /* powers of time are found in it: its times widen */
 };
 BEAD_INTERNAL const struct bead_show_type *bead_show_type(enum bead_show show);
+/* What curves of the chains of a sweep are, as of a single run; BEAD_SHOW_COUNT: there are none. */
+BEAD_INTERNAL enum bead_show bead_sweep_lines(enum bead_sweep_show show);
 /* The row of the output's `show`; NULL: its kind has no such key. */
 const struct bead_show_type *bead_output_show(const struct bead_output *output);
 

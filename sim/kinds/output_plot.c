@@ -6,9 +6,11 @@
 
 static const char *const sweep_scales[] = {"linear", "log", NULL};
 static const unsigned sweep_scale_values[] = {BEAD_SCALE_LINEAR, BEAD_SCALE_LOG};
-static const char *const sweep_plot_shows[] = {"median", "mean", "both", "decay", "spreading", "plane", NULL};
-static const unsigned sweep_plot_values[] = {BEAD_SWEEP_MEDIAN, BEAD_SWEEP_MEAN,      BEAD_SWEEP_BOTH,
-                                             BEAD_SWEEP_DECAY,  BEAD_SWEEP_SPREADING, BEAD_SWEEP_PLANE};
+static const char *const sweep_plot_shows[] = {"median",  "mean",     "both",     "decay",      "spreading", "plane",
+                                               "sensors", "spectrum", "transfer", "dispersion", NULL};
+static const unsigned sweep_plot_values[] = {BEAD_SWEEP_MEDIAN,    BEAD_SWEEP_MEAN,      BEAD_SWEEP_BOTH,    BEAD_SWEEP_DECAY,
+                                             BEAD_SWEEP_SPREADING, BEAD_SWEEP_PLANE,     BEAD_SWEEP_SENSORS, BEAD_SWEEP_SPECTRUM,
+                                             BEAD_SWEEP_TRANSFER,  BEAD_SWEEP_DISPERSION};
 
 static const struct bead_option plot_file[] = {
     BEAD_FILE_ROW("plot", BEAD_PICTURE_FILES, "[figure.pdf, figure.png]"),
@@ -52,18 +54,23 @@ static const struct bead_option sweep_plot_rows[] = {
          "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end. Of "
          "sweeps over keys: force against a key, with mean and standard error, median and quartiles, or both; or spreading, how "
          "far energy has spread in time, averaged over seeds. plane, colours of the mean: over several `sweeps`, by number of "
-         "random cells and magnetism, with the threshold; over two keys, by both"},
+         "random cells and magnetism, with the threshold; over two keys, by both. " BEAD_SWEEP_LINES_HELP},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = sweep_scales,
      .values = sweep_scale_values,
-     .help = "of sweeps over keys: the scale of both axes; log: with the power law that fits each curve, its slope in the legend"},
+     .help = "of sweeps over keys: the scale of both axes, with `show: spectrum` and `transfer` that of amplitudes; log: with the "
+             "power law that fits each curve against a key, its slope in the legend"},
     {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(plot.range), .initial = "auto",
      .shape = "auto, or [low, high] in units of the clean chain's peak, in N over keys", .word = "auto", .word_value = NAN,
      .like = "auto|[2 number]", .read = bead_output_read_sweep_range,
      .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data", .example = "[0, 1.2]"},
 };
-static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)},
-                                                            {BEAD_OPTIONS(bead_page_rows)},     {BEAD_OPTIONS(bead_theme_rows)},
-                                                            {BEAD_OPTIONS(bead_caption_row)},   {NULL, 0}};
+static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
+                                                            {BEAD_OPTIONS(bead_against_row)},
+                                                            {BEAD_OPTIONS(bead_page_rows)},
+                                                            {BEAD_OPTIONS(bead_theme_rows)},
+                                                            {BEAD_OPTIONS(bead_caption_row)},
+                                                            BEAD_SWEEP_LINES_ROWS,
+                                                            {NULL, 0}};
 static const struct bead_options sweep_plot_options = {"plot of a sweep", "force against magnetism, or peaks along the chain",
                                                        BEAD_OPTIONS(sweep_plot_rows), sweep_plot_shared, &bead_output_family};
 const struct bead_output_type bead_plot_output = {.options = &plot_options,

@@ -103,6 +103,8 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
         err = settle_size(reader, at, type->draws, output);
     if (err)
         return err;
+    if (sweep && bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
+        output->curves.show = bead_sweep_lines(output->sweep_curves.show);
     fit_stage(reader, at, output);
     fit_without_contacts(reader, at, output);
     fit_motion(at, output);

@@ -98,7 +98,7 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
     return &shows[show];
 }
 
-/* Keys that only some of them take. */
+/* Keys that only some of them take; of sweeps `row` is NULL. */
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
@@ -111,11 +111,12 @@ static enum bead_error check_keys(const struct bead_reader *reader, const struct
                      (strcmp(keys[k], "normalise") == 0 && output->plot.normalise == BEAD_NORMALISE_NONE);
         if (!bead_given(at, keys[k]) || bead_is_one_of(keys[k], show->keys) || plain)
             continue;
-        for (size_t i = 0; row->choices[i]; i++) {
+        for (size_t i = 0; row && row->choices[i]; i++) {
             if (shows[row->values[i]].keys && bead_is_one_of(keys[k], shows[row->values[i]].keys))
                 bead_list_add(homes, sizeof homes, ", ", row->choices[i]);
         }
-        return BEAD_WRONG_KEY(reader, at, keys[k], "belongs to `show: %s`; %s", homes, show->why_not);
+        return row ? BEAD_WRONG_KEY(reader, at, keys[k], "belongs to `show: %s`; %s", homes, show->why_not)
+                   : BEAD_WRONG_KEY(reader, at, keys[k], "does not belong to this `show`; %s", show->why_not);
     }
     return BEAD_OK;
 }
@@ -154,6 +155,17 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
+/* Places need a sensor where none is listed. */
+static enum bead_error check_places(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
+{
+    const struct bead_curves_asked *curves = &output->curves;
+    if (!shows[curves->show].of_places || curves->beads.all || curves->contacts.all ||
+        bead_scene_has_sensors(reader->scene, SIZE_MAX))
+        return BEAD_OK;
+    return BEAD_WRONG_KEY(reader, at, "show",
+                          "shows sensors, but no bead of the chain has a `sensor`; give one, or say which `beads`");
+}
+
 /* Small vibrations need springs, and bands a cell that is repeated. */
 static enum bead_error check_vibrations(const struct bead_reader *reader, const struct bead_at *at, enum bead_show show)
 {
@@ -184,10 +196,8 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
     if (show->drawing || output->still.panel_count > 0)
         return BEAD_OK;
     enum bead_error err = show->modes ? bead_output_need_modes(reader, at, "show") : BEAD_OK;
-    if (!err && show->of_places && !output->curves.beads.all && !output->curves.contacts.all &&
-        !bead_scene_has_sensors(reader->scene, SIZE_MAX))
-        return BEAD_WRONG_KEY(reader, at, "show",
-                              "shows sensors, but no bead of the chain has a `sensor`; give one, or say which `beads`");
+    if (!err)
+        err = check_places(reader, at, output);
     if (!err && output->curves.show == BEAD_SHOW_FIT && !bead_given(at->up->up, "fit"))
         err = BEAD_WRONG_KEY(reader, at, "show", "lists what a fit has found, but there is no `fit`: the keys to find");
     if (!err && show->vibrations)
@@ -199,6 +209,17 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
     if (!err && show->of_field)
         err = bead_output_check_field(reader, at, output);
     return err || output->curves.show != BEAD_SHOW_PROFILES ? err : check_moments(reader, at, output);
+}
+
+BEAD_OUTPUT_CHECK(bead_output_check_lines)
+{
+    static const char *const of_peaks[] = {"against", "measure", "threshold", NULL};
+    BEAD_TRY(bead_without(reader, at, of_peaks, "belongs to peaks and measures, which are numbers, not curves"));
+    BEAD_TRY(check_places(reader, at, output));
+    BEAD_TRY(check_listed(reader, at, output));
+    BEAD_TRY(check_keys(reader, at, output, NULL));
+    BEAD_TRY(bead_output_check_times(reader, at, output));
+    return bead_output_check_field(reader, at, output);
 }
 
 static bool has_cells(const struct bead_scene *scene)

@@ -37,8 +37,30 @@ static BEAD_OUTPUT_CHECK(check_plane)
                               : "is plane, by number of cells and magnetism: it needs `sweeps` with different `cells`");
 }
 
+enum bead_show bead_sweep_lines(enum bead_sweep_show show)
+{
+    static const enum bead_show lines[] = {[BEAD_SWEEP_SENSORS] = BEAD_SHOW_SENSORS,
+                                           [BEAD_SWEEP_SPECTRUM] = BEAD_SHOW_SPECTRUM,
+                                           [BEAD_SWEEP_TRANSFER] = BEAD_SHOW_TRANSFER,
+                                           [BEAD_SWEEP_DISPERSION] = BEAD_SHOW_DISPERSION};
+    return show >= BEAD_SWEEP_SENSORS ? lines[show] : BEAD_SHOW_COUNT;
+}
+
+/* Curves of chains: of one sweep over keys. */
+static BEAD_OUTPUT_CHECK(check_lines)
+{
+    const struct bead_scene *scene = reader->scene;
+    if (!(scene->sweep_count == 1 && scene->sweeps[0].over.key_count))
+        return BEAD_WRONG_KEY(reader, at, "show", "has curves of the chains of one sweep over keys: `sweep: {over: ...}`");
+    return bead_output_check_lines(reader, at, output);
+}
+
 BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
 {
+    static const char *const of_lines[] = {"field", "beads", "contacts", "every", "time", "window", "segment", "frequencies", NULL};
+    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
+        return check_lines(reader, at, output);
+    BEAD_TRY(bead_without(reader, at, of_lines, "belongs to `show: sensors`, `spectrum`, `transfer` or `dispersion`"));
     if (output->kind == BEAD_OUTPUT_PLOT && output->sweep_curves.show == BEAD_SWEEP_PLANE)
         BEAD_TRY(check_plane(reader, at, output));
     const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY, spreading = output->sweep_curves.show == BEAD_SWEEP_SPREADING;

@@ -11,10 +11,11 @@
         SHOW("eigenmodes", BEAD_SHOW_EIGENMODES), BEAD_SPECTRA_SHOWS(SHOW), SHOW("fit", BEAD_SHOW_FIT)
 static const char *const table_shows[] = {TABLE_SHOWS(BEAD_WORD_OF), NULL};
 static const unsigned table_values[] = {TABLE_SHOWS(BEAD_VALUE_OF)};
-#define SWEEP_TABLE_SHOWS(SHOW)                                                             \
-    SHOW("magnetism", BEAD_SWEEP_MAGNETISM), SHOW("statistics", BEAD_SWEEP_MAGNETISM),      \
-        SHOW("configurations", BEAD_SWEEP_CONFIGURATIONS), SHOW("decay", BEAD_SWEEP_DECAY), \
-        SHOW("spreading", BEAD_SWEEP_SPREADING)
+#define SWEEP_TABLE_SHOWS(SHOW)                                                                                              \
+    SHOW("magnetism", BEAD_SWEEP_MAGNETISM), SHOW("statistics", BEAD_SWEEP_MAGNETISM),                                       \
+        SHOW("configurations", BEAD_SWEEP_CONFIGURATIONS), SHOW("decay", BEAD_SWEEP_DECAY),                                  \
+        SHOW("spreading", BEAD_SWEEP_SPREADING), SHOW("sensors", BEAD_SWEEP_SENSORS), SHOW("spectrum", BEAD_SWEEP_SPECTRUM), \
+        SHOW("transfer", BEAD_SWEEP_TRANSFER), SHOW("dispersion", BEAD_SWEEP_DISPERSION)
 static const char *const sweep_table_shows[] = {SWEEP_TABLE_SHOWS(BEAD_WORD_OF), NULL};
 static const unsigned sweep_table_values[] = {SWEEP_TABLE_SHOWS(BEAD_VALUE_OF)};
 
@@ -111,12 +112,12 @@ static const struct bead_option sweep_table_rows[] = {
              "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of "
              "these. Of spreading, one of 64 chains of each curve is measured, at least five, and the mean is uncertain by their "
              "mean and "
-             "by how much that of all may differ from it"},
+             "by how much that of all may differ from it. " BEAD_SWEEP_LINES_HELP},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help = "with `show: spreading`: how well its numbers are known, from second runs of some chains; false: no such runs"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {
-    {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, {NULL, 0}};
+    {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, BEAD_SWEEP_LINES_ROWS, {NULL, 0}};
 static const struct bead_options sweep_table_options = {"table of a sweep", "numbers of a sweep, as CSV",
                                                         BEAD_OPTIONS(sweep_table_rows), sweep_table_shared, &bead_output_family};
 const struct bead_output_type bead_table_output = {.options = &table_options,

@@ -33,6 +33,19 @@
     "bead; dispersion, amplitude against wave number and frequency of all beads of the cells that a chain repeats, with their "    \
     "exact bands"
 
+/* Keys, and help, of curves of the chains of a sweep. */
+#define BEAD_SWEEP_LINES_ROWS                                                            \
+    {bead_curves_rows + 1, 3}, {bead_curves_rows + 6, 3}, {BEAD_OPTIONS(bead_time_row)}, \
+    {                                                                                    \
+        BEAD_OPTIONS(bead_every_row)                                                     \
+    }
+#define BEAD_SWEEP_LINES_HELP                                                                                                    \
+    "Over keys also sensors, spectrum, transfer and dispersion, as of a single chain, of chains that are run for them: a curve " \
+    "for "                                                                                                                       \
+    "each combination of values, the mean over seeds with its standard error (of amplitudes, where there are any), and the "     \
+    "number "                                                                                                                    \
+    "of chains; without `until` to the time at which the last front arrives"
+
 /* The names of all views, for the shape of a value: "beads, profile, ". */
 #define BEAD_VIEW_LISTED(ID, view, ...) #view ", "
 #define BEAD_VIEWS_LISTED               BEAD_VIEWS(BEAD_VIEW_LISTED)
@@ -102,6 +115,8 @@ extern const struct bead_option bead_caption_rows[5];
 /* The keys that go with what is shown, by the row `show` of the table that was read. */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_output *output, const struct bead_options *options);
+/* The same for curves of the chains of a sweep. */
+BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_lines);
 /* Do all chains have modes, as the value of a key wants? */
 BEAD_CHECK enum bead_error bead_output_need_modes(const struct bead_reader *reader, const struct bead_at *at, const char *key);
 /* Is the size one that can be drawn? */

@@ -410,6 +410,17 @@ static size_t columns_of(const struct work *w)
     }
 }
 
+/* The curves themselves. */
+static enum bead_error copy_curves(const struct bead_spectra *s, const struct curves *curves, struct bead_spectral *found,
+                                   struct bead_message *msg)
+{
+    *found = (struct bead_spectral){.columns = curves->count, .rows = curves->taken, .step = s->grid.every, .first = s->grid.start};
+    BEAD_TRY(bead_new(&found->values, curves->count * curves->taken + 1, msg, "curves"));
+    for (size_t p = 0; p < curves->count; p++)
+        memcpy(found->values + p * curves->taken, curves->values + p * s->samples, curves->taken * sizeof *found->values);
+    return BEAD_OK;
+}
+
 enum bead_error bead_spectra_of(const struct bead_spectra *s, size_t chain, struct bead_spectral *found, struct bead_message *msg)
 {
     struct work w = {.s = s, .curves = &s->chains[chain], .found = found};
@@ -418,6 +429,8 @@ enum bead_error bead_spectra_of(const struct bead_spectra *s, size_t chain, stru
     *found = (struct bead_spectral){0};
     if (w.curves->count == 0)
         return BEAD_OK;
+    if (show == BEAD_SHOW_SENSORS)
+        return copy_curves(s, w.curves, found, msg);
     BEAD_TRY(choose_segments(&w, &points, msg));
     enum bead_error err = transform_make(&w.time, points, s->output->curves.window, msg);
     w.rows = w.time.bins;

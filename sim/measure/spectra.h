@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spectra of runs, for tables and plots: amplitudes of curves over frequency (`show: spectrum`) and time (`spectrogram`), ratios to
- * the driven bead (`transfer`), and amplitudes over wave number and frequency (`dispersion`).
+/* Spectra of runs, for tables and plots, and the curves that they are of, for those of sweeps (`show: sensors`): amplitudes of
+ * curves over frequency (`show: spectrum`) and time (`spectrogram`), ratios to the driven bead (`transfer`), and amplitudes over
+ * wave number and frequency (`dispersion`).
  *
  * A spectrum is that of a segment of the run: its mean is taken off, it is multiplied by the window w (Hann's, or none), and
  * transformed; of half-overlapping segments, squares of amplitudes are averaged (P. D. Welch, IEEE Trans. Audio Electroacoust. 15,
@@ -18,7 +19,7 @@ struct bead_spectra;
 /* For one chain. */
 struct bead_spectral {
     size_t columns, rows;  /* columns: places, segments or wave numbers; rows: frequencies, the first of them 0 */
-    double step;           /* from row to row, Hz */
+    double step;           /* from row to row, Hz; of curves s, the first of them `first` */
     double first, between; /* segments: the middle of the first, and from one to the next, s; wave numbers: in pi by cell */
     double *values;        /* [columns][rows], in the field's unit, ratios of `transfer`: NaN where the drive has less than a
                             * thousandth of its largest amplitude; the caller's */

@@ -7,6 +7,7 @@
 
 #include "beadreel/sink.h"
 #include "sim/measure/measure.h"
+#include "sim/measure/places.h"
 #include "sim/measure/profile_times.h"
 
 /* Columns of `uncertainty` that a check run can give, if asked for: nothing, numbers from samples, or also from outcomes. Samples
@@ -87,6 +88,8 @@ void bead_table_time_header(const struct bead_sink *sink);
 /* Tables with a row for each time. Adds a column, "chain/what", or "what" for a single chain. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t chain, size_t bead, const char *what,
                                                  struct bead_message *msg);
+/* The name of a place's column: "bead_20", "bead_20_velocity"; sensors, which are not listed, keep their names. */
+void bead_table_place_name(const struct bead_place_shown *place, bool listed, char *name, size_t size);
 /* Adds a column for each sensor, or each place that the output lists. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg);
 /* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */

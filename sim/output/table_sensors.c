@@ -3,8 +3,7 @@
 #include "sim/measure/places.h"
 #include "sim/output/table.h"
 
-/* "bead_20", "bead_20_velocity": sensors keep their names. */
-static void column_name(const struct bead_place_shown *place, bool listed, char *name, size_t size)
+void bead_table_place_name(const struct bead_place_shown *place, bool listed, char *name, size_t size)
 {
     const bool force = place->field == BEAD_FIELD_FORCE || place->field == BEAD_FIELD_CONTACT_FORCE;
     snprintf(name, size, "%s%s%s", place->name, force ? "" : "_", force ? "" : bead_field_info(place->field)->name);
@@ -20,7 +19,7 @@ enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_mes
         const size_t count = bead_places_count(sink->output, sink->context.chains[c]);
         for (size_t i = 0; i < count; i++) {
             const struct bead_place_shown place = bead_place_shown(sink->output, sink->context.chains[c], i);
-            column_name(&place, curves->beads.all || curves->contacts.all, name, sizeof name);
+            bead_table_place_name(&place, curves->beads.all || curves->contacts.all, name, sizeof name);
             BEAD_TRY(bead_table_add_column(sink, c, place.index, name, msg));
             sink->columns[sink->column_count - 1].field = place.field;
         }

@@ -72,7 +72,8 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
 static bool runs_own(const struct bead_made *made)
 {
     const struct bead_sweep_curves_asked *curves = &made->output->sweep_curves;
-    return curves->show == BEAD_SWEEP_SPREADING || (curves->measure && *curves->measure);
+    return curves->show == BEAD_SWEEP_SPREADING || bead_sweep_lines(curves->show) != BEAD_SHOW_COUNT ||
+           (curves->measure && *curves->measure);
 }
 
 /* Does an output show results of the sweep? Sheets run what they show themselves. */

@@ -88,6 +88,11 @@ needs() { # SECTION KEY
     case "$1: $2" in
     'outputs (plot of a sweep): scale' | 'outputs ('*' of a sweep): against' | 'outputs ('*' of a sweep): measure') scene=over ;;
     'sweep: over' | 'sweep: combine') scene=over ;;
+    'outputs ('[pt]*' of a sweep): field') scene=over before=("outputs=[{$kind: $file, show: sensors, contacts: 3}]") ;;
+    'outputs ('[pt]*' of a sweep): beads' | 'outputs ('[pt]*' of a sweep): contacts' | 'outputs ('[pt]*' of a sweep): time' | 'outputs ('[pt]*' of a sweep): every')
+        scene=over before=("outputs=[{$kind: $file, show: sensors, beads: 3}]" simulate.until=3ms) ;;
+    'outputs ('[pt]*' of a sweep): window' | 'outputs ('[pt]*' of a sweep): segment' | 'outputs ('[pt]*' of a sweep): frequencies')
+        scene=over before=("outputs=[{$kind: $file, show: spectrum, beads: 3}]" simulate.until=3ms) ;;
     'outputs (table of a sweep): uncertainty') scene=over before=('outputs=[{table: t.csv, show: spreading}]' simulate.until=1ms) ;;
     'outputs (table): beads') before+=('outputs.0.show=sensors') ;;
     'outputs.measured: file' | 'outputs.measured: columns' | 'outputs.measured: time') before=('outputs=[{plot: p.svg, beads: 3, measured: {file: scope.csv}}]') ;;

@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Curves of the chains of a sweep over keys, means over seeds with a band of a standard error to both sides: a panel for each
+ * place. A dispersion is an image with the exact bands over it, a panel for each combination of the other keys. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "render/draw/markup.h"
+#include "render/plot/plot_private.h"
+#include "render/plot/sweep_plot.h"
+#include "sim/base/memory.h"
+#include "sim/measure/places.h"
+#include "sim/sweep/sweep_internal.h"
+#include "sim/sweep/sweep_lines.h"
+
+/* For each curve its band and itself; numbers for each of its points, of which all have the same x. */
+enum { SERIES = 2, NUMBERS = 2 };
+/* Automatic axes leave out what is less than this part of the largest; colours reach down to `deepest`. */
+static const double least = 1e-3, least_log = 1e-6, deepest = -60 /* dB */;
+static const double beyond = 1.15;
+
+struct lines_panel {
+    struct bead_series *series;
+    double *numbers;
+    char (*labels)[300];
+    char title[300];
+    struct bead_graph_image image;
+    size_t count;
+};
+
+struct lines_plot {
+    struct bead_sweep_lines lines;
+    struct lines_panel *panels;
+    struct bead_panel *shown;
+    size_t count;
+    double *x; /* of all curves */
+    char axis[120];
+};
+
+static enum bead_show show_of(const struct lines_plot *plot)
+{
+    return plot->lines.output.curves.show;
+}
+
+static double largest_of(const struct lines_plot *plot)
+{
+    double most = 0;
+    for (size_t k = 0; k < plot->lines.count; k++) {
+        const struct bead_spectral *mean = &plot->lines.of[k].mean;
+        for (size_t i = 0; i < mean->columns * mean->rows; i++)
+            most = fmax(most, mean->values[i]);
+    }
+    return most;
+}
+
+/* As asked, else to beyond the highest band, or to the last that is not small. */
+static void choose_frequencies(const struct lines_plot *plot, double range[2])
+{
+    const double *asked = plot->lines.output.curves.frequencies,
+                 some = show_of(plot) == BEAD_SHOW_TRANSFER ? 0 : least * largest_of(plot);
+    double high = 0, ends[2];
+    for (size_t k = 0; k < plot->lines.count; k++) {
+        const struct bead_sweep_line *line = &plot->lines.of[k];
+        for (size_t i = 0; i < line->mean.columns * line->mean.rows && !line->medium; i++)
+            high = line->mean.values[i] > some ? fmax(high, (double)(i % line->mean.rows) * line->mean.step) : high;
+        if (line->medium) {
+            bead_band(line->medium, line->medium->cell.count - 1, ends);
+            high = fmax(high, beyond * ends[1]);
+        }
+    }
+    range[0] = isnan(asked[0]) ? 0 : asked[0];
+    range[1] = isnan(asked[1]) ? high : asked[1];
+}
+
+/* ---- curves ---- */
+
+static void label(const struct bead_sweep_line *line, char text[300])
+{
+    char mean[60] = "";
+    size_t used;
+    if (line->chains > 1)
+        snprintf(mean, sizeof mean, "mean of %zu chains", line->chains);
+    bead_markup_quote(line->name, text, 300);
+    used = strlen(text);
+    snprintf(text + used, 300 - used, "%s%s", used > 0 && *mean ? ", " : "", mean);
+}
+
+static void add_series(struct lines_panel *p, const struct lines_plot *plot, size_t k, size_t place)
+{
+    const struct bead_sweep_line *line = &plot->lines.of[k];
+    const size_t n = line->mean.rows;
+    const double *mean = line->mean.values + place * n, *error = line->error + place * n;
+    double *low = p->numbers + NUMBERS * k * n, *high = low + n;
+    struct bead_series *band = &p->series[p->count], *curve = band + (line->chains > 1);
+    if (line->chains > 1) {
+        for (size_t i = 0; i < n; i++) {
+            low[i] = mean[i] - error[i];
+            high[i] = mean[i] + error[i];
+        }
+        snprintf(p->labels[p->count], sizeof *p->labels, "± standard error");
+        *band = (struct bead_series){.x = plot->x, .y = low, .upper = high, .count = n, .faint = true};
+        plot_tell_apart(band, k);
+        band->mark = BEAD_MARK_BAND;
+        band->label = k == 0 ? p->labels[p->count] : NULL;
+        p->count++;
+    }
+    label(line, p->labels[p->count]);
+    *curve = (struct bead_series){.x = plot->x, .y = mean, .count = n, .mark = BEAD_MARK_LINE};
+    plot_tell_apart(curve, k);
+    curve->label = *p->labels[p->count] ? p->labels[p->count] : NULL;
+    p->count++;
+}
+
+static void set_axes(struct lines_plot *plot, size_t place, const double frequencies[2])
+{
+    const struct bead_output *output = &plot->lines.output;
+    const struct bead_place_shown shown = bead_place_shown(output, plot->lines.of[0].chain, place);
+    const struct bead_field_info *field = bead_chain_field(plot->lines.of[0].chain, shown.field);
+    const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS, transfer = show_of(plot) == BEAD_SHOW_TRANSFER,
+               log_axis = output->plot.scale == BEAD_SCALE_LOG;
+    const double *range = output->plot.range, from = isnan(range[0]) && log_axis ? least_log * largest_of(plot) : range[0];
+    struct bead_panel *panel = &plot->shown[place];
+    snprintf(plot->axis, sizeof plot->axis, "%s%s", transfer ? "transfer of " : sensors ? "" : "amplitude of ", field->title);
+    panel->x =
+        sensors
+            ? (struct bead_graph_axis){"time", "s", plot->x[0], plot->x[plot->lines.of[0].mean.rows - 1], BEAD_SCALE_LINEAR, false}
+            : (struct bead_graph_axis){"frequency", "Hz", frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false};
+    panel->y = (struct bead_graph_axis){plot->axis, transfer ? "" : field->unit, from, range[1], output->plot.scale, true};
+    bead_markup_quote(shown.name, plot->panels[place].title, sizeof plot->panels[place].title);
+}
+
+static enum bead_error fill_curves(struct lines_plot *plot, struct bead_message *msg)
+{
+    const struct bead_sweep_lines *lines = &plot->lines;
+    const struct bead_spectral *first = &lines->of[0].mean;
+    const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS;
+    double frequencies[2];
+    BEAD_TRY(bead_new(&plot->x, first->rows + 1, msg, "a plot of a sweep"));
+    for (size_t i = 0; i < first->rows; i++)
+        plot->x[i] = (sensors ? first->first : 0) + (double)i * first->step;
+    choose_frequencies(plot, frequencies);
+    for (size_t p = 0; p < plot->count; p++) {
+        struct lines_panel *panel = &plot->panels[p];
+        BEAD_TRY(bead_new(&panel->series, SERIES * lines->count, msg, "a plot of a sweep"));
+        BEAD_TRY(bead_new(&panel->labels, SERIES * lines->count, msg, "a plot of a sweep"));
+        BEAD_TRY(bead_new(&panel->numbers, NUMBERS * lines->count * first->rows + 1, msg, "a plot of a sweep"));
+        for (size_t k = 0; k < lines->count; k++)
+            add_series(panel, plot, k, p);
+        set_axes(plot, p, frequencies);
+    }
+    return BEAD_OK;
+}
+
+/* ---- images ---- */
+
+static enum bead_error fill_images(struct lines_plot *plot, struct bead_message *msg)
+{
+    const double most = largest_of(plot);
+    double frequencies[2];
+    choose_frequencies(plot, frequencies);
+    for (size_t p = 0; p < plot->count; p++) {
+        struct lines_panel *panel = &plot->panels[p];
+        struct bead_sweep_line *line = &plot->lines.of[p];
+        struct bead_spectral *mean = &line->mean;
+        if (mean->columns < 2 || !(most > 0))
+            return bead_output_wrong(&plot->lines.output, msg, "show: there are no waves, or only one column of amplitudes");
+        for (size_t i = 0; i < mean->columns * mean->rows; i++)
+            mean->values[i] = fmax(2 * deepest, 20 * log10(mean->values[i] / most));
+        panel->image = (struct bead_graph_image){.x = {mean->first, mean->first + (double)(mean->columns - 1) * mean->between},
+                                                 .y = {0, (double)(mean->rows - 1) * mean->step},
+                                                 .columns = mean->columns,
+                                                 .rows = mean->rows,
+                                                 .values = mean->values,
+                                                 .low = deepest,
+                                                 .high = 0,
+                                                 .title = "amplitude",
+                                                 .unit = "dB"};
+        if (line->medium) {
+            BEAD_TRY(bead_new(&panel->series, 1, msg, "a plot of a sweep"));
+            BEAD_TRY(bead_new(&panel->numbers, PLOT_BAND_VALUES * line->medium->cell.count, msg, "a plot of a sweep"));
+            panel->series[0] = plot_bands_of(line->medium, panel->numbers);
+            panel->series[0].colour = 0;
+            panel->series[0].dash = 1;
+            panel->series[0].label = "exact bands";
+            panel->count = 1;
+        }
+        label(line, panel->title);
+        plot->shown[p].image = &panel->image;
+        plot->shown[p].x = (struct bead_graph_axis){"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, false};
+        plot->shown[p].y = (struct bead_graph_axis){"frequency", "Hz", frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false};
+    }
+    return BEAD_OK;
+}
+
+/* ---- the graph ---- */
+
+static enum bead_error make(struct lines_plot *plot, const struct bead_output *output, const struct bead_run_context *context,
+                            const char *path, uint64_t *bytes, struct bead_message *msg)
+{
+    const bool images = output->curves.show == BEAD_SHOW_DISPERSION;
+    BEAD_TRY(bead_sweep_lines_find(context->sweep, output, context->sweep_settings, &plot->lines, msg));
+    plot->count = images ? plot->lines.count : plot->lines.of[0].mean.columns;
+    BEAD_TRY(bead_new(&plot->panels, plot->count, msg, "a plot of a sweep"));
+    BEAD_TRY(bead_new(&plot->shown, plot->count, msg, "a plot of a sweep"));
+    BEAD_TRY(images ? fill_images(plot, msg) : fill_curves(plot, msg));
+    for (size_t p = 0; p < plot->count; p++) {
+        plot->shown[p].title = *plot->panels[p].title ? plot->panels[p].title : NULL;
+        plot->shown[p].series = plot->panels[p].series;
+        plot->shown[p].series_count = plot->panels[p].count;
+    }
+    const struct bead_graph graph = {
+        .panels = plot->shown, .panel_count = plot->count, .letters = true, .share_x = true, .share_y = true};
+    return bead_graph_write(&graph, output, bead_sweep_scene(context->sweep), path, bytes, msg);
+}
+
+enum bead_error bead_lines_plot_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
+                                      uint64_t *bytes, struct bead_message *msg)
+{
+    struct lines_plot plot = {.count = 0};
+    enum bead_error err = make(&plot, output, context, path, bytes, msg);
+    for (size_t p = 0; plot.panels && p < plot.count; p++) {
+        free(plot.panels[p].series);
+        free(plot.panels[p].numbers);
+        free(plot.panels[p].labels);
+    }
+    free(plot.panels);
+    free(plot.shown);
+    free(plot.x);
+    bead_sweep_lines_free(&plot.lines);
+    return err;
+}
