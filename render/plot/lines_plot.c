@@ -157,6 +157,8 @@ static enum bead_error fill_images(struct lines_plot *plot, struct bead_message 
     const double most = largest_of(plot);
     double frequencies[2];
     choose_frequencies(plot, frequencies);
+    snprintf(plot->axis, sizeof plot->axis, "amplitude of %s",
+             bead_chain_field(plot->lines.of[0].chain, plot->lines.output.shown.field)->title);
     for (size_t p = 0; p < plot->count; p++) {
         struct lines_panel *panel = &plot->panels[p];
         struct bead_sweep_line *line = &plot->lines.of[p];
@@ -172,7 +174,7 @@ static enum bead_error fill_images(struct lines_plot *plot, struct bead_message 
                                                  .values = mean->values,
                                                  .low = deepest,
                                                  .high = 0,
-                                                 .title = "amplitude",
+                                                 .title = plot->axis,
                                                  .unit = "dB"};
         if (line->medium) {
             BEAD_TRY(bead_new(&panel->series, 1, msg, "a plot of a sweep"));

@@ -107,9 +107,29 @@ static void overlay_row(struct bead_plot_data *data, size_t first, size_t into, 
     data->panels[into].series_count = *used - from;
 }
 
+/* What all chains show, where each has one curve: the bead, the time; NULL: they differ, or the legend says it. */
+static const char *common_label(const struct bead_plot_data *data)
+{
+    const char *label = data->panels[0].series_count > 0 ? data->panels[0].series[0].label : NULL;
+    for (size_t p = 0; p < data->count && label; p++) {
+        const struct bead_panel *panel = &data->panels[p];
+        size_t own = 0;
+        for (size_t k = 0; k < panel->series_count; k++) {
+            own += panel->series[k].mark != BEAD_MARK_POINTS;
+            label = panel->series[k].mark == BEAD_MARK_POINTS || !panel->series[k].label ||
+                            (label && strcmp(panel->series[k].label, label) == 0)
+                        ? label
+                        : NULL;
+        }
+        label = own == 1 && panel->title ? label : NULL;
+    }
+    return label;
+}
+
 static enum bead_error overlay(struct bead_plot_data *data, struct bead_message *msg)
 {
     size_t all = 0, used = 0;
+    const char *title = common_label(data);
     for (size_t p = 0; p < data->count << data->residuals; p++)
         all += data->panels[p].series_count;
     BEAD_TRY(bead_new(&data->overlaid, all + 1, msg, "a plot"));
@@ -117,7 +137,7 @@ static enum bead_error overlay(struct bead_plot_data *data, struct bead_message 
     overlay_row(data, 0, 0, &used);
     if (data->residuals)
         overlay_row(data, data->count, 1, &used);
-    data->panels[0].title = data->count > 1 ? NULL : data->panels[0].title;
+    data->panels[0].title = data->count > 1 ? title : data->panels[0].title;
     return BEAD_OK;
 }
 

@@ -51,16 +51,35 @@ static void make_axes(struct bead_plot_data *data, const double frequencies[2], 
     }
 }
 
+/* The bar says of what the amplitudes are, and the title of a spectrogram where. */
+static void make_images(struct bead_plot_data *data)
+{
+    for (size_t p = 0; p < data->count; p++) {
+        struct plot_panel *part = &data->parts[p];
+        const struct bead_chain *chain = data->context.chains[part->chain];
+        struct bead_place_shown place = {.field = data->output->shown.field};
+        char name[2 * sizeof place.name];
+        if (show_of(data) == BEAD_SHOW_SPECTROGRAM) {
+            place = bead_place_shown(data->output, chain, 0);
+            const size_t used = strlen(part->title);
+            bead_markup_quote(place.name, name, sizeof name);
+            snprintf(part->title + used, sizeof part->title - used, "%s%s", used > 0 ? ": " : "", name);
+            data->panels[p].title = part->title;
+        }
+        snprintf(data->axis_title, sizeof data->axis_title, "amplitude of %s", bead_chain_field(chain, place.field)->title);
+        part->image = (struct bead_graph_image){.low = deepest, .high = 0, .title = data->axis_title, .unit = "dB"};
+        data->panels[p].image = &part->image;
+    }
+}
+
 static enum bead_error create(struct bead_plot_data *data, struct bead_message *msg)
 {
     BEAD_TRY(bead_spectra_create(data->output, &data->context, &data->spectra, msg));
     BEAD_TRY(plot_reserve_chains(data, 0, 0, msg));
     snprintf(data->why, sizeof data->why, "spectra");
     make_axes(data, (const double[]){NAN, NAN}, (const double[]){NAN, NAN}, data->output->plot.range[0]);
-    for (size_t p = 0; p < data->count && is_image(data); p++) {
-        data->parts[p].image = (struct bead_graph_image){.low = deepest, .high = 0, .title = "amplitude", .unit = "dB"};
-        data->panels[p].image = &data->parts[p].image;
-    }
+    if (is_image(data))
+        make_images(data);
     return BEAD_OK;
 }
 

@@ -63,11 +63,11 @@ static void fit_stage(const struct bead_reader *reader, const struct bead_at *at
     }
 }
 
-/* Each chain has its own panel, except in plots of peaks. */
+/* Each chain has its own panel, except in plots of peaks and where all share one. */
 static bool side_by_side(const struct bead_reader *reader, const struct bead_output *output)
 {
-    const bool peaks = output->kind == BEAD_OUTPUT_PLOT && output->curves.show == BEAD_SHOW_PEAKS;
-    return reader->scene->chain_count > 1 && !peaks;
+    const bool one = output->kind == BEAD_OUTPUT_PLOT && (output->curves.show == BEAD_SHOW_PEAKS || output->curves.overlay);
+    return reader->scene->chain_count > 1 && !one;
 }
 
 /* An output without `size` has that of its style, its panels or its kind of file. */

@@ -29,6 +29,18 @@ ok "... letters on a screen" has px.svg "(b)"
 plot sweep ""
 ok "... letters on a screen" has px.svg "(b)"
 
+# One bead, or one time, of several chains on one axis: the legend names the chains, the title what they show. Such a plot has one panel,
+# and on paper one column.
+one() { # SHOWN WORDS
+    "$beadreel" chains.yaml -q -o . --set "outputs=[{plot: one.svg, $1, overlay: true, style: paper}]" && grep -qE "$2</tspan>" one.svg && grep -qE 'width="24[34]' one.svg
+}
+ok "curves of one bead of two chains say which" one "beads: 3" ">bead 3"
+ok "... and of one time" one "show: profiles, at: [0.1 ms]" "100.*s"
+two() { "$beadreel" chains.yaml -q -o . --set 'outputs=[{plot: two.svg, beads: [3, 5], overlay: true}]' && grep -q ': bead 3</tspan>' two.svg && has_not two.svg "bead 3"; }
+ok "... two beads are told in the legend" two
+ok "a spectrogram says of which bead" eval '"$beadreel" chains.yaml -q -o . --set "outputs=[{plot: gram.svg, show: spectrogram, beads: 3, field: velocity}]" && grep -q ": bead 3</tspan>" gram.svg'
+ok "... and of what" has gram.svg "amplitude of velocity (dB)"
+
 # Names of axes of like views have one size, also where rows are low.
 ok "three views of two chains" exits 0 "$beadreel" chains.yaml -o . \
     --set 'outputs=[{image: low.svg, size: [1280, 720], views: [beads, profile, spacetime], at: 0.1 ms}]'
