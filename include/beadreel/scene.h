@@ -281,6 +281,7 @@ enum bead_style { BEAD_STYLE_AUTO, BEAD_STYLE_PAPER, BEAD_STYLE_SLIDE, BEAD_STYL
 enum bead_theme { BEAD_THEME_AUTO, BEAD_THEME_LIGHT, BEAD_THEME_DARK };
 enum bead_background { BEAD_BACKGROUND_THEME, BEAD_BACKGROUND_NONE };
 enum bead_follow { BEAD_FOLLOW_ALL, BEAD_FOLLOW_FRONT };
+enum bead_inset { BEAD_INSET_NONE, BEAD_INSET_CELL };
 enum bead_layout {
     BEAD_LAYOUT_AUTO,
     BEAD_LAYOUT_STACKED,
@@ -462,8 +463,9 @@ struct bead_movie_asked {
     size_t caption_count;
     struct bead_note *notes; /* as listed */
     size_t note_count;
-    bool race;     /* of two chains: say at the front that leads by how much */
-    double *stops; /* s of the motion, rising: chapters, and where slides wait */
+    bool race;             /* of two chains: say at the front that leads by how much */
+    enum bead_inset inset; /* a drawing beside the curve below a stage */
+    double *stops;         /* s of the motion, rising: chapters, and where slides wait */
     size_t stop_count;
     char *slides;              /* an HTML file that plays the film from stop to stop, relative to the output directory; "": none */
     struct bead_speed *speeds; /* by rising times; NULL: as even as `duration` asks */

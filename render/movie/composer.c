@@ -141,6 +141,8 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
         err = bead_composer_measure(c, msg);
     if (!err)
         err = bead_movie_arrange(&c->wants, &c->layout, msg);
+    if (!err)
+        err = bead_inset_check(c, msg);
     if (!err && c->wants.follow)
         err = bead_composer_cameras(c, msg);
     if (!err)
@@ -240,6 +242,7 @@ static enum bead_error draw_background(struct bead_composer *c, struct bead_mess
     enum bead_error watched = watch_texts(c, cairo_get_target(cr), msg);
     bead_look_paint(&c->look, cr);
     enum bead_error err = watched ? watched : decorate_views(c, cr, msg);
+    err = err ? err : bead_inset_draw(c, cr, msg);
     composer_draw_words(c, cr);
     bead_overlay_draw_bar(c, cr);
     enum bead_error drawn = bead_raster_end(cr, "drawing the background", err ? NULL : msg);

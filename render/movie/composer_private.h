@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shared by the files of a composer: composer.c, movie_measure.c (and cameras), movie_shown.c (fields,
- * beads, interest), movie_names.c (names of chains), movie_overlay.c (the parts over and around the views). */
+ * beads, interest), movie_names.c (names of chains), movie_inset.c (cells), movie_overlay.c (the parts over and around the views).
+ */
 #pragma once
 
 #include <cairo.h>
@@ -55,6 +56,12 @@ bool bead_composer_shares_curves(const struct bead_composer *composer);
 void bead_composer_draw_names(const struct bead_composer *composer, size_t chain, cairo_t *cr);
 /* The key of all stages of a grid. */
 void bead_composer_draw_key(const struct bead_composer *composer, cairo_t *cr);
+/* The least width of a picture in the picture, px; 0: none. */
+double bead_inset_width(const struct bead_composer *composer);
+/* Is there a cell to draw, and room for it? Errors: SCENE. */
+BEAD_CHECK enum bead_error bead_inset_check(const struct bead_composer *composer, struct bead_message *msg);
+/* Into the static layer. Errors: SCENE (no room), MEMORY. */
+BEAD_CHECK enum bead_error bead_inset_draw(const struct bead_composer *composer, cairo_t *cr, struct bead_message *msg);
 /* Markup such as "force (N)". */
 void bead_composer_bar_title(const struct bead_composer *composer, char *out, size_t size);
 /* Creates a camera for each chain; plots that follow the front become narrower if their rows of beads would be too high. Errors:

@@ -56,6 +56,7 @@ struct bead_movie_wants {
     double against;                                /* the title of both axes of an image whose time is to the right */
     double time_end;                               /* how far numbers at the ends of an axis of time reach beyond it */
     double along_end;                              /* and those at the right of an axis along the chain */
+    double inset;                                  /* the least width of a drawing beside the curve; 0: none */
     double bar, bar_below, bar_title;              /* ticks and labels beside the bar, below it; the width of its title */
 };
 
@@ -78,6 +79,7 @@ struct bead_movie_layout {
     int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
     size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
     struct bead_rect time, badge, title, facts, key, trust, caption;
+    struct bead_rect inset;          /* a drawing beside the curve of a stage */
     struct bead_rect bar, bar_title; /* a bar that is wider than high lies, with its low end at the left */
     bool words_left;                 /* title and facts are from the left; else they end at the right */
     struct bead_movie_chain *chains; /* of the layout */

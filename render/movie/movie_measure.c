@@ -284,6 +284,7 @@ enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_messa
                                    .chain_count = c->setup.chain_count,
                                    .axes = output->views.axes,
                                    .trust = output->shown.trust,
+                                   .inset = bead_inset_width(c),
                                    .follow = output->movie.follow == BEAD_FOLLOW_FRONT,
                                    .caption_lines = bead_captions_lines(&output->movie, &c->look, c->setup.width),
                                    .caption_line = bead_caption_height(&c->look)};

@@ -260,8 +260,10 @@ static bool place_beside(const struct stage *s, int y, int bottom)
     for (size_t k = 0; k < s->other_count; k++)
         under = under > below(s, s->others[k]) ? under : below(s, s->others[k]);
     int top = y + above(s) + (s->names_above ? name_line(s) : 0), height = bottom - under - top;
-    double first = fmax(left_of(s, true), s->inset), right = plots > 0 ? right_of(s) : right_of_curve(s),
-           room = s->area.width - (has_curve ? first : 0) - bar_room(s) - right;
+    const double drawn = s->w->inset > 0 ? s->inset + s->w->inset + before_plots * s->em : 0;
+    double first = drawn > 0 ? drawn + left_of(s, true) : fmax(left_of(s, true), s->inset),
+           right = plots > 0 ? right_of(s) : right_of_curve(s),
+           room = s->area.width - (has_curve ? first : drawn) - bar_room(s) - right;
     room -= (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
     double least = has_curve ? fmax(least_curve[0] * s->em, curve_part * room) : 0;
     double width = plots > 0 ? floor((room - least) / plots) : 0; /* images take what they must have, the curve the rest */
@@ -271,9 +273,10 @@ static bool place_beside(const struct stage *s, int y, int bottom)
     if (height < least_curve[1] * s->em || room < least || (plots > 0 && !large_enough(s, width, height)) ||
         (plots > 0 && plots * width * height < s->plan->images * s->area_px) || !titled(s, width))
         return false;
-    double x = s->area.x;
+    double x = s->area.x + (has_curve ? first : drawn);
+    if (drawn > 0)
+        s->to->inset = (struct bead_rect){s->area.x + s->inset, y, (int)floor(s->w->inset), bottom - y};
     if (has_curve) {
-        x += first;
         place_curve(s, (struct bead_rect){whole(x), top, (int)floor(room - plots * width), height});
         x = whole(x) + floor(room - plots * width);
     }
@@ -287,6 +290,8 @@ static bool place_beside(const struct stage *s, int y, int bottom)
 /* The curve, and below it a row for each other view. */
 static bool place_below(const struct stage *s, int y, int bottom)
 {
+    if (s->w->inset > 0) /* it stands beside the curve */
+        return false;
     const double n = (double)s->w->chain_count, rows = (double)s->other_count;
     double room = s->area.width - left_of(s, true) - (n - 1) * left_of(s, false) - bar_room(s) - right_of(s),
            width = floor(room / n);

@@ -80,7 +80,7 @@ enum bead_error bead_schematic_draw(const struct bead_output *output, const stru
                                     struct bead_sketch *sketch, double width, double height, struct bead_message *msg)
 {
     const struct drawing *drawing = find_drawing(output->curves.show);
-    struct bead_drafting d = {sketch, output, context, {0, 0, width, height}};
+    struct bead_drafting d = {.sketch = sketch, .output = output, .context = context};
     double margin = sketch->look->margin;
     d.area = (struct bead_box){margin, margin, width - 2 * margin, height - 2 * margin};
     bead_look_paint(sketch->look, sketch->cr);

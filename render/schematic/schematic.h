@@ -27,6 +27,7 @@ struct bead_drafting {
     const struct bead_output *output;
     const struct bead_run_context *context;
     struct bead_box area; /* to draw in, without margins */
+    bool once;            /* cells as written, not reversed, too */
 };
 
 /* false: no room. */

@@ -85,7 +85,7 @@ static bool find_cells(struct drawing *g)
                 return false;
             if (i == g->count)
                 g->cells[g->count++] = (struct cell){segment, false};
-            g->cells[i].both = g->cells[i].both || (segment->spins_given && !mirrored(segment));
+            g->cells[i].both = g->cells[i].both || (!g->d->once && segment->spins_given && !mirrored(segment));
         }
     }
     for (size_t i = 0; i < g->count; i++) {

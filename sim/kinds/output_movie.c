@@ -15,6 +15,7 @@ static const char *const layouts[] = {"auto", "stacked", "columns", "grid", "ove
 static const char *const profiles[] = {"bead", "cell", NULL};
 static const char *const types[] = {"normal", "large", NULL};
 static const char *const subtitles[] = {"captions", "words", NULL};
+static const char *const insets[] = {"none", "cell", NULL};
 static const char *const follows[] = {"all", "front", NULL};
 
 static const struct bead_option motion = {BEAD_TIME_OF_MOTION};
@@ -145,6 +146,8 @@ static const struct bead_option movie_rows[] = {
      .example = "[{at: 0.4 ms, for: 2 s, bead: front, text: \"Five beads, $F \\\\sim \\\\delta^{3/2}$\"}]"},
     {"race", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(movie.race), .initial = "false",
      .help = "of two chains on a stage: say at the front that leads by how many beads, until it arrives"},
+    {"inset", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.inset), .initial = "none", .choices = insets,
+     .help = "a picture in the picture, beside the curve below a stage. cell: the cells of the chains, as `show: cell` draws them"},
     {"stops", BEAD_OPTION_CUSTOM, .shape = "a list of times such as [0.4 ms, 1.2 ms]", .like = "[number]",
      .read = bead_output_read_stops,
      .help = "times at which a talk halts: chapters of the file, beside those of captions, and where `slides` wait",

@@ -131,6 +131,8 @@ BEAD_OUTPUT_CHECK(bead_output_check_notes)
         return bead_wrong(reader, &list, "are given, but there are no beads to point at");
     if (movie->race && (!stage || reader->scene->chain_count != 2 || !bead_scene_system(reader->scene)->has_striker))
         return BEAD_WRONG_KEY(reader, at, "race", "is true, but a race needs two chains of beads on a stage");
+    if (movie->inset == BEAD_INSET_CELL && (!stage || !output->views.axes || !bead_scene_system(reader->scene)->has_contacts))
+        return BEAD_WRONG_KEY(reader, at, "inset", "is cell, but a drawing of cells needs the view stage, and `axes`");
     if (movie->slides[0] && movie->poster[0])
         return BEAD_WRONG_KEY(reader, at, "slides", "are given beside `poster`; make two movies of it");
     if (movie->slides[0] && !plays_in_browsers(output->path))

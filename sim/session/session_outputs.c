@@ -168,6 +168,7 @@ static enum bead_error bare_beads(const struct bead_scene *scene, struct bead_ou
     output->views.axes = output->shown.trust = output->movie.race = false;
     output->movie.layout = BEAD_LAYOUT_AUTO;
     output->movie.note_count = 0;
+    output->movie.inset = BEAD_INSET_NONE;
     return BEAD_OK;
 }
 

@@ -87,6 +87,20 @@ else
     skip ffmpeg "a race"
 fi
 
+# ---- the cell, beside the curve ----
+
+cat >inset.yaml <<'YAML'
+chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{cell: [large-steel, 2 ptfe], count: 20}]}
+simulate: {until: 0.2 ms}
+outputs: [{movie: i.mp4, duration: 1 s, fps: 20, size: [960, 540], inset: cell}]
+YAML
+ok "the cell is drawn into a film" exits 0 "$beadreel" inset.yaml --frame 0 -o inset.png
+ok "... not into its stage alone" exits 0 "$beadreel" inset.yaml --still poster -o still.png
+ok "... and not without room" fails 2 "$beadreel" inset.yaml --frame 0 -o no.png --set 'outputs.0.size=[540, 960]'
+ok "... as is said" says 'inset: 540 x 960 pixels have no room for a drawing of the cell'
+ok "... nor where there is none" fails 2 "$beadreel" inset.yaml --frame 0 -o no.png --set 'chain.beads=[{bead: ptfe, count: 20}]'
+ok "... as is said, too" says 'inset: is cell, but no chain has a cell of two beads'
+
 # ---- the window of a camera, on the map of all beads ----
 
 cat >window.yaml <<'YAML'

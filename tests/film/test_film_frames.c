@@ -90,7 +90,7 @@ struct wish {
     int size[2];
     size_t chains;
     unsigned layout;
-    bool light, large, caption, follow, right; /* right: where time runs */
+    bool light, large, caption, follow, right, inset; /* right: where time runs */
 };
 
 static void describe(const struct wish *w, char *text, size_t size)
@@ -106,10 +106,10 @@ static void describe(const struct wish *w, char *text, size_t size)
     for (size_t i = 0; i < w->chains; i++)
         used += snprintf(text + used, size - (size_t)used, "%s", chains[i]);
     snprintf(text + used, size - (size_t)used,
-             "outputs: [{movie: m.mp4, size: [%d, %d], layout: %s, theme: %s, type: %s, range: [0, 45 N]%s%s%s}]\n", w->size[0],
+             "outputs: [{movie: m.mp4, size: [%d, %d], layout: %s, theme: %s, type: %s, range: [0, 45 N]%s%s%s%s}]\n", w->size[0],
              w->size[1], layouts[w->layout], w->light ? "light" : "dark", w->large ? "large" : "normal",
              w->caption ? ", captions: [{at: 0, text: The striker squeezes the first contacts}]" : "",
-             w->follow ? ", follow: front" : "", w->right ? ", orientation: time-right" : "");
+             w->follow ? ", follow: front" : "", w->right ? ", orientation: time-right" : "", w->inset ? ", inset: cell" : "");
 }
 
 struct stage {
@@ -255,6 +255,33 @@ static void test_windows_that_move(void **state)
         check(&w);
         w.right = true;
         check(&w);
+    }
+}
+
+/* The drawing of the cell is once in the picture, whole, on what is left beside the curve, and hides nothing. */
+static void test_cells_in_the_picture(void **state)
+{
+    (void)state;
+    static const int shapes[3][2] = {{1280, 720}, {960, 720}, {720, 720}};
+    for (unsigned i = 0; i < 3 * 4 * 2; i++) {
+        static struct stage s;
+        char text[4096], what[64];
+        struct wish w = {.chains = 1 + i / 3 % 4, .inset = true, .light = i / 12, .size = {shapes[i % 3][0], shapes[i % 3][1]}};
+        check(&w);
+        describe(&w, text, sizeof text);
+        open_stage(&s, text, w.size);
+        snprintf(what, sizeof what, "%d x %d, %zu chains", w.size[0], w.size[1], w.chains);
+        const struct bead_rect at = s.composer->layout.inset;
+        size_t inside = 0;
+        for (size_t t = 0; t < s.seen.count; t++) {
+            const double x = s.seen.text[t].x, y = s.seen.text[t].y;
+            const bool in = x >= at.x && y >= at.y && x + s.seen.text[t].width <= at.x + at.width &&
+                            y + s.seen.text[t].height <= at.y + at.height;
+            inside += in && (strstr(s.seen.text[t].markup, "N</i>") || strstr(s.seen.text[t].markup, "cell of 2 beads"));
+        }
+        if (inside != 3)
+            fail_msg("%s: %zu of the cell's three words are in its place", what, inside);
+        close_stage(&s);
     }
 }
 
@@ -579,6 +606,7 @@ int main(void)
         cmocka_unit_test(test_labels_of_chains_have_one_size),
         cmocka_unit_test(test_tips_meet_their_beads),
         cmocka_unit_test(test_notes_stay_on_the_stage),
+        cmocka_unit_test(test_cells_in_the_picture),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),

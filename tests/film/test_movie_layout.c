@@ -42,6 +42,7 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
     count = add(all, count, layout->key, "key");
     count = add(all, count, layout->bar, "bar");
     count = add(all, count, layout->bar_title, "title of the bar");
+    count = add(all, count, layout->inset, "inset");
     count = add(all, count, layout->caption, "caption");
     for (size_t c = 0; c < layout->chain_count; c++) {
         if (layout->head == 0) /* else it is over a stage */
