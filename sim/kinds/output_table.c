@@ -104,15 +104,15 @@ static const struct bead_option sweep_table_rows[] = {
     BEAD_FILE_ROW("table", "FILE.csv", "peaks.csv"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "magnetism", .choices = sweep_table_shows,
      .values = sweep_table_values,
-     .help = "magnetism or statistics: those of each magnetism, or over keys of each value along the axis; results of each "
-             "configuration; mean peaks along the chain; or, over keys, spreading, how far energy has spread at the times "
-             "of such a table of one chain in chains that are run for it, averaged over seeds, and the exponents of the window "
-             "from 7 % of the time to its end "
-             "with their standard errors. Forces have an `uncertainty`: a finer run measures that of the first of "
-             "every 64 chains, and of all with more than 600 beads; the others, and means, are uncertain by the worst of "
-             "these. Of spreading, one of 64 chains of each curve is measured, at least five, and the mean is uncertain by their "
-             "mean and "
-             "by how much that of all may differ from it. " BEAD_SWEEP_LINES_HELP},
+     .help =
+         "magnetism or statistics: those of each magnetism, or over keys of each value along the axis; results of each "
+         "configuration; mean peaks along the chain; or, over keys, spreading, how far energy has spread at the times "
+         "of such a table of one chain in chains that are run for it, averaged over seeds, and the exponents of the window "
+         "from 7 % of the time to its end "
+         "with their standard errors. Forces have an `uncertainty`: a finer run measures that of the first of "
+         "every 64 chains, over keys of at least five, and of all with more than 600 beads; the others, and means, are uncertain "
+         "by the worst of these. Of spreading, one of 64 chains of each curve is measured, at least five, and the mean is "
+         "uncertain by their mean and by how much that of all may differ from it. " BEAD_SWEEP_LINES_HELP},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help = "with `show: spreading`: how well its numbers are known, from second runs of some chains; false: no such runs"},
 };

@@ -54,6 +54,13 @@ static double student(double freedom)
     return z * (1 + (g1 + (g2 + g3 / freedom) / freedom) / freedom);
 }
 
+size_t bead_sample_every(size_t all)
+{
+    enum { SPARSEST = 64, LEAST = 5 };
+    const size_t most = all / LEAST;
+    return most > SPARSEST ? SPARSEST : most > 1 ? most : 1;
+}
+
 double bead_sample_error(const struct bead_summary *sample, size_t all)
 {
     if (sample->count == all)

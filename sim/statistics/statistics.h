@@ -20,6 +20,10 @@ BEAD_INTERNAL void bead_summary_of(double *values, size_t count, struct bead_sum
  * standard error of a sample without replacement (W. G. Cochran, Sampling Techniques, 1977, 2.6 to 2.8). */
 BEAD_INTERNAL double bead_sample_error(const struct bead_summary *sample, size_t all);
 
+/* A sample for that has one number in so many: one in 64, or at least five, or all of fewer. Student's quantiles are much larger
+ * for a smaller sample. */
+BEAD_INTERNAL size_t bead_sample_every(size_t all);
+
 /* Results of one magnetism. */
 struct bead_group_results {
     double magnetism;

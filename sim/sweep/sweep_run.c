@@ -7,6 +7,7 @@
 #include "sim/run/behind.h"
 #include "sim/run/method_choice.h"
 #include "sim/run/uncertainty.h"
+#include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -138,6 +139,13 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     return err;
 }
 
+/* Is the chain one of those whose errors are measured? Chains over keys are unlike, so that more of a few are. */
+static bool is_measured(const struct measure *m)
+{
+    const size_t every = bead_sweep_is_over(m->panel) ? bead_sample_every(m->panel->shown.configurations) : ALSO_WHOLE;
+    return m->panel->shown.places > 0 && ((m->row > 0 && (m->row - 1) % every == 0) || bead_is_long(m->chain));
+}
+
 /* Plays it once more, with a smaller tolerance, and finds how well its peaks are known. */
 static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t try, struct bead_message *msg)
 {
@@ -196,7 +204,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
     m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
-    if (!err && m->panel->shown.places > 0 && (m->row % ALSO_WHOLE == 1 || bead_is_long(m->chain)))
+    if (!err && is_measured(m))
         err = measure_errors(m, &play, *try, msg);
     if (!err && m->seen)
         err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);

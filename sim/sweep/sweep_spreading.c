@@ -92,15 +92,14 @@ static void reduce(const struct chain *chains, size_t count, size_t times, size_
     }
 }
 
-/* Adds a second run of the first of every CHECKED chains of each curve, of at least LEAST, or all if they are fewer: Student's
- * quantiles are much larger for a smaller sample. And of long ones, whose errors differ more. `met`: room for one of each curve. */
+/* Adds a second run of a sample of each curve's chains, and of long ones, whose errors differ more. `met`: room for one of each
+ * curve. */
 static enum bead_error add_checks(const struct bead_sweep *sweep, const struct bead_sweep_spreads *spreads, size_t *met,
                                   struct chains *chains, struct bead_message *msg)
 {
-    enum { CHECKED = 64, LEAST = 5 };
     for (size_t i = 0; i < chains->count; i++) {
         const struct chain *chain = &chains->of[i];
-        const size_t most = spreads->of[chain->curve].chains / LEAST, every = most > CHECKED ? CHECKED : most > 1 ? most : 1;
+        const size_t every = bead_sample_every(spreads->of[chain->curve].chains);
         if (met[chain->curve]++ % every == 0 || chain->is_long)
             BEAD_TRY(begin(sweep, i, &chains->of[chains->all++], msg));
     }

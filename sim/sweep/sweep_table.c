@@ -90,6 +90,13 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     return BEAD_OK;
 }
 
+/* That of a force, or, if it was not measured, by the worst of those that were. */
+static void write_uncertainty(const struct out *o, size_t panel, size_t place, const struct bead_sweep_peak *peak)
+{
+    number(o->file, peak->uncertainty > 0 ? peak->uncertainty : bead_sweep_uncertainty(o->sweep, panel, place) * peak->force);
+    fputc('\n', o->file);
+}
+
 static enum bead_error write_configurations(const struct out *o, struct bead_message *)
 {
     head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state,uncertainty_N");
@@ -109,9 +116,7 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
                 number(o->file, peak->force);
                 number(o->file, peak->time);
                 fprintf(o->file, ",%zu,%.*s,%s", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
-                const double usual = bead_sweep_uncertainty(o->sweep, p, place) * peak->force;
-                number(o->file, peak->uncertainty > 0 ? peak->uncertainty : usual);
-                fputc('\n', o->file);
+                write_uncertainty(o, p, place, peak);
             }
         }
     }
@@ -178,7 +183,7 @@ static enum bead_error write_every_point(const struct out *o, struct bead_messag
         fputc(',', o->file);
         bead_table_text(o->file, over->keys[k].path);
     }
-    fputs(",peak_force_N,time_s,bead,state\n", o->file);
+    fputs(",peak_force_N,time_s,bead,state,uncertainty_N\n", o->file);
     for (size_t i = 0; i < panel->configurations; i++) {
         struct bead_sweep_configuration c;
         for (size_t place = 0; bead_sweep_configuration(o->sweep, 0, i, &c) && place < panel->places; place++) {
@@ -190,13 +195,16 @@ static enum bead_error write_every_point(const struct out *o, struct bead_messag
             }
             number(o->file, c.peaks[place].force);
             number(o->file, c.peaks[place].time);
-            fprintf(o->file, ",%zu,%s\n", (size_t)c.peaks[place].bead, c.peaks[place].open ? "open" : "");
+            fprintf(o->file, ",%zu,%s", (size_t)c.peaks[place].bead, c.peaks[place].open ? "open" : "");
+            write_uncertainty(o, 0, place, &c.peaks[place]);
         }
     }
     return BEAD_OK;
 }
 
-static void write_curve(const struct out *o, size_t place, const struct bead_sweep_curve *curve, const struct bead_over_key *along)
+/* `uncertain`: as above; NaN: unknown. */
+static void write_curve(const struct out *o, size_t place, const struct bead_sweep_curve *curve, const struct bead_over_key *along,
+                        double uncertain)
 {
     for (size_t i = 0; i < curve->count; i++) {
         const struct bead_summary *m = &curve->points[i].summary;
@@ -210,6 +218,7 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
             number(o->file, numbers[k]);
         number(o->file, curve->slope);
         number(o->file, curve->slope_error);
+        number(o->file, uncertain * m->mean);
         fputc('\n', o->file);
     }
 }
@@ -226,10 +235,10 @@ static enum bead_error write_place(const struct out *o, size_t place, const doub
         fprintf(o->file, "%s%s,curve,configurations", o->places ? "place," : "", along->path);
         for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
             fprintf(o->file, ",%s%s%s", columns[i], *unit ? "_" : "", unit);
-        fputs(",slope,slope_error\n", o->file);
+        fprintf(o->file, ",slope,slope_error,uncertainty%s%s\n", *unit ? "_" : "", unit);
     }
     for (size_t i = 0; !err && i < curves.count; i++)
-        write_curve(o, place, &curves.curves[i], along);
+        write_curve(o, place, &curves.curves[i], along, values ? NAN : bead_sweep_uncertainty(o->sweep, 0, place));
     bead_sweep_curves_free(&curves);
     return err;
 }

@@ -50,6 +50,18 @@ ok "--info names the keys" eval '"$beadsim" --info s.h5 | grep -qF "over 4 value
 ok "... of a scene, too" eval '"$beadsim" --info v.yaml >"$T/out" && grep -qF "v.yaml: scene of a sweep" "$T/out" && grep -qF "over 4 values of chain.striker.velocity" "$T/out"'
 ok "--plan, too" eval '"$beadsim" v.yaml --plan | grep -qF "over 4 of chain.striker.velocity"'
 
+# Chains over keys: at least five are measured, or all; others are uncertain by the worst of them.
+seeds() { "$beadsim" random.yaml -q -o . --set "sweep={over: {chain.beads.0.seed: 1..12}, measure: {beads: [40, 40]}}" \
+    --set "outputs=[{table: $1.csv, show: configurations}, {table: $1-mean.csv}]" --set simulate.accuracy=$2; }
+echo 'chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 20, spins: random}, {bead: large-steel, count: 10}]}' >random.yaml
+ok "twelve random chains" seeds some 1e-5
+ok "... to ten digits" seeds exact 1e-10
+ok "... none says less than was asked" awk -F, 'NR > 1 {known += $7 > 0.999e-5 * $3} END {exit known != 12}' some.csv
+ok "... forces are off by less" awk -F, 'FNR == 1 {next} NR == FNR {exact[$1] = $3; next}
+    {d = $3 - exact[$1]; bad += (d < 0 ? -d : d) > $7; any += d != 0} END {print bad + 0, any; exit bad || any < 10}' exact.csv some.csv
+ok "... and their means" awk -F, 'FNR == 1 {next} NR == FNR {exact[$1] = $4; next}
+    {d = $4 - exact[$1]; bad += (d < 0 ? -d : d) > $NF || !($NF > 0); n++} END {exit bad || n < 1}' exact-mean.csv some-mean.csv
+
 # Without precompression c ~ v^(1/5), exactly; samples follow pulses to six digits.
 ok "a measure of them" exits 0 "$beadsim" v.yaml -o . --set 'chain.beads.0.count=40' --set 'outputs=[{table: c.csv, measure: front speed}]'
 ok "... speeds scale with its power 1/5" within "$(column c.csv 11 | head -n 1)" 0.2 1e-6
