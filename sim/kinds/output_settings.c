@@ -63,10 +63,12 @@ static void fit_stage(const struct bead_reader *reader, const struct bead_at *at
     }
 }
 
-/* Each chain has its own panel, except in plots of peaks and where all share one. */
+/* Each chain has its own panel, except in plots of peaks and where all share one; of the curves of a sweep each place has. */
 static bool side_by_side(const struct bead_reader *reader, const struct bead_output *output)
 {
     const bool one = output->kind == BEAD_OUTPUT_PLOT && (output->curves.show == BEAD_SHOW_PEAKS || output->curves.overlay);
+    if (reader->scene->sweep_count > 0 && bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
+        return output->curves.beads.count + output->curves.contacts.count > 1;
     return reader->scene->chain_count > 1 && !one;
 }
 

@@ -57,6 +57,9 @@ ok "... beside the chains alone" alone 10 m.yaml '{table: one.csv, show: sensors
 ok "... are their means, and standard errors" means m.csv 0 "magnetism 0" 2
 ok "... of the other value, too" means m.csv 5 "magnetism 0.5" 2
 ok "... on one thread the same bytes" eval '"$beadreel" m.yaml -q -o single --threads 1 >"$T/out" && cmp single/m.csv m.csv && cmp single/m.svg m.svg'
+wide() { "$beadreel" m.yaml -q -o . --set "outputs=[{plot: paper.svg, show: sensors, beads: $1, style: paper}]" && grep -qE "width=\"$2" paper.svg; }
+ok "on paper, the curves of one place have one column" wide 3 24
+ok "... those of two both" wide "[3, 12]" 50
 awk -F, 'NR == 1 {print "time_s,bead_12"} $2 == "magnetism 0" {print $1 "," $6}' m.csv >curve.csv
 ok "the plot has their curve" python3 "$top/tests/curves.py" m.svg curve.csv 1e-6 1e-3 6
 ok "... and says how many there are" grep -q "mean of 5 chains" m.svg
