@@ -5,9 +5,9 @@
 #include "beadreel/render.h"
 #include "beadreel/sweep.h"
 #include "render/colour/colour_table.h"
-#include "render/draw/picture.h"
 #include "render/encode/libav.h"
 #include "render/encode/movie_internal.h"
+#include "render/origin/origin.h"
 #include "render/paint/canvas.h"
 #include "render/paint/gl_context.h"
 #include "sim/cli/command_line.h"
@@ -78,7 +78,7 @@ int main(int argc, char **argv)
         .lists = lists,
         .sinks = sinks,
         .canvases = canvases,
-        .source_of_png = bead_png_source,
+        .find_origin = bead_origin_read,
     };
     return command_main(&program, argc, argv);
 }

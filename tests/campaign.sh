@@ -20,7 +20,8 @@ command 100000 0
 trajectory 40000 0
 sweep 20000 0
 merge 20000 0
-journal 40000 0'
+journal 40000 0
+origin 1000000 0'
 
 # fuzz BUILD SANITIZERS TARGET RUNS : what is missing of them
 fuzz() {

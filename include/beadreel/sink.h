@@ -58,6 +58,7 @@ struct bead_needs {
 struct bead_frame_asked {
     const char *text;  /* as given */
     double time, part; /* s of the motion, or a part of the film, 0..1: NaN where it is not that; both: the frame of posters */
+    const char *still; /* what is left of it: "poster"; NULL: all */
 };
 
 struct bead_sweep;          /* sweep.h */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "beadreel/api.h"
+#include "render/origin/origin.h"
 
 /* A piece of the file; text NULL: it is not there. */
 struct piece {
@@ -37,7 +37,7 @@ static long number_before(const char *pdf, const char *place)
 /* The scene as an attached file (7.11.4): the numbers of the two objects are `number` and the next. Sets the places of both. */
 static size_t attach(const char *source, long number, size_t place, size_t at[2], FILE *file)
 {
-    static const char mark[] = "# beadreel " BEADREEL_VERSION ", scene:\n";
+    static const char mark[] = "# " BEAD_ORIGIN_HEAD;
     at[0] = place;
     at[1] = place + (size_t)fprintf(file, "%ld 0 obj\n<< /Type /EmbeddedFile /Length %zu >>\nstream\n%s%s\nendstream\nendobj\n",
                                     number, sizeof mark - 1 + strlen(source), mark, source);

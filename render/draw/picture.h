@@ -49,10 +49,3 @@ BEAD_CHECK static inline enum bead_error bead_notes_take(struct bead_picture_not
                   : bead_settings_take(own, sizeof *own, BEAD_SETTINGS_UP_TO(struct bead_picture_notes, dpi), given,
                                        "bead_picture_notes", msg);
 }
-
-/* The description of its scene in a picture's file. */
-
-/* The scene that a PNG file has (its text "Source"), to be freed by the caller; NULL: none. `version`: of the program that wrote
- * it,
- * "" where the file does not say. Errors: IO, FORMAT, MEMORY. */
-BEAD_CHECK enum bead_error bead_png_source(const char *path, char **source, char *version, size_t size, struct bead_message *msg);

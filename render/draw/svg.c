@@ -7,7 +7,7 @@
 #include <hb.h>
 #include <string.h>
 
-#include "beadreel/api.h"
+#include "render/origin/origin.h"
 
 /* ---- words ---- */
 
@@ -150,9 +150,10 @@ static const char *put_head(const struct bead_svg_parts *svg, FILE *file)
     put_element(file, "title", svg->title);
     put_element(file, "desc", svg->description);
     if (svg->source && *svg->source) {
-        char *source = g_strdup_printf("beadreel " BEADREEL_VERSION ", scene:\n%s", svg->source);
-        put_element(file, "metadata", source);
-        g_free(source);
+        fputs("<metadata>", file);
+        bead_origin_escape(BEAD_ORIGIN_HEAD, file);
+        bead_origin_escape(svg->source, file);
+        fputs("</metadata>\n", file);
     }
     return body + 1 + (body[1] == '\n');
 }

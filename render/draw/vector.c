@@ -12,6 +12,7 @@
 #include "render/draw/picture.h"
 #include "render/draw/raster.h"
 #include "render/draw/vector.h"
+#include "render/origin/origin.h"
 #include "sim/base/file.h"
 
 struct format {
@@ -66,11 +67,19 @@ static enum bead_error write_pdf(const struct bead_svg_parts *pdf, FILE *file, s
     return BEAD_OK;
 }
 
-/* Without the date, which cairo takes from the clock. */
+/* Without the date, which cairo takes from the clock; with the scene behind the comments that begin the file. */
 static enum bead_error write_eps(const struct bead_svg_parts *eps, FILE *file, struct bead_message *)
 {
+    static const char ends[] = "%%EndComments\n";
     const char *date = strstr(eps->text, "%%CreationDate:"), *after = date ? strchr(date, '\n') + 1 : eps->text;
+    const char *body = strstr(after, ends);
     fwrite(eps->text, 1, date ? (size_t)(date - eps->text) : 0, file);
+    if (body && eps->source && *eps->source) {
+        body += strlen(ends);
+        fwrite(after, 1, (size_t)(body - after), file);
+        bead_origin_write_eps(eps->source, file);
+        after = body;
+    }
     fwrite(after, 1, eps->length - (size_t)(after - eps->text), file);
     return BEAD_OK;
 }

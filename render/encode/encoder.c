@@ -12,6 +12,7 @@
 #include "render/encode/movie_private.h"
 #include "render/encode/pictures.h"
 #include "render/encode/tracks.h"
+#include "render/origin/origin.h"
 #include "sim/base/file.h"
 
 enum {
@@ -396,8 +397,8 @@ static enum bead_error make_plain(struct bead_movie *movie, struct bead_message 
     const struct bead_encoder *e = movie->encoder;
     int code = movie->codec->gif ? bead_gif_make(e->file, descriptor, e->frame_time, (int64_t)movie->shown)
                                  : copy_plain(movie, descriptor);
-    if (code >= 0 && movie->codec->gif && movie->comment)
-        err = movie->codec->comment(descriptor, movie->comment, msg);
+    if (code >= 0 && movie->comment)
+        err = bead_origin_put(movie->path, descriptor, movie->comment, msg);
     if (close(descriptor) != 0 && code >= 0)
         code = AVERROR(errno);
     return code < 0 ? fail(movie, "cannot finish the file", code, msg) : err;
@@ -407,8 +408,9 @@ static enum bead_error close_part(struct bead_movie *movie, struct bead_message 
 {
     struct bead_encoder *e = movie->encoder;
     bead_av_file_unwrap(&e->format->pb);
-    bool own = movie->comment && !movie->codec->gif; /* else in the finished file */
-    BEAD_TRY(own ? movie->codec->comment(e->file, movie->comment, msg) : BEAD_OK);
+    const bool finished = !movie->plain && !movie->codec->gif && !movie->codec->plain_muxer; /* else it is another file */
+    if (movie->comment && finished)
+        BEAD_TRY(bead_origin_put(movie->path, e->file, movie->comment, msg));
     int descriptor = e->file;
     e->file = -1;
     return close(descriptor) == 0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_IO, "%s: closing failed", movie->path);

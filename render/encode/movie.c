@@ -6,6 +6,7 @@
 #include "render/encode/libav.h"
 #include "render/encode/movie_private.h"
 #include "render/encode/tracks.h"
+#include "render/origin/origin.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/settings.h"
@@ -188,7 +189,7 @@ enum bead_error bead_movie_open(const char *path, const struct bead_movie_settin
     m->settings = own;
     if (m->preset)
         snprintf(m->encoded_by, sizeof m->encoded_by, "libavcodec (%s)", codec->gif ? "gif" : m->preset->encoder);
-    if (own.comment && codec->comment && !(m->comment = strdup(own.comment)))
+    if (own.comment && codec->presets && bead_origin_is_put(path) && !(m->comment = strdup(own.comment)))
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
     if (!err)
         err = bead_file_join(NULL, path, &m->path, msg);

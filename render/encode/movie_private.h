@@ -54,8 +54,7 @@ struct bead_codec {
     const char *plain_muxer;   /* of the finished file; NULL: the same */
     const char *plain_options; /* of the finished file; NULL: that is the part itself */
     const char *ending;        /* BEAD_ENDING_BYTES after each flush, so that the growing file can be read; NULL: not needed */
-    enum bead_error (*comment)(int descriptor, const char *text, struct bead_message *msg); /* NULL: the muxer writes it */
-    const struct bead_preset *presets;                                                      /* by enum bead_quality */
+    const struct bead_preset *presets; /* by enum bead_quality */
     const struct bead_preset
         *clear; /* of transparent movies, likewise; without an encoder: not in this quality. NULL: in no quality */
     const struct bead_preset *av1;                /* if the settings ask for AV1, likewise */
@@ -86,7 +85,7 @@ struct bead_movie {
     char *path, *part;
     char *plain; /* name of the finished file while it is written; NULL: the part */
     char encoded_by[48];
-    char *comment;                /* if the codec writes it at the end; NULL: none */
+    char *comment;                /* put into the finished file; NULL: none, or the muxer writes it */
     char *description;            /* NULL: none */
     struct bead_encoder *encoder; /* bead_movie_libav */
     FILE *lines;                  /* bead_movie_hashes */
@@ -94,8 +93,8 @@ struct bead_movie {
     bool failed;
 };
 
-/* Before close: what happens, in words, for those who do not see it; in the finished file of mp4, and before the comment of GIF
- * and PNG. Errors: MEMORY. */
+/* Before close: what happens, in words, for those who do not see it; in the finished file of mp4, and before the comment of those
+ * whose muxers write none. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_describe(struct bead_movie *movie, const char *text, struct bead_message *msg);
 
 /* Frames in two steps: one thread converts them into the encoder's pictures, another one encodes these. A slot is a picture, which

@@ -3,6 +3,8 @@
 #include "render/encode/picture_file.h"
 
 #include "beadreel/movie.h"
+#include "render/origin/origin.h"
+#include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
 
 static struct bead_movie_settings still_of(int width, int height, bool alpha)
@@ -30,8 +32,10 @@ enum bead_error bead_picture_write(const char *path, const struct bead_frame *fr
     struct bead_movie_settings settings = still_of(frame->width, frame->height, frame->alpha);
     struct bead_movie *movie;
     settings.title = notes->title;
-    settings.comment = notes->description;
     settings.dpi = notes->dpi;
+    BEAD_FREED char *comment = NULL;
+    BEAD_TRY(bead_origin_text(notes->description, notes->source, &comment, msg));
+    settings.comment = comment;
     BEAD_TRY(bead_movie_open(path, &settings, &movie, msg));
     enum bead_error err = bead_movie_add(movie, frame, NULL, msg);
     if (!err)

@@ -138,8 +138,8 @@ bool bead_poster_prefers(struct bead_poster *poster, const struct bead_composer 
 /* Called after each draw: copies the frame if it is preferred. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,
                                              struct bead_message *msg);
-/* Writes a frame as a PNG file with the scene's title. Errors: IO, MEMORY. */
-BEAD_CHECK enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const struct bead_scene *scene,
+/* Writes a frame as a picture with the title and the text of its scene. Errors: IO, MEMORY. */
+BEAD_CHECK enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const char *title, const char *source,
                                             uint64_t *bytes, struct bead_message *msg);
 /* Writes the file, if there is a frame, and makes it the movie's cover. `bytes`: size of the file; 0: none. Errors: IO, MEMORY,
  * CODEC. */

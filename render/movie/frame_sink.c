@@ -170,13 +170,27 @@ static enum bead_error frame_again(struct bead_sink *s, bool *again, struct bead
     return err;
 }
 
+/* The scene does not say which frame it is: comments above it do, for --reproduce. */
+static enum bead_error write_frame(struct bead_sink *s, struct bead_message *msg)
+{
+    const struct bead_frame_asked *asked = s->film.context.frame;
+    const struct bead_scene *scene = s->film.context.scene;
+    BEAD_FREED char *source = NULL;
+    if (asprintf(&source, "# beadreel --frame %s\n%s%s%s%s", asked->text, asked->still ? "# beadreel --still " : "",
+                 asked->still ? asked->still : "", asked->still ? "\n" : "", scene->text) < 0) {
+        source = NULL;
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for the scene in it", s->path);
+    }
+    return bead_poster_file(s->path, bead_composer_frame(s->composer), scene->title, source, &s->bytes, msg);
+}
+
 static enum bead_error frame_end(struct bead_sink *s, const struct bead_outcome *, struct bead_message *msg)
 {
     const char *painter = bead_composer_painter(s->composer);
     if (!s->drawn)
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: there are no samples of this frame", s->path);
     snprintf(s->makers, sizeof s->makers, "%s%s", *painter ? "painted by " : "", painter);
-    return bead_poster_file(s->path, bead_composer_frame(s->composer), s->film.context.scene, &s->bytes, msg);
+    return write_frame(s, msg);
 }
 
 static enum bead_error frame_scout(struct bead_sink *s, const struct bead_sample *sample, struct bead_message *msg)

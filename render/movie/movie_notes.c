@@ -8,16 +8,7 @@
 
 #include "render/draw/markup.h"
 #include "render/movie/movie_words.h"
-
-static char *make_comment(const struct bead_scene *scene)
-{
-    const char *text = scene->text ? scene->text : "";
-    size_t size = strlen(text) + 64;
-    char *comment = malloc(size);
-    if (comment)
-        snprintf(comment, size, "beadreel %s, scene:\n%s", bead_version(), text);
-    return comment;
-}
+#include "render/origin/origin.h"
 
 /* s of the film from which a caption is seen, and until when; no length: it is not seen. */
 static void find_span(const struct bead_film *film, size_t caption, double span[2])
@@ -120,8 +111,9 @@ static bool reserve(const struct bead_film *film, struct bead_movie_notes *notes
 
 enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_movie_notes *notes, struct bead_message *msg)
 {
-    *notes = (struct bead_movie_notes){.comment = make_comment(film->context.scene)};
-    if (!notes->comment || !reserve(film, notes))
+    *notes = (struct bead_movie_notes){.comment = NULL};
+    BEAD_TRY(bead_origin_text(NULL, film->context.scene->text, &notes->comment, msg));
+    if (!reserve(film, notes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the notes of a movie");
     fill(film, notes);
     return BEAD_OK;

@@ -51,10 +51,11 @@ static enum bead_error set_cover(const char *path, uint64_t bytes, struct bead_m
     return bead_movie_cover(movie, (const uint8_t *)png, length, msg);
 }
 
-enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const struct bead_scene *scene, uint64_t *bytes,
-                                 struct bead_message *msg)
+enum bead_error bead_poster_file(const char *path, const struct bead_frame *frame, const char *title, const char *source,
+                                 uint64_t *bytes, struct bead_message *msg)
 {
-    const struct bead_picture_notes notes = {.size = sizeof notes, .title = scene->title && scene->title[0] ? scene->title : NULL};
+    const struct bead_picture_notes notes = {
+        .size = sizeof notes, .title = title, .software = "beadreel " BEADREEL_VERSION, .source = source};
     return bead_picture_write(path, frame, &notes, bytes, msg);
 }
 
@@ -64,6 +65,6 @@ enum bead_error bead_poster_write(const struct bead_poster *p, const char *path,
     *bytes = 0;
     if (!p->taken)
         return BEAD_OK;
-    BEAD_TRY(bead_poster_file(path, &p->frame, scene, bytes, msg));
+    BEAD_TRY(bead_poster_file(path, &p->frame, scene->title, scene->text, bytes, msg));
     return set_cover(path, *bytes, movie, msg);
 }

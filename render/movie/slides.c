@@ -9,11 +9,13 @@
 
 #include "beadreel/sink.h"
 #include "render/draw/axis.h"
+#include "render/origin/origin.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 
 static const char before[] =
     "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>%s</title>\n"
+    "<meta name=\"generator\" content=\"beadreel " BEADREEL_VERSION "\">\n"
     "<style>html,body{margin:0;height:100%%;background:%s}video{display:block;width:100%%;height:100%%;object-fit:contain}\n"
     "p{position:fixed;left:0;right:0;bottom:0;margin:.6em;text-align:center;font:1em sans-serif;color:#888}</style>\n"
     "<video playsinline preload=\"auto\" aria-label=\"%s\" src=\"data:video/%s;base64,";
@@ -49,7 +51,7 @@ static const char after[] =
     "  else return;\n"
     "  event.preventDefault();\n"
     "});\n"
-    "</script>\n</html>\n";
+    "</script>\n<div hidden><code id=\"scene-text\">";
 
 /* The middle of the frame at a stop, s of the film: players round times of frames either way. */
 static double stop_time(const struct bead_film *film, double motion)
@@ -93,6 +95,8 @@ static enum bead_error fill(void *context, FILE *file, const char *, struct bead
         g_free(text);
     }
     fprintf(file, after, stops, 0.5 / film->output->movie.fps);
+    bead_origin_escape(film->context.scene->text, file);
+    fputs("</code></div>\n</html>\n", file);
     return BEAD_OK;
 }
 

@@ -4,6 +4,7 @@
 #include <strings.h>
 
 #include "render/draw/words.h"
+#include "render/origin/origin.h"
 #include "render/report/report_private.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
@@ -44,13 +45,13 @@ static enum bead_error write_picture(const struct bead_sink *s, const struct bea
         char tale[BEAD_TALE_WORDS];
         bead_tale_words(s->tale, tale, sizeof tale);
         fputs("<figure><img alt=\"", file);
-        report_html(file, output->still.caption && *output->still.caption ? output->still.caption : "Picture of the run.");
+        bead_origin_escape(output->still.caption && *output->still.caption ? output->still.caption : "Picture of the run.", file);
         fputs(*tale ? " " : "", file);
-        report_html(file, tale);
+        bead_origin_escape(tale, file);
         fprintf(file, "\" src=\"data:%s;base64,", picture_type(output));
         report_base64(file, (const unsigned char *)bytes, count);
         fputs("\"><figcaption>", file);
-        report_html(file, output->path);
+        bead_origin_escape(output->path, file);
         fputs("</figcaption></figure>\n", file);
     }
     return err;

@@ -6,28 +6,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/origin/origin.h"
 #include "sim/base/assets.h"
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 
 /* ---- HTML and JSON ---- */
-
-void report_html(FILE *file, const char *text)
-{
-    static const struct {
-        char plain;
-        const char *html;
-    } escapes[] = {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
-    for (; *text; text++) {
-        const char *html = NULL;
-        for (size_t i = 0; i < sizeof escapes / sizeof *escapes; i++)
-            html = *text == escapes[i].plain ? escapes[i].html : html;
-        if (html)
-            fputs(html, file);
-        else if ((unsigned char)*text >= 32 || *text == '\n' || *text == '\t')
-            fputc(*text, file);
-    }
-}
 
 void report_base64(FILE *file, const unsigned char *bytes, size_t count)
 {
@@ -143,13 +127,19 @@ struct filling {
 static enum bead_error write_title(const struct filling *filling, FILE *file, struct bead_message *)
 {
     const char *title = filling->scene->title;
-    report_html(file, title && *title ? title : "beadreel");
+    bead_origin_escape(title && *title ? title : "beadreel", file);
     return BEAD_OK;
 }
 
 static enum bead_error write_scene(const struct filling *filling, FILE *file, struct bead_message *)
 {
-    report_html(file, filling->scene->text);
+    bead_origin_escape(filling->scene->text, file);
+    return BEAD_OK;
+}
+
+static enum bead_error write_version(const struct filling *, FILE *file, struct bead_message *)
+{
+    fputs(BEADREEL_VERSION, file);
     return BEAD_OK;
 }
 
@@ -177,8 +167,8 @@ static enum bead_error write_part(const struct filling *filling, const char *nam
     static const struct {
         const char *name;
         enum bead_error (*write)(const struct filling *filling, FILE *file, struct bead_message *msg);
-    } own[] = {
-        {"title", write_title}, {"scene", write_scene}, {"skip", write_skip}, {"body", write_body}, {"scripts", write_scripts}};
+    } own[] = {{"title", write_title}, {"scene", write_scene}, {"version", write_version},
+               {"skip", write_skip},   {"body", write_body},   {"scripts", write_scripts}};
     for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
         if (strcmp(own[i].name, name) == 0)
             return own[i].write(filling, file, msg);

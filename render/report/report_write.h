@@ -34,12 +34,11 @@ struct report_page {
 };
 
 /* Writes the page to `path`, whole or not at all, with a decimal point in every locale. {{title}} and {{scene}} are those of
- * `scene`; `context` is for the page's own parts. Errors: IO, MEMORY, FORMAT (the templates), those of the parts. */
+ * `scene`, {{version}} is the program's; `context` is for the page's own parts. Errors: IO, MEMORY, FORMAT (the templates), those
+ * of the parts. */
 BEAD_CHECK enum bead_error report_write_page(const struct report_page *page, const struct bead_scene *scene, const void *context,
                                              const char *path, uint64_t *bytes, struct bead_message *msg);
 
-/* Text of an element or a quoted attribute, without characters that XML forbids. */
-void report_html(FILE *file, const char *text);
 void report_base64(FILE *file, const unsigned char *bytes, size_t count);
 /* A member: a text of base64. */
 void report_bytes(struct bead_json *json, const char *key, const unsigned char *bytes, size_t count);

@@ -33,8 +33,8 @@ struct command_program {
     const struct command_list *lists;                 /* ends with a NULL name */
     const struct bead_sink_type *const *const *sinks; /* for the job, NULL-terminated */
     const char *const *canvases;                      /* what --canvas allows, NULL-terminated; NULL: the program does not draw */
-    /* the scene in a PNG file, as bead_png_source; NULL: the program has no way to read them */
-    enum bead_error (*source_of_png)(const char *path, char **source, char *version, size_t size, struct bead_message *msg);
+    /* The scene in the file of a picture, film or page, as bead_origin_read; NULL: the program makes none. */
+    enum bead_error (*find_origin)(const char *path, char **source, char *version, size_t size, struct bead_message *msg);
 };
 
 enum command_action {
@@ -129,10 +129,11 @@ enum bead_error command_crate(const struct command *command, const struct bead_s
                               struct bead_message *msg);
 /* A file's account of how it was made. */
 struct command_origin {
-    char *scene;      /* owned; NULL: nothing */
-    char version[32]; /* of the program; "": not said */
-    char file[4096];  /* the name of the scene's file; "": not said */
-    char beside[256]; /* another file that says so; "": the file itself */
+    char *scene;               /* owned; NULL: nothing */
+    char version[32];          /* of the program; "": not said */
+    char file[4096];           /* the name of the scene's file; "": not said */
+    char frame[64], still[16]; /* the options that it was made with; "": without */
+    char beside[256];          /* another file that says so; "": the file itself */
 };
 /* Errors: IO, FORMAT, MEMORY. */
 enum bead_error command_find_origin(const struct command *command, const char *path, struct command_origin *origin,

@@ -14,6 +14,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
 #include "sim/yaml/yaml.h"
 
@@ -29,23 +30,31 @@ static const char *ending(const char *path)
     return dot ? dot : "";
 }
 
-/* The output of a scene that is this file: that of its name, or else the only one of its ending; NULL: neither. `names`: all. */
-static const char *find_output(const struct bead_scene *scene, const char *path, bool by_ending, char *names, size_t size)
+/* An output of a scene that makes a file: the output's own name, and that of the file, which may be its second one. */
+struct making {
+    const char *output, *file; /* NULL: none */
+};
+
+/* That of the file's name, or else the only one of its ending. `names`: all. */
+static struct making find_output(const struct bead_scene *scene, const char *path, bool by_ending, char *names, size_t size)
 {
-    const char *alike = NULL;
+    struct making alike = {.output = NULL};
     size_t count = 0;
     *names = 0;
-    for (size_t i = 0; i < scene->output_count; i++) {
-        const char *made = scene->outputs[i].path;
+    for (size_t i = 0; i < 2 * scene->output_count; i++) {
+        const struct bead_output *output = &scene->outputs[i / 2];
+        const char *key, *made = i % 2 ? bead_output_second(output, &key) : output->path;
+        if (!*made)
+            continue;
         bead_list_add(names, size, ", ", made);
         if (strcmp(base_name(made), base_name(path)) == 0)
-            return made;
+            return (struct making){output->path, made};
         if (strcasecmp(ending(made), ending(path)) == 0) {
-            alike = made;
+            alike = (struct making){output->path, made};
             count++;
         }
     }
-    return by_ending && count == 1 ? alike : NULL;
+    return by_ending && count == 1 ? alike : (struct making){.output = NULL};
 }
 
 static enum bead_error parse(const struct command *command, const struct command_origin *origin, struct bead_scene **scene,
@@ -79,8 +88,8 @@ static bool names_input(const struct command *command, const char *path, struct 
     struct bead_scene *scene = NULL;
     bool found = read_origin(command, path, origin) == BEAD_OK && origin->scene;
     if (found) {
-        found =
-            parse(command, origin, &scene, NULL) == BEAD_OK && find_output(scene, command->job.input, false, names, sizeof names);
+        found = parse(command, origin, &scene, NULL) == BEAD_OK &&
+                find_output(scene, command->job.input, false, names, sizeof names).file;
         bead_scene_free(scene);
     }
     if (found)
@@ -92,7 +101,7 @@ static bool names_input(const struct command *command, const char *path, struct 
     return found;
 }
 
-/* Tables and GIF files have no room for a scene: one of the directory that names this file, rather as another file of results has
+/* Tables have no room for a scene: one of the directory that names this file, rather as another file of results has
  * it, which is as it was run, than as its own file has it now. */
 static enum bead_error find_beside(const struct command *command, struct command_origin *origin, struct bead_message *msg)
 {
@@ -156,41 +165,41 @@ static enum bead_error compare(const struct command *command, const struct comma
                      command->job.output ? "; the new file is there to compare" : "; -o DIRECTORY keeps the new file");
 }
 
-/* The result of a run that has this name, or NULL: the first; NULL: there is none. */
-static const char *find_result(const struct bead_session *session, const char *output)
+/* What is run to make the file again. */
+struct attempt {
+    const char *input;  /* a scene or a trajectory */
+    const char *output; /* a directory, or the file */
+    const char *only;   /* the one output to make; NULL: all */
+    const char *file;   /* the result to compare, by its name in the scene; NULL: the first */
+    bool compared;      /* else it is made for another attempt */
+};
+
+static const char *find_result(const struct bead_session *session, const char *file)
 {
     const struct bead_result *results = NULL;
     const size_t count = bead_session_results(session, &results);
     for (size_t i = 0; i < count; i++) {
-        if (!output || strcmp(results[i].name, output) == 0)
+        if (!file || strcmp(results[i].name, file) == 0)
             return results[i].path;
     }
     return NULL;
 }
 
-/* The output of the scene, or NULL: what `-o` makes of one for the file's name. */
-static enum bead_error make_again(const struct command *command, const struct command_origin *origin, const char *output,
-                                  bool alone, const char *directory, const volatile sig_atomic_t *stop, struct bead_message *msg)
+static enum bead_error make_again(const struct command *command, const struct command_origin *origin, const struct attempt *attempt,
+                                  const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
-    char path[PATH_MAX], converted[PATH_MAX];
-    const int length = snprintf(path, sizeof path, "%s/.beadreel-scene.yaml", directory);
-    if (length >= (int)sizeof path ||
-        snprintf(converted, sizeof converted, "%s/%s", directory, base_name(command->job.input)) >= (int)sizeof converted)
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: too long", directory);
-    FILE *file = NULL;
-    BEAD_TRY(bead_file_create(path, &file, msg));
-    fputs(origin->scene, file);
-    BEAD_TRY(bead_file_close(file, path, msg));
     struct command again = *command;
     struct command_meter meter;
     struct bead_session *session = NULL;
     command_meter_init(&meter, command->progress);
-    again.job.input = path;
+    again.job.input = attempt->input;
     again.job.name = *origin->file ? origin->file : NULL;
-    again.job.output = output ? directory : converted;
+    again.job.output = attempt->output;
     again.job.config = NULL; /* the scene is as it was run */
-    again.job.only = &output;
-    again.job.only_count = alone && output ? 1 : 0;
+    again.job.frame = *origin->frame ? origin->frame : NULL;
+    again.job.still = *origin->still ? origin->still : NULL;
+    again.job.only = &attempt->only;
+    again.job.only_count = attempt->only != NULL;
     again.job.stop = stop;
     again.job.progress = command_meter_tell;
     again.job.progress_context = &meter;
@@ -199,24 +208,74 @@ static enum bead_error make_again(const struct command *command, const struct co
     if (!err)
         err = bead_session_run(session, msg);
     command_meter_clear(&meter);
-    const char *made = err ? NULL : find_result(session, output);
+    const char *made = err ? NULL : find_result(session, attempt->file);
     if (!err && !made)
-        err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: %s does not make it", output ? output : converted, command->program->name);
-    if (!err)
+        err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: %s does not make it", attempt->file ? attempt->file : attempt->output,
+                        command->program->name);
+    if (!err && attempt->compared)
         err = compare(command, origin, made, msg);
     command_guard(NULL);
     bead_session_close(session);
-    unlink(path);
     return err;
 }
 
-/* By itself; where bits differ, as one of all files of its scene: what a file says of its run depends on what else was asked of it.
- */
-static enum bead_error try_both(const struct command *command, const struct command_origin *origin, const char *output,
-                                const char *directory, const volatile sig_atomic_t *stop, struct bead_message *msg)
+static enum bead_error join(const char *directory, const char *name, char path[PATH_MAX], struct bead_message *msg)
 {
-    enum bead_error err = make_again(command, origin, output, true, directory, stop, msg);
-    return err == BEAD_ERROR_NUMBERS && output ? make_again(command, origin, output, false, directory, stop, msg) : err;
+    return snprintf(path, PATH_MAX, "%s/%s", directory, name) < PATH_MAX ? BEAD_OK
+                                                                         : bead_fail(msg, BEAD_ERROR_IO, "%s: too long", directory);
+}
+
+static enum bead_error write_scene(const char *path, const char *scene, struct bead_message *msg)
+{
+    FILE *file = NULL;
+    BEAD_TRY(bead_file_create(path, &file, msg));
+    fputs(scene, file);
+    return bead_file_close(file, path, msg);
+}
+
+/* Where a file was drawn from a trajectory, which knows less than a run: of that trajectory, made again. */
+static enum bead_error draw_again(const struct command *command, const struct command_origin *origin, struct attempt *attempt,
+                                  const char *keeper, const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    char trajectory[PATH_MAX], drawn[PATH_MAX];
+    const char *directory = attempt->output;
+    BEAD_TRY(join(directory, keeper, trajectory, msg));
+    BEAD_TRY(join(directory, base_name(attempt->file ? attempt->file : command->job.input), drawn, msg));
+    struct command_origin plain = *origin;
+    *plain.frame = *plain.still = 0;
+    attempt->only = attempt->file = keeper;
+    attempt->compared = false;
+    BEAD_TRY(make_again(command, &plain, attempt, stop, msg));
+    *attempt = (struct attempt){.input = trajectory, .output = drawn, .compared = true};
+    return make_again(command, origin, attempt, stop, msg);
+}
+
+/* Tries one way after the other, for what a file says of its run depends on what it was made of, and on what else was asked for: by
+ * itself; as one of all files of its scene; of the scene's trajectory. `made`: what the scene makes it as; none: -o made it of one.
+ */
+static enum bead_error try_all(const struct command *command, const struct command_origin *origin, const struct bead_scene *scene,
+                               struct making made, const char *directory, const volatile sig_atomic_t *stop,
+                               struct bead_message *msg)
+{
+    char path[PATH_MAX], converted[PATH_MAX];
+    const struct bead_output *keeper = bead_session_keeper(scene);
+    struct bead_message other;
+    BEAD_TRY(join(directory, ".beadreel-scene.yaml", path, msg));
+    BEAD_TRY(join(directory, base_name(command->job.input), converted, msg));
+    BEAD_TRY(write_scene(path, origin->scene, msg));
+    struct attempt attempt = {.input = path, .output = directory, .only = made.output, .file = made.file, .compared = true};
+    const bool single = !made.file || *origin->frame || *origin->still;
+    if (single)
+        attempt = (struct attempt){.input = path, .output = converted, .compared = true};
+    enum bead_error err = make_again(command, origin, &attempt, stop, msg);
+    attempt = (struct attempt){.input = path, .output = directory, .file = made.file, .compared = true};
+    if (err == BEAD_ERROR_NUMBERS && !single)
+        err = make_again(command, origin, &attempt, stop, msg);
+    if (err == BEAD_ERROR_NUMBERS && keeper && keeper->path != made.output &&
+        draw_again(command, origin, &attempt, keeper->path, stop, &other) == BEAD_OK)
+        err = BEAD_OK;
+    unlink(path);
+    return err;
 }
 
 enum bead_error command_make_temporary(char path[PATH_MAX], struct bead_message *msg)
@@ -231,16 +290,17 @@ void command_remove_temporary(const char *path)
     nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS);
 }
 
-static enum bead_error in_directory(const struct command *command, const struct command_origin *origin, const char *output,
-                                    const volatile sig_atomic_t *stop, struct bead_message *msg)
+static enum bead_error in_directory(const struct command *command, const struct command_origin *origin,
+                                    const struct bead_scene *scene, struct making made, const volatile sig_atomic_t *stop,
+                                    struct bead_message *msg)
 {
     char temporary[PATH_MAX];
     if (command->job.output) {
         BEAD_TRY(bead_file_make_directory(command->job.output, msg));
-        return try_both(command, origin, output, command->job.output, stop, msg);
+        return try_all(command, origin, scene, made, command->job.output, stop, msg);
     }
     BEAD_TRY(command_make_temporary(temporary, msg));
-    enum bead_error err = try_both(command, origin, output, temporary, stop, msg);
+    enum bead_error err = try_all(command, origin, scene, made, temporary, stop, msg);
     command_remove_temporary(temporary);
     return err;
 }
@@ -255,12 +315,14 @@ enum bead_error command_reproduce(const struct command *command, const volatile 
         err = find_beside(command, &origin, msg);
     if (!err)
         err = parse(command, &origin, &scene, msg);
-    const char *output = err ? NULL : find_output(scene, command->job.input, true, names, sizeof names);
-    if (!err && !output && !bead_session_names_file(command->job.input, command->job.own))
+    struct making made = {.output = NULL};
+    if (!err)
+        made = find_output(scene, command->job.input, true, names, sizeof names);
+    if (!err && !made.file && !bead_session_names_file(command->job.input, command->job.own))
         err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: its scene makes no such file, only %s; was it drawn from a trajectory?",
                         command->job.input, names);
     if (!err)
-        err = in_directory(command, &origin, output, stop, msg);
+        err = in_directory(command, &origin, scene, made, stop, msg);
     bead_scene_free(scene);
     free(origin.scene);
     return err;

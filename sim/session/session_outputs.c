@@ -143,7 +143,7 @@ static bool read_part(const char *text, double *part)
 static enum bead_error read_frame(const struct bead_session *s, struct bead_frame_asked *frame, struct bead_message *msg)
 {
     const char *text = s->job.frame, *unit = bead_chain_time_unit(s->chains[0]);
-    *frame = (struct bead_frame_asked){text, NAN, NAN};
+    *frame = (struct bead_frame_asked){text, NAN, NAN, s->job.still};
     if (strcmp(text, "peak") == 0 || read_part(text, &frame->part))
         return BEAD_OK;
     frame->part = NAN;

@@ -198,14 +198,14 @@ ok "... nothing else" [ "$(find . -newer given.yaml -name '*.png' | wc -l)" -eq 
 ok "a directory" exits 0 "$beadreel" given.yaml --frame "0.2 ms" --only two.webm -o into/it
 ok "... is made" test -s into/it/two-0.2ms.png
 ok "options for the film" exits 0 "$beadreel" given.yaml --frame 50% --colormap grey -o grey.png
-ok "... change it" [ "$(cmp -s grey.png one-50percent.png; echo $?)" -eq 1 ]
+ok "... change it" [ "$(cmp -s <(pixels grey.png) <(pixels one-50percent.png); echo $?)" -eq 1 ]
 ok "as do settings" exits 0 "$beadreel" given.yaml --frame 50% --set outputs.0.colormap=grey -o set.png
-ok "... in the same way" cmp grey.png set.png
+ok "... in the same way" cmp <(pixels grey.png) <(pixels set.png)
 sed 's/^outputs:$/&\n  - {table: [a.csv, b.csv]}/' given.yaml >behind.yaml
 ok "a film behind an entry of two files" exits 0 "$beadreel" behind.yaml --frame 50% --colormap grey -o behind.png
-ok "... looks so, too" cmp grey.png behind.png
+ok "... looks so, too" cmp <(pixels grey.png) <(pixels behind.png)
 ok "... and by settings" exits 0 "$beadreel" behind.yaml --frame 50% --set outputs.1.colormap=grey -o behind.png
-ok "... as well" cmp grey.png behind.png
+ok "... as well" cmp <(pixels grey.png) <(pixels behind.png)
 
 # wrong MESSAGE ARGUMENT... : nothing is made.
 wrong() {

@@ -1,6 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# --reproduce: any file that was made is made again, by the scene that it or its neighbour has, with the same bits.
+# --reproduce: any file that was made is made again, by the scene that it or its neighbour has, with the same bits. The manual says
+# which kinds of files have one: each is tried.
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1
 cat >scene.yaml <<'YAML'
@@ -28,11 +29,65 @@ for f in "${made[@]}"; do
 done
 ok "nothing new beside it" test "$(ls all | wc -l)" -eq ${#made[@]}
 ok "a table by the data program" exits 0 "$beadsim" --reproduce all/a.csv
-for f in all/a.png all/a.pdf all/a.svg all/a.mp4 all/a.webm all/a.mkv all/a.html; do
-    mkdir alone && cp "$f" alone/b."${f##*.}"
-    ok "${f##*/} has its scene in it, under any name" bash -c "'$beadreel' --reproduce alone/b.* >out && grep -q 'by the scene in it' out"
-    rm -r alone
+
+# Each ending that a file can have, alone in a directory, from a scene that is long and has what formats treat in a way of their own.
+manual=$top/assets/manual/publish.md
+rows() { sed -n '/^| file |/,/^$/p' "$manual" | grep '^| `'; }
+told() { rows | grep -F "\`.$1\`" | grep -v '| none'; }
+{ "$beadreel" --list keys | grep -o '(.*FILE\.[^;]*;' | grep -o '\.[a-z0-9]*' | tr -d .; echo xdmf; } | sort -u >endings
+ok "there are endings" test "$(wc -l <endings)" -ge 20
+listed() { rows | cut -d '|' -f 2 | grep -o '\.[a-z0-9]*' | tr -d . | sort | diff - endings; }
+ok "the manual has a row for each ending" listed
+{
+    printf '# <a> & "b" \\134 ]]> -- &amp; &#65; </metadata> </code> é 粒\n# endstream\nendstream: [&x 1, *x]\n' | sed '/^endstream/d'
+    seq -f '# line %.0f of a scene that is longer than a segment of JPEG can be' 1100
+    printf '# %0300d\n' 7
+    cat <<'YAML'
+title: "<A> & \\ \"B\" é"
+chain: {beads: [{bead: large-steel, count: 8}], wall: rigid}
+simulate: {until: 0.1 ms}
+outputs:
+YAML
+    while read -r ending; do
+        case $ending in
+        csv) echo "  - {table: x.csv, show: peaks}" ;;
+        h5) echo "  - {trajectory: x.h5, xdmf: true}" ;;
+        xdmf) ;;
+        html) echo "  - {report: x.html}" ;;
+        mp4 | mov | mkv | webm | gif | apng) echo "  - {movie: x.$ending, size: [240, 160], duration: 0.2 s}" ;;
+        png | webp | avif)
+            echo "  - {image: x.$ending, size: [240, 160]}"
+            echo "  - {movie: film-x.$ending, size: [240, 160], duration: 0.2 s}"
+            ;;
+        *) echo "  - {image: x.$ending, size: [240, 160]}" ;;
+        esac
+    done <endings
+    echo "  - {movie: a.mp4, size: [240, 160], duration: 0.2 s, poster: poster-x.png}"
+    echo "  - {movie: b.mp4, size: [240, 160], duration: 0.2 s, slides: slides-x.html, stops: [50 us]}"
+} >long.yaml
+ok "a scene of 70 kB with a file of each kind" exits 0 "$beadreel" long.yaml -o kinds -q
+ok "every ending is there" test "$(cd kinds && printf '%s\n' x.* | sed 's/.*\.//' | sort -u)" = "$(cat endings)"
+alone() { rm -rf alone && mkdir alone && cp "$1" alone; }
+whole() { alone "kinds/$1" && exits 0 "$beadreel" --reproduce "alone/$1" && prints "alone/$1: same bits" && prints "by the scene in it" && test "$(ls alone)" = "$1"; }
+flip() { # FILE : one bit at two thirds, where there are pixels, and numbers of chains
+    local at=$(($(stat -c %s "$1") * 2 / 3)) byte
+    byte=$(od -An -tu1 -j "$at" -N 1 "$1")
+    printf "\\x$(printf %02x $((byte ^ 1)))" | dd of="$1" bs=1 seek="$at" conv=notrunc status=none
+}
+# Of a short scene, so that the bytes are of pixels and numbers, with this output alone: where bits differ, all are made.
+short() { { sed '/^#/d; /^  - /d' long.yaml; grep -E " $1[,}]" long.yaml; } >short.yaml && "$beadreel" short.yaml -o short -q; }
+changed() { short "$1" && alone "short/$1" && flip "alone/$1" && fails 1 "$beadreel" --reproduce "alone/$1" && grep -qE "alone/$1: (other bits from byte|damaged: bytes) " "$T/err"; }
+without() { alone "kinds/$1" && fails 1 "$beadreel" --reproduce "alone/$1" && says "no scene is stored in it"; }
+for f in $(cd kinds && ls -- *x.*); do
+    if [ -n "$(told "${f##*.}")" ]; then
+        ok "$f alone is made again" whole "$f"
+        ok "... and one other bit is found" changed "$f"
+    else
+        ok "$f alone has no scene, as the manual says" without "$f"
+    fi
 done
+rm -rf alone
+
 if command -v pdfdetach >/dev/null; then
     attached() { pdfdetach -save 1 -o s.yaml all/a.pdf && "$beadreel" s.yaml -o s --only a.csv -q && cmp s/a.csv all/a.csv; }
     ok "a PDF has its scene attached, ready to run" attached
@@ -52,12 +107,17 @@ again() { # FROM FILE OPTION...
     return $result
 }
 for from in drawn.yaml drawn.h5; do
-    for file in x.png x.svg x.webm; do ok "$file of $from" again $from $file; done
+    for file in x.png x.svg x.jpg x.webm x.html; do ok "$file of $from" again $from $file; done
     ok "... in another size" again $from x.png --size 400x300
     ok "... a film" again $from x.mp4 --size 300x300
 done
 ok "... for a span of time, with a title" again drawn.h5 x.pdf --time 20us:150us --set title=other
+ok "... one frame" again drawn.yaml x.png --frame '60 us'
+ok "... and what a poster has of it" again drawn.h5 x.jpg --frame 50% --still poster
 ok "... another plot" again drawn.h5 x.png --set 'outputs=[{plot: x.png, show: profiles, at: [50 us, 100 us]}]'
+
+piped() { "$beadreel" drawn.yaml --set 'outputs=[{movie: c.gif, size: [240, 160], duration: 0.2 s}]' -o - >p.gif && exits 0 "$beadreel" --reproduce p.gif && prints "p.gif: same bits"; }
+ok "a film by way of standard output" piped
 
 # What was changed is found.
 other() { # FILE SED SAYS

@@ -9,7 +9,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 build=$1 seconds=$2 runs=$3
 shift 3
-[ $# -gt 0 ] || set -- scene plan set config command trajectory sweep merge journal
+[ $# -gt 0 ] || set -- scene plan set config command trajectory sweep merge journal origin
 passed=0 failed=0 lines=()
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")/../.."
 build=$1 seeds=$2
 export BEADREEL_ASSETS=$PWD/assets
-mkdir -p "$seeds"/{scene,plan,set,config,command,trajectory,sweep,merge,journal}
+mkdir -p "$seeds"/{scene,plan,set,config,command,trajectory,sweep,merge,journal,origin}
 find assets/scenes tests/bad tests/golden -name '*.yaml' | while read -r scene; do
     cp "$scene" "$seeds/scene/$(tr / - <<<"${scene#*/}")"
 done
@@ -64,6 +64,35 @@ run.h5\n-o\na.png\n--beads\n10-20\n--range\n-5:5\n--size\n86mmx60mm\n--time\n0.2
 sweep\n--shard\n3/8\n--threads\n4\n-q
 --list\nkeys\nmovie
 LINES
+
+# The least of each format that has a text; the first byte is the row of the format's table.
+python3 - "$seeds/origin" <<'PY'
+import struct, sys, zlib
+text = b"beadreel 0.1.0, scene:\nchain: {}\n"
+names = text.replace(b"{", b"&#123;")
+def box(name, inner): return struct.pack(">I", 8 + len(inner)) + name + inner
+def element(name, inner): return bytes.fromhex(name) + struct.pack(">Q", 1 << 56 | len(inner)) + inner
+def chunk(name, inner): return struct.pack(">I", len(inner)) + name + inner + struct.pack(">I", zlib.crc32(name + inner))
+packet = b'<x:xmpmeta><rdf:li xml:lang="x-default">' + names + b"</rdf:li></x:xmpmeta>"
+files = [
+    b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 1, 1, 8, 0, 0, 0, 0)) + chunk(b"tEXt", b"Software\0beadreel 0.1.0")
+    + chunk(b"tEXt", b"Source\0chain: {}") + chunk(b"IDAT", zlib.compress(b"\0\0")) + chunk(b"IEND", b""),
+    b"\xff\xd8\xff\xfe" + struct.pack(">H", 2 + len(text)) + text + b"\xff\xda",
+    b"II*\0\x08\0\0\0\1\0" + struct.pack("<HHII", 270, 2, len(text) + 1, 26) + b"\0\0\0\0" + text + b"\0",
+    b"RIFF\0\0\0\0WEBPXMP " + struct.pack("<I", len(packet)) + packet + b"\0\0",
+    b"GIF89a\1\0\1\0\0\0\0\x21\xfe" + bytes([len(text)]) + text + b"\0;",
+    box(b"uuid", bytes.fromhex("be7acfcb97a942e89c71999491e3afac") + packet),
+    box(b"moov", box(b"udta", box(b"meta", b"\0\0\0\0" + box(b"ilst", box(b"\xa9cmt", box(b"data", b"\0\0\0\1\0\0\0\0" + text)))))),
+    element("18538067", element("1254c367", element("7373", element("67c8", element("4487", text))))),
+    b"<svg><metadata>" + names + b"</metadata></svg>",
+    b"<< /Type /EmbeddedFile /Length %d >>\nstream\n" % len(text) + text,
+    b"%!PS-Adobe-3.0 EPSF-3.0\n" + b"".join(b"%scene:" + line + b"\\134\n%scene+ more\n" for line in text.split(b"\n")),
+    b'<html><meta name="generator" content="beadreel 0.1.0"><code id="scene-text">' + names + b"</code></html>",
+]
+for row, file in enumerate(files):
+    with open(f"{sys.argv[1]}/{row}", "wb") as seed:
+        seed.write(bytes([row]) + file)
+PY
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

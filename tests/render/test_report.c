@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "render/origin/origin.h"
 #include "render/report/report_write.h"
 
 /* What `write` writes, in a static buffer. */
@@ -29,7 +30,7 @@ static char text[4096];
 static void html_is_escaped(void **state)
 {
     (void)state;
-    WRITTEN(report_html(file, "</title><script>a & 'b' \"c\"\x01\n\xc3\xa9"));
+    WRITTEN(bead_origin_escape("</title><script>a & 'b' \"c\"\x01\n\xc3\xa9", file));
     assert_string_equal(text, "&lt;/title&gt;&lt;script&gt;a &amp; &#39;b&#39; &quot;c&quot;\n\xc3\xa9");
 }
 
