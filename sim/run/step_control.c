@@ -10,8 +10,8 @@ enum { BETWEEN = EVERY / 2 };
 static const double surprise = 0.7;
 /* Steps that would grow by more than this factor must look further ahead. */
 static const double much = 1.1;
-/* Longest step in units of the first. */
-static const double growth = 4;
+/* Longest step in units of the first, while contacts are soft. A drive makes forces rise at its own pace, however soft they are. */
+static const double growth = 4, driven_growth = 1;
 
 static double stiffness(const struct bead_stepper *s, size_t k, double d)
 {
@@ -74,8 +74,8 @@ static double hertz_circles(const struct bead_stepper *s, size_t n, const double
 
 struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
 {
-    double first = theta / omega;
-    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), growth * first, first};
+    const double first = theta / omega, longest = (s->driven == SIZE_MAX ? growth : driven_growth) * first;
+    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), longest, first};
 }
 
 /* Longest step that the stiffnesses expected from velocities v allow, if steps until the next check have length h. */
