@@ -43,9 +43,12 @@ static void make(struct made *m, const double coarse[PEAKS], const double fine[P
 
 static double judge(const struct bead_uncertainty_of *of, struct made *m, bool fine)
 {
-    const struct bead_uncertain_peaks kinds[2] = {
-        {.peaks = m->peaks, .coarse = {m->coarse}, .fine = {fine ? m->fine : NULL}, .count = PEAKS, .uncertainty = m->u},
-        {.count = 0}};
+    const struct bead_uncertain_peaks kinds[2] = {{.peaks = m->peaks,
+                                                   .coarse = {m->coarse, NULL},
+                                                   .fine = {fine ? m->fine : NULL, NULL},
+                                                   .count = PEAKS,
+                                                   .uncertainty = m->u},
+                                                  {.count = 0}};
     assert_int_equal(bead_uncertainty_wants_fine(of, kinds), of->accuracy > 0); /* they are few */
     return bead_uncertainty_find(of, kinds);
 }
@@ -72,7 +75,7 @@ static void a_few_strong_answers_need_no_finer_run(void **state)
     for (size_t i = 0; i < 400; i++)
         peaks[i] = coarse[i] = (struct bead_peak){.value = 10, .time = (double)i * 1e-3};
     coarse[7].value *= 1 + 3e-3;
-    const struct bead_uncertain_peaks kinds[2] = {{.peaks = peaks, .coarse = {coarse}, .count = 400, .uncertainty = u},
+    const struct bead_uncertain_peaks kinds[2] = {{.peaks = peaks, .coarse = {coarse, NULL}, .count = 400, .uncertainty = u},
                                                   {.count = 0}};
     assert_false(bead_uncertainty_wants_fine(&usual, kinds));
     assert_true(isinf(bead_uncertainty_find(&usual, kinds)));
@@ -155,7 +158,7 @@ static void later_maxima_may_overtake(void **state)
     assert_near(bead_uncertainty_after(&usual, kinds, 0, from), from, 1e-15);
     assert_near(bead_uncertainty_after(&usual, kinds, 3, from), m.peaks[3].time + usual.apart, 1e-15);
     m.fine[0] = (struct bead_peak){.value = 10.1, .time = 3.5e-3};
-    const struct bead_uncertain_peaks overtaken = {.peaks = m.peaks, .fine = {m.fine}, .count = PEAKS, .uncertainty = m.u};
+    const struct bead_uncertain_peaks overtaken = {.peaks = m.peaks, .fine = {m.fine, NULL}, .count = PEAKS, .uncertainty = m.u};
     assert_true(bead_uncertainty_is_lost(&usual, &overtaken, 0, from, 1));
     assert_false(bead_uncertainty_is_lost(&usual, &overtaken, 1, from, 1));
 }
@@ -176,9 +179,13 @@ static void maxima_are_compared_with_themselves(void **state)
                      fine[PEAKS] = {
                          {.value = 9.8, .time = 1e-3}, {.value = 9.87, .time = 8e-3}, {.value = 9.9, .time = 8e-3}, {.time = NAN}};
     m.fine[0] = (struct bead_peak){.value = 10, .time = early};
-    const struct bead_uncertain_peaks kinds[2] = {
-        {.peaks = m.peaks, .second = second, .coarse = {m.coarse}, .fine = {m.fine, fine}, .count = PEAKS, .uncertainty = m.u},
-        {.count = 0}};
+    const struct bead_uncertain_peaks kinds[2] = {{.peaks = m.peaks,
+                                                   .second = second,
+                                                   .coarse = {m.coarse, NULL},
+                                                   .fine = {m.fine, fine},
+                                                   .count = PEAKS,
+                                                   .uncertainty = m.u},
+                                                  {.count = 0}};
     bead_uncertainty_find(&usual, kinds);
     assert_near(m.u[0], 5 * 0.2, 1e-12);
     assert_near(m.u[1], 5 * 0.03 - 0.1, 1e-12);
@@ -207,8 +214,8 @@ static void given_steps_are_compared(void **state)
     const struct bead_uncertainty_of step = {.factor = 2, .apart = 1e-5};
     struct made m;
     make(&m, (const double[]){0, 1e-3, 1e-6, 0}, (const double[PEAKS]){0});
-    const struct bead_uncertain_peaks kinds[2] = {{.peaks = m.peaks, .coarse = {m.coarse}, .count = PEAKS, .uncertainty = m.u},
-                                                  {.count = 0}};
+    const struct bead_uncertain_peaks kinds[2] = {
+        {.peaks = m.peaks, .coarse = {m.coarse, NULL}, .count = PEAKS, .uncertainty = m.u}, {.count = 0}};
     assert_true(isinf(bead_uncertainty_find(&step, kinds)));
     assert_near(m.u[1], 1e-2, 1e-12);
     assert_near(m.u[2], 1e-5, 1e-9);
