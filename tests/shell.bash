@@ -85,6 +85,18 @@ await() {
 }
 # empty DIRECTORY
 empty() { [ -z "$(ls -A "$1" 2>/dev/null)" ] || { ls -lA "$1"; return 1; }; }
+# dimers CELLS : a scene whose `chain` can be continued: dimers under 20 N, whose bands end at 4710.94, 8102.20 and 9372.22 Hz.
+dimers() { # CELLS
+    cat <<YAML
+materials:
+  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
+  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
+chain:
+  precompression: 20 N
+  wall: rigid
+  beads: [{cell: [heavy, light], count: $1}]
+YAML
+}
 # finish : the last command of a test.
 finish() {
     echo "1..$tests"

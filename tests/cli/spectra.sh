@@ -59,18 +59,6 @@ for what in "force contacts" "compression contacts" "contact-force contacts"; do
     ok "... and that" fades 3 5
 done
 
-# A dimer under 20 N: bands end at 4710.94, 8102.20 and 9372.22 Hz.
-dimers() { # CELLS
-    cat <<YAML
-materials:
-  heavy: {modulus: 193 GPa, poisson: 0.3, mass: 28.84 g, radius: 9.53 mm}
-  light: {modulus: 73.5 GPa, poisson: 0.33, mass: 9.75 g, radius: 9.53 mm}
-chain:
-  precompression: 20 N
-  wall: rigid
-  beads: [{cell: [heavy, light], count: $1}]
-YAML
-}
 { dimers 400; cat; } >dimer.yaml <<'YAML'
   start: [{bead: [400, 401], velocity: 1 um/s}]
 simulate: {until: 20 ms}
