@@ -14,9 +14,6 @@
 
 /* For each curve its band and itself; numbers for each of its points, of which all have the same x. */
 enum { SERIES = 2, NUMBERS = 2 };
-/* Automatic axes leave out what is less than this part of the largest; colours reach down to `deepest`. */
-static const double least = 1e-3, least_log = 1e-6, deepest = -60 /* dB */;
-static const double beyond = 1.15;
 
 struct lines_panel {
     struct bead_series *series;
@@ -44,31 +41,20 @@ static enum bead_show show_of(const struct lines_plot *plot)
 static double largest_of(const struct lines_plot *plot)
 {
     double most = 0;
-    for (size_t k = 0; k < plot->lines.count; k++) {
-        const struct bead_spectral *mean = &plot->lines.of[k].mean;
-        for (size_t i = 0; i < mean->columns * mean->rows; i++)
-            most = fmax(most, mean->values[i]);
-    }
+    for (size_t k = 0; k < plot->lines.count; k++)
+        most = fmax(most, plot_spectral_largest(&plot->lines.of[k].mean));
     return most;
 }
 
-/* As asked, else to beyond the highest band, or to the last that is not small. */
-static void choose_frequencies(const struct lines_plot *plot, double range[2])
+static enum bead_error choose_frequencies(const struct lines_plot *plot, double range[2], struct bead_message *msg)
 {
-    const double *asked = plot->lines.output.curves.frequencies,
-                 some = show_of(plot) == BEAD_SHOW_TRANSFER ? 0 : least * largest_of(plot);
-    double high = 0, ends[2];
+    const double most = largest_of(plot);
+    double reach = 0;
     for (size_t k = 0; k < plot->lines.count; k++) {
         const struct bead_sweep_line *line = &plot->lines.of[k];
-        for (size_t i = 0; i < line->mean.columns * line->mean.rows && !line->medium; i++)
-            high = line->mean.values[i] > some ? fmax(high, (double)(i % line->mean.rows) * line->mean.step) : high;
-        if (line->medium) {
-            bead_band(line->medium, line->medium->cell.count - 1, ends);
-            high = fmax(high, beyond * ends[1]);
-        }
+        reach = fmax(reach, plot_spectral_reach(&plot->lines.output, &line->mean, line->medium, most));
     }
-    range[0] = isnan(asked[0]) ? 0 : asked[0];
-    range[1] = isnan(asked[1]) ? high : asked[1];
+    return plot_spectral_frequencies(&plot->lines.output, reach, range, msg);
 }
 
 /* ---- curves ---- */
@@ -115,16 +101,19 @@ static void set_axes(struct lines_plot *plot, size_t place, const double frequen
     const struct bead_output *output = &plot->lines.output;
     const struct bead_place_shown shown = bead_place_shown(output, plot->lines.of[0].chain, place);
     const struct bead_field_info *field = bead_chain_field(plot->lines.of[0].chain, shown.field);
-    const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS, transfer = show_of(plot) == BEAD_SHOW_TRANSFER,
-               log_axis = output->plot.scale == BEAD_SCALE_LOG;
-    const double *range = output->plot.range, from = isnan(range[0]) && log_axis ? least_log * largest_of(plot) : range[0];
+    const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS, transfer = show_of(plot) == BEAD_SHOW_TRANSFER;
     struct bead_panel *panel = &plot->shown[place];
     snprintf(plot->axis, sizeof plot->axis, "%s%s", transfer ? "transfer of " : sensors ? "" : "amplitude of ", field->title);
     panel->x =
         sensors
             ? (struct bead_graph_axis){"time", "s", plot->x[0], plot->x[plot->lines.of[0].mean.rows - 1], BEAD_SCALE_LINEAR, false}
             : (struct bead_graph_axis){"frequency", "Hz", frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false};
-    panel->y = (struct bead_graph_axis){plot->axis, transfer ? "" : field->unit, from, range[1], output->plot.scale, true};
+    panel->y = (struct bead_graph_axis){plot->axis,
+                                        transfer ? "" : field->unit,
+                                        plot_spectral_low(output, largest_of(plot)),
+                                        output->plot.range[1],
+                                        output->plot.scale,
+                                        true};
     bead_markup_quote(shown.name, plot->panels[place].title, sizeof plot->panels[place].title);
 }
 
@@ -133,11 +122,12 @@ static enum bead_error fill_curves(struct lines_plot *plot, struct bead_message 
     const struct bead_sweep_lines *lines = &plot->lines;
     const struct bead_spectral *first = &lines->of[0].mean;
     const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS;
-    double frequencies[2];
+    double frequencies[2] = {NAN, NAN};
     BEAD_TRY(bead_new(&plot->x, first->rows + 1, msg, "a plot of a sweep"));
     for (size_t i = 0; i < first->rows; i++)
         plot->x[i] = (sensors ? first->first : 0) + (double)i * first->step;
-    choose_frequencies(plot, frequencies);
+    if (!sensors)
+        BEAD_TRY(choose_frequencies(plot, frequencies, msg));
     for (size_t p = 0; p < plot->count; p++) {
         struct lines_panel *panel = &plot->panels[p];
         BEAD_TRY(bead_new(&panel->series, SERIES * lines->count, msg, "a plot of a sweep"));
@@ -156,7 +146,7 @@ static enum bead_error fill_images(struct lines_plot *plot, struct bead_message 
 {
     const double most = largest_of(plot);
     double frequencies[2];
-    choose_frequencies(plot, frequencies);
+    BEAD_TRY(choose_frequencies(plot, frequencies, msg));
     snprintf(plot->axis, sizeof plot->axis, "amplitude of %s",
              bead_chain_field(plot->lines.of[0].chain, plot->lines.output.shown.field)->title);
     for (size_t p = 0; p < plot->count; p++) {
@@ -165,14 +155,13 @@ static enum bead_error fill_images(struct lines_plot *plot, struct bead_message 
         struct bead_spectral *mean = &line->mean;
         if (mean->columns < 2 || !(most > 0))
             return bead_output_wrong(&plot->lines.output, msg, "show: there are no waves, or only one column of amplitudes");
-        for (size_t i = 0; i < mean->columns * mean->rows; i++)
-            mean->values[i] = fmax(2 * deepest, 20 * log10(mean->values[i] / most));
+        plot_spectral_decibels(mean, most);
         panel->image = (struct bead_graph_image){.x = {mean->first, mean->first + (double)(mean->columns - 1) * mean->between},
                                                  .y = {0, (double)(mean->rows - 1) * mean->step},
                                                  .columns = mean->columns,
                                                  .rows = mean->rows,
                                                  .values = mean->values,
-                                                 .low = deepest,
+                                                 .low = PLOT_DEEPEST,
                                                  .high = 0,
                                                  .title = plot->axis,
                                                  .unit = "dB"};

@@ -86,3 +86,21 @@ void plot_heading(const struct bead_plot_data *data, size_t number, char *text, 
 enum { PLOT_BAND_POINTS = 202, PLOT_BAND_VALUES = 2 * PLOT_BAND_POINTS };
 struct bead_series plot_bands_of(const struct bead_medium *medium, double *at);
 void plot_tell_apart(struct bead_series *series, size_t index);
+
+/* ---- spectra: spectral_axes.c ---- */
+
+/* Colours reach down to this, dB of the largest amplitude. */
+#define PLOT_DEEPEST (-60.)
+/* The largest value of a spectrum. */
+double plot_spectral_largest(const struct bead_spectral *spectral);
+/* Where an automatic axis of frequencies ends for it, Hz: beyond the highest band of its medium (NULL: none), else with the last
+ * amplitude that is not small beside the largest; a transfer has all. */
+double plot_spectral_reach(const struct bead_output *output, const struct bead_spectral *spectral, const struct bead_medium *medium,
+                           double largest);
+/* The range of frequencies, Hz: as asked, else from 0 to `reach`. Errors: SCENE: it is empty. */
+BEAD_CHECK enum bead_error plot_spectral_frequencies(const struct bead_output *output, double reach, double range[2],
+                                                     struct bead_message *msg);
+/* Where the axis of amplitudes begins; NaN: by what it shows. */
+double plot_spectral_low(const struct bead_output *output, double largest);
+/* Amplitudes to decibels of the largest. */
+void plot_spectral_decibels(struct bead_spectral *spectral, double largest);

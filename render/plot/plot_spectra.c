@@ -8,11 +8,6 @@
 #include "sim/chain/chain_internal.h"
 #include "sim/measure/places.h"
 
-/* Automatic axes leave out what is less than this part of the largest; colours reach down to `deepest`. */
-static const double least = 1e-3, least_log = 1e-6, deepest = -60 /* dB */;
-/* An automatic axis goes this far beyond the highest band. */
-static const double beyond = 1.15;
-
 static enum bead_show show_of(const struct bead_plot_data *data)
 {
     return data->output->curves.show;
@@ -67,7 +62,7 @@ static void make_images(struct bead_plot_data *data)
             data->panels[p].title = part->title;
         }
         snprintf(data->axis_title, sizeof data->axis_title, "amplitude of %s", bead_chain_field(chain, place.field)->title);
-        part->image = (struct bead_graph_image){.low = deepest, .high = 0, .title = data->axis_title, .unit = "dB"};
+        part->image = (struct bead_graph_image){.low = PLOT_DEEPEST, .high = 0, .title = data->axis_title, .unit = "dB"};
         data->panels[p].image = &part->image;
     }
 }
@@ -96,43 +91,22 @@ static enum bead_error feed(struct bead_plot_data *data, const struct bead_sampl
 static double largest_of(const struct bead_plot_data *data)
 {
     double most = 0;
-    for (size_t p = 0; p < data->count; p++) {
-        const struct bead_spectral *found = &data->parts[p].spectral;
-        for (size_t i = 0; i < found->columns * found->rows; i++)
-            most = fmax(most, found->values[i]);
-    }
+    for (size_t p = 0; p < data->count; p++)
+        most = fmax(most, plot_spectral_largest(&data->parts[p].spectral));
     return most;
-}
-
-/* The range of frequencies: as asked, else to beyond the highest band, or to the last that is not small; a transfer has all. */
-static void choose_frequencies(const struct bead_plot_data *data, double range[2])
-{
-    const double some = show_of(data) == BEAD_SHOW_TRANSFER ? 0 : least * largest_of(data);
-    double high = 0;
-    for (size_t p = 0; p < data->count; p++) {
-        const struct bead_spectral *found = &data->parts[p].spectral;
-        const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
-        double ends[2];
-        if (medium) {
-            bead_band(medium, medium->cell.count - 1, ends);
-            high = fmax(high, beyond * ends[1]);
-        }
-        for (size_t i = 0; i < found->columns * found->rows && !medium; i++)
-            high = found->values[i] > some ? fmax(high, (double)(i % found->rows) * found->step) : high;
-    }
-    const double *asked = data->output->curves.frequencies;
-    range[0] = isnan(asked[0]) ? 0 : asked[0];
-    range[1] = isnan(asked[1]) ? high : asked[1];
 }
 
 static enum bead_error find_all(struct bead_plot_data *data, double range[2], struct bead_message *msg)
 {
     for (size_t p = 0; p < data->count; p++)
         BEAD_TRY(bead_spectra_of(data->spectra, data->parts[p].chain, &data->parts[p].spectral, msg));
-    choose_frequencies(data, range);
-    if (range[0] >= range[1])
-        return bead_output_wrong(data->output, msg, "frequencies: from %g to %g Hz there is nothing to show", range[0], range[1]);
-    return BEAD_OK;
+    const double most = largest_of(data);
+    double reach = 0;
+    for (size_t p = 0; p < data->count; p++) {
+        const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
+        reach = fmax(reach, plot_spectral_reach(data->output, &data->parts[p].spectral, medium, most));
+    }
+    return plot_spectral_frequencies(data->output, reach, range, msg);
 }
 
 /* ---- curves ---- */
@@ -160,12 +134,9 @@ static enum bead_error fill_curves(struct bead_plot_data *data, size_t p, struct
 
 static enum bead_error finish_curves(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
 {
-    const bool log = data->output->plot.scale == BEAD_SCALE_LOG;
-    double range[2], low = data->output->plot.range[0];
+    double range[2];
     BEAD_TRY(find_all(data, range, msg));
-    const double most = largest_of(data);
-    low = isnan(low) && log && most > 0 ? least_log * most : low;
-    make_axes(data, range, (const double[]){NAN, NAN}, low);
+    make_axes(data, range, (const double[]){NAN, NAN}, plot_spectral_low(data->output, largest_of(data)));
     for (size_t p = 0; p < data->count; p++)
         BEAD_TRY(fill_curves(data, p, msg));
     return BEAD_OK;
@@ -177,11 +148,8 @@ static enum bead_error finish_curves(struct bead_plot_data *data, const struct b
 static void to_decibels(struct bead_plot_data *data)
 {
     const double most = largest_of(data);
-    for (size_t p = 0; p < data->count; p++) {
-        const struct bead_spectral *found = &data->parts[p].spectral;
-        for (size_t i = 0; i < found->columns * found->rows; i++)
-            found->values[i] = fmax(2 * deepest, 20 * log10(found->values[i] / most));
-    }
+    for (size_t p = 0; p < data->count; p++)
+        plot_spectral_decibels(&data->parts[p].spectral, most);
 }
 
 static void fill_image(struct plot_panel *part)

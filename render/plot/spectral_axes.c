@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What axes and colours of spectra show, of single runs and of sweeps. */
+#include <math.h>
+
+#include "render/plot/plot_private.h"
+
+/* Automatic axes leave out what is less than this part of the largest, and go this far beyond the highest band. */
+static const double least = 1e-3, least_log = 1e-6, beyond = 1.15;
+
+double plot_spectral_largest(const struct bead_spectral *spectral)
+{
+    double most = 0;
+    for (size_t i = 0; i < spectral->columns * spectral->rows; i++)
+        most = fmax(most, spectral->values[i]);
+    return most;
+}
+
+double plot_spectral_reach(const struct bead_output *output, const struct bead_spectral *spectral, const struct bead_medium *medium,
+                           double largest)
+{
+    const double some = output->curves.show == BEAD_SHOW_TRANSFER ? 0 : least * largest;
+    double high = 0, ends[2];
+    if (medium) {
+        bead_band(medium, medium->cell.count - 1, ends);
+        return beyond * ends[1];
+    }
+    for (size_t i = 0; i < spectral->columns * spectral->rows; i++)
+        high = spectral->values[i] > some ? fmax(high, (double)(i % spectral->rows) * spectral->step) : high;
+    return high;
+}
+
+enum bead_error plot_spectral_frequencies(const struct bead_output *output, double reach, double range[2], struct bead_message *msg)
+{
+    const double *asked = output->curves.frequencies;
+    range[0] = isnan(asked[0]) ? 0 : asked[0];
+    range[1] = isnan(asked[1]) ? reach : asked[1];
+    return range[0] < range[1]
+               ? BEAD_OK
+               : bead_output_wrong(output, msg, "frequencies: from %g to %g Hz there is nothing to show", range[0], range[1]);
+}
+
+double plot_spectral_low(const struct bead_output *output, double largest)
+{
+    const double low = output->plot.range[0];
+    return isnan(low) && output->plot.scale == BEAD_SCALE_LOG && largest > 0 ? least_log * largest : low;
+}
+
+void plot_spectral_decibels(struct bead_spectral *spectral, double largest)
+{
+    for (size_t i = 0; i < spectral->columns * spectral->rows; i++)
+        spectral->values[i] = fmax(2 * PLOT_DEEPEST, 20 * log10(spectral->values[i] / largest));
+}
