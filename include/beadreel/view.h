@@ -101,8 +101,9 @@ struct bead_view_setup {
     size_t modes;                      /* modes: how many */
     bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */
     double mark;
-    bool theory; /* spacetime: the front that theory predicts */
-    bool trust;  /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
+    bool theory;  /* spacetime: the front that theory predicts */
+    bool trust;   /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
+    int coloured; /* profile: px at the left of the plot for the colours of images, which have no bar then; its axis is theirs */
 };
 
 struct bead_view; /* each type's own */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Draws the bar beside a picture that explains its colours, and measures it for layouts. */
 
+#include <math.h>
+
 #include "beadreel/view.h"
 #include "render/draw/axis.h"
 
@@ -31,6 +33,21 @@ static void draw_bands(cairo_t *cr, const struct bead_colours *colours, struct b
         cairo_fill(cr);
     }
     cairo_set_antialias(cr, before);
+}
+
+void bead_colour_axis_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
+                           const struct bead_axis *axis, struct bead_rect bar)
+{
+    const bool log = axis->scale == BEAD_SCALE_LOG;
+    for (int y = 0; bar.width > 0 && y < bar.height; y++) {
+        const double place = 1 - (y + 0.5) / bar.height,
+                     value = log ? axis->low * pow(axis->high / axis->low, place) : axis->low + place * (axis->high - axis->low);
+        set_colour(cr, colours->map->rgb[bead_colours_index(colours, value)]);
+        cairo_rectangle(cr, bar.x, bar.y + y, bar.width, 1);
+        cairo_fill(cr);
+    }
+    if (bar.width > 0)
+        bead_box_draw(cr, look, bar);
 }
 
 /* Length of the pointed ends of a bar, px. */

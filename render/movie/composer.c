@@ -56,6 +56,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
     const struct bead_movie_chain *place = &c->layout.chains[chain];
     enum bead_view_across across = bead_movie_across(&c->wants, view);
     const bool stage = c->layout.layout == BEAD_LAYOUT_STAGE;
+    const bool curve = bead_view_has(type_of(c, index), BEAD_OVERLAYS) && view == c->layout.overlay;
     bool time = across == BEAD_ACROSS_TIME, labels = place->labels[view], along = across == BEAD_ACROSS_CHAIN;
     return (struct bead_view_setup){
         .chain = c->setup.chains[chain],
@@ -88,7 +89,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .camera = c->cameras && !(stage && bead_view_has(type_of(c, index), BEAD_OVERLAYS)) ? c->cameras[chain] : NULL,
         .modes = output->movie.modes,
         .trust = output->shown.trust,
-        .theory = output->shown.theory};
+        .theory = output->shown.theory,
+        .coloured = curve ? c->layout.colours : 0};
 }
 
 /* Does the view of the first chain draw this one? */

@@ -77,6 +77,7 @@ struct bead_movie_layout {
     int head;         /* px at the top of a stage for its heading; 0: that is above it */
     bool grid;        /* stages are side by side, too, with one key for all */
     int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
+    int colours;      /* px: the colours of images, along the axis of the curve; 0: they have a bar, or none */
     size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
     struct bead_rect time, badge, title, facts, key, trust, caption;
     struct bead_rect inset;          /* a drawing beside the curve of a stage */

@@ -8,14 +8,16 @@
 
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
 static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,
-                    least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5;
+                    least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5,
+                    colours_width = 0.45;
 /* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame; in
  * others, numbers at the end leave as much air as the margin of a panel. */
 static const double wide = 1.5, wide_inset = 0.03;
 /* The curve has at least this part of the area of all plots; images have at most this part of a frame. */
 static const double curve_part = 0.28, most_images = 0.25;
 
-/* First the images become smaller, then the beads, then there is less air, then no bar, no images and no curve. */
+/* First the images become smaller, then the beads, then there is less air, then the curve's axis stands for the bar, then there are
+ * no images and no curve. */
 const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS] = {
     {0.447, 0.15, true, true, 1},    {0.43, 0.15, true, true, 1},     {0.41, 0.15, true, true, 1},
     {0.39, 0.15, true, true, 1},     {0.37, 0.15, true, true, 1},     {0.39, 0.15, true, true, 0.4},
@@ -37,6 +39,7 @@ struct stage {
     size_t acts, curve;                          /* views; view_count: none */
     size_t others[BEAD_MOST_VIEWS], other_count; /* below the beads, each chain in a plot of its own */
     bool bar;
+    int colours;      /* px: of the images' colours along the curve's axis, where there is no bar; 0: none */
     bool names_above; /* names of images have a line of their own above the titles; else they are beside these */
     int inset;        /* px: of beads, within the area of plots with their axes */
     size_t columns;   /* of stages */
@@ -72,6 +75,7 @@ static void sort_views(struct stage *s)
     const struct bead_movie_wants *w = s->w;
     s->acts = bead_stage_view(w);
     s->curve = w->view_count;
+    bool coloured = false;
     for (size_t v = 0; v < w->view_count; v++) {
         bool image = bead_view_has(w->views[v], BEAD_SHOWS_IMAGE);
         if (v == s->acts)
@@ -80,8 +84,11 @@ static void sort_views(struct stage *s)
             s->curve = s->plan->curve ? v : s->curve;
         else if (!bead_view_has(w->views[v], BEAD_OVERLAYS) && (image ? s->plan->images > 0 : s->plan->curve))
             s->others[s->other_count++] = v;
-        s->bar = s->bar || (image && s->plan->images > 0 && s->plan->bar && w->axes && !w->colourless);
+        coloured = coloured || (image && s->plan->images > 0 && w->axes && !w->colourless);
     }
+    const bool curve = s->curve < w->view_count;
+    s->bar = coloured && (s->plan->bar || !curve); /* colours have a scale, whatever gives way */
+    s->colours = coloured && !s->bar ? whole(colours_width * w->look->tick) : 0;
 }
 
 /* ---- beads ---- */
@@ -174,6 +181,11 @@ static double left_of(const struct stage *s, bool first)
     return !s->w->axes ? (first ? 0 : 0.5 * s->em) : first ? s->w->left : 0.5 * s->em + 2 * s->w->time_end;
 }
 
+static double left_of_curve(const struct stage *s)
+{
+    return left_of(s, true) + s->colours;
+}
+
 static double right_of(const struct stage *s)
 {
     return s->w->axes && s->other_count > 0 ? fmax(0, s->w->time_end - (s->bar ? 0.4 * s->em : s->w->look->gap)) : 0;
@@ -202,6 +214,7 @@ static void place_curve(const struct stage *s, struct bead_rect plot)
         s->to->chains[i].labels[s->curve] = s->to->chains[i].values[s->curve] = s->w->axes && i == 0;
     }
     s->to->overlay = s->curve;
+    s->to->colours = s->colours;
 }
 
 /* The name above an image, to its right end; it may begin above the gap before. */
@@ -261,7 +274,7 @@ static bool place_beside(const struct stage *s, int y, int bottom)
         under = under > below(s, s->others[k]) ? under : below(s, s->others[k]);
     int top = y + above(s) + (s->names_above ? name_line(s) : 0), height = bottom - under - top;
     const double drawn = s->w->inset > 0 ? s->inset + s->w->inset + before_plots * s->em : 0;
-    double first = drawn > 0 ? drawn + left_of(s, true) : fmax(left_of(s, true), s->inset),
+    double first = drawn > 0 ? drawn + left_of_curve(s) : fmax(left_of_curve(s), s->inset),
            right = plots > 0 ? right_of(s) : right_of_curve(s),
            room = s->area.width - (has_curve ? first : drawn) - bar_room(s) - right;
     room -= (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
@@ -303,7 +316,7 @@ static bool place_below(const struct stage *s, int y, int bottom)
     double curve = floor(left - rows * height);
     if (curve < least_curve[1] * s->em || height < least || !large_enough(s, width, height) || !titled(s, width))
         return false;
-    int top = y + above(s), x = s->area.x + whole(left_of(s, true));
+    int top = y + above(s), x = s->area.x + whole(left_of_curve(s));
     place_curve(s, (struct bead_rect){x, top, s->area.x + s->area.width - x - whole(right_of_curve(s)), (int)curve});
     top += (int)curve + below(s, s->curve);
     for (size_t k = 0; k < s->other_count; k++) {

@@ -26,6 +26,7 @@ void bead_panel_axis(cairo_t *cr, const struct bead_view_setup *setup, const str
 {
     const struct bead_look *look = setup->look;
     struct bead_rect panel = bead_panel_rect(setup, plot);
+    panel.x -= setup->coloured;
     bool beside = setup->titles == BEAD_TITLES_BESIDE;
     bead_axis_draw(cr, look, axis, panel, BEAD_SIDE_LEFT, downwards, !setup->ticks_only, beside ? title : NULL);
     if (setup->titles != BEAD_TITLES_ABOVE || setup->ticks_only)
@@ -48,7 +49,7 @@ void bead_panel_remark(cairo_t *cr, const struct bead_view_setup *setup, const s
     bead_axis_title(axis, title, markup, sizeof markup);
     bead_text_size(cr, &style, markup, &taken, &height);
     bead_text_size(cr, &style, remark, &width, &height);
-    if (setup->titles == BEAD_TITLES_ABOVE && !setup->ticks_only && taken + width + look->label < plot.width)
+    if (setup->titles == BEAD_TITLES_ABOVE && !setup->ticks_only && taken + width + look->label < plot.width + setup->coloured)
         bead_text_draw(cr, &style, plot.x + plot.width, plot.y - title_rise * look->label, remark);
 }
 
@@ -92,7 +93,8 @@ void bead_panel_name(cairo_t *cr, const struct bead_view_setup *setup, const str
     if (setup->ticks_only)
         return;
     bead_axis_title(&plain, title, markup, sizeof markup);
-    bead_text_draw(cr, &style, plot.x - setup->beyond[0] - gap, plot.y + plot.height + look->line + name_drop * look->tick, markup);
+    bead_text_draw(cr, &style, plot.x - setup->beyond[0] - setup->coloured - gap,
+                   plot.y + plot.height + look->line + name_drop * look->tick, markup);
 }
 
 void bead_panel_chain_axis(cairo_t *cr, const struct bead_view_setup *setup, const struct bead_axis *axis, struct bead_rect plot,

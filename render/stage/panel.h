@@ -14,7 +14,7 @@ static inline const char *bead_field_short(const struct bead_field_info *field)
     return last ? last + 1 : field->title;
 }
 
-/* The plot of a view with the room beside it that its panel covers. */
+/* The plot of a view with the room beside it that its panel covers; the axis is at the left of that, and of its colours. */
 static inline struct bead_rect bead_panel_rect(const struct bead_view_setup *setup, struct bead_rect plot)
 {
     const int *beyond = setup->beyond;

@@ -271,6 +271,8 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
     if (!v->setup.axes)
         return BEAD_OK;
     const struct bead_field_info *field = bead_chain_field(v->setup.chain, v->setup.field);
+    const struct bead_rect bar = {panel.x - v->setup.coloured, panel.y, v->setup.coloured, panel.height};
+    bead_colour_axis_draw(cr, look, &v->setup.colours, &v->axis, bar);
     bead_panel_axis(cr, &v->setup, &v->axis, v->plot, false, bead_field_short(field));
     if (v->hold && v->setup.hold)
         bead_panel_remark(cr, &v->setup, &v->axis, v->plot, bead_field_short(field), "faint: peak so far");

@@ -285,6 +285,53 @@ static void test_cells_in_the_picture(void **state)
     }
 }
 
+/* Where a bar has no room beside the images, the axis of the curve has their colours: each number stands at the colour of its
+ * force. */
+static void test_colours_have_a_scale(void **state)
+{
+    (void)state;
+    static const int shapes[][2] = {{1280, 720}, {1920, 1080}, {1024, 768}, {960, 720}, {720, 720}, {720, 1280}, {390, 844}};
+    size_t bars = 0, axes = 0;
+    for (unsigned i = 0; i < 7 * 4 * 2 * 2; i++) {
+        static struct stage s;
+        char text[4096], what[80];
+        struct wish w = {.chains = 1 + i / 7 % 4, .light = i / 28 % 2, .size = {shapes[i % 7][0], shapes[i % 7][1]}};
+        w.inset = i / 56 && w.size[0] > w.size[1] && w.size[0] != 1024;
+        describe(&w, text, sizeof text);
+        open_stage(&s, text, w.size);
+        snprintf(what, sizeof what, "scale-%zu-%dx%d%s%s", w.chains, w.size[0], w.size[1], w.light ? "-light" : "",
+                 w.inset ? "-inset" : "");
+        show(&s, what);
+        const struct bead_movie_layout *layout = &s.composer->layout;
+        const struct bead_rect curve = layout->chains[0].plot[1];
+        if (image_share(&s) > 0 && (layout->bar.width > 0) == (layout->colours > 0))
+            fail_msg("%s: images have %s", what, layout->colours > 0 ? "two scales" : "no scale");
+        bars += layout->bar.width > 0;
+        size_t numbers = 0;
+        for (size_t t = 0; layout->colours > 0 && t < s.seen.count; t++) {
+            const double y = s.seen.text[t].y + 0.5 * s.seen.text[t].height;
+            if (!is_number(s.seen.text[t].markup) || y <= curve.y + 2 || y > curve.y + curve.height - 2 ||
+                s.seen.text[t].x + s.seen.text[t].width > curve.x)
+                continue;
+            const int index = bead_colours_index(&s.composer->colours, strtod(s.seen.text[t].markup, NULL));
+            const struct bead_frame *frame = bead_composer_frame(s.composer);
+            const uint8_t *pixel = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)(curve.x - (layout->colours + 1) / 2);
+            double nearest = INFINITY; /* a pixel is so much of the range, and the middle of letters is not known better */
+            for (int k = index - 10; k <= index + 10; k++) {
+                const uint8_t *rgb = s.composer->colours.map->rgb[k < 0 ? 0 : k > 255 ? 255 : k];
+                nearest = fmin(nearest, abs(pixel[2] - rgb[0]) + abs(pixel[1] - rgb[1]) + abs(pixel[0] - rgb[2]));
+            }
+            if (nearest > 3)
+                fail_msg("%s: the colour at %s is not that of its force (%g)", what, s.seen.text[t].markup, nearest);
+            numbers++;
+        }
+        assert_true(layout->colours == 0 || numbers > 0);
+        axes += layout->colours > 0;
+        close_stage(&s);
+    }
+    assert_true(bars > 0 && axes > 0);
+}
+
 /* Names for people, not the scene's identifiers. */
 static void test_names_are_words(void **state)
 {
@@ -607,6 +654,7 @@ int main(void)
         cmocka_unit_test(test_tips_meet_their_beads),
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_cells_in_the_picture),
+        cmocka_unit_test(test_colours_have_a_scale),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),

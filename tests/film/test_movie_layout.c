@@ -61,6 +61,8 @@ static void check(const struct bead_movie_wants *w, const struct bead_movie_layo
             }
             panel.x -= along ? layout->beyond[0] : 0;
             panel.width += along ? layout->beyond[0] + layout->beyond[1] : 0;
+            panel.x -= v == layout->overlay ? layout->colours : 0;
+            panel.width += v == layout->overlay ? layout->colours : 0;
             count = add(all, count, panel, "panel");
             if (layout->layout <= BEAD_LAYOUT_GRID && panel.x == all[first].rect.x &&
                 panel.width != all[first].rect.width) /* whatever runs along them */
@@ -205,8 +207,8 @@ static void test_stage_has_its_share(void **state)
         bool curve = found.chains[0].plot[1].width > 0, upright = size[1] > size[0],
              usual = !large && w.caption_lines == 0 && !(upright && chains > 3);
         if (getenv("SHOW"))
-            printf("%d x %d, %zu chains%s, %d captions: beads %.1f %%, images %.1f %%, curve %d\n", size[0], size[1], chains,
-                   large ? ", large" : "", w.caption_lines, 100 * beads, 100 * images, curve);
+            printf("%d x %d, %zu chains%s, %d captions: beads %.1f %%, images %.1f %%, curve %d, bar %d\n", size[0], size[1],
+                   chains, large ? ", large" : "", w.caption_lines, 100 * beads, 100 * images, curve, found.bar.width > 0);
         /* On phones, of the frame's width: a bead, less than half of the picture of its stage, which has a row of all below. */
         const double across = 2 / 2.9 * (found.chains[0].plot[0].height - ceil(0.8 * look.tick)) / size[0];
         if ((curve && (usual || chains + large < 5) && !(beads > 0.35 && beads < (w.caption_lines > 0 ? 0.505 : 0.45))) ||
@@ -217,6 +219,7 @@ static void test_stage_has_its_share(void **state)
             (upright && !large && across < 0.05))
             fail_msg("%d x %d, %zu chains: beads have %.1f %%, images %.1f %%", size[0], size[1], chains, 100 * beads,
                      100 * images);
+        assert_true(images == 0 || found.bar.width > 0 || found.colours > 0); /* their colours have a scale */
         assert_true(curve || (!found.grid && large && w.caption_lines == 2));
         assert_true(found.grid == (chains == 4 && !upright) && (!found.grid || found.key.width > 0));
         assert_true(found.axes && found.time.width && found.badge.width && found.title.width && found.facts.width);
@@ -224,6 +227,32 @@ static void test_stage_has_its_share(void **state)
         check(&w, &found);
         bead_movie_layout_free(&found);
     }
+}
+
+/* Without a curve, whose axis could have their colours, images have a bar, or there are none. */
+static void test_images_have_a_bar(void **state)
+{
+    (void)state;
+    size_t bars = 0;
+    for (unsigned i = 0; i < SHAPES * 4 * 2 * 3; i++) {
+        const int *size = shapes[i % SHAPES];
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, size[0], size[1], true, i / SHAPES / 4 % 2);
+        struct bead_movie_wants w = story(&look, size, 1 + i / SHAPES % 4, BEAD_VIEW_STAGE);
+        w.layout = BEAD_LAYOUT_STAGE;
+        w.views[1] = w.views[2];
+        w.view_count = 2;
+        w.caption_lines = (int)(i / SHAPES / 8);
+        w.caption_line = 1.4 * look.title;
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        if (share_of(&w, &found, 1) > 0 && found.bar.width == 0)
+            fail_msg("%d x %d, %zu chains: images have no bar", size[0], size[1], w.chain_count);
+        bars += found.bar.width > 0;
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+    }
+    assert_true(bars > SHAPES);
 }
 
 /* The title of both axes of three images on a phone is wider than one of them, but not than all: in a line of its own it is above
@@ -443,6 +472,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rectangles),
         cmocka_unit_test(test_stage_has_its_share),
+        cmocka_unit_test(test_images_have_a_bar),
         cmocka_unit_test(test_one_title_for_all_images),
         cmocka_unit_test(test_automatic_layouts),
         cmocka_unit_test(test_full_size_keeps_everything),
