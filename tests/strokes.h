@@ -16,6 +16,8 @@
 
 #include <cmocka.h>
 
+#include "beadreel/view.h"
+
 enum { STROKES_MOST = 20000, STROKE_POINTS_MOST = 400000 };
 
 /* One path. A point is where a line goes, or begins; a curve gives its end. */
