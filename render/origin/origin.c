@@ -9,6 +9,7 @@
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
+#include "sim/base/sandbox.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/yaml/yaml.h"
 
@@ -35,8 +36,8 @@ static const struct format formats[] = {
 
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-/* Films of more bytes than this are not read whole into memory. */
-static const size_t most_bytes = (size_t)1 << 31;
+/* Films of more bytes than this are not read whole into memory; a text has a scene, and words before it. */
+static const size_t most_bytes = (size_t)1 << 31, most_text = 2 * BEAD_YAML_BYTES;
 
 static const struct format *find_format(const char *path)
 {
@@ -112,14 +113,28 @@ enum bead_error bead_origin_find(const char *path, const void *bytes, size_t len
                  : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the text of a file");
 }
 
+struct sought {
+    const struct format *format;
+    struct origin_span file;
+};
+
+static void find_text(const void *context, FILE *text)
+{
+    const struct sought *sought = context;
+    sought->format->get(sought->file, text);
+}
+
 enum bead_error bead_origin_read(const char *path, char **scene, char *version, size_t size, struct bead_message *msg)
 {
-    BEAD_FREED char *bytes = NULL;
-    size_t length = 0;
+    BEAD_FREED char *bytes = NULL, *text = NULL;
+    size_t length = 0, count = 0;
+    struct sought sought = {.format = find_format(path)};
     *scene = NULL;
     *version = 0;
-    if (!find_format(path))
+    if (!sought.format)
         return BEAD_OK;
     BEAD_TRY(bead_file_read(path, most_bytes, &bytes, &length, msg));
-    return bead_origin_find(path, bytes, length, scene, version, size, msg);
+    sought.file = (struct origin_span){(const unsigned char *)bytes, length};
+    BEAD_TRY(bead_sandbox_ask(path, find_text, &sought, most_text, &text, &count, msg));
+    return take((struct origin_span){(const unsigned char *)text, count}, scene, version, size, msg);
 }

@@ -26,7 +26,7 @@ void bead_origin_write_eps(const char *scene, FILE *file);
 void bead_origin_escape(const char *text, FILE *file);
 
 /* The scene of a file, which may be a stranger's, to be freed; NULL: it has none, or is of no format that can have one. `version`:
- * of the program that wrote it, "" where the file does not say. Errors: IO, MEMORY. */
+ * of the program that wrote it, "" where the file does not say. It is sought in the sandbox. Errors: as of bead_sandbox_ask. */
 BEAD_CHECK enum bead_error bead_origin_read(const char *path, char **scene, char *version, size_t size, struct bead_message *msg);
 
 /* As above, from the bytes of a file. Errors: MEMORY. */

@@ -91,3 +91,6 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t
  * came while it was waited for). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read_input(const char *path, size_t most, char **bytes, size_t *length,
                                                               struct bead_message *msg);
+/* As above for what is open, which it closes; -1: errno says why it is not. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read_open(int file, const char *path, size_t most, char **bytes, size_t *length,
+                                                             struct bead_message *msg);

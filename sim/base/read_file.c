@@ -61,8 +61,7 @@ static enum bead_error read_whole(int file, const char *path, size_t most, char 
     return err;
 }
 
-/* Closes `file`, where there is one. */
-static enum bead_error read_path(int file, const char *path, size_t most, char **bytes, size_t *length, struct bead_message *msg)
+enum bead_error bead_file_read_open(int file, const char *path, size_t most, char **bytes, size_t *length, struct bead_message *msg)
 {
     *bytes = NULL;
     *length = 0;
@@ -79,12 +78,12 @@ static enum bead_error read_path(int file, const char *path, size_t most, char *
 
 enum bead_error bead_file_read(const char *path, size_t most, char **bytes, size_t *length, struct bead_message *msg)
 {
-    return read_path(bead_file_look(path), path, most, bytes, length, msg);
+    return bead_file_read_open(bead_file_look(path), path, most, bytes, length, msg);
 }
 
 enum bead_error bead_file_read_input(const char *path, size_t most, char **bytes, size_t *length, struct bead_message *msg)
 {
     /* O_NONBLOCK, as opening a FIFO without a writer would block. */
     const int file = strcmp(path, "-") == 0 ? dup(STDIN_FILENO) : open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    return read_path(file, path, most, bytes, length, msg);
+    return bead_file_read_open(file, path, most, bytes, length, msg);
 }

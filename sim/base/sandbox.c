@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The filter is a list of what is allowed, in the kernel's own language: libseccomp would be one more library that every program
- * links to, for these thirty lines. */
+/* The filters are lists of calls in the kernel's own language: libseccomp would be one more library that every program links to,
+ * for these thirty lines. */
 #include "sim/base/sandbox.h"
 
 #include <errno.h>
@@ -8,24 +8,28 @@
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
+#include <signal.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-/* Sanitizers map the whole address space. */
+#include "sim/base/file.h"
+
+/* Sanitizers map the whole address space, and run programs that name the lines of faults. */
 #ifndef __has_feature
 #define __has_feature(name) 0
 #endif
 #if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__ || __has_feature(address_sanitizer) || \
     __has_feature(thread_sanitizer)
-enum { LIMITS_MEMORY = 0 };
+enum { SANITIZED = 1 };
 #else
-enum { LIMITS_MEMORY = 1 };
+enum { SANITIZED = 0 };
 #endif
 
 static const rlim_t most_memory = 512u << 20; /* bytes, beyond what the process has */
@@ -48,28 +52,64 @@ static const uint16_t allowed[] = {
 };
 enum { ALLOWED = sizeof allowed / sizeof *allowed };
 
+/* Connections and programs; rings, by which these could be asked for, too; what looks into other processes or changes the kernel.
+ */
+static const uint16_t refused[] = {
+    SYS_socket,
+    SYS_connect,
+    SYS_bind,
+    SYS_listen,
+    SYS_accept4,
+
+    SYS_execve,
+    SYS_execveat,
+    SYS_io_uring_setup,
+    SYS_io_uring_enter,
+    SYS_ptrace,
+    SYS_process_vm_readv,
+    SYS_process_vm_writev,
+    SYS_mount,
+    SYS_umount2,
+    SYS_bpf,
+    SYS_perf_event_open,
+    SYS_keyctl,
+    SYS_userfaultfd,
+    SYS_unshare,
+    SYS_setns,
+    SYS_init_module,
+    SYS_finit_module,
+    SYS_kexec_load,
+};
+enum { REFUSED = sizeof refused / sizeof *refused, MOST_CALLS = (int)ALLOWED > (int)REFUSED ? (int)ALLOWED : (int)REFUSED };
+
 bool bead_sandbox_is_there(void)
 {
     uint32_t action = SECCOMP_RET_ERRNO;
     return architecture && syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &action) == 0;
 }
 
-/* Everything else fails with EPERM. */
-static void filter_calls(void)
+static const uint32_t does = SECCOMP_RET_ALLOW, fails = SECCOMP_RET_ERRNO | EPERM;
+
+/* The listed calls have the one end, all others the other one. Those above `first_foreign` are a second set of the same calls,
+ * under other numbers (x32). */
+static void filter_calls(const uint16_t *calls, size_t count, uint32_t listed, uint32_t others, unsigned flags)
 {
-    struct sock_filter filter[4 + ALLOWED + 2];
+    static const uint32_t first_foreign = 0x40000000;
+    struct sock_filter filter[5 + MOST_CALLS + 3];
     size_t n = 0;
     filter[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, arch));
     filter[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
     filter[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
     filter[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
-    for (size_t i = 0; i < ALLOWED; i++)
-        filter[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, allowed[i], (uint8_t)(ALLOWED - i), 0);
-    filter[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM);
-    filter[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+    filter[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, first_foreign, (uint8_t)(count + 2), 0);
+    for (size_t i = 0; i < count; i++)
+        filter[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, calls[i], (uint8_t)(count - i), 0);
+    filter[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, others);
+    filter[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, listed);
+    filter[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, fails);
     const struct sock_fprog program = {.len = (unsigned short)n, .filter = filter};
     if (architecture)
-        syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program);
+        syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, flags, &program);
 }
 
 /* Landlock: no file below any directory, for whatever the filter would miss. The numbers of its rights grow with its version. */
@@ -120,10 +160,116 @@ void bead_sandbox_enter(void)
     const rlim_t data = data_bytes();
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, most_time);
-    if (LIMITS_MEMORY && data)
+    if (!SANITIZED && data)
         limit(RLIMIT_DATA, data + most_memory);
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         return;
     lock_files();
-    filter_calls();
+    filter_calls(allowed, ALLOWED, does, fails, 0);
+}
+
+/* SPEC_ALLOW: else older kernels slow the whole run down, for the sake of secrets that are in no run. */
+void bead_sandbox_confine(void)
+{
+    if (!SANITIZED && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0)
+        filter_calls(refused, REFUSED, fails, does, SECCOMP_FILTER_FLAG_SPEC_ALLOW);
+}
+
+/* ---- a process in the sandbox ---- */
+
+static void reset_signals(void)
+{
+    static const int ignored[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP},
+                     faults[] = {SIGSEGV, SIGBUS, SIGABRT, SIGTRAP, SIGFPE, SIGILL, SIGPIPE, SIGXCPU};
+    for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
+        (void)signal(ignored[i], SIG_IGN);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        (void)signal(faults[i], SIG_DFL);
+}
+
+/* Locks of files that are being written are those of who asks. */
+static void keep_descriptors(int *const descriptors[], size_t count)
+{
+    const int first = STDERR_FILENO + 1, end = first + (int)count;
+    for (size_t i = 0; i < count; i++) {
+        if ((*descriptors[i] = fcntl(*descriptors[i], F_DUPFD, end)) < 0)
+            _exit(1);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if ((*descriptors[i] = dup2(*descriptors[i], first + (int)i)) < 0)
+            _exit(1);
+    }
+    closefrom(end);
+    close(STDIN_FILENO);
+    close(STDOUT_FILENO);
+}
+
+pid_t bead_sandbox_fork(int *const descriptors[], size_t count)
+{
+    const pid_t process = fork();
+    if (process == 0) {
+        reset_signals();
+        keep_descriptors(descriptors, count);
+        bead_sandbox_enter();
+    }
+    return process;
+}
+
+bool bead_sandbox_end(pid_t process, int *status)
+{
+    kill(process, SIGKILL);
+    while (waitpid(process, status, 0) < 0) {
+        if (errno != EINTR)
+            return false;
+    }
+    return true;
+}
+
+/* An answer is whole where it ends with this. */
+enum { END = 0 };
+
+/* In memory first: fdopen() asks more of the kernel than the sandbox allows. */
+static _Noreturn void work_and_end(bead_sandbox_work *work, const void *context, int out)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *file = open_memstream(&text, &length);
+    if (!file)
+        _exit(1);
+    work(context, file);
+    fputc(END, file);
+    if (fclose(file) != 0)
+        _exit(1);
+    for (ssize_t done = 1; length > 0 && done > 0; text += done, length -= (size_t)done)
+        done = write(out, text, length);
+    _exit(0);
+}
+
+enum bead_error bead_sandbox_ask(const char *path, bead_sandbox_work *work, const void *context, size_t most, char **answer,
+                                 size_t *length, struct bead_message *msg)
+{
+    int ends[2], status = 0;
+    *answer = NULL;
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
+    const pid_t process = bead_sandbox_fork((int *const[]){&ends[1]}, 1);
+    const int error = errno;
+    if (process == 0)
+        work_and_end(work, context, ends[1]);
+    close(ends[1]);
+    if (process < 0) {
+        close(ends[0]);
+        return bead_fail(msg, error == ENOMEM ? BEAD_ERROR_MEMORY : BEAD_ERROR_IO,
+                         "%s: cannot be read: no process can be made for it: %s", path, strerror(error));
+    }
+    enum bead_error err = bead_file_read_open(ends[0], path, most + 1, answer, length, msg);
+    const bool known = bead_sandbox_end(process, &status);
+    if (err || (*length > 0 && (*answer)[--*length] == END))
+        return err;
+    free(*answer);
+    *answer = NULL;
+    return known && WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL
+               ? bead_fail(msg, BEAD_ERROR_FORMAT, "%s: damaged: what reads it fails over it (%s)", path,
+                           strsignal(WTERMSIG(status)))
+               : bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: the process that reads it has ended", path);
 }

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Confines a process to computing, for libraries that read untrusted files. */
+/* Confines what reads untrusted files: in a process of its own, which computes only, and, a little, whole programs. */
 #pragma once
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <sys/types.h>
 
+#include "beadreel/error.h"
 #include "sim/base/internal.h"
 
 /* Has the kernel what this needs (seccomp filters)? */
@@ -12,3 +16,20 @@ BEAD_INTERNAL bool bead_sandbox_is_there(void);
  * program (seccomp, and landlock where there is one), and takes at most 512 MiB more memory. For a process of one thread, as there
  * is no way back. What the kernel cannot do is left out. */
 BEAD_INTERNAL void bead_sandbox_enter(void);
+/* For programs, which read scenes of strangers: from now on this process makes no connection and runs no program. Sanitizers, which
+ * run programs themselves, are left alone. */
+BEAD_INTERNAL void bead_sandbox_confine(void);
+
+/* Like fork(), into the sandbox. The new process keeps standard error and the descriptors, renumbered, and no other; signals that
+ * ask programs to stop are for who asks, and a fault ends it without a word. */
+BEAD_INTERNAL pid_t bead_sandbox_fork(int *const descriptors[], size_t count);
+/* Ends it; false: another part of the program has waited for it. */
+BEAD_INTERNAL bool bead_sandbox_end(pid_t process, int *status);
+
+typedef void bead_sandbox_work(const void *context, FILE *answer);
+
+/* Lets `work` read in such a process what the file `path` has (in memory; the path is for messages), and takes the answer, to be
+ * freed; it ends with a NUL more. Errors: FORMAT (the process ended over it), IO, MEMORY, SCENE (an answer of more than `most`
+ * bytes), STOPPED (a signal came). */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sandbox_ask(const char *path, bead_sandbox_work *work, const void *context,
+                                                          size_t most, char **answer, size_t *length, struct bead_message *msg);

@@ -182,15 +182,16 @@ static enum bead_error catch_signals(struct bead_message *msg)
     return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
 }
 
-/* HDF5 files are read in a sandbox: where the kernel has none, their reader should know. */
+/* HDF5 files, and others that may have a scene in them, are read in a sandbox: where the kernel has none, their reader should know.
+ */
 static void warn_of_files(const struct command *command)
 {
-    bool reads = command->job.input && bead_h5_is(command->job.input);
+    bool reads = command->action == COMMAND_REPRODUCE || (command->job.input && bead_h5_is(command->job.input));
     for (size_t i = 0; i < command->part_count; i++)
         reads = reads || bead_h5_is(command->parts[i]);
     if (reads && !bead_sandbox_is_there())
         command_warn(command->program,
-                     "this kernel has no seccomp: HDF5 files are read in a process of their own, but in no sandbox; "
+                     "this kernel has no seccomp: such files are read in a process of their own, but in no sandbox; "
                      "read only files that you trust");
 }
 
@@ -258,6 +259,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
     struct bead_message msg = {""};
     struct command command = {.program = program};
     enum bead_error err = BEAD_OK;
+    bead_sandbox_confine();    /* scenes may be a stranger's, too */
     bead_h5_no_exit_handler(); /* all files are closed before the end */
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);
     command.only = calloc((size_t)argc + 1, sizeof *command.only);

@@ -57,39 +57,11 @@ static bool wait_turn(int turn)
     return done == 1;
 }
 
-/* Signals are for who asks, and a fault ends this process without a word. */
-static void reset_signals(void)
-{
-    static const int ignored[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP},
-                     faults[] = {SIGSEGV, SIGBUS, SIGABRT, SIGTRAP, SIGFPE, SIGILL, SIGPIPE, SIGXCPU};
-    for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
-        (void)signal(ignored[i], SIG_IGN);
-    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-        (void)signal(faults[i], SIG_DFL);
-}
-
-/* Only the file, the socket and standard error stay open: locks of files that are being written are those of who asks. */
-static void keep_descriptors(int *file, int *turn)
-{
-    enum { FIRST = 3 };
-    const int high = fcntl(*file, F_DUPFD, FIRST + 2);
-    const int socket = fcntl(*turn, F_DUPFD, FIRST + 2);
-    if (high < 0 || socket < 0 || dup2(high, FIRST) < 0 || dup2(socket, FIRST + 1) < 0)
-        _exit(1);
-    closefrom(FIRST + 2);
-    close(STDIN_FILENO);
-    close(STDOUT_FILENO);
-    *file = FIRST;
-    *turn = FIRST + 1;
-}
-
-static _Noreturn void live(struct bead_h5 *asked, int turn, struct shared *shared, bead_h5_answerer answer)
+static _Noreturn void live(struct bead_h5 *asked, int file, int turn, struct shared *shared, bead_h5_answerer answer)
 {
     struct bead_h5 h5 = *asked;
     h5.apart = NULL;
-    reset_signals();
-    keep_descriptors(&h5.check.file, &turn);
-    bead_sandbox_enter();
+    h5.check.file = file;
     while (wait_turn(turn)) {
         h5.error = BEAD_OK;
         h5.msg = &shared->message;
@@ -103,20 +75,11 @@ static _Noreturn void live(struct bead_h5 *asked, int turn, struct shared *share
 
 /* ---- who asks ---- */
 
-static enum bead_error end_process(struct bead_h5_apart *apart, int *status)
-{
-    kill(apart->process, SIGKILL);
-    while (waitpid(apart->process, status, 0) < 0)
-        if (errno != EINTR)
-            return BEAD_ERROR_IO; /* another part of the program has waited for it */
-    return BEAD_OK;
-}
-
 /* It ended without being asked to. */
 static void tell_end(struct bead_h5 *h5)
 {
     int status = 0;
-    const bool known = end_process(h5->apart, &status) == BEAD_OK;
+    const bool known = bead_sandbox_end(h5->apart->process, &status);
     h5->apart->process = -1;
     if (known && WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL)
         bead_h5_fail(h5, false, "damaged: HDF5 fails over it (%s)", strsignal(WTERMSIG(status)));
@@ -189,10 +152,11 @@ static bool start(struct bead_h5 *h5, struct bead_h5_apart *apart, bead_h5_answe
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, turns) != 0)
         return false;
     apart->turn = turns[0];
-    apart->process = fork();
+    int file = h5->check.file;
+    apart->process = bead_sandbox_fork((int *const[]){&file, &turns[1]}, 2);
     const int error = errno;
     if (apart->process == 0)
-        live(h5, turns[1], apart->shared, answer);
+        live(h5, file, turns[1], apart->shared, answer);
     close(turns[1]);
     errno = error;
     return apart->process > 0;
@@ -224,7 +188,7 @@ void bead_h5_apart_close(struct bead_h5 *h5)
     if (!apart)
         return;
     if (apart->process > 0)
-        (void)end_process(apart, &status);
+        (void)bead_sandbox_end(apart->process, &status);
     if (apart->turn >= 0)
         close(apart->turn);
     if (apart->shared != MAP_FAILED)

@@ -222,9 +222,27 @@ else
     ok "... nor one that draws" fails 1 env LD_PRELOAD="$T/fault.so" "$beadreel" read.h5 -o fault.png
     ok "... nor one that merges" fails 1 env LD_PRELOAD="$T/fault.so" "$beadsim" --merge parts/*.h5 -o fault.h5
     ok "... and nothing is left" test "$(echo fault.* intruded*)" = "fault.c fault.so intruded*"
+    scene '{image: read.png}' >image.yaml && "$beadreel" image.yaml -o . >/dev/null
+    # libpng asks how many bytes to read: this one does what else it can.
+    sed 's/pread(int file, void \*bytes, size_t size, off_t at)/png_read_info(void *file, void *bytes)/
+        s/"pread"/"png_read_info"/; s/return real.*/((void (*)(void *, void *))real)(file, bytes); return 0;/' intruder.c >png.c
+    sed 's/if (getpid() != first/raise(SIGSEGV);\n&/' png.c >png_fault.c
+    for name in png png_fault; do ${CC:-cc} -w -shared -fPIC $name.c -o $name.so -ldl; done
+    ok "who takes over the process that finds a picture's scene" exits 0 env LD_PRELOAD="$T/png.so" "$beadreel" --reproduce read.png
+    for what in write connect run; do ok "... cannot $what" says "intruder: $what: Operation not permitted"; done
+    ok "... has not much memory" says "intruder: memory: Cannot allocate memory"
+    ok "... and has written nothing" test ! -e intruded
+    ok "a fault within libpng ends no program" fails 1 env LD_PRELOAD="$T/png_fault.so" "$beadreel" --reproduce read.png
+    ok "... it is damage" says "read.png: damaged: what reads it fails over it (Segmentation fault)"
+    printf '%s\n' '#include <sys/socket.h>' '#include <unistd.h>' '#include <stdio.h>' '#include <errno.h>' 'void yaml_parser_delete(void *parser)' \
+        '{ if (socket(AF_INET, SOCK_STREAM, 0) < 0 && errno == EPERM) fputs("intruder: connect: refused\n", stderr);' \
+        'if (execl("/bin/true", "true", (char *)0) < 0 && errno == EPERM) fputs("intruder: run: refused\n", stderr); }' >yaml.c
+    ${CC:-cc} -w -shared -fPIC yaml.c -o yaml.so
+    ok "who takes over the reading of a scene" exits 0 env LD_PRELOAD="$T/yaml.so" "$beadsim" plain.yaml -o plain
+    for what in connect run; do ok "... cannot $what" says "intruder: $what: refused"; done
     refuse syscall -1 38 beadsim
     ok "a kernel without sandboxes" exits 0 env LD_PRELOAD="$T/syscall.so" "$beadsim" --info read.h5
-    ok "... is told" says "warning: this kernel has no seccomp: HDF5 files are read in a process of their own, but in no sandbox"
+    ok "... is told" says "warning: this kernel has no seccomp: such files are read in a process of their own, but in no sandbox"
 fi
 
 # ---- no locks ----

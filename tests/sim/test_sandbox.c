@@ -2,6 +2,7 @@
 /* What a process in the sandbox tries to do is refused; the same is done by one outside it. */
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -139,8 +140,120 @@ static void memory_is_limited(void **state)
     assert_int_equal(attempt(takes_memory, false), 1);
 }
 
+/* ---- a whole program ---- */
+
+static int attempt_confined(bool (*act)(void))
+{
+    int status = -1;
+    const pid_t child = fork();
+    if (child == 0) {
+        bead_sandbox_confine();
+        _exit(act() ? 1 : 0);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status) && WEXITSTATUS(status) <= 1);
+    return WEXITSTATUS(status);
+}
+
+static void programs_neither_connect_nor_run_others(void **state)
+{
+    (void)state;
+#ifdef FAIL_ALLOC_SANITIZED
+    skip_without("a build without sanitizers");
+#endif
+    if (!bead_sandbox_is_there())
+        skip_without("a kernel with seccomp");
+    snprintf(written, sizeof written, "%s/written", directory);
+    assert_int_equal(attempt_confined(asks_the_network), 0);
+    assert_int_equal(attempt_confined(runs_a_program), 0);
+    assert_int_equal(attempt_confined(writes), 1); /* its outputs */
+    assert_int_equal(unlink(written), 0);
+    assert_int_equal(attempt_confined(starts_a_process), 1); /* which reads files in the sandbox */
+    assert_int_equal(attempt_confined(takes_memory), 1);
+}
+
+/* ---- a process that is asked ---- */
+
+enum { MOST = 1000 };
+
+static void say(const void *context, FILE *answer)
+{
+    fwrite(context, 1, strlen(context), answer);
+}
+
+static void try_to_leave(const void *context, FILE *answer)
+{
+    (void)context;
+    fprintf(answer, "%d%d%d%d", writes(), reads(), connects(), asks_the_network());
+}
+
+static void fault(const void *context, FILE *answer)
+{
+    say(context, answer);
+    fflush(answer);
+    raise(SIGSEGV);
+}
+
+static void leave_early(const void *context, FILE *answer)
+{
+    say(context, answer);
+    fflush(answer);
+    _exit(0);
+}
+
+static enum bead_error ask(bead_sandbox_work *work, const char *text, char **answer, size_t *length, struct bead_message *msg)
+{
+    return bead_sandbox_ask("a.png", work, text, MOST, answer, length, msg);
+}
+
+static void an_answer_is_whole_or_none(void **state)
+{
+    (void)state;
+    char long_text[MOST + 2], *answer;
+    size_t length;
+    struct bead_message msg;
+    memset(long_text, 'a', sizeof long_text);
+    long_text[MOST] = 0;
+    assert_int_equal(ask(say, long_text, &answer, &length, &msg), BEAD_OK);
+    assert_int_equal(length, MOST);
+    assert_string_equal(answer, long_text);
+    free(answer);
+    assert_int_equal(ask(say, "", &answer, &length, &msg), BEAD_OK);
+    assert_int_equal(length, 0);
+    free(answer);
+    long_text[MOST] = 'a';
+    long_text[MOST + 1] = 0;
+    assert_int_equal(ask(say, long_text, &answer, &length, &msg), BEAD_ERROR_SCENE);
+    assert_null(answer);
+    assert_int_equal(ask(fault, "a half", &answer, &length, &msg), BEAD_ERROR_FORMAT);
+    assert_null(answer);
+    assert_string_equal(msg.text, "a.png: damaged: what reads it fails over it (Segmentation fault)");
+    assert_int_equal(ask(leave_early, "a half", &answer, &length, &msg), BEAD_ERROR_IO);
+    assert_null(answer);
+}
+
+static void who_is_asked_reaches_nothing(void **state)
+{
+    (void)state;
+    char *answer;
+    size_t length;
+    struct bead_message msg;
+    if (!bead_sandbox_is_there())
+        skip_without("a kernel with seccomp");
+    snprintf(written, sizeof written, "%s/written", directory);
+    assert_int_equal(ask(try_to_leave, "", &answer, &length, &msg), BEAD_OK);
+    assert_string_equal(answer, "0000");
+    free(answer);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_outside_is_reached), cmocka_unit_test(memory_is_limited)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_outside_is_reached),
+        cmocka_unit_test(memory_is_limited),
+        cmocka_unit_test(programs_neither_connect_nor_run_others),
+        cmocka_unit_test(an_answer_is_whole_or_none),
+        cmocka_unit_test(who_is_asked_reaches_nothing),
+    };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
