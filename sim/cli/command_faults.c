@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Removes unfinished files if a fault in a library ends the program. */
+/* Removes unfinished files if a fault in a library ends the program; takes the room that libraries want. */
+#include <pthread.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "sim/cli/command_line.h"
@@ -33,13 +35,40 @@ static void on_fault(int number, siginfo_t *info, void *)
     (void)raise(number);
 }
 
+/* Libraries take a stack of the usual size for granted: of less, main's is raised as far as it may be, and threads get it anyway.
+ */
+void command_take_stacks(void)
+{
+    static const size_t usual = 8 << 20;
+    struct rlimit stack;
+    pthread_attr_t attributes;
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= usual)
+        return;
+    stack.rlim_cur = stack.rlim_max < usual ? stack.rlim_max : usual;
+    (void)setrlimit(RLIMIT_STACK, &stack);
+    if (pthread_attr_init(&attributes) != 0)
+        return;
+    if (pthread_attr_setstacksize(&attributes, usual) == 0)
+        (void)pthread_setattr_default_np(&attributes);
+    pthread_attr_destroy(&attributes);
+}
+
+/* Where the stack has run out, a handler needs another one; a sanitizer has its own. */
+static bool have_other_stack(void)
+{
+    static char room[64 << 10];
+    stack_t before;
+    return sigaltstack(NULL, &before) == 0 &&
+           (!(before.ss_flags & SS_DISABLE) || sigaltstack(&(stack_t){.ss_sp = room, .ss_size = sizeof room}, NULL) == 0);
+}
+
 /* Signals that a debugger or sanitizer handles are left to it. */
 bool command_catch_faults(void)
 {
     static const int faults[] = {SIGTRAP, SIGABRT, SIGSEGV, SIGBUS};
-    struct sigaction fault = {.sa_sigaction = on_fault, .sa_flags = SA_NODEFER | SA_SIGINFO}, before;
+    struct sigaction fault = {.sa_sigaction = on_fault, .sa_flags = SA_NODEFER | SA_SIGINFO | SA_ONSTACK}, before;
     sigemptyset(&fault.sa_mask);
-    bool caught = true;
+    bool caught = have_other_stack();
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
         caught = caught && sigaction(faults[i], NULL, &before) == 0 &&
                  (before.sa_handler != SIG_DFL || sigaction(faults[i], &fault, NULL) == 0);

@@ -167,6 +167,26 @@ limited() {
 }
 ok "a limit of CPU time stops a run in good order" limited
 
+if [ "${sanitized:-}" ]; then
+    skip "a build without sanitizers" "small stacks"
+else
+    scene '{movie: a.mp4, duration: 1 s, size: [320, 240]}, {image: b.png}, {trajectory: c.h5, every: 5 us}' >film.yaml
+    stack() { # STATUS DIRECTORY LIMIT...
+        run bash -c 'ulimit -c 0; ulimit "${@:4}" && exec "$1" "$2" -o "$3" --progress none' - "$beadreel" film.yaml "$2" "${@:3}"
+        [ $status -eq "$1" ] || { echo "status $status"; cat err; return 1; }
+    }
+    ok "a shell's small stack is made larger" stack 0 soft -S -s 64
+    ok "64 kB of stack, and no more: too few" stack 139 hard -s 64
+    ok "... which is told" says "no unfinished file is left"
+    echo 'int png_write_end(void *png, void *info) { volatile char some[4096]; some[0] = 1; return png_write_end(png, info) + some[0]; }' >deep.c
+    ${CC:-cc} -w -O0 -shared -fPIC deep.c -o deep.so
+    deep() {
+        (ulimit -c 0 && LD_PRELOAD=$T/deep.so run "$beadreel" film.yaml -o deep --progress none; exit $status) 2>/dev/null
+        [ $? -eq 139 ] && says "no unfinished file is left" && empty deep
+    }
+    ok "a stack that runs out while files are written: it is told, and nothing is left" deep
+fi
+
 # ---- the process that reads HDF5 files ----
 scene '{trajectory: read.h5, every: 5 us}' >read.yaml && "$beadsim" read.yaml -o . >/dev/null
 # intrude WHAT : a library whose pread does that in each process but the first.
