@@ -20,6 +20,7 @@
  *   place [places]        "peak", or the sensors' names
  *   peak_force [n][place] N, peak_time [n][place] s, peak_uncertainty [n][place] N, peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
+ *   finer_bead_force ...  the same of runs of a sample of them with a hundredth of the tolerance; 0: none
  *   reference_...         the same of the chain with all random cells up */
 #ifndef BEADREEL_SWEEP_H
 #define BEADREEL_SWEEP_H

@@ -51,6 +51,7 @@ static size_t most_alike(const struct bead_sweep_curve *curve)
 
 static void add(struct over_panel *p, const struct bead_sweep_curve *curve, enum statistic what, size_t number, double **at)
 {
+    double longest = 0;
     const size_t n = curve->count;
     double *x = *at, *y = x + n, *other = y + n;
     *at = other + n;
@@ -58,7 +59,8 @@ static void add(struct over_panel *p, const struct bead_sweep_curve *curve, enum
         const struct bead_summary *m = &curve->points[i].summary;
         x[i] = curve->points[i].x;
         y[i] = what == MEAN ? m->mean : what == MEDIAN ? m->median : m->quartile[0];
-        other[i] = what == QUARTILES ? m->quartile[1] : isfinite(m->standard_error) ? m->standard_error : 0;
+        other[i] = what == QUARTILES ? m->quartile[1] : plot_bar_of_mean(m, curve->points[i].uncertainty);
+        longest = fmax(longest, other[i]);
     }
     struct bead_series *series = &p->series[p->count];
     *series = (struct bead_series){.x = x, .y = y, .count = n, .mark = BEAD_MARK_LINE_POINTS, .label = p->labels[p->count]};
@@ -67,7 +69,7 @@ static void add(struct over_panel *p, const struct bead_sweep_curve *curve, enum
         series->mark = BEAD_MARK_BAND;
         series->upper = other;
         series->faint = true;
-    } else if (what == MEAN && most_alike(curve) > 1) {
+    } else if (what == MEAN && longest > 0) {
         series->error = other;
     }
     p->count++;
@@ -136,7 +138,8 @@ enum bead_error bead_over_shown_find(const struct bead_output *output, const str
     *what = (struct bead_over_shown){.unit = "N", .title = "peak bead force"};
     if (!*measure)
         return BEAD_OK;
-    BEAD_TRY(bead_sweep_measured(context->sweep, measure, context->sweep_settings, &what->values, &what->unit, msg));
+    BEAD_TRY(bead_sweep_measured(context->sweep, measure, context->sweep_settings, &what->of, &what->unit, msg));
+    what->values = &what->of;
     const bool count = strstr(what->unit, "bead") || strcmp(what->unit, "cells") == 0 || strcmp(what->unit, "contacts") == 0;
     snprintf(what->title, sizeof what->title, "%s%s%s%s", measure, count ? " (" : "", count ? what->unit : "", count ? ")" : "");
     what->unit = count ? "" : what->unit;
@@ -195,6 +198,6 @@ enum bead_error bead_over_plot_write(const struct bead_output *output, const str
         free(panels[i].labels);
         free(panels[i].numbers);
     }
-    free(what.values);
+    bead_sweep_values_free(&what.of);
     return err;
 }

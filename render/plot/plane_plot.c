@@ -181,6 +181,6 @@ enum bead_error bead_plane_plot_write(const struct bead_output *output, const st
         free(planes[i].threshold);
         free((double *)planes[i].image.values);
     }
-    free(what.values);
+    bead_sweep_values_free(&what.of);
     return err;
 }

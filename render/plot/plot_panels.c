@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Common to the kinds of plots: panels, their headings, and curves that can be told apart. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "render/draw/markup.h"
@@ -36,6 +37,20 @@ void plot_tell_apart(struct bead_series *series, size_t index)
         series->mark = BEAD_MARK_LINE_POINTS;
         series->shape = (round - 1) % BEAD_SHAPES;
     }
+}
+
+/* Bars of less than this part of the value are hidden by marks. */
+static const double visible = 0.01;
+
+double plot_bar(double value, double uncertainty)
+{
+    return uncertainty > visible * fabs(value) ? uncertainty : NAN;
+}
+
+double plot_bar_of_mean(const struct bead_summary *mean, double uncertainty)
+{
+    const double bar = plot_bar(mean->mean, uncertainty);
+    return hypot(isfinite(mean->standard_error) ? mean->standard_error : 0, isnan(bar) ? 0 : bar);
 }
 
 enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg)

@@ -74,15 +74,12 @@ static void plot_peaks_find_range(const struct bead_plot_data *data, const struc
 
 /* Why marks are hollow. */
 enum { RISING = 1, EXCEEDED = 2, LOST = 4 };
-/* Bars of less than this part of the peak are hidden by marks. */
-static const double visible = 0.01;
-
 /* NaN: no bar. */
 static double bar_of(const struct bead_outcome *outcome, size_t contact)
 {
     const struct bead_peak *peak = &outcome->contact_peaks[contact];
     const double u = outcome->contact_uncertainty ? outcome->contact_uncertainty[contact] : 0;
-    return peak->unpredictable || !(u > visible * peak->value) ? NAN : u;
+    return peak->unpredictable ? NAN : plot_bar(peak->value, u);
 }
 
 enum { ROWS = 4 };

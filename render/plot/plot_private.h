@@ -7,6 +7,7 @@
 #include "sim/measure/recorded.h"
 #include "sim/measure/spectra.h"
 #include "sim/measure/spreading.h"
+#include "sim/statistics/statistics.h"
 
 /* A panel's data. */
 struct plot_panel {
@@ -80,12 +81,17 @@ double *plot_curve_points(const struct bead_curves *curves, size_t k, double fac
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
 /* Name and magnetism of chain `number`, in the markup of graphs. */
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);
-/* Sets colour, dashes and marks that distinguish curve `index` from the others, in greyscale too. */
 /* The bands of a cell, against wave number in units of pi by cell, as a series that is broken between them. `at`: room for
  * PLOT_BAND_VALUES numbers for each bead of the cell. */
 enum { PLOT_BAND_POINTS = 202, PLOT_BAND_VALUES = 2 * PLOT_BAND_POINTS };
 struct bead_series plot_bands_of(const struct bead_medium *medium, double *at);
+/* Sets colour, dashes and marks that distinguish curve `index` from the others, in greyscale too. */
 void plot_tell_apart(struct bead_series *series, size_t index);
+/* The bar of a value that is known to `uncertainty`; NaN: marks would hide it, or it is not known. */
+double plot_bar(double value, double uncertainty);
+/* That of a mean: its standard error, and how well the values are known if that shows; 0: none. Errors of chains may be alike, so
+ * that the mean is no better known than they are. */
+double plot_bar_of_mean(const struct bead_summary *mean, double uncertainty);
 
 /* ---- spectra: spectral_axes.c ---- */
 

@@ -146,8 +146,8 @@ static void add_configurations(struct panel *p, const struct bead_sweep_statisti
 }
 
 /* Means with bars of their standard errors, or medians; each curve of a panel has its own dashes. */
-static void add_curve(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, bool median, bool crowded,
-                      const char *place)
+static void add_curve(struct panel *p, const struct bead_sweep_statistics *s, double uncertain, size_t colour, bool median,
+                      bool crowded, const char *place)
 {
     const size_t n = s->row_count;
     const struct bead_series curve = {.mark = median || crowded ? BEAD_MARK_LINE : BEAD_MARK_LINE_POINTS,
@@ -160,7 +160,7 @@ static void add_curve(struct panel *p, const struct bead_sweep_statistics *s, si
         const struct bead_summary *m = &s->rows[i].summary;
         x[i] = s->rows[i].magnetism;
         x[n + i] = median ? m->median : m->mean;
-        x[2 * n + i] = isfinite(m->standard_error) ? m->standard_error : 0;
+        x[2 * n + i] = plot_bar_of_mean(m, uncertain * m->mean);
     }
     p->series[p->series_count - 1].error = x && !median ? x + 2 * n : NULL;
 }
@@ -208,15 +208,15 @@ static bool is_crowded(const struct plot *plot)
     return false;
 }
 
-static void add_place(struct panel *p, size_t place, const char *name, enum bead_sweep_show show, bool crowded)
+static void add_place(struct panel *p, size_t place, double uncertain, const char *name, enum bead_sweep_show show, bool crowded)
 {
     const struct bead_sweep_statistics *s = &p->statistics[place];
     const bool single = p->places == 1;
     add_configurations(p, s, place, name, crowded);
     if (show != BEAD_SWEEP_MEDIAN)
-        add_curve(p, s, place, false, crowded, name);
+        add_curve(p, s, uncertain, place, false, crowded, name);
     if (show != BEAD_SWEEP_MEAN)
-        add_curve(p, s, single ? place + 1 : place, true, crowded, name);
+        add_curve(p, s, uncertain, single ? place + 1 : place, true, crowded, name);
     if (single)
         add_rulers(p, s);
 }
@@ -255,7 +255,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
         if (*against)
             add_orders(plot, index, place, name, bead_order_named(against));
         else
-            add_place(p, place, name, show, is_crowded(plot));
+            add_place(p, place, bead_sweep_uncertainty(plot->sweep, index, place), name, show, is_crowded(plot));
         err = p->full ? out_of_memory(msg) : BEAD_OK;
     }
     struct bead_panel *shown = &plot->shown[index];
@@ -294,7 +294,8 @@ static void add_fit(struct panel *p, const struct bead_decay *fit, size_t first,
 enum { LATE = 16 };
 
 /* "M = 0.5, γ = 120 ± 3, F ∝ x^-0.33", as far as the fit was possible. */
-static void name_profile(const struct bead_decay *fit, double magnetism, int decimals, bool energy, char *word, size_t size)
+static void name_profile(const struct bead_decay *fit, double uncertainty, double magnetism, int decimals, bool energy, char *word,
+                         size_t size)
 {
     char number[32];
     bead_number(magnetism, decimals, number, sizeof number);
@@ -302,7 +303,8 @@ static void name_profile(const struct bead_decay *fit, double magnetism, int dec
     if (isfinite(fit->length))
         used += (size_t)snprintf(word + used, size - used, ", *γ* = %.0f", fit->length);
     if (isfinite(fit->length) && isfinite(fit->length_error))
-        used += (size_t)snprintf(word + used, size - used, " ± %.0f", fit->length_error);
+        used += (size_t)snprintf(word + used, size - used, " ± %.0f",
+                                 hypot(fit->length_error, isfinite(uncertainty) ? uncertainty : 0));
     if (isfinite(fit->exponent))
         snprintf(word + used, size - used, ", *%s* ∝ *x*^{%s%.2f}", energy ? "E" : "F", fit->exponent < 0 ? "\u2212" : "",
                  fabs(fit->exponent));
@@ -329,7 +331,7 @@ static void add_profile(struct panel *p, const struct plot *plot, size_t index, 
     for (size_t i = 0; i < count; i++)
         x[i] = (double)i + half;
     series->count = count;
-    name_profile(fit, d->magnetism, decimals, energy, word, sizeof *p->words);
+    name_profile(fit, d->uncertain[energy].length, d->magnetism, decimals, energy, word, sizeof *p->words);
     plot_tell_apart(series, number);
     const size_t end = fit->last < count ? fit->last : count - 1;
     if (isfinite(fit->length) && end > fit->first)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "beadreel/sweep.h"
+#include "sim/sweep/sweep_curves.h"
 
 /* The plot of a sweep over keys. Errors: USAGE, MEMORY, those of bead_graph_write. */
 BEAD_CHECK enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_run_context *context,
@@ -20,11 +21,12 @@ BEAD_CHECK enum bead_error bead_lines_plot_write(const struct bead_output *outpu
 
 /* The quantity on the axis of values of plots of sweeps over keys. */
 struct bead_over_shown {
-    double *values; /* [configurations], of a measure; NULL: peak forces */
+    struct bead_sweep_values of;            /* of a measure */
+    const struct bead_sweep_values *values; /* them; NULL: peak forces */
     const char *unit;
     char title[120];
 };
-/* Runs the chains for a measure. Errors: those of bead_sweep_measured. */
+/* Runs the chains for a measure; what->of is to be freed even after an error. Errors: those of bead_sweep_measured. */
 BEAD_CHECK enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
                                                 struct bead_over_shown *what, struct bead_message *msg);
 /* "striker velocity" of chain.striker.velocity; "magnetism" of chain.beads.0.magnetism. */

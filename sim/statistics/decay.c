@@ -56,14 +56,14 @@ static double slope_of(const struct sums *s, double *offset)
 void bead_decay_fit(const double *logs, size_t places, size_t first, size_t last, struct bead_decay *decay)
 {
     struct sums near = {0}, far = {0};
-    *decay = (struct bead_decay){NAN, NAN, NAN, NAN, NAN, NAN, first, last};
+    *decay = (struct bead_decay){NAN, NAN, NAN, NAN, NAN, NAN, NAN, first, last};
     for (size_t p = first; p <= last && p < places; p++)
         add_point(&near, (double)p, logs[p]);
     for (size_t p = last > 0 ? last : 1; p < places && places > FARTHER * last; p++)
         add_point(&far, bead_log((double)p), logs[p]);
-    double slope = slope_of(&near, &decay->length_offset);
-    if (!isnan(slope))
-        decay->length = slope < 0 ? -1 / slope : INFINITY;
+    decay->rate = -slope_of(&near, &decay->length_offset);
+    if (!isnan(decay->rate))
+        decay->length = decay->rate > 0 ? 1 / decay->rate : INFINITY;
     decay->exponent = slope_of(&far, &decay->exponent_offset);
 }
 

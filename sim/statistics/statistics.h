@@ -60,6 +60,7 @@ BEAD_INTERNAL void bead_line_fit(const double *x, const double *y, size_t count,
  * length), a power law farther on, y ~ x^exponent. */
 struct bead_decay {
     double length, length_error;           /* beads; INFINITY where it does not decay */
+    double rate;                           /* 1 / length; negative where it grows */
     double exponent, exponent_error;       /* NaN where the places do not reach to eight times `last` */
     double length_offset, exponent_offset; /* ln y at place 0, and at place 1, of the two lines */
     size_t first, last;                    /* places that the exponential was fitted over; the power law: from `last` on */

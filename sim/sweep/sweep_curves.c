@@ -8,6 +8,7 @@
 #include "sim/base/elementary.h"
 #include "sim/base/memory.h"
 #include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_internal.h"
 
 static enum bead_error find_key(const struct bead_over *over, const char *against, size_t *key, struct bead_message *msg)
 {
@@ -81,15 +82,17 @@ static void fit_slope(struct bead_sweep_curve *curve)
 }
 
 /* All points of one curve: of each value along the axis the known results. */
-static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, const double *values, size_t number,
-                            size_t key, struct bead_sweep_curve *curve, struct bead_message *msg)
+static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, const struct bead_sweep_values *values,
+                            size_t number, size_t key, struct bead_sweep_curve *curve, struct bead_message *msg)
 {
     const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
     const struct bead_over_key *along = &shown->spec->over.keys[key];
+    const double worst = values ? NAN : bead_sweep_uncertainty(sweep, panel, place);
     BEAD_FREED double *forces = NULL;
     BEAD_TRY(bead_new(&curve->points, along->count, msg, "the curves of a sweep"));
     BEAD_TRY(bead_new(&forces, shown->configurations, msg, "the curves of a sweep"));
     for (size_t value = 0; value < along->count; value++) {
+        double uncertainty = 0;
         size_t count = 0;
         for (size_t i = 0; i < shown->configurations; i++) {
             struct bead_sweep_configuration found;
@@ -97,15 +100,21 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
                 continue;
             if (!*curve->name)
                 bead_sweep_curve_name(sweep, panel, i, key, curve->name);
-            if (values && isfinite(values[i]))
-                forces[count++] = values[i];
-            else if (!values && bead_sweep_configuration(sweep, panel, i, &found))
-                forces[count++] = found.peaks[place].force;
+            if (values && isfinite(values->value[i])) {
+                forces[count++] = values->value[i];
+                uncertainty += values->uncertainty[i];
+            } else if (!values && bead_sweep_configuration(sweep, panel, i, &found)) {
+                const struct bead_sweep_peak *peak = &found.peaks[place];
+                forces[count++] = peak->force;
+                uncertainty += peak->uncertainty > 0 ? peak->uncertainty : worst * peak->force;
+            }
         }
         if (count == 0)
             continue;
         struct bead_sweep_point *point = &curve->points[curve->count++];
-        *point = (struct bead_sweep_point){.value = value, .x = isnan(along->value[value]) ? (double)value : along->value[value]};
+        *point = (struct bead_sweep_point){.value = value,
+                                           .x = isnan(along->value[value]) ? (double)value : along->value[value],
+                                           .uncertainty = uncertainty / (double)count};
         bead_summary_of(forces, count, &point->summary);
     }
     qsort(curve->points, curve->count, sizeof *curve->points, by_x);
@@ -113,8 +122,9 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
     return BEAD_OK;
 }
 
-enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place, const double *values,
-                                       const char *against, struct bead_sweep_curves *curves, struct bead_message *msg)
+enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place,
+                                       const struct bead_sweep_values *values, const char *against,
+                                       struct bead_sweep_curves *curves, struct bead_message *msg)
 {
     const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
     size_t count = 1;

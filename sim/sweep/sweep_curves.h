@@ -10,6 +10,7 @@ struct bead_sweep_point {
     size_t value;                /* number of that value of the key */
     double x;                    /* it, in the key's unit; its number where it is no number */
     struct bead_summary summary; /* N, or in the measure's unit */
+    double uncertainty;          /* of the mean, the same: that of its values, whose errors may be alike; NaN: unknown */
 };
 struct bead_sweep_curve {
     char name[200];                  /* "chain.beads.0.count 20": the values of the other keys; "" where there are none */
@@ -27,16 +28,23 @@ struct bead_sweep_curves {
  * (SIZE_MAX: none): that of its curve; and these values in words. */
 BEAD_INTERNAL size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key);
 BEAD_INTERNAL void bead_sweep_curve_name(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key, char name[200]);
-/* `values` [configurations], NaN where there is none; NULL: the peak forces at a place. `against`: a key's path, "": the first that
- * is no seed. To be freed even after an error. Errors: USAGE (no such key), MEMORY. */
+/* A measure of each configuration, NaN where there is none, and how well it is known: by its own check run, or, if it has none, by
+ * the worst of all, as a part of it. */
+struct bead_sweep_values {
+    double *value, *uncertainty; /* [configurations] */
+};
+/* `values`: NULL: the peak forces at a place. `against`: a key's path, "": the first that is no seed. To be freed even after an
+ * error. Errors: USAGE (no such key), MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_curves_find(const struct bead_sweep *sweep, size_t panel, size_t place,
-                                                                const double *values, const char *against,
+                                                                const struct bead_sweep_values *values, const char *against,
                                                                 struct bead_sweep_curves *curves, struct bead_message *msg);
 /* The unit of a measure of chains. Errors: USAGE (there is none of this name). */
 BEAD_CHECK enum bead_error bead_sweep_measure_unit(const char *name, const char **unit, struct bead_message *msg);
-/* Runs all chains of the first panel for that measure: *values [configurations], NaN where a chain does not have it, are the
- * caller's. Errors: USAGE, MEMORY, those of runs. */
+/* Runs all chains of the first panel for that measure. The values are to be freed even after an error. Errors: USAGE, MEMORY, those
+ * of runs. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_measured(const struct bead_sweep *sweep, const char *name,
-                                                             const struct bead_sweep_settings *settings, double **values,
-                                                             const char **unit, struct bead_message *msg);
+                                                             const struct bead_sweep_settings *settings,
+                                                             struct bead_sweep_values *values, const char **unit,
+                                                             struct bead_message *msg);
+BEAD_INTERNAL void bead_sweep_values_free(struct bead_sweep_values *values);
 BEAD_INTERNAL void bead_sweep_curves_free(struct bead_sweep_curves *curves);

@@ -7,8 +7,16 @@
 #include "beadreel/sweep.h"
 #include "sim/run/play.h"
 
-/* Profiles along the chain, kept if decay is measured, in the order of struct bead_sweep_configuration. */
-enum sweep_profile { PROFILE_FORCE, PROFILE_ENERGY, PROFILE_LAST_FORCE, PROFILE_LAST_ENERGY, PROFILES };
+/* Profiles along the chain, kept if decay is measured, in the order of struct bead_sweep_configuration; behind them those of a
+ * finer run, 0 where there was none. */
+enum sweep_profile {
+    PROFILE_FORCE,
+    PROFILE_ENERGY,
+    PROFILE_LAST_FORCE,
+    PROFILE_LAST_ENERGY,
+    PROFILES_OF_RUN,
+    PROFILES = 2 * PROFILES_OF_RUN
+};
 /* 64-bit words of a peak in a journal. */
 enum { PEAK_WORDS = sizeof(struct bead_sweep_peak) / sizeof(uint64_t) };
 

@@ -5,6 +5,7 @@
 #include "sim/base/elementary.h"
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
+#include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
@@ -19,6 +20,8 @@ struct decay_panel {
     struct bead_sweep_configuration clean;
     size_t index, random, cell; /* random: beads up to the last random one; cell: beads of a random cell */
     double *logs;               /* [2][configurations][random] */
+    double *changes,
+        *values; /* [configurations][beads]: by how much logarithms differ from those of finer runs; [configurations] */
 };
 
 static size_t random_cell(const struct bead_sweep *sweep, const struct bead_sweep_panel *shown)
@@ -60,6 +63,91 @@ static enum bead_error fit(const struct decay_panel *p, const struct sweep_entry
     return bead_decay_of(&profiles, RESAMPLES, p->shown->spec->seed, &d->of_force, &d->of_energy, msg);
 }
 
+static const double *profile_of(const struct decay_panel *p, size_t row, size_t which)
+{
+    return p->sweep->panels[p->index].profiles + (PROFILES * row + which) * p->shown->beads;
+}
+
+/* How well a mean over all chains is known, as spreading's is: by the mean difference of those that were run twice, and by how much
+ * that of all may differ from it. */
+static double bound(const struct decay_panel *p, size_t used, size_t all)
+{
+    struct bead_summary sample;
+    for (size_t i = 0; i < used; i++) {
+        if (isnan(p->values[i]))
+            return NAN;
+    }
+    bead_summary_of(p->values, used, &sample);
+    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
+}
+
+/* Lists the differences of the logarithms of a profile from those of finer runs, of the chains that have them: how many these are.
+ */
+static size_t find_changes(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, enum sweep_profile which)
+{
+    const size_t beads = p->shown->beads;
+    size_t used = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double *run = profile_of(p, entries[i].index + 1, which);
+        const double *finer = profile_of(p, entries[i].index + 1, PROFILES_OF_RUN + which);
+        if (!(finer[0] > 0))
+            continue;
+        for (size_t j = 0; j < beads; j++)
+            p->changes[used * beads + j] = bead_log(run[j] / finer[j]);
+        used++;
+    }
+    return used;
+}
+
+/* Fits are linear in the logarithms, so that those of the differences are the differences of the fits. */
+static void bound_fits(const struct decay_panel *p, size_t used, const struct bead_decay *of, size_t count,
+                       struct bead_decay_uncertainty *u)
+{
+    const size_t beads = p->shown->beads;
+    struct bead_decay change;
+    for (size_t i = 0; i < used; i++) {
+        bead_decay_fit(p->changes + i * beads, p->random, of->first, of->last, &change);
+        p->values[i] = change.rate;
+    }
+    u->length = bound(p, used, count) * of->length * of->length;
+    for (size_t i = 0; i < used; i++) {
+        bead_decay_fit(p->changes + i * beads, p->random, of->first, of->last, &change);
+        p->values[i] = change.exponent;
+    }
+    u->exponent = bound(p, used, count);
+}
+
+/* How well the decay of forces, or energies, is known: `means` at each bead, and their fits. */
+static enum bead_error find_uncertainty(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, bool energy,
+                                        const double *means, const struct bead_decay *of, struct bead_decay_uncertainty *u,
+                                        struct bead_message *msg)
+{
+    const size_t beads = p->shown->beads;
+    const enum sweep_profile peaks = energy ? PROFILE_ENERGY : PROFILE_FORCE,
+                             last = energy ? PROFILE_LAST_ENERGY : PROFILE_LAST_FORCE;
+    BEAD_TRY(bead_new(&u->peaks, beads, msg, "the decay of a sweep"));
+    size_t used = find_changes(p, entries, count, peaks);
+    for (size_t j = 0; j < beads; j++) {
+        for (size_t i = 0; i < used; i++)
+            p->values[i] = p->changes[i * beads + j];
+        u->peaks[j] = bound(p, used, count) * means[j];
+    }
+    const double *clean = profile_of(p, 0, peaks), *finer = profile_of(p, 0, PROFILES_OF_RUN + peaks);
+    for (size_t i = 0; i < used; i++) {
+        for (size_t j = 0; j < beads; j++)
+            p->changes[i * beads + j] -= bead_log(clean[j] / finer[j]);
+    }
+    bound_fits(p, used, of, count, u);
+    for (size_t i = used = 0; i < count; i++) {
+        const size_t row = entries[i].index + 1;
+        if (profile_of(p, row, PROFILES_OF_RUN + peaks)[0] > 0)
+            p->values[used++] = bead_participation(profile_of(p, row, last), beads) -
+                                bead_participation(profile_of(p, row, PROFILES_OF_RUN + last), beads);
+    }
+    u->participation = bound(p, used, count);
+    return BEAD_OK;
+}
+
 static enum bead_error find_decay(const struct decay_panel *p, const struct sweep_entry *entries, struct bead_sweep_decay *d,
                                   struct bead_message *msg)
 {
@@ -80,7 +168,9 @@ static enum bead_error find_decay(const struct decay_panel *p, const struct swee
         d->force[j] = bead_exp(d->force[j]);
         d->energy[j] = bead_exp(d->energy[j]);
     }
-    return fit(p, entries, d, msg);
+    BEAD_TRY(fit(p, entries, d, msg));
+    BEAD_TRY(find_uncertainty(p, entries, d->count, false, d->force, &d->of_force, &d->uncertain[0], msg));
+    return find_uncertainty(p, entries, d->count, true, d->energy, &d->of_energy, &d->uncertain[1], msg);
 }
 
 enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, struct bead_sweep_decay **decays, size_t *count,
@@ -99,8 +189,11 @@ enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, 
     struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &all);
     *decays = calloc(all + 1, sizeof **decays);
     p.logs = calloc(all + 1, 2 * p.random * sizeof *p.logs);
-    enum bead_error err =
-        entries && *decays && p.logs ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
+    p.changes = calloc(all + 1, p.shown->beads * sizeof *p.changes);
+    p.values = calloc(all + 1, sizeof *p.values);
+    enum bead_error err = entries && *decays && p.logs && p.changes && p.values
+                              ? BEAD_OK
+                              : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
     for (size_t first = 0; first < all && !err;) {
         struct bead_sweep_decay *d = &(*decays)[(*count)++];
         *d = (struct bead_sweep_decay){.magnetism = entries[first].magnetism, .count = bead_sweep_alike(entries, all, first)};
@@ -108,6 +201,8 @@ enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, 
         first += d->count;
     }
     free(p.logs);
+    free(p.changes);
+    free(p.values);
     free(entries);
     if (err) {
         bead_sweep_decays_free(*decays, *count);
@@ -121,6 +216,8 @@ void bead_sweep_decays_free(struct bead_sweep_decay *decays, size_t count)
     for (size_t i = 0; decays && i < count; i++) {
         free(decays[i].force);
         free(decays[i].energy);
+        for (size_t k = 0; k < 2; k++)
+            free(decays[i].uncertain[k].peaks);
     }
     free(decays);
 }

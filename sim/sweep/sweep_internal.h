@@ -58,7 +58,7 @@ const char *bead_sweep_version(const struct bead_sweep *sweep);
 BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means,
                                      size_t *count);
 /* How well the forces of a place are known, as a part of themselves: as the worst of those that were measured; NaN: none was. */
-double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
+BEAD_INTERNAL double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 
 /* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
  * chain's. */
@@ -69,6 +69,11 @@ struct bead_sweep_decay {
     /* From bead 10, where the wave has formed, to where it has fallen to 1/e, or to the last random bead. */
     struct bead_decay of_force, of_energy;
     double force_participation, energy_participation; /* of last_force, last_energy: means of the ratios, beads */
+    /* How well these are known, of force and of energy; NaN: not measured. */
+    struct bead_decay_uncertainty {
+        double *peaks; /* [beads] N, J */
+        double length, exponent, participation;
+    } uncertain[2];
 };
 /* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,

@@ -24,7 +24,8 @@ struct measure {
     const struct bead_chain *chain;
     struct bead_span span; /* beads whose peak forces are measured */
     bool lost;             /* its front never arrives */
-    double *seen;          /* [beads] s: times of the peaks whose energy is known; NULL: not measured */
+    double *profiles;      /* [PROFILES_OF_RUN][beads] of its run; NULL: not measured */
+    double *seen;          /* [beads] s: times of the peaks whose energy is known */
 };
 
 struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place)
@@ -54,7 +55,7 @@ static void find_span(struct measure *m)
 
 static double *profile_of(const struct measure *m, enum sweep_profile which)
 {
-    return m->panel->profiles + (PROFILES * m->row + which) * m->panel->shown.beads;
+    return m->profiles + which * m->panel->shown.beads;
 }
 
 /* Measures the energy about each bead whose force has reached a new peak in the last step. */
@@ -79,13 +80,24 @@ static enum bead_error watch_energies(const struct bead_consumer *consumer, size
     return BEAD_OK;
 }
 
-/* Keeps forces and energies of the beads up to the front at the end of the run. */
-static enum bead_error keep_last(const struct measure *m, struct bead_run *run, double end, struct bead_message *msg)
+/* Before the run: its profiles are to be measured. */
+static enum bead_error watch_profiles(struct measure *m, double *profiles, struct bead_consumer *consumer, struct bead_message *msg)
+{
+    m->profiles = profiles;
+    consumer->step = watch_energies;
+    return bead_new(&m->seen, m->panel->shown.beads, msg, "the energies of %zu beads", m->panel->shown.beads);
+}
+
+/* After it: keeps the peaks, and forces and energies of the beads up to the front at its end. */
+static enum bead_error keep_profiles(const struct measure *m, const struct bead_played *played, struct bead_message *msg)
 {
     static const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
+    const struct bead_outcome *outcome = &played->outcomes[0];
     const size_t beads = m->panel->shown.beads;
     struct bead_sample sample = {.chain = 0};
-    BEAD_TRY(bead_run_sample(run, end, fields, (struct bead_span){0, beads - 1}, &sample, msg));
+    BEAD_TRY(bead_run_sample(played->runs[0].run, outcome->end, fields, (struct bead_span){0, beads - 1}, &sample, msg));
+    for (size_t j = 0; j < beads; j++)
+        profile_of(m, PROFILE_FORCE)[j] = outcome->bead_peaks[j].value;
     for (size_t j = 0; j < beads && j < sample.active; j++) {
         profile_of(m, PROFILE_LAST_FORCE)[j] = sample.field[BEAD_FIELD_FORCE][j];
         profile_of(m, PROFILE_LAST_ENERGY)[j] = sample.field[BEAD_FIELD_ENERGY][j];
@@ -112,10 +124,6 @@ static void collect(const struct measure *m, const struct bead_peak *found)
     const struct bead_sweep_panel *shown = &m->panel->shown;
     for (size_t i = 0; i < shown->places; i++)
         m->panel->peaks[m->row * shown->places + i] = peak_of(m, found, i);
-    if (!m->panel->profiles)
-        return;
-    for (size_t j = 0; j < shown->beads; j++)
-        profile_of(m, PROFILE_FORCE)[j] = found[j].value;
 }
 
 /* Plays it whole, too, and compares the peaks. */
@@ -139,27 +147,49 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     return err;
 }
 
-/* Is the chain one of those whose errors are measured? Chains over keys are unlike, so that more of a few are. */
+/* Are the errors of this configuration measured? Chains over keys are unlike, and the decay of each magnetism is a mean of its own,
+ * so that more of a few are. */
+static bool is_sampled(const struct sweep_panel *panel, size_t index)
+{
+    const struct bead_sweep_spec *spec = panel->shown.spec;
+    size_t g = 0;
+    if (bead_sweep_is_over(panel))
+        return index % bead_sample_every(panel->shown.configurations) == 0;
+    if (!panel->profiles)
+        return index % ALSO_WHOLE == 0;
+    for (; index >= spec->groups[g].configurations; g++)
+        index -= spec->groups[g].configurations;
+    return index % bead_sample_every(spec->groups[g].configurations) == 0;
+}
+
+/* Long chains' errors differ. By that of the clean chain all decay is divided. */
 static bool is_measured(const struct measure *m)
 {
-    const size_t every = bead_sweep_is_over(m->panel) ? bead_sample_every(m->panel->shown.configurations) : ALSO_WHOLE;
-    return m->panel->shown.places > 0 && ((m->row > 0 && (m->row - 1) % every == 0) || bead_is_long(m->chain));
+    const bool any = m->panel->profiles || m->panel->shown.places > 0;
+    return any && (bead_is_long(m->chain) || (m->row > 0 ? is_sampled(m->panel, m->row - 1) : m->panel->profiles != NULL));
 }
 
 /* Plays it once more, with a smaller tolerance, and finds how well its peaks are known. */
 static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t try, struct bead_message *msg)
 {
-    struct bead_consumer consumer = {.needs = {.bead_peaks = true}};
+    struct measure again = *m;
+    struct bead_consumer consumer = {.needs = {.bead_peaks = true}, .context = &again};
     struct bead_play play = *asked;
     struct bead_played finer = {.count = 0};
     play.consumers = &consumer;
     play.refinement = bead_play_check_factor(&play);
+    if (m->profiles)
+        BEAD_TRY(watch_profiles(&again, m->profiles + PROFILES_OF_RUN * m->panel->shown.beads, &consumer, msg));
     enum bead_error err = bead_play_cut(&play, &try, &finer, msg);
+    if (!err && m->profiles)
+        err = keep_profiles(&again, &finer, msg);
     for (size_t i = 0; !err && i < m->panel->shown.places; i++) {
         struct bead_sweep_peak *peak = &m->panel->peaks[m->row * m->panel->shown.places + i];
         peak->uncertainty = bead_uncertainty_measured(play.simulate->step > 0 ? 0 : play.simulate->accuracy, peak->force,
                                                       peak_of(m, finer.outcomes[0].bead_peaks, i).force);
     }
+    if (m->profiles)
+        free(again.seen);
     bead_played_free(&finer);
     return err;
 }
@@ -193,10 +223,8 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     play.consumers = &consumer;
     play.consumer_count = 1;
     const bool whole = bead_sweep_refusal(m->panel, m->chain) != NULL;
-    if (m->panel->profiles) {
-        consumer.step = watch_energies;
-        BEAD_TRY(bead_new(&m->seen, m->panel->shown.beads, msg, "the energies of %zu beads", m->panel->shown.beads));
-    }
+    if (m->panel->profiles)
+        BEAD_TRY(watch_profiles(m, m->panel->profiles + PROFILES * m->row * m->panel->shown.beads, &consumer, msg));
     play.target = whole ? 0 : m->span.first;
     enum bead_error err = bead_play_cut(&play, try, &played, msg);
     if (!err && !whole && m->row % ALSO_WHOLE == 0)
@@ -204,10 +232,10 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
     m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
+    if (!err && m->profiles)
+        err = keep_profiles(m, &played, msg);
     if (!err && is_measured(m))
         err = measure_errors(m, &play, *try, msg);
-    if (!err && m->seen)
-        err = keep_last(m, played.runs[0].run, played.outcomes[0].end, msg);
     free(m->seen);
     bead_played_free(&played);
     return err;

@@ -127,7 +127,9 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
 {
     head(o, "magnetism,configurations,bead,force_N,energy_J,force_length,force_length_error,energy_length,energy_length_error,"
             "force_exponent,force_exponent_error,energy_exponent,energy_exponent_error,fit_first,fit_last,force_participation,"
-            "energy_participation");
+            "energy_participation,force_uncertainty_N,energy_uncertainty_J,force_length_uncertainty,energy_length_uncertainty,"
+            "force_exponent_uncertainty,energy_exponent_uncertainty,force_participation_uncertainty,"
+            "energy_participation_uncertainty");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         struct bead_sweep_decay *decays = NULL;
         size_t count = 0;
@@ -137,6 +139,7 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
         for (size_t i = 0; i < count; i++) {
             const struct bead_sweep_decay *d = &decays[i];
             const struct bead_decay *f = &d->of_force, *e = &d->of_energy;
+            const struct bead_decay_uncertainty *uf = &d->uncertain[0], *ue = &d->uncertain[1];
             const double fits[] = {f->length,
                                    f->length_error,
                                    e->length,
@@ -149,6 +152,7 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
                                    (double)f->last,
                                    d->force_participation,
                                    d->energy_participation};
+            const double known[] = {uf->length, ue->length, uf->exponent, ue->exponent, uf->participation, ue->participation};
             for (size_t j = 0; j < bead_sweep_panel(o->sweep, p)->beads; j++) {
                 names(o, p, 0);
                 bead_write_number(o->file, d->magnetism);
@@ -157,6 +161,10 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
                 number(o->file, d->energy[j]);
                 for (size_t k = 0; k < sizeof fits / sizeof *fits; k++)
                     number(o->file, fits[k]);
+                number(o->file, uf->peaks[j]);
+                number(o->file, ue->peaks[j]);
+                for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+                    number(o->file, known[k]);
                 fputc('\n', o->file);
             }
         }
@@ -202,9 +210,7 @@ static enum bead_error write_every_point(const struct out *o, struct bead_messag
     return BEAD_OK;
 }
 
-/* `uncertain`: as above; NaN: unknown. */
-static void write_curve(const struct out *o, size_t place, const struct bead_sweep_curve *curve, const struct bead_over_key *along,
-                        double uncertain)
+static void write_curve(const struct out *o, size_t place, const struct bead_sweep_curve *curve, const struct bead_over_key *along)
 {
     for (size_t i = 0; i < curve->count; i++) {
         const struct bead_summary *m = &curve->points[i].summary;
@@ -218,12 +224,12 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
             number(o->file, numbers[k]);
         number(o->file, curve->slope);
         number(o->file, curve->slope_error);
-        number(o->file, uncertain * m->mean);
+        number(o->file, curve->points[i].uncertainty);
         fputc('\n', o->file);
     }
 }
 
-static enum bead_error write_place(const struct out *o, size_t place, const double *values, const char *unit,
+static enum bead_error write_place(const struct out *o, size_t place, const struct bead_sweep_values *values, const char *unit,
                                    struct bead_message *msg)
 {
     struct bead_sweep_curves curves;
@@ -238,7 +244,7 @@ static enum bead_error write_place(const struct out *o, size_t place, const doub
         fprintf(o->file, ",slope,slope_error,uncertainty%s%s\n", *unit ? "_" : "", unit);
     }
     for (size_t i = 0; !err && i < curves.count; i++)
-        write_curve(o, place, &curves.curves[i], along, values ? NAN : bead_sweep_uncertainty(o->sweep, 0, place));
+        write_curve(o, place, &curves.curves[i], along);
     bead_sweep_curves_free(&curves);
     return err;
 }
@@ -247,12 +253,12 @@ static enum bead_error write_statistics(const struct out *o, struct bead_message
 {
     const char *measure = o->output->sweep_curves.measure, *unit = "N";
     const size_t places = *measure ? 1 : bead_sweep_panel(o->sweep, 0)->places;
-    BEAD_FREED double *values = NULL;
-    if (*measure)
-        BEAD_TRY(bead_sweep_measured(o->sweep, measure, o->settings, &values, &unit, msg));
-    for (size_t place = 0; place < places; place++)
-        BEAD_TRY(write_place(o, place, values, unit, msg));
-    return BEAD_OK;
+    struct bead_sweep_values values = {NULL, NULL};
+    enum bead_error err = *measure ? bead_sweep_measured(o->sweep, measure, o->settings, &values, &unit, msg) : BEAD_OK;
+    for (size_t place = 0; !err && place < places; place++)
+        err = write_place(o, place, *measure ? &values : NULL, unit, msg);
+    bead_sweep_values_free(&values);
+    return err;
 }
 
 static enum bead_error write_spreading(const struct out *o, struct bead_message *msg)

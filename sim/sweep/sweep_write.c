@@ -92,7 +92,11 @@ static void write_peaks(struct writer *w, const char *prefix, const size_t *rows
 const struct sweep_profile_name bead_sweep_profiles[] = {[PROFILE_FORCE] = {"bead_force", "N"},
                                                          [PROFILE_ENERGY] = {"bead_energy", "J"},
                                                          [PROFILE_LAST_FORCE] = {"last_force", "N"},
-                                                         [PROFILE_LAST_ENERGY] = {"last_energy", "J"}};
+                                                         [PROFILE_LAST_ENERGY] = {"last_energy", "J"},
+                                                         [PROFILES_OF_RUN + PROFILE_FORCE] = {"finer_bead_force", "N"},
+                                                         [PROFILES_OF_RUN + PROFILE_ENERGY] = {"finer_bead_energy", "J"},
+                                                         [PROFILES_OF_RUN + PROFILE_LAST_FORCE] = {"finer_last_force", "N"},
+                                                         [PROFILES_OF_RUN + PROFILE_LAST_ENERGY] = {"finer_last_energy", "J"}};
 
 static void write_profiles(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers)
 {

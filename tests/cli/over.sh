@@ -68,6 +68,20 @@ ok "... speeds scale with its power 1/5" within "$(column c.csv 11 | head -n 1)"
 ok "... in their unit" is "$(head -n 1 c.csv | cut -d, -f4)" mean_m/s
 ok "a chain of it, measured by itself" exits 0 "$beadsim" v.yaml --configuration 1 -o m.csv --set 'chain.beads.0.count=40' --set 'outputs=[{table: m.csv, show: measures}]'
 ok "... has the same speed" within "$(grep '^front speed,' m.csv | cut -d, -f2)" "$(sed -n 3p c.csv | cut -d, -f4)" 1e-3
+# Each of these chains is run twice.
+measure_of() { "$beadsim" measured.yaml -q -o . --set "outputs=[{table: $1.csv, measure: participation of forces}]" --set simulate.accuracy=$2; }
+bars_of() { "$beadreel" measured.yaml -q -o . --set "outputs=[{plot: $1.svg, measure: participation of forces}]" --set simulate.accuracy=$2; }
+cat >measured.yaml <<'EOF'
+chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 40, spins: random, seed: 1}]}
+simulate: {until: 4 ms}
+sweep: {over: {chain.striker.velocity: [0.1 m/s, 0.2 m/s, 0.4 m/s]}}
+EOF
+ok "a measure of random chains, roughly" measure_of rough 1e-4
+ok "... and to nine digits" measure_of right 1e-9
+ok "... the table says how uncertain it is, and it is off by less" awk -F, 'FNR == 1 {next} NR == FNR {exact[$1] = $4; next}
+    {d = $4 - exact[$1]; bad += (d < 0 ? -d : d) > $NF || !($NF > 0); n++} END {exit bad || n != 3}' right.csv rough.csv
+ok "... to less than a hundredth where it is known well" awk -F, 'NR > 1 {bad += !($NF > 0 && $NF < 0.01 * $4)} END {exit bad}' right.csv
+ok "the plot has bars where that is more" eval 'bars_of rough 1e-4 && bars_of right 1e-9 && [ "$(grep -c "<path" rough.svg)" = "$(($(grep -c "<path" right.svg) + 1))" ]'
 ok "a measure that is none" eval 'fails "1 2" "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, measure: speed}]" && says "there is no \`speed\`"'
 ok "... but nearly one" eval 'fails 2 "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, measure: front sped}]" && says "did you mean \`front speed\`?"'
 ok "... of peaks of each chain" eval 'fails "1 2" "$beadsim" v.yaml -o . --set "outputs=[{table: c.csv, show: configurations, measure: front speed}]" && says "means of a measure"'

@@ -140,6 +140,58 @@ static void waves_decay(void **state)
     bead_scene_free(scene);
 }
 
+/* The decays of a sweep of 12 chains of a magnetism, half of which are run twice, at an accuracy. */
+static void decays_at(const char *accuracy, struct bead_sweep **sweep, struct bead_scene **scene, struct bead_sweep_decay **decays)
+{
+    struct bead_message msg = {""};
+    char text[256];
+    size_t count;
+    snprintf(text, sizeof text,
+             "sweep: {cells: 60, configurations: 12, seed: 6, magnetism: [0.9, 0], measure: {decay: true}}\n"
+             "simulate: {accuracy: %s}" OUTPUT,
+             accuracy);
+    *scene = parse(text);
+    *sweep = compute(*scene, NULL);
+    assert_int_equal(bead_sweep_decays(*sweep, 0, decays, &count, &msg), BEAD_OK);
+    assert_int_equal(count, 2);
+}
+
+/* A number is off by no more than is said, `rounding` aside, and that is not much. */
+static void is_known(double rough, double fine, double said, double most)
+{
+    if (!(fabs(rough - fine) <= said + 1e-9 * fabs(fine)))
+        fail_msg("%.12g is off by %.3g, and says %.3g", rough, rough - fine, said);
+    if (!(said > 0 && said < most * fabs(fine)))
+        fail_msg("%.12g says %.3g", rough, said);
+}
+
+static void decay_knows_its_errors(void **state)
+{
+    (void)state;
+    struct bead_sweep *sweep[2];
+    struct bead_scene *scene[2];
+    struct bead_sweep_decay *decays[2];
+    decays_at("1e-4", &sweep[0], &scene[0], &decays[0]);
+    decays_at("1e-9", &sweep[1], &scene[1], &decays[1]);
+    for (size_t i = 0; i < 2; i++) {
+        const struct bead_sweep_decay *rough = &decays[0][i], *fine = &decays[1][i];
+        const struct bead_decay_uncertainty *said = rough->uncertain;
+        is_known(rough->of_force.length, fine->of_force.length, said[0].length, 1e-3);
+        is_known(rough->of_energy.length, fine->of_energy.length, said[1].length, 1e-3);
+        is_known(rough->force_participation, fine->force_participation, said[0].participation, 0.02);
+        is_known(rough->energy_participation, fine->energy_participation, said[1].participation, 0.02);
+        for (size_t j = 0; j < bead_sweep_panel(sweep[0], 0)->beads; j++) {
+            is_known(rough->force[j], fine->force[j], said[0].peaks[j], 1e-3);
+            is_known(rough->energy[j], fine->energy[j], said[1].peaks[j], 1e-3);
+        }
+    }
+    for (size_t k = 0; k < 2; k++) {
+        bead_sweep_decays_free(decays[k], 2);
+        bead_sweep_close(sweep[k]);
+        bead_scene_free(scene[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -147,6 +199,7 @@ int main(void)
         cmocka_unit_test(forces_at_sensors),
         cmocka_unit_test(one_defect_transmits),
         cmocka_unit_test(waves_decay),
+        cmocka_unit_test(decay_knows_its_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
