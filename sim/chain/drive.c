@@ -147,6 +147,15 @@ double bead_drive_end(const struct bead_chain *chain, double t0, double t1)
     return bead_drive_break(chain, just) <= t1 ? just : t1;
 }
 
+/* The second derivative of a ramp, 60 x y (1 - 2x), is nearly 2 pi sin 2 pi x. */
+double bead_drive_omega(const struct bead_chain *chain, double t)
+{
+    const struct bead_drive *drive = &chain->spec->drive;
+    const enum bead_wave wave = drive->force ? drive->force : drive->displacement;
+    const bool waves = wave == BEAD_WAVE_SINE || wave == BEAD_WAVE_CHIRP;
+    return two_pi * fmax(waves ? fmax(drive->frequency, drive->to) : 0, t < drive->ramp ? 1 / drive->ramp : 0);
+}
+
 double bead_drive_speed(const struct bead_chain *chain, double mass, double stiffness)
 {
     const struct bead_drive *drive = &chain->spec->drive;
@@ -161,6 +170,10 @@ double bead_drive_speed(const struct bead_chain *chain, double mass, double stif
         fastest = fmax(fastest, fabs(p[1].value - p->value) / h);
         impulse += larger * h;
     }
+    /* a ramp rises at 15/8 over its duration at most, to a value that only a sine has not had the time to reach */
+    const enum bead_wave wave = drive->displacement;
+    if (drive->ramp > 0 && (wave == BEAD_WAVE_NOISE || wave == BEAD_WAVE_POINTS))
+        fastest = fmax(fastest, 15. / 8 * most / drive->ramp);
     if (drive->displacement)
         return drive->amplitude * fastest;
     /* A free bead, and one that compresses its contact with this force. */

@@ -26,5 +26,8 @@ void bead_drive_apply(const struct bead_chain *chain, double t, int order, doubl
 double bead_drive_break(const struct bead_chain *chain, double t);
 /* When the derivatives of a drive belong to a step from t0 to t1, at its end: where one jumps there, just before. */
 double bead_drive_end(const struct bead_chain *chain, double t0, double t1);
+/* The highest frequency of what a drive does at t where it is smooth, rad/s; that of splines is 0, because steps end at their
+ * points. */
+double bead_drive_omega(const struct bead_chain *chain, double t);
 /* About the largest velocity that it can give its bead, m/s, whose mass is m and whose contacts have this coefficient. */
 double bead_drive_speed(const struct bead_chain *chain, double mass, double stiffness);

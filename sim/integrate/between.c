@@ -317,21 +317,32 @@ static size_t patch_from(const struct bead_between *b, size_t contact)
     return low;
 }
 
+/* Adds the corrections of contacts first..last times a factor each. */
+static void correct_by(const struct bead_between *b, size_t first, size_t last, const double *factor, double x, double d[2])
+{
+    for (size_t n = b ? patch_from(b, first) : SIZE_MAX; b && n < b->patches && b->patch[n].first <= last; n++) {
+        const struct patch *p = &b->patch[n];
+        const struct bead_patch_piece *piece = piece_at(b, p, x);
+        const double z = bead_patch_find(piece, x);
+        for (size_t k = first < p->first ? p->first : first; k <= last && k < p->first + p->contacts; k++) {
+            double rest[2];
+            left_out(b, p, piece, z, x, k - p->first, rest);
+            d[0] += factor[k - first] * rest[0];
+            d[1] += factor[k - first] * rest[1];
+        }
+    }
+}
+
 void bead_between_correct_compression(const struct bead_between *b, const struct bead_stepper *s, size_t contact, double x,
                                       double d[2])
 {
     const double left = s->chain->inverse_mass[contact], right = contact + 1 < s->beads ? s->chain->inverse_mass[contact + 1] : 0;
-    const size_t first = contact > 0 ? contact - 1 : 0;
-    for (size_t n = b ? patch_from(b, first) : SIZE_MAX; b && n < b->patches && b->patch[n].first <= contact + 1; n++) {
-        const struct patch *p = &b->patch[n];
-        const struct bead_patch_piece *piece = piece_at(b, p, x);
-        const double z = bead_patch_find(piece, x);
-        for (size_t k = first < p->first ? p->first : first; k <= contact + 1 && k < p->first + p->contacts; k++) {
-            const double factor = k < contact ? left : k > contact ? right : -(left + right);
-            double rest[2];
-            left_out(b, p, piece, z, x, k - p->first, rest);
-            d[0] += factor * rest[0];
-            d[1] += factor * rest[1];
-        }
-    }
+    const double factor[] = {left, -(left + right), right};
+    correct_by(b, contact > 0 ? contact - 1 : 0, contact + 1, factor + (contact == 0), x, d);
+}
+
+void bead_between_correct_bead(const struct bead_between *b, const struct bead_stepper *s, size_t bead, double x, double u[2])
+{
+    const double factor[] = {s->chain->inverse_mass[bead], -s->chain->inverse_mass[bead]};
+    correct_by(b, bead > 0 ? bead - 1 : 0, bead, factor + (bead == 0), x, u);
 }

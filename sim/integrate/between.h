@@ -35,5 +35,8 @@ void bead_between_correct(const struct bead_between *between, const struct bead_
 /* As above for the interpolated compression d[0] of a contact, m, and its derivative d[1] by x. */
 void bead_between_correct_compression(const struct bead_between *between, const struct bead_stepper *stepper, size_t contact,
                                       double x, double d[2]);
+/* ... and for the interpolated displacement u[0] of a bead, m, and its derivative u[1] by x. */
+void bead_between_correct_bead(const struct bead_between *between, const struct bead_stepper *stepper, size_t bead, double x,
+                               double u[2]);
 /* True if memory ran out: no further corrections. NULL is allowed: false. */
 bool bead_between_failed(const struct bead_between *between);

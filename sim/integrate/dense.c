@@ -185,10 +185,23 @@ static void derivatives(const struct bead_stepper *s, const struct bead_state *s
     out[3] = h * h * h * (jerk(s, state, k) - jerk(s, state, k + 1));
 }
 
+static struct bead_polynomial between(const struct bead_stepper *s, const double at0[4], const double at1[4])
+{
+    return bead_stepper_damped(s) ? bead_polynomial_quintic(at0, at1) : bead_polynomial_hermite(at0, at1);
+}
+
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *s, size_t k)
 {
     double at0[4], at1[4];
     derivatives(s, &s->start, s->start.a, k, at0);
     derivatives(s, &s->end, s->last_a, k, at1);
-    return bead_stepper_damped(s) ? bead_polynomial_quintic(at0, at1) : bead_polynomial_hermite(at0, at1);
+    return between(s, at0, at1);
+}
+
+struct bead_polynomial bead_dense_bead(const struct bead_stepper *s, size_t j)
+{
+    const double h = s->h, square = h * h, cube = square * h;
+    const double at0[4] = {s->start.u[j], h * s->start.v[j], square * s->start.a[j], cube * jerk(s, &s->start, j)};
+    const double at1[4] = {s->end.u[j], h * s->end.v[j], square * s->last_a[j], cube * jerk(s, &s->end, j)};
+    return between(s, at0, at1);
 }

@@ -31,10 +31,12 @@ void bead_dense_state(struct bead_dense *dense, const struct bead_stepper *stepp
 void bead_dense_displacement(struct bead_dense *dense, const struct bead_stepper *stepper, double x, struct bead_part part,
                              double *u);
 
-/* Compression of contact k over the step: septic Hermite from d, d', d'', d''' at both ends; with damping quintic, without d'''. */
 /* Finds the contact events of the last step, once, for corrections by dense->between. */
 void bead_dense_find_events(struct bead_dense *dense, const struct bead_stepper *stepper);
+/* Compression of contact k over the step: septic Hermite from d, d', d'', d''' at both ends; with damping quintic, without d'''. */
 struct bead_polynomial bead_dense_compression(const struct bead_stepper *stepper, size_t k);
+/* Displacement of bead j over the step in the same way. */
+struct bead_polynomial bead_dense_bead(const struct bead_stepper *stepper, size_t j);
 
 /* Rate of the force of contact k in a state, N/s. */
 double bead_dense_force_rate(const struct bead_stepper *stepper, const struct bead_state *state, size_t k);

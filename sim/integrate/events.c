@@ -51,7 +51,7 @@ static void copy_constants(struct bead_events *e, const struct bead_chain *chain
     e->source.inverse_mass = e->inverse_mass;
     for (size_t j = 0; chain->spring && j < chain->beads; j++)
         e->pull[j] = chain->spring[j] * chain->inverse_mass[j];
-    e->source.pull = e->patch.pulled = chain->spring || bead_is_driven(chain->spec) ? e->pull : NULL;
+    e->source.pull = e->patch.pulled = chain->spring ? e->pull : NULL;
     if (chain->spec->drive.displacement) /* what pulls at it does not move it */
         e->pull[chain->spec->drive.bead] = 0;
 }
@@ -126,11 +126,6 @@ static void describe_ends(struct bead_events *e, const struct bead_stepper *s)
     source->a1 = s->end.a;
     source->h = s->h;
     source->stages = 0;
-    source->driven = s->driven == SIZE_MAX ? PTRDIFF_MIN : (ptrdiff_t)s->driven;
-    if (s->driven != SIZE_MAX) {
-        bead_drive_acceleration(s->chain, s->t0, source->drive[0]);
-        bead_drive_acceleration(s->chain, bead_drive_end(s->chain, s->t0, s->t1), source->drive[1]);
-    }
 }
 
 /* Describes the states at both ends, and the forces in the method's quadrature. */

@@ -125,6 +125,44 @@ static void pull_ends(const struct bead_patch_piece *piece, const struct bead_pa
     }
 }
 
+/* Adds to d'' what a drive does to a bead between two contacts. */
+static void drive_curvatures(const struct nodes *nodes, const struct bead_patch *patch)
+{
+    for (ptrdiff_t k = patch->driven - 1; k <= patch->driven; k++) {
+        if (k < 1 || (size_t)k > patch->count || !patch->closed[k])
+            continue;
+        const double sign = k == patch->driven ? 1 : -1;
+        for (size_t i = 0; i < NODES; i += LANES) {
+            double *curvature = patch->curvature + NODES * k + i;
+            store_lanes(curvature, load_lanes(curvature) + sign * (load_lanes(nodes->rate + i) * load_lanes(patch->drive + i)));
+        }
+    }
+}
+
+/* Adds to d and d' at the end of the piece the double and the single integral of the drive. */
+static void drive_ends(const struct bead_patch_piece *piece, const struct nodes *nodes, const struct bead_patch *patch)
+{
+    double now[NODES], later[NODES];
+    for (size_t i = 0; i < NODES; i += LANES) {
+        const lanes a = load_lanes(bead_gauss_weight + i) * load_lanes(nodes->rate + i) * load_lanes(patch->drive + i);
+        store_lanes(now + i, a);
+        store_lanes(later + i, (piece->to - load_lanes(nodes->s + i)) * a);
+    }
+    for (ptrdiff_t k = patch->driven - 1; k <= patch->driven; k++) {
+        if (k < 1 || (size_t)k > patch->count)
+            continue;
+        const double sign = k == patch->driven ? 1 : -1;
+        patch->array[BEAD_PATCH_D][k] += sign * total(later);
+        patch->array[BEAD_PATCH_RATE][k] += sign * total(now);
+    }
+}
+
+/* True if a bead of the contacts that are not frozen has a drive. */
+static inline bool drives(const struct bead_patch *patch)
+{
+    return patch->driven >= 1 && (size_t)patch->driven <= patch->count + 1;
+}
+
 /* d'' = h^2 (u_k'' - u_{k+1}'') ds/dz at the nodes from the forces of the contact and its neighbours. */
 static void find_curvatures(const struct nodes *nodes, const struct bead_patch *patch, const struct pushing *pushing)
 {
@@ -170,6 +208,8 @@ static double picard(const struct nodes *nodes, double from, const struct bead_p
     find_curvatures(nodes, patch, pushing);
     if (patch->pulled)
         pull_curvatures(nodes, patch, pushing);
+    if (drives(patch))
+        drive_curvatures(nodes, patch);
     for (size_t n = pushing->first; n < pushing->last; n++) {
         const size_t k = pushing->contact[n];
         const double a = stiffness[k], f0 = static_force[k], weight = larger(left[k], right[k]);
@@ -229,6 +269,8 @@ static void finish_piece(const struct bead_patch_piece *piece, const struct node
     }
     if (patch->pulled)
         pull_ends(piece, patch);
+    if (drives(patch))
+        drive_ends(piece, nodes, patch);
 }
 
 /* Makes at most `sweeps` Picard steps, until one changes little enough: see bead_patch. */

@@ -42,21 +42,6 @@ static inline void load_pull(const struct bead_patch_source *source, ptrdiff_t f
     store_lanes(array[3] + k, 2 * (e0 - e1) + (r0 + r1));
 }
 
-/* Adds the drive of a bead to these cubics of contact k of the patch, of which it is the left (sign 1) or the right bead (-1). */
-static inline void load_drive(const struct bead_patch_source *source, ptrdiff_t k, double sign, struct bead_patch *patch)
-{
-    if (k < 0 || (size_t)k >= patch->count + 2)
-        return;
-    const double square = sign * source->h * source->h, cube = square * source->h;
-    double *const *array = patch->array + BEAD_PATCH_PULL;
-    const double e0 = square * source->drive[0][0], e1 = square * source->drive[1][0];
-    const double r0 = cube * source->drive[0][1], r1 = cube * source->drive[1][1];
-    array[0][k] += e0;
-    array[1][k] += r0;
-    array[2][k] += 3 * (e1 - e0) - (2 * r0 + r1);
-    array[3][k] += 2 * (e0 - e1) + (r0 + r1);
-}
-
 /* Loads all contacts of the patch; elements of the last vector beyond them are never used. */
 static void load_patch(const struct bead_patch_source *source, ptrdiff_t at, struct bead_patch *patch)
 {
@@ -84,9 +69,5 @@ static void load_patch(const struct bead_patch_source *source, ptrdiff_t at, str
         store_lanes(array[BEAD_PATCH_STATIC_FORCE] + k, load_lanes(source->static_force + from));
         store_lanes(array[BEAD_PATCH_LEFT] + k, square * load_lanes(source->inverse_mass + from));
         store_lanes(array[BEAD_PATCH_RIGHT] + k, square * load_lanes(source->inverse_mass + from + 1));
-    }
-    if (source->driven != PTRDIFF_MIN) {
-        load_drive(source, source->driven - at, 1, patch);
-        load_drive(source, source->driven - 1 - at, -1, patch);
     }
 }

@@ -2,6 +2,7 @@
 /* Integrates a few contacts again over the last step, from branch point to branch point: items 2 to 4 of events.h. */
 #include <stdlib.h>
 
+#include "sim/chain/drive.h"
 #include "sim/integrate/events_private.h"
 
 /* Picard sweeps: each changes 20 to 40 times less than the one before. After the second, other errors are larger, unless it changes
@@ -43,6 +44,7 @@ static void load(struct bead_events *e, const struct bead_stepper *s, size_t fir
     s->kernels->load_patch(&e->source, (ptrdiff_t)first - 1, &e->patch);
     memset(e->patch.bends, 0, (e->patch.count + 2) * sizeof(bool));
     e->patch.change = 0;
+    e->patch.driven = s->driven == SIZE_MAX ? 0 : (ptrdiff_t)s->driven - (ptrdiff_t)first + 1;
 }
 
 static void load_quintic(const struct bead_patch *patch, size_t k, double c[6])
@@ -83,6 +85,19 @@ static void find_branches(struct bead_events *e, const size_t *flagged, size_t c
     }
 }
 
+/* The drive at the nodes of a piece. */
+static void find_drive(struct bead_events *e, const struct bead_stepper *s, const struct bead_patch_piece *piece)
+{
+    struct bead_patch *patch = &e->patch;
+    if (patch->driven < 1 || (size_t)patch->driven > patch->count + 1)
+        return;
+    for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
+        double rate, a[2];
+        bead_drive_acceleration(s->chain, s->t0 + s->h * bead_patch_place(piece, bead_gauss_node[i], &rate), a);
+        patch->drive[i] = s->h * s->h * a[0];
+    }
+}
+
 static void integrate_piece(struct bead_events *e, const struct bead_stepper *s, double from, double to, const double *tau)
 {
     if (!(to > from))
@@ -95,6 +110,7 @@ static void integrate_piece(struct bead_events *e, const struct bead_stepper *s,
         e->patch.closed[k] = bead_patch_value(c, 0.5 * (from + to)) > 0;
     }
     const struct bead_patch_piece piece = bead_patch_piece_make(e->rule.power, tau, from, to);
+    find_drive(e, s, &piece);
     s->kernels->integrate_piece(&piece, &e->rule, SWEEPS, &e->patch);
     if (e->keep)
         e->keep(e->keeper, e, &piece);

@@ -50,7 +50,9 @@ enum bead_patch_array {
 struct bead_patch {
     size_t count;
     double *array[BEAD_PATCH_ARRAYS];
-    const double *pulled;      /* NULL: no bead is held at its place, and BEAD_PATCH_PULL is not set */
+    const double *pulled;           /* NULL: no bead is held at its place, and BEAD_PATCH_PULL is not set */
+    ptrdiff_t driven;               /* the contact whose left bead has a drive; outside of 1..count + 1: none of these */
+    double drive[BEAD_GAUSS_NODES]; /* m: h^2 times the acceleration that it gives the bead, at the nodes of the current piece */
     double *force, *curvature; /* BEAD_GAUSS_NODES each: at the nodes of the current piece, f less its static part, N, and d'', m */
     bool *closed;              /* in the current piece */
     uint32_t *pushing;         /* the closed contacts, in order */
@@ -66,9 +68,7 @@ enum { BEAD_PATCH_STAGES_MAX = 18 };
 struct bead_patch_source {
     const double *u0, *v0, *a0, *u1, *v1, *a1;
     const double *stiffness, *static_compression, *static_force, *inverse_mass;
-    const double *pull; /* 1/s^2, or NULL: see bead_stepper; set if a bead is driven, too */
-    ptrdiff_t driven;   /* bead; PTRDIFF_MIN: none */
-    double drive[2][2]; /* its acceleration by the drive and the derivative, m/s^2, m/s^3, at both ends */
+    const double *pull; /* 1/s^2, or NULL: see bead_stepper */
     double h;
     size_t stages;
     const double *stage[BEAD_PATCH_STAGES_MAX];

@@ -44,20 +44,12 @@ double bead_dissipation(const struct bead_stepper *s)
     return sum * s->h;
 }
 
-/* Work on a bead over the step, from its state at both ends. */
-static struct bead_polynomial displacement(const struct bead_stepper *s, size_t j)
-{
-    const double at0[4] = {s->start.u[j], s->h * s->start.v[j], s->h * s->h * s->start.a[j]};
-    const double at1[4] = {s->end.u[j], s->h * s->end.v[j], s->h * s->h * s->last_a[j]};
-    return bead_polynomial_quintic(at0, at1);
-}
-
 double bead_absorption(const struct bead_stepper *s)
 {
     const struct bead_dashpot *end = &s->chain->end;
     if (!(end->coefficient > 0) || s->active < s->beads)
         return 0;
-    const struct bead_polynomial u = displacement(s, s->beads - 1);
+    const struct bead_polynomial u = bead_dense_bead(s, s->beads - 1);
     double sum = 0;
     for (int i = 0; i < NODES; i++) {
         const double v = bead_polynomial_slope(&u, node[i]) / s->h;
@@ -66,43 +58,64 @@ double bead_absorption(const struct bead_stepper *s)
     return sum * s->h;
 }
 
-/* The work against a contact of a bead whose displacement is given, in steps from..to. Its force is not smooth at both ends, where
- * the contact opens or closes: x runs as 3 y^2 - 2 y^3, so that a force d^(3/2) is smooth in y. */
-static double work_between(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double from, double to)
+/* The power of a drive, per step, at t0 + x h: of a bead whose displacement is given, against its contact k. */
+static double against_contact(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double x)
 {
-    enum { PANELS = 2 };
     const struct bead_chain *c = s->chain;
     const struct bead_polynomial compression = bead_dense_compression(s, k);
-    double sum = 0;
-    for (int i = 0; i < PANELS * NODES; i++) {
-        const double y = (i / NODES + node[i % NODES]) / PANELS, x = from + (to - from) * (y * y * (3 - 2 * y));
-        double d[2] = {bead_polynomial_value(&compression, x), bead_polynomial_slope(&compression, x)};
-        bead_between_correct_compression(dense->between, s, k, x, d);
-        const double force = bead_stepper_damped(s) ? bead_damped_contacts_within(s, k, d[0], d[1] / s->h)
-                                                    : c->law->force(s->table.stiffness[k], s->table.law, d[0]);
-        const struct bead_wave_at wave = bead_drive_at(c, s->t0 + x * s->h);
-        sum += weight[i % NODES] / PANELS * (to - from) * (6 * y * (1 - y)) * (force - c->static_force[k]) * wave.x[1];
-    }
-    return s->h * sum;
+    double d[2] = {bead_polynomial_value(&compression, x), bead_polynomial_slope(&compression, x)};
+    bead_between_correct_compression(dense->between, s, k, x, d);
+    const double force = bead_stepper_damped(s) ? bead_damped_contacts_within(s, k, d[0], d[1] / s->h)
+                                                : c->law->force(s->table.stiffness[k], s->table.law, d[0]);
+    return s->h * (force - c->static_force[k]) * bead_drive_at(c, s->t0 + x * s->h).x[1];
 }
 
-static double work_on_contact(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double until)
+/* ... of a force on bead j. */
+static double on_bead(const struct bead_stepper *s, const struct bead_dense *dense, size_t j, double x)
+{
+    const struct bead_polynomial displacement = bead_dense_bead(s, j);
+    double u[2] = {bead_polynomial_value(&displacement, x), bead_polynomial_slope(&displacement, x)};
+    bead_between_correct_bead(dense->between, s, j, x, u);
+    return bead_drive_at(s->chain, s->t0 + x * s->h).x[0] * u[1];
+}
+
+typedef double power_at(const struct bead_stepper *s, const struct bead_dense *dense, size_t i, double x);
+
+/* Its integral over from..to, at both ends of which it is not smooth, because a contact opens or closes: x runs as 3 y^2 - 2 y^3,
+ * so that d^(3/2) is smooth in y. */
+static double work_between(const struct bead_stepper *s, const struct bead_dense *dense, power_at *power_of, size_t i, double from,
+                           double to)
+{
+    enum { PANELS = 2 };
+    double sum = 0;
+    for (int n = 0; n < PANELS * NODES; n++) {
+        const double y = (n / NODES + node[n % NODES]) / PANELS, x = from + (to - from) * (y * y * (3 - 2 * y));
+        sum += weight[n % NODES] / PANELS * (to - from) * (6 * y * (1 - y)) * power_of(s, dense, i, x);
+    }
+    return sum;
+}
+
+/* Its integral over 0..until, from point to point where one of contacts first..last opens or closes. */
+static double work_with(const struct bead_stepper *s, const struct bead_dense *dense, power_at *power_of, size_t i, size_t first,
+                        size_t last, double until)
 {
     size_t count;
     const struct bead_between_point *point = bead_between_points(dense->between, &count);
     double sum = 0, from = 0;
     while (from < until) {
         double to = until;
-        for (size_t i = 0; i < count; i++)
-            to = point[i].contact == k && point[i].at > from && point[i].at < to ? point[i].at : to;
-        sum += work_between(s, dense, k, from, to);
+        for (size_t n = 0; n < count; n++) {
+            const bool here = point[n].contact >= first && point[n].contact <= last;
+            to = here && point[n].at > from && point[n].at < to ? point[n].at : to;
+        }
+        sum += work_between(s, dense, power_of, i, from, to);
         from = to;
     }
     return sum;
 }
 
 /* A bead whose displacement is given: what its own energy changes by, and what it does to its contacts. */
-static double work_of_displacement(const struct bead_stepper *s, struct bead_dense *dense, double until)
+static double work_of_displacement(const struct bead_stepper *s, const struct bead_dense *dense, double until)
 {
     const struct bead_chain *c = s->chain;
     const size_t j = s->driven;
@@ -110,9 +123,8 @@ static double work_of_displacement(const struct bead_stepper *s, struct bead_den
     double work = 0.5 * c->mass[j] * (at1.x[1] * at1.x[1] - at0.x[1] * at0.x[1]);
     work += bead_chain_spring_energy(c, j, at1.x[0]) - bead_chain_spring_energy(c, j, at0.x[0]);
     work -= j == 0 ? c->striker_force * (at1.x[0] - at0.x[0]) : 0;
-    bead_dense_find_events(dense, s);
     for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++)
-        work += (k == j ? 1 : -1) * work_on_contact(s, dense, k, until);
+        work += (k == j ? 1 : -1) * work_with(s, dense, against_contact, k, k, k, until);
     return work;
 }
 
@@ -121,15 +133,10 @@ double bead_drive_work(const struct bead_stepper *s, struct bead_dense *dense, d
     const size_t j = s->driven;
     if (j == SIZE_MAX || until <= 0)
         return 0;
+    bead_dense_find_events(dense, s);
     if (s->chain->spec->drive.displacement)
         return work_of_displacement(s, dense, until);
-    const struct bead_polynomial u = displacement(s, j);
-    double sum = 0;
-    for (int i = 0; i < NODES; i++) {
-        const double x = until * node[i];
-        sum += weight[i] * bead_drive_at(s->chain, s->t0 + x * s->h).x[0] * bead_polynomial_slope(&u, x);
-    }
-    return sum * until;
+    return work_with(s, dense, on_bead, j, j > 0 ? j - 1 : 0, j, until);
 }
 
 /* Energy of a contact relative to its static state, including the work of the force that holds the precompression. Gravity is the

@@ -2,6 +2,8 @@
 /* Chooses the length of the next step from the stiffest contacts: see step_control.h. */
 #include "sim/run/step_control.h"
 
+#include "sim/chain/drive.h"
+
 /* Steps between estimates of omega, each of which looks this far ahead. */
 enum { EVERY = 4 };
 /* An estimate half way to the next one counts only if it allows less than this part of the step: a light bead that has been struck
@@ -72,10 +74,16 @@ static double hertz_circles(const struct bead_stepper *s, size_t n, const double
     return circles_of(s, n, k);
 }
 
+static double drive_omega(const struct bead_stepper *s)
+{
+    return s->driven == SIZE_MAX ? 0 : bead_drive_omega(s->chain, s->t1);
+}
+
 struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
 {
     const double first = theta / omega, longest = (s->driven == SIZE_MAX ? growth : driven_growth) * first;
-    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), longest, first};
+    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), longest,
+                                      theta / fmax(omega, drive_omega(s))};
 }
 
 /* Longest step that the stiffnesses expected from velocities v allow, if steps until the next check have length h. */
@@ -84,7 +92,7 @@ static double allowed(const struct bead_step_control *control, const struct bead
     const size_t n = bead_stepper_contacts(s);
     const double ahead = EVERY * h;
     double worst = s->chain->law->hertz ? hertz_circles(s, n, v, ahead) : circles(s, n, v, ahead, false);
-    double omega = fmax(sqrt(worst + s->chain->spring_rate), control->static_omega);
+    double omega = fmax(fmax(sqrt(worst + s->chain->spring_rate), control->static_omega), drive_omega(s));
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
 }
 

@@ -2,8 +2,8 @@
 /* Step control: how long the next step may be.
  *
  * The step is theta/omega. omega bounds the frequencies of the chain: at first from the energy put in, then every few steps from
- * the current compressions, so that steps grow as amplitudes decay. theta follows from the requested accuracy by a law measured for
- * each method. Steps depend on the state only, never on the outputs. */
+ * the current compressions, so that steps grow as amplitudes decay, and by the frequency of a drive. theta follows from the
+ * requested accuracy by a law measured for each method. Steps depend on the state only, never on the outputs. */
 #pragma once
 
 #include "sim/integrate/stepper.h"

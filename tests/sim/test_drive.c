@@ -100,37 +100,55 @@ static void beyond_the_band_waves_decay(void **state)
     release(&b);
 }
 
-/* Without precompression contacts open and close all the time; what the drive puts in is the energy of the chain, to 1e-9: for
- * given displacements and forces, at free and fixed ends, at an end and within. With damping, to what its fixed order gives. */
+/* Without precompression contacts open and close all the time; what the drive puts in is the energy of the chain, at each of many
+ * times within steps and to the accuracy of tables: for given displacements and forces, at free and fixed ends, at an end and
+ * within, slow, fast and weak ones, with ramps of one step or none. With damping, to what its fixed order gives. The velocity of a
+ * bead under a force, interpolated without the corner where a contact opens, left it off by 2e-7; a drive that patches took as a
+ * cubic, by 1e-9; steps longer than a ramp, by 9e-8. */
 static void work_is_the_energy(void **state)
 {
     (void)state;
+    enum { TIMES = 600 };
+    static const double end = 1.5e-3;
+    static const char *const beads[] = {"{bead: large-steel, count: 19}",
+                                        "{cell: [large-steel, aluminium], count: 10, spins: random}",
+                                        "{bead: glass, count: 19, disorder: {radius: normal 5 %, seed: 2}}"};
     static const struct {
+        int beads;
         const char *drive, *more;
         double bound;
     } cases[] = {
-        {"displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
-        {"displacement: chirp, amplitude: 1 um, frequency: 1 kHz, to: 9 kHz", "wall: none", 1e-9},
-        {"bead: 12, displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms", "wall: none", 1e-9},
-        {"force: sine, amplitude: 20 N, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
-        {"bead: 3, force: noise, amplitude: 20 N, frequency: 3 kHz", "wall: rigid", 1e-9},
-        {"force: sine, amplitude: 20 N, frequency: 3 kHz", "wall: rigid, precompression: 30 N", 1e-9},
-        {"displacement: '0 0, 1e-4 1, 3e-4 -2, 6e-4 1, 1.1e-3 0.5', amplitude: 2 um", "wall: rigid", 1e-9},
-        {"force: '0 0, 1e-4 20, 3e-4 -5, 1.1e-3 0', amplitude: 1 N", "wall: none", 1e-9},
-        {"displacement: noise, amplitude: 2 um, frequency: 3 kHz", "wall: rigid", 1e-9},
-        {"displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms",
+        {0, "displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
+        {0, "displacement: sine, amplitude: 20 um, frequency: 1 kHz", "wall: rigid", 1e-9},
+        {0, "displacement: sine, amplitude: 1 um, frequency: 9 kHz", "wall: none", 1e-9},
+        {1, "bead: 11, displacement: sine, amplitude: 8.2 um, frequency: 8.4 kHz, ramp: 1.18 us", "wall: none", 1e-9},
+        {0, "bead: 12, displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms", "wall: none", 1e-9},
+        {0, "displacement: chirp, amplitude: 1 um, frequency: 1 kHz, to: 9 kHz", "wall: none", 1e-9},
+        {2, "bead: 7, displacement: chirp, amplitude: 2 um, frequency: 3 kHz, to: 8 kHz", "wall: rigid", 1e-9},
+        {0, "displacement: noise, amplitude: 2 um, frequency: 3 kHz", "wall: rigid", 1e-9},
+        {2, "displacement: noise, amplitude: 0.9 um, frequency: 1.3 kHz, seed: 286, ramp: 3.2 us", "wall: none", 1e-9},
+        {0, "displacement: '0 0, 1e-4 1, 3e-4 -2, 6e-4 1, 1.1e-3 0.5', amplitude: 2 um", "wall: rigid", 1e-9},
+        {0, "force: sine, amplitude: 20 N, frequency: 3 kHz, ramp: 0.2 ms", "wall: rigid", 1e-9},
+        {0, "force: sine, amplitude: 20 N, frequency: 3 kHz", "wall: rigid, precompression: 30 N", 1e-9},
+        {0, "force: sine, amplitude: 2 N, frequency: 8 kHz", "wall: none", 1e-9},
+        {0, "force: sine, amplitude: 0.01 N, frequency: 60 kHz", "wall: rigid", 1e-9},
+        {2, "bead: 10, force: sine, amplitude: 0.33 N, frequency: 7.1 kHz, ramp: 3.2 us", "wall: none", 1e-9},
+        {1, "bead: 9, force: chirp, amplitude: 10 N, frequency: 1 kHz, to: 4 kHz", "wall: rigid", 1e-9},
+        {0, "bead: 3, force: noise, amplitude: 20 N, frequency: 3 kHz", "wall: rigid", 1e-9},
+        {0, "force: '0 0, 1e-4 20, 3e-4 -5, 1.1e-3 0', amplitude: 1 N", "wall: none", 1e-9},
+        {0, "displacement: sine, amplitude: 2 um, frequency: 3 kHz, ramp: 0.2 ms",
          "wall: rigid, damping: {coefficient: 5, exponent: 1}", 1e-7},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[500];
-        snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, count: 19}], drive: {%s}, %s}\n", cases[i].drive,
+        snprintf(text, sizeof text, "chain: {beads: [%s], drive: {%s}, %s}\n", beads[cases[i].beads], cases[i].drive,
                  cases[i].more);
-        struct built b = build(text, "until: 1.5 ms, accuracy: 1e-10");
-        struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = 1.5e-3, .budget = true});
+        struct built b = build(text, cases[i].bound > 1e-9 ? "until: 1.5 ms, accuracy: 1e-10" : "until: 1.5 ms, accuracy: 1e-11");
+        struct bead_run *run = start_run(&b, (struct bead_run_settings){.end = end, .budget = true});
         run_until(run, 0);
         double first = 0, most = 0, off = 0;
-        for (int n = 0; n <= 50; n++) {
-            const double t = 1.5e-3 * n / 50;
+        for (int n = 0; n <= TIMES; n++) {
+            const double t = end * n / TIMES;
             run_until(run, t);
             const struct bead_budget *p = sample_at(run, t).budget;
             const double total = p->kinetic + p->contacts + p->wall + p->gravity + p->springs + p->dissipated - p->work;
@@ -138,7 +156,7 @@ static void work_is_the_energy(void **state)
             most = fmax(most, fabs(p->work));
             off = fmax(off, fabs(total - first));
         }
-        assert_true(most > 1e-7);
+        assert_true(most > 0);
         assert_below(off / most, cases[i].bound);
         bead_run_destroy(run);
         release(&b);
