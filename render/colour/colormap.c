@@ -21,8 +21,9 @@ static const struct bead_colormap_info maps[] = {
     {"batlow", "dark blue, green, orange, pink; even lightness"},
     {"grey", "black to white in equal steps of lightness"},
     {"ember", "white, yellow, red, violet, black; for light pages, white where nothing is"},
-    {"vik", "blue, white, red, for velocity and displacement"},
-    {"dusk", "blue, black, orange, for velocity and displacement in dark pictures"},
+    {"dawn", "blue, white, orange red, for velocity and displacement; greys tell the signs apart"},
+    {"dusk", "blue, black, orange, for the same in dark pictures"},
+    {"vik", "blue, white, red; in greys both signs look alike"},
     {NULL, NULL},
 };
 

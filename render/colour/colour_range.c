@@ -97,7 +97,7 @@ enum bead_error bead_colour_range_check(const struct bead_output *output, struct
 enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark,
                                       struct bead_colormap *map, struct bead_message *msg)
 {
-    static const char *const own[2][2] = {{"ember", "inferno"}, {"vik", "dusk"}}; /* zero looks like the page */
+    static const char *const own[2][2] = {{"ember", "inferno"}, {"dawn", "dusk"}}; /* zero looks like the page */
     bool signs = bead_chain_signed(chain, output->shown.field);
     bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};

@@ -31,7 +31,7 @@ void bead_colour_range_ends(const struct bead_output *output, const struct bead_
 /* Checks the requested range. Errors: SCENE (with the output's place). */
 BEAD_CHECK enum bead_error bead_colour_range_check(const struct bead_output *output, struct bead_message *msg);
 
-/* Loads the requested colour map; "auto" (or NULL) is inferno in dark pictures and ember in light ones, dusk and vik for fields of
+/* Loads the requested colour map; "auto" (or NULL) is inferno in dark pictures and ember in light ones, dusk and dawn for fields of
  * both signs. Errors: SCENE (with the output's place), IO, FORMAT, MEMORY. */
 BEAD_CHECK enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark,
                                                  struct bead_colormap *map, struct bead_message *msg);

@@ -93,7 +93,7 @@ const struct bead_option bead_colormap_row[1] = {
     {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
      .like = "text", .read = bead_output_read_colormap,
      .help = "colour map, one of --list colormaps, reversed with _r; auto: zero looks like the page, with ember in light pictures, "
-             "inferno in dark ones, and vik and dusk for velocity and displacement",
+             "inferno in dark ones, and dawn and dusk for velocity and displacement",
      .example = "batlow"},
 };
 const struct bead_option bead_square_root_row[1] = {

@@ -95,7 +95,7 @@ static void test_dark_pictures_have_a_dark_map(void **state)
         const char *output, *map;
     } cases[] = {{"image: a.png", "ember"},
                  {"image: a.png, colormap: grey_r", "grey_r"},
-                 {"image: a.png, field: velocity", "vik"},
+                 {"image: a.png, field: velocity", "dawn"},
                  {"image: a.png, theme: dark", "inferno"},
                  {"image: a.png, theme: dark, colormap: batlow", "batlow"},
                  {"image: a.png, theme: dark, field: velocity", "dusk"}};
