@@ -83,6 +83,8 @@ BEAD_INTERNAL uint64_t bead_file_bytes(const char *path);
 /* Open a regular file for reading; anything else is not even touched, as opening a pipe would wake its writer. -1: errno says why,
  * ENXIO: it is not a regular file. */
 BEAD_INTERNAL int bead_file_look(const char *path);
+/* Says why, as of bead_file_look. */
+BEAD_INTERNAL const char *bead_file_reason(int error);
 /* The whole of a regular file of at most `most` bytes. *bytes end with a NUL more, and are to be freed; NULL on failure. Errors:
  * IO, SCENE (too long), MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t most, char **bytes, size_t *length,

@@ -10,10 +10,14 @@
 
 #include "sim/base/file.h"
 
+const char *bead_file_reason(int error)
+{
+    return error == ENXIO ? "it is not a regular file" : strerror(error);
+}
+
 static enum bead_error cannot_read(const char *path, int error, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path,
-                     error == ENXIO ? "it is not a regular file" : strerror(error));
+    return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, bead_file_reason(error));
 }
 
 int bead_file_look(const char *path)

@@ -126,6 +126,7 @@ static void write_root(struct crate *crate)
     begin_entity(json, "./", "Dataset", "A run of beadreel");
     bead_json_text(json, "description", "A scene, and what beadreel " BEADREEL_VERSION " made of it");
     bead_json_text(json, "datePublished", crate->ended);
+    bead_json_text(json, "license", "Not stated: whoever publishes it says how it may be used.");
     refer(json, "conformsTo", PROFILE);
     refer(json, "mentions", "#run");
     bead_json_open(json, "hasPart", '[');

@@ -76,6 +76,8 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
     struct stat last = {0};
     BEAD_TRY(bead_scene_find(command->job.input, path, sizeof path, msg));
     (void)changed(path, &last);
+    if (!S_ISREG(last.st_mode))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--watch: %s is no file, which could be saved again", path);
     enum bead_error err = BEAD_OK;
     for (text = read_text(path); !*stop;) {
         err = command_run(command, stop, msg);

@@ -67,7 +67,7 @@ enum bead_error bead_h5_fail_by(struct bead_h5 *h5, const char *done, int error)
 {
     if (error == ENOMEM)
         h5->code = BEAD_ERROR_MEMORY; /* the first error stays */
-    return bead_h5_fail(h5, false, "cannot be %s: %s", done, strerror(error));
+    return bead_h5_fail(h5, false, "cannot be %s: %s", done, bead_file_reason(error));
 }
 
 /* A group's names (120 bytes and more) and its table of them (328) are sorted and linked within: half of the old beside half of the

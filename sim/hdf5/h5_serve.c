@@ -81,19 +81,15 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct
     struct stat found;
     *h5 = (struct bead_h5){
         .file = -1, .path = path, .kind = kind, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
-    if (access(path, R_OK) != 0) {
+    h5->check.file = bead_file_look(path);
+    if (h5->check.file < 0 || fstat(h5->check.file, &found) != 0) {
         h5->code = BEAD_ERROR_IO;
         bead_h5_fail_by(h5, "read", errno);
         h5->code = BEAD_ERROR_FORMAT;
-    } else if (!bead_h5_is(path)) {
+    } else if (!bead_h5_is(path))
         bead_h5_fail(h5, false, "not an HDF5 file");
-    } else if (bead_h5_load_for(h5)) {
-        h5->check.file = bead_file_look(path);
-        if (h5->check.file < 0 || fstat(h5->check.file, &found) != 0)
-            bead_h5_fail_by(h5, "read", errno);
-        else
-            open_somewhere(h5, (uint64_t)found.st_size);
-    }
+    else if (bead_h5_load_for(h5))
+        open_somewhere(h5, (uint64_t)found.st_size);
     if (h5->file < 0)
         bead_h5_check_leave(&h5->check);
 }

@@ -5,10 +5,12 @@
 #include "sim/base/text.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "sim/base/fingerprint.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/kinds/outputs.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
@@ -176,12 +178,27 @@ enum bead_error bead_scene_change(const struct bead_scene *before, const struct 
     return make_scene(before->file, before->text, strlen(before->text), before->tree, &before->own, overrides, scene, msg);
 }
 
+/* Results are no scenes; what the parser would say of their bytes helps nobody. */
+static enum bead_error check_ending(const char *path, struct bead_message *msg)
+{
+    if (bead_output_ends_like(bead_output_endings(BEAD_OUTPUT_TRAJECTORY), path))
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%s: not an HDF5 file, or damaged at its beginning", path);
+    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
+        if (bead_output_ends_like(bead_output_endings(kind), path))
+            return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is a result, not a scene; --reproduce makes it again, of the scene in it",
+                             path);
+    }
+    return BEAD_OK;
+}
+
 enum bead_error bead_scene_load(const char *path, const struct bead_overrides *overrides, struct bead_scene **scene,
                                 struct bead_message *msg)
 {
     BEAD_FREED char *text = NULL;
     size_t length = 0;
     *scene = NULL;
+    if (access(path, F_OK) == 0)
+        BEAD_TRY(check_ending(path, msg));
     BEAD_TRY(bead_file_read_input(path, BEAD_YAML_BYTES, &text, &length, msg));
     return bead_scene_parse(overrides && overrides->name ? overrides->name : path, text, length, overrides, scene, msg);
 }

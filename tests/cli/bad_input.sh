@@ -52,6 +52,16 @@ run_h5=$T/made/run.h5
 ok "no such file" refused "1 2" "$beadreel" "$T/none.yaml" -o "$T/out.d"
 ok "... names it" says none.yaml
 ok "a directory for a scene" refused "1 2" "$beadreel" "$T/out.d" -o "$T/out.d"
+for ending in png jpg svg pdf eps mp4 webm gif csv html; do
+    cp "$T/made/peaks.csv" "$T/made.$ending"
+    for how in --only=none --plan --info; do
+        ok "a result, .$ending, for a scene, $how" refused 2 "$beadreel" $how "$T/made.$ending"
+        ok "..." says "made.$ending: is a result, not a scene; --reproduce makes it again, of the scene in it"
+    done
+done
+cp "$T/made/peaks.csv" "$T/made.h5"
+ok "a trajectory without its beginning" refused 2 "$beadreel" "$T/made.h5" -o "$T/out.d"
+ok "..." says "made.h5: not an HDF5 file, or damaged at its beginning"
 : >"$T/empty.yaml"
 ok "an empty file" refused "1 2" "$beadreel" "$T/empty.yaml" -o "$T/out.d"
 head -c 100000 /dev/zero >"$T/zeros.yaml"

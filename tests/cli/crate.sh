@@ -29,7 +29,7 @@ assert missing == {"https://w3id.org/ro/crate/1.1", "http://schema.org/Completed
 descriptor, root, action = by_id["ro-crate-metadata.json"], by_id["./"], by_id["#run"]
 assert descriptor["about"] == {"@id": "./"} and descriptor["@type"] == "CreativeWork"
 assert descriptor["conformsTo"] == {"@id": "https://w3id.org/ro/crate/1.1"}
-assert root["@type"] == "Dataset" and root["name"] and root["description"]
+assert root["@type"] == "Dataset" and root["name"] and root["description"] and root["license"]
 datetime.datetime.fromisoformat(root["datePublished"].replace("Z", "+00:00"))
 profile = by_id[root["conformsTo"]["@id"]]
 assert profile["@id"] == "https://w3id.org/ro/wfrun/process/0.5" and profile["@type"] == "CreativeWork" and profile["version"] == "0.5"

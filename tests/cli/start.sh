@@ -79,4 +79,8 @@ wait $watcher
 ok "a signal ends it" test $? -eq 143
 ok "--watch of a plan" fails 2 "$beadreel" --plan scene.yaml --watch
 ok "--watch of nothing" fails 2 "$beadreel" nothing.yaml --watch
+ok "--watch of standard input" fails 2 timeout 20 "$beadsim" - --watch -o made
+mkfifo pipe.yaml
+ok "--watch of a pipe" fails 2 timeout 20 "$beadsim" pipe.yaml --watch -o made
+ok "... says why not" says "--watch: pipe.yaml is no file, which could be saved again"
 finish

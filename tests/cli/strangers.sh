@@ -53,6 +53,14 @@ scene '{image: a.png, colormap: /proc/kmsg}' >kernel.yaml # says that it is a re
 ok "a colour map in /proc" fails 2 timeout 20 "$beadreel" kernel.yaml -o no
 ok "..." says "outputs.0.colormap: /proc/kmsg: has 0 colours"
 
+mkfifo pipe.h5 pipe.png
+for how in --verify --reproduce --merge; do
+    ok "a pipe that says it is a result, $how" fails 1 timeout 20 "$beadreel" $how pipe.h5 -o no.h5
+    ok "..." says "pipe.h5: cannot be read: it is not a regular file"
+done
+ok "... and a picture" fails 1 timeout 20 "$beadreel" --reproduce pipe.png
+ok "..." says "pipe.png: cannot be read: it is not a regular file"
+
 # ---- what is shown ----
 quiet() { ! LC_ALL=C grep -qP '[\x01-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]' "$@"; }
 printf '"ch\\u009b31main\\u202e": 1\n%s\n' "$(scene '{table: a.csv}')" >key.yaml
