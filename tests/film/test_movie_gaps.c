@@ -194,6 +194,7 @@ static void assert_columns(const struct bead_movie_wants *w, const struct bead_m
     }
     /* The bar stands right of all, in the height of the plots. */
     const struct bead_rect last = l->chains[columns - 1].plot[0];
+    assert_true((l->bar.height > l->bar.width) == (!w->colourless && w->width >= 1.5 * w->height));
     if (l->bar.height > l->bar.width) {
         const int pad = up(0.6 * look->tick), room = up(fmax(0, ends - 0.5 * look->gap));
         assert_px(l->bar.width, up(bead_colour_bar_width(look, BEAD_BAR_OF_MOVIE)), "the bar's width", w, 0);
@@ -291,6 +292,126 @@ static void cells_are_as_far_apart_as_labels_need(void **)
         bead_movie_layout_free(&l);
     }
     assert_true(seen > 100 && tall > 20); /* most have room for all */
+}
+
+/* Beside the clock where there is room: badge, title, a lying bar; each as long as it is short enough for what is left. */
+static void words_are_beside_the_clock_where_they_fit(void **)
+{
+    struct bead_look look;
+    struct bead_movie_layout l;
+    bead_look_film(&look, 1920, 1080, true, false);
+    for (int of_title = 0; of_title < 2; of_title++) {
+        int most = 0, left = 0, right = 0, least = 1920;
+        const int gap = up(look.gap), badge = up(6 * look.label);
+        for (int width = 40; width < 1900; width += 10) {
+            struct bead_movie_wants w = wants_of(&look, 1920, 1080, 1);
+            w.badge_width = of_title ? 6 * look.label : width;
+            w.title_width = of_title ? width : 0;
+            w.colourless = true;
+            add_view(&w, BEAD_VIEW_PROFILE);
+            assert_int_equal(bead_movie_arrange(&w, &l, NULL), BEAD_OK);
+            const struct bead_rect word = of_title ? l.title : l.badge, panel = l.chains[0].plot[0];
+            const bool beside = word.y == l.time.y;
+            left = panel.x - l.beyond[0];
+            right = right_of(panel) + l.beyond[1];
+            most = beside && width > most ? width : most;
+            least = !beside && width < least ? width : least;
+            assert_true(!of_title || l.words_left == !beside);
+            assert_true(beside || word.y == end_of(l.time)); /* a long title has two lines */
+            if (!beside && of_title && (width > right - left || width < right - left - 3 * look.tick))
+                assert_true(word.height == (width > right - left ? 2 : 1) * up(1.35 * look.label));
+            assert_true(beside || of_title || word.height == up(1.5 * look.label));
+            bead_movie_layout_free(&l);
+        }
+        assert_int_equal(least, most + 10);
+        const int room = right - left - up(5 * look.title) - 2 * gap - (of_title ? badge + 2 * gap : 0);
+        assert_true(most <= room + 2 && most > room - 10 - 3 * look.tick);
+    }
+}
+
+static void bars_lie_beside_the_clock_or_below_the_words(void **)
+{
+    size_t beside = 0, below = 0;
+    for (unsigned i = 0; i < 2 * 12 * 2; i++) {
+        struct bead_look look;
+        struct bead_movie_layout l;
+        const int width = 1080, height = i % 2 ? 1080 : 1920;
+        bead_look_film(&look, width, height, true, false);
+        struct bead_movie_wants w = wants_of(&look, width, height, 1);
+        w.headings = false;
+        w.time_end = w.along_end = 0;
+        w.title_width = 0;
+        w.bar_title = (1 + i / 2 % 12) * 1.3 * look.label;
+        w.badge_width = i / 24 ? 3 * look.label : 0;
+        add_view(&w, BEAD_VIEW_PROFILE);
+        assert_int_equal(bead_movie_arrange(&w, &l, NULL), BEAD_OK);
+        const int pad = up(1.2 * look.tick), gap = up(look.gap), margin = l.time.y,
+                  words = right_of(l.badge.y == l.time.y ? l.badge : l.time);
+        const int thick = up(bead_colour_bar_width(&look, BEAD_BAR_OF_MOVIE));
+        if (l.bar.width == 0) { /* too short even in a line of its own */
+            const struct bead_rect plot = l.chains[0].plot[0];
+            assert_true(plot.width - w.bar_title - 2 * pad < 4 * look.tick + 8);
+            bead_movie_layout_free(&l);
+            continue;
+        }
+        assert_true(l.bar.width >= 4 * look.tick && l.bar.height == thick);
+        assert_px(right_of(l.bar) + pad, width - margin, "the lying bar's end", &w, 0);
+        assert_px(right_of(l.bar_title) + pad, l.bar.x, "the end of its title", &w, 0);
+        assert_px(l.bar.y + thick / 2, l.bar_title.y + l.bar_title.height / 2, "the bar's middle", &w, 1);
+        assert_true(l.bar_title.height == l.time.height);
+        if (l.bar_title.y == l.time.y) {
+            beside++;
+            const int free = width - margin - words - gap - 2 * pad - up(w.bar_title + 0.5 * look.gap);
+            assert_px(l.bar_title.width, up(w.bar_title + 0.5 * look.gap), "the width of its title", &w, 0);
+            assert_px(l.bar.width, free < (int)(0.4 * width) ? free : (int)(0.4 * width), "the bar's length", &w, 0);
+        } else {
+            below++;
+            const int lowest = end_of(l.facts), line = up(fmax(l.time.height, 0.5 * (l.time.height + thick) + w.bar_below));
+            assert_px(l.bar_title.x, l.time.x, "the begin of its title", &w, 0);
+            assert_px(l.bar_title.width, up(w.bar_title), "the width of its title", &w, 0);
+            assert_px(l.bar_title.y, lowest, "the bar below the words", &w, 0);
+            const struct bead_rect plot = l.chains[0].plot[0];
+            assert_true(plot.y - up(1.35 * look.label) >= lowest + line);
+            /* Beside the clock it would have been too short. */
+            assert_true(right_of(plot) + l.beyond[1] - words - 2 * look.gap - w.bar_title - 2 * pad - 1.5 * look.gap <
+                        4 * look.tick + 8);
+        }
+        bead_movie_layout_free(&l);
+    }
+    assert_true(beside > 5 && below > 5);
+}
+
+/* `auto` overlays profiles of several chains where nothing else is shown; numbers of columns are those that the layout says. */
+static void layouts_have_the_columns_of_their_names(void **)
+{
+    struct bead_look look;
+    struct bead_movie_layout l;
+    bead_look_film(&look, 1920, 1080, true, false);
+    for (size_t chains = 1; chains <= 8; chains++) {
+        for (int layout = BEAD_LAYOUT_AUTO; layout <= BEAD_LAYOUT_GRID; layout++) {
+            for (int views = 1; views <= 2; views++) {
+                struct bead_movie_wants w = wants_of(&look, 1920, 1080, chains);
+                w.layout = (enum bead_layout)layout;
+                add_view(&w, BEAD_VIEW_PROFILE);
+                if (views == 2)
+                    add_view(&w, BEAD_VIEW_SENSORS);
+                assert_int_equal(bead_movie_arrange(&w, &l, NULL), BEAD_OK);
+                size_t across = 1;
+                while (across < chains && l.chains[across].plot[views - 1].y == l.chains[0].plot[views - 1].y)
+                    across++;
+                const bool overlay =
+                    layout == BEAD_LAYOUT_OVERLAY || (layout == BEAD_LAYOUT_AUTO && views == 1 && chains > 1 && chains <= 6);
+                assert_true((l.layout == BEAD_LAYOUT_OVERLAY) == overlay && (l.overlay < w.view_count) == overlay);
+                if (layout == BEAD_LAYOUT_STACKED)
+                    assert_int_equal(across, 1);
+                if (layout == BEAD_LAYOUT_COLUMNS)
+                    assert_int_equal(across, chains);
+                if (layout == BEAD_LAYOUT_GRID)
+                    assert_int_equal(across, (size_t)ceil(sqrt((double)chains)));
+                bead_movie_layout_free(&l);
+            }
+        }
+    }
 }
 
 /* ---- stages ---- */
@@ -478,6 +599,9 @@ static void frames_scale(void **)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(cells_are_as_far_apart_as_labels_need),
+                                       cmocka_unit_test(words_are_beside_the_clock_where_they_fit),
+                                       cmocka_unit_test(bars_lie_beside_the_clock_or_below_the_words),
+                                       cmocka_unit_test(layouts_have_the_columns_of_their_names),
                                        cmocka_unit_test(parts_of_stages_are_as_far_apart_as_labels_need),
                                        cmocka_unit_test(frames_scale)};
     return cmocka_run_group_tests_name("gaps of movies", tests, NULL, NULL);
