@@ -1,0 +1,505 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What views draw into a plot of 400 x 200 pixels at 100, 50, as numbers: curves, bars, lines of theory, rings of sensors are where
+ * the samples have their values. */
+#include "render/draw/looks.h"
+#include "render/stage/panel.h"
+#include "render/stage/stage_key.h"
+#include "render/stage/stage_view.h"
+#include "render/view/horizon.h"
+#include "render/view/theory_line.h"
+#include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
+#include "sim/measure/compacton.h"
+#include "strokes.h"
+#include "tests/scenes.h"
+
+enum { LEFT = 100, TOP = 50, WIDTH = 400, HEIGHT = 200, RIGHT = LEFT + WIDTH, BOTTOM = TOP + HEIGHT, MOST = 64 };
+static const struct bead_rect plot = {LEFT, TOP, WIDTH, HEIGHT};
+static const double em = 20;
+
+struct seen {
+    size_t count;
+    struct {
+        char markup[160];
+        double x, y, width, height;
+    } text[MOST];
+};
+
+struct shown {
+    struct bead_scene *scene;
+    struct bead_chain *chain;
+    struct bead_look look;
+    struct bead_view_setup setup;
+    const struct bead_view_type *type;
+    struct bead_view *view;
+    cairo_surface_t *surface;
+    cairo_t *cr;
+    struct seen seen;
+    struct bead_text_watch watch;
+};
+
+static void see(void *context, const char *markup, double x, double y, double width, double height)
+{
+    struct seen *seen = context;
+    if (seen->count == MOST)
+        return;
+    snprintf(seen->text[seen->count].markup, sizeof seen->text[0].markup, "%s", markup);
+    seen->text[seen->count].x = x;
+    seen->text[seen->count].y = y;
+    seen->text[seen->count].width = width;
+    seen->text[seen->count++].height = height;
+}
+
+static size_t find(const struct seen *seen, const char *text)
+{
+    for (size_t i = 0; i < seen->count; i++) {
+        if (strcmp(seen->text[i].markup, text) == 0)
+            return i;
+    }
+    fail_msg("nothing says '%s'", text);
+    return 0;
+}
+
+static void require(enum bead_error err, const struct bead_message *msg)
+{
+    if (err)
+        fail_msg("%s", msg->text);
+}
+
+static void open_shown(struct shown *s, const char *text)
+{
+    struct bead_message msg = {""};
+    *s = (struct shown){.scene = parse(text)};
+    require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
+    bead_look_screen(&s->look, 1000, 800, false);
+    s->look.label = em;
+    s->look.tick = 18;
+    s->look.line = 2;
+    s->setup = (struct bead_view_setup){.chain = s->chain,
+                                        .field = BEAD_FIELD_FORCE,
+                                        .beads = {0, bead_chain_beads(s->chain) - 1},
+                                        .time = {0, 1e-3},
+                                        .colours = {NULL, BEAD_SCALE_LINEAR, 0, 50},
+                                        .look = &s->look,
+                                        .axes = true,
+                                        .bead_labels = true,
+                                        .orientation = BEAD_TIME_RIGHT,
+                                        .magnify = 1};
+    s->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 800, 400);
+    s->watch = (struct bead_text_watch){see, &s->seen};
+    assert_true(bead_text_watch(s->surface, &s->watch));
+    s->cr = cairo_create(s->surface);
+}
+
+static void open_view(struct shown *s, enum bead_view_kind kind)
+{
+    struct bead_message msg = {""};
+    s->type = bead_view_find(kind);
+    require(s->type->create(&s->setup, &s->view, &msg), &msg);
+    require(s->type->place(s->view, plot, NULL, &msg), &msg);
+}
+
+static void decorate(struct shown *s)
+{
+    struct bead_message msg = {""};
+    s->seen.count = 0;
+    strokes_begin();
+    require(s->type->decorate(s->view, s->cr, &msg), &msg);
+}
+
+static void draw(struct shown *s, double time)
+{
+    struct bead_message msg = {""};
+    strokes_begin();
+    require(s->type->vector(s->view, time, s->cr, &msg), &msg);
+}
+
+static void close_shown(struct shown *s)
+{
+    if (s->view)
+        s->type->destroy(s->view);
+    cairo_destroy(s->cr);
+    cairo_surface_destroy(s->surface);
+    bead_chain_destroy(s->chain);
+    bead_scene_free(s->scene);
+}
+
+/* ---- sensors ---- */
+
+#define SENSORS                                                                                                               \
+    "chain: {beads: [{bead: large-steel, count: 2}, {bead: large-steel, sensor: one}, {bead: large-steel, count: 3}, {bead: " \
+    "large-steel, sensor: the second}, {bead: large-steel}]}\noutputs: [{table: a.csv}]\n"
+static const size_t bead_of[] = {3, 7};
+
+static double force_at(size_t sensor, size_t k)
+{
+    return (sensor ? 5 * (double)k : 40 - 3 * (double)k) + (double)(k % 2);
+}
+
+/* Names in a line above the curves, after samples of their lines; the axis ends 3 % above the largest value, below the names. */
+static void sensors_have_their_curves(void **)
+{
+    for (int variant = 0; variant < 3; variant++) {
+        struct shown s;
+        struct bead_message msg = {""};
+        open_shown(&s, SENSORS);
+        s.setup.fill = variant == 1;
+        s.setup.trust = variant == 2;
+        open_view(&s, BEAD_VIEW_SENSORS);
+        for (size_t k = 0; k <= 10; k++) {
+            double force[16] = {0}, other[16] = {0};
+            for (size_t n = 0; n < 2; n++) {
+                force[bead_of[n]] = force_at(n, k);
+                other[bead_of[n]] = force_at(n, k) + (n == 1 && k >= 6 ? 0.51 : n == 1 && k == 5 ? 0.49 : 0);
+            }
+            const struct bead_sample sample = {
+                .time = 1e-4 * (double)k, .field = {[BEAD_FIELD_FORCE] = force}, .comparison = {[BEAD_FIELD_FORCE] = other}};
+            require(s.type->feed(s.view, &sample, &msg), &msg);
+        }
+        double low, high;
+        s.type->extremes(s.view, &low, &high);
+        assert_true(low == 0 && high == 50);
+        s.type->set_range(s.view, NULL, (const double[]){low, high});
+        decorate(&s);
+        const double row = 1.5 * em, end = 50 * 1.03 / (1 - 1.15 * row / HEIGHT), sample = 1.6 * em, y = TOP + 0.65 * row;
+        double width, height, x = LEFT + 0.6 * em;
+        size_t names = 0;
+        for (size_t i = 0; i < strokes.count; i++) {
+            const struct stroke *line = &strokes.list[i];
+            if (line->filled || line->count != 2 || fabs(line->width - 2 * s.look.line) > 1e-9)
+                continue;
+            const char *name = names ? "the second" : "one";
+            const struct bead_text_style style = {.family = s.look.family, .size = em};
+            assert_true(stroke_has(line, false, bead_look_curve(&s.look, names++)));
+            assert_bounds(line, x, y, x + sample, y);
+            bead_text_size(s.cr, &style, name, &width, &height);
+            const size_t at = find(&s.seen, name);
+            assert_true(fabs(s.seen.text[at].x - (x + sample + 0.4 * em)) < 3 &&
+                        fabs(s.seen.text[at].y + s.seen.text[at].height / 2 - y) < 0.25 * em);
+            x += sample + 0.4 * em + width + 1.2 * em;
+        }
+        assert_int_equal(names, 2);
+        /* Curves. */
+        draw(&s, 3.5e-4);
+        const size_t first = variant == 2 ? 2 : 0; /* the horizon, with its edge, is below them */
+        assert_int_equal(strokes.count, first + 2);
+        for (size_t i = 0; i < first; i++) {
+            const struct stroke *horizon = &strokes.list[i];
+            assert_int_equal(horizon->count, 2);
+            assert_true(fabs(horizon->at[0].x - (LEFT + 0.6 * WIDTH)) <= 1 && horizon->low[1] == TOP && horizon->high[1] == BOTTOM);
+            assert_true(s.type->horizon(s.view) == 1e-4 * 6);
+        }
+        for (size_t n = 0; n < 2; n++) {
+            const struct stroke *curve = &strokes.list[first + n];
+            assert_true(stroke_has(curve, false, bead_look_curve(&s.look, n)) && fabs(curve->width - 2 * s.look.line) < 1e-9);
+            assert_true(curve->join == CAIRO_LINE_JOIN_ROUND && curve->clip_low[0] == LEFT && curve->clip_high[1] == BOTTOM);
+            assert_int_equal(curve->count, variant == 1 ? 4 : 11); /* films show what has been */
+            assert_at(curve->at[0].x, LEFT);
+            assert_at(curve->at[0].y, BOTTOM - HEIGHT * force_at(n, 0) / end);
+            const size_t last = variant == 1 ? 3 : 10;
+            assert_at(curve->at[curve->count - 1].x, LEFT + 0.1 * (double)last * WIDTH);
+            assert_at(curve->at[curve->count - 1].y, BOTTOM - HEIGHT * force_at(n, last) / end);
+        }
+        close_shown(&s);
+    }
+}
+
+/* Names that need two lines have no samples of lines, but the colours of their curves. */
+static void many_sensors_are_named_in_colour(void **)
+{
+    struct shown s;
+    open_shown(
+        &s,
+        "chain: {beads: [{bead: large-steel, sensor: the first of them}, {bead: large-steel, sensor: the second one}, "
+        "{bead: large-steel, sensor: the third one}, {bead: large-steel, sensor: the last of them}]}\noutputs: [{table: a.csv}]\n");
+    open_view(&s, BEAD_VIEW_SENSORS);
+    decorate(&s);
+    static const char *const names[] = {"the first of them", "the second one", "the third one", "the last of them"};
+    double x = LEFT + 0.6 * em, width, height;
+    int row = 0;
+    for (int k = 0; k < 4; k++) {
+        const struct bead_text_style style = {.family = s.look.family, .size = em};
+        const size_t at = find(&s.seen, names[k]);
+        bead_text_size(s.cr, &style, names[k], &width, &height);
+        if (x + width > RIGHT - 0.2 * em) {
+            row++;
+            x = LEFT + 0.6 * em;
+        }
+        assert_true(fabs(s.seen.text[at].x - x) < 3);
+        assert_true(fabs(s.seen.text[at].y + s.seen.text[at].height / 2 - (TOP + (row + 0.65) * 1.5 * em)) < 0.25 * em);
+        x += width + 0.8 * em;
+    }
+    assert_true(row == 1);
+    for (size_t i = 0; i < strokes.count; i++)
+        assert_true(fabs(strokes.list[i].width - 2 * s.look.line) > 0.1); /* no sample */
+    close_shown(&s);
+}
+
+/* ---- modes ---- */
+
+/* A bar for each mode, in the middle of its share of the width; its height is its part of the first sample's energy, 1.04 at the
+ * top. */
+static void bars_of_modes_have_their_energy(void **)
+{
+    enum { MODES = 4, POINTS = 15 };
+    struct shown s;
+    struct bead_message msg = {""};
+    open_shown(&s, "chain: {equation: fput, points: 15, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 10}\noutputs: [{table: "
+                   "a.csv, show: modes}]\n");
+    s.setup.modes = MODES;
+    s.setup.time[1] = 10;
+    open_view(&s, BEAD_VIEW_MODES);
+    const size_t beads = bead_chain_beads(s.chain);
+    double share[2][MODES];
+    for (int k = 0; k < 2; k++) {
+        double u[MOST] = {0}, v[MOST] = {0};
+        for (size_t i = 0; i < beads; i++) { /* modes of fixed ends */
+            for (int m = 1; m <= MODES; m++)
+                u[i] += (k == 0 ? 1.0 / m : 0.3 * m) * sin(M_PI * m * ((double)i + (beads == POINTS ? 1 : 0)) / (POINTS + 1));
+        }
+        const struct bead_sample sample = {.time = k, .field = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_VELOCITY] = v}};
+        double whole = 0;
+        bead_chain_mode_energies(s.chain, sample.field, MODES, share[k]);
+        for (int m = 0; m < MODES; m++) {
+            const double frequency = 2 * sin(0.5 * M_PI * (m + 1) / (POINTS + 1)),
+                         amplitude = k == 0 ? 1.0 / (m + 1) : 0.3 * (m + 1);
+            whole += share[0][m];
+            assert_true(fabs(share[k][m] / share[0][0] - pow(frequency * amplitude / (2 * sin(0.5 * M_PI / (POINTS + 1))), 2)) <
+                        1e-9 * share[k][m] / share[0][0] + 1e-9);
+        }
+        require(s.type->feed(s.view, &sample, &msg), &msg);
+        draw(&s, k);
+        assert_int_equal(strokes.count, MODES);
+        for (size_t m = 0; m < MODES; m++) {
+            const double middle = LEFT + ((double)m + 0.5) * WIDTH / MODES, width = 0.62 * WIDTH / MODES;
+            const double top = TOP + round(16 * HEIGHT * (1 - fmin(1, share[k][m] / (1.04 * whole)))) / 16;
+            assert_true(stroke_has(&strokes.list[m], true, bead_look_curve(&s.look, m)));
+            assert_bounds(&strokes.list[m], round(middle - width / 2), top, round(middle - width / 2) + round(width), BOTTOM);
+        }
+    }
+    draw(&s, 0.5); /* half way between two samples */
+    const double half = (share[0][1] + share[1][1]) / 2, whole = share[0][0] + share[0][1] + share[0][2] + share[0][3];
+    assert_at(strokes.list[1].low[1], TOP + round(16 * HEIGHT * (1 - half / (1.04 * whole))) / 16);
+    decorate(&s);
+    double width, height;
+    const struct bead_text_style style = {.family = s.look.family, .size = s.look.tick};
+    for (size_t m = 1; m <= MODES; m++) { /* numbers below their bars */
+        const char number[] = {(char)('0' + m), '\0'};
+        const size_t at = find(&s.seen, number);
+        bead_text_size(s.cr, &style, number, &width, &height);
+        assert_true(fabs(s.seen.text[at].x + s.seen.text[at].width / 2 - (LEFT + ((double)m - 0.5) * WIDTH / MODES)) < 2 &&
+                    s.seen.text[at].y > BOTTOM);
+    }
+    close_shown(&s);
+}
+
+/* ---- panels ---- */
+
+/* Axes are at the panel's left, beyond the plot and its colours; titles beside it or above; names left of the numbers below. */
+static void axes_are_at_their_panels(void **)
+{
+    struct shown s;
+    open_shown(&s, SENSORS);
+    struct bead_axis axis;
+    bead_axis_make(&axis, 0, 50, "N", BEAD_SCALE_LINEAR, HEIGHT, s.look.tick, false);
+    for (int variant = 0; variant < 8; variant++) {
+        const int beyond = variant & 1 ? 30 : 0, coloured = variant & 2 ? 9 : 0, panel = LEFT - beyond, left = panel - coloured;
+        const bool over = variant & 4;
+        s.setup.beyond[0] = beyond;
+        s.setup.beyond[1] = variant & 1 ? 17 : 0;
+        s.setup.coloured = coloured;
+        s.setup.titles = over ? BEAD_TITLES_ABOVE : BEAD_TITLES_BESIDE;
+        strokes_begin();
+        bead_panel_fill(s.cr, &s.setup, plot);
+        assert_bounds(&strokes.list[0], panel, TOP, RIGHT + s.setup.beyond[1], BOTTOM);
+        assert_true(stroke_has(&strokes.list[0], true, s.look.panel));
+        s.seen.count = 0;
+        strokes_begin();
+        bead_panel_axis(s.cr, &s.setup, &axis, plot, false, "force");
+        const struct stroke *ticks = &strokes.list[0];
+        assert_at(ticks->high[0], left - s.look.line);
+        assert_at(ticks->low[0], left - s.look.line - round(0.38 * s.look.tick));
+        const size_t title = s.seen.count - 1;
+        assert_true(strncmp(s.seen.text[title].markup, "force (", 7) == 0);
+        if (over) {
+            assert_true(fabs(s.seen.text[title].x - left) < 3 &&
+                        s.seen.text[title].y + s.seen.text[title].height > TOP - 0.38 * em - 1);
+            assert_true(s.seen.text[title].y + s.seen.text[title].height < TOP); /* below its baseline are parts of letters */
+        } else {
+            assert_true(s.seen.text[title].x + s.seen.text[title].width < left - 0.38 * s.look.tick);
+            assert_true(fabs(s.seen.text[title].y + s.seen.text[title].height / 2 - (TOP + HEIGHT / 2.0)) < 3);
+        }
+        /* Names: 0.65 of a letter from the panel to their ends, or clear of a number that reaches out of it. */
+        struct bead_axis along;
+        bead_axis_make(&along, 0.5, 9.5, "1", BEAD_SCALE_LINEAR, WIDTH, s.look.tick, true);
+        s.seen.count = 0;
+        bead_panel_name(s.cr, &s.setup, &along, plot, "bead");
+        assert_int_equal(s.seen.count, 1);
+        const double width = bead_panel_name_room(&s.look, "bead") - 0.65 * s.look.tick;
+        assert_true(fabs(s.seen.text[0].x + width - (left - 0.65 * s.look.tick)) < 3);
+        assert_true(fabs(s.seen.text[0].y + s.seen.text[0].height - (BOTTOM + s.look.line + 1.38 * s.look.tick)) < 2);
+        bead_axis_make(&along, 100000, 900000, "", BEAD_SCALE_LINEAR, WIDTH, s.look.tick, true);
+        double reach = 0, number, height;
+        const struct bead_text_style style = {.family = s.look.family, .size = s.look.tick};
+        for (size_t i = 0; i < along.count; i++) {
+            bead_text_size(NULL, &style, along.ticks[i].label, &number, &height);
+            reach = fmax(reach, number / 2 - along.ticks[i].place * WIDTH);
+        }
+        s.seen.count = 0;
+        bead_panel_name(s.cr, &s.setup, &along, plot, "bead");
+        assert_true(fabs(s.seen.text[0].x + width - (left - fmax(0.65 * s.look.tick, reach + 0.3 * s.look.tick))) < 3);
+        /* A remark at the right end of the title's line, where both have room, with a letter between. */
+        double taken, said;
+        char markup[200];
+        const struct bead_text_style label = {.family = s.look.family, .size = em};
+        bead_axis_title(&axis, "force", markup, sizeof markup);
+        bead_text_size(s.cr, &label, markup, &taken, &height);
+        bead_text_size(s.cr, &label, "as measured", &said, &height);
+        for (int wide = 0; wide < 2; wide++) {
+            struct bead_rect narrow = plot;
+            narrow.width = (int)ceil(taken + said + em) - coloured + (wide ? 1 : -1);
+            s.seen.count = 0;
+            bead_panel_remark(s.cr, &s.setup, &axis, narrow, "force", "as measured");
+            assert_int_equal(s.seen.count, over && wide);
+            if (s.seen.count > 0)
+                assert_true(fabs(s.seen.text[0].x + s.seen.text[0].width - (LEFT + narrow.width)) < 3 && s.seen.text[0].y < TOP);
+        }
+        s.setup.ticks_only = true;
+        s.seen.count = 0;
+        bead_panel_axis(s.cr, &s.setup, &axis, plot, false, "force");
+        bead_panel_name(s.cr, &s.setup, &along, plot, "bead");
+        bead_panel_remark(s.cr, &s.setup, &axis, plot, "force", "as measured");
+        assert_int_equal(s.seen.count, 0);
+        s.setup.ticks_only = false;
+    }
+    close_shown(&s);
+}
+
+/* ---- the line of theory ---- */
+
+/* From bead 1 when the striker hits it, as fast as the wave of the force that passed; dark below light. */
+static void theory_is_as_fast_as_its_force(void **)
+{
+    for (int orientation = 0; orientation < 3; orientation++) {
+        struct shown s;
+        struct bead_message msg = {""};
+        struct bead_theory_line *line;
+        open_shown(&s, "chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 60}]}\noutputs: "
+                       "[{table: a.csv}]\n");
+        const bool down = orientation == 1, matrix = orientation == 2;
+        s.setup.orientation = down ? BEAD_TIME_DOWN : matrix ? BEAD_MATRIX : BEAD_TIME_RIGHT;
+        s.setup.time[1] = 5e-4;
+        require(bead_theory_line_create(&s.setup, &line, &msg), &msg);
+        double force[64] = {0};
+        const size_t passed = 12;
+        for (int k = 0; k < 4; k++) { /* contact j: 100 + j at its highest */
+            for (size_t j = 0; j < passed; j++)
+                force[j] = (double[]){0, 20, 100, 0.001}[k] * (k == 2 ? 1 + 0.01 * (double)j : 1);
+            bead_theory_line_feed(
+                line, &(struct bead_sample){.time = k * 1e-5, .active = 61, .field = {[BEAD_FIELD_CONTACT_FORCE] = force}});
+        }
+        strokes_begin();
+        s.seen.count = 0;
+        bead_theory_line_draw(line, &s.look, plot, plot, s.cr);
+        const struct stroke *dark = &strokes.list[0], *light = &strokes.list[1];
+        assert_true(dark->count == 2 && light->count == 2 && dark->rgb[0] == 0 && light->rgb[0] == 1);
+        assert_at(dark->width, 3.5 * s.look.line);
+        assert_at(light->width, 1.5 * s.look.line);
+        assert_true(light->dashes == 2 && light->dash[0] == 6 * s.look.line && light->dash[1] == 4 * s.look.line);
+        assert_true(light->clip_low[0] == LEFT && light->clip_high[0] == RIGHT);
+        /* Rows of beads 0 to 60, each as high as the others; the top of a parabola through 20, 100, 0 is a little higher. */
+        const double peak = 100 * (1 + 0.01 * (double)(passed - 1)), before = 20, after = 0.001, bend = before - 2 * peak + after;
+        const double top = peak - (after - before) * (after - before) / (8 * bend), speed = bead_compacton_speed(s.chain, top);
+        const double place[2] = {1.5 / 61, 60.5 / 61}, when[2] = {0, 59 / speed / 5e-4};
+        for (int e = 0; e < 2; e++) {
+            assert_at(light->at[e].x, LEFT + WIDTH * (down ? place[e] : when[e]));
+            assert_true(fabs(light->at[e].y - (TOP + HEIGHT * (down ? when[e] : matrix ? place[e] : 1 - place[e]))) < 0.02);
+        }
+        /* The words stand in the corner where beads are at rest, on a piece of the page. */
+        const struct stroke *box = &strokes.list[2];
+        const double pad = 0.4 * s.look.tick;
+        assert_true(strokes.count == 3 && stroke_has(box, true, s.look.background) && s.seen.count == 1);
+        if (down)
+            assert_at(box->high[0], RIGHT - pad);
+        else
+            assert_at(box->low[0], LEFT + pad);
+        if (matrix)
+            assert_at(box->high[1], BOTTOM - pad);
+        else
+            assert_at(box->low[1], TOP + pad);
+        assert_true(fabs(s.seen.text[0].x - (box->low[0] + pad)) < 3 && s.seen.text[0].y > box->low[1] &&
+                    s.seen.text[0].x + s.seen.text[0].width < box->high[0] &&
+                    s.seen.text[0].y + s.seen.text[0].height < box->high[1]);
+        assert_true(strstr(s.seen.text[0].markup, "theory: Nesterenko") != NULL);
+        strokes_begin();
+        s.seen.count = 0;
+        bead_theory_line_draw(line, &s.look, plot, (struct bead_rect){LEFT + 60, TOP + 60, 50, 50}, s.cr);
+        assert_true(strokes.count == 2 && s.seen.count == 0); /* over a part that has no room for words */
+        bead_theory_line_destroy(line);
+        close_shown(&s);
+    }
+}
+
+/* ---- the stage's row of all beads ---- */
+
+/* Names and pointers below beads with sensors, rings around them in the row. */
+static void sensors_of_stages_have_rings(void **)
+{
+    struct shown s;
+    open_shown(&s, "chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 40}, {bead: "
+                   "small-steel, sensor: one}, "
+                   "{bead: large-steel, count: 19}, {bead: large-steel, sensor: other}, {bead: large-steel, count: 30}], wall: "
+                   "brass}\noutputs: [{table: a.csv}]\n");
+    s.look.tick = 12;
+    s.look.line = 1;
+    s.setup.field = BEAD_FIELD_CONTACT_FORCE;
+    s.setup.light = BEAD_LIGHT_CONTACTS;
+    open_view(&s, BEAD_VIEW_STAGE);
+    decorate(&s);
+    const struct bead_view *v = s.view;
+    const double *position = bead_chain_position(s.chain), *radius = bead_chain_radius(s.chain);
+    const size_t beads = bead_chain_beads(s.chain), bead[] = {41, 61};
+    const double scale = WIDTH / (position[beads - 1] - position[0] + radius[0] + radius[beads - 1]),
+                 middle = v->row.y + v->row.height / 2.0;
+    assert_int_equal(v->row.y, v->strip.y + v->strip.height);
+    assert_int_equal(v->row.height, (int)ceil(fmax(6, 0.8 * 12)));
+    assert_int_equal(v->row.y + v->row.height + (int)ceil(BEAD_STAGE_NUMBERS * 12), BOTTOM);
+    size_t rings = 0, pointers = 0;
+    for (size_t i = 0; i < strokes.count; i++) {
+        const struct stroke *ring = &strokes.list[i];
+        if (!stroke_has(ring, ring->filled, s.look.ink))
+            continue;
+        if (ring->filled && ring->count == 3) {
+            const double x = LEFT + (position[bead[pointers]] - position[0] + radius[0]) * scale;
+            assert_bounds(ring, x - 3, v->row.y + v->row.height, x + 3, v->row.y + v->row.height + 3);
+            assert_at(ring->at[2].x, x);
+            assert_at(ring->at[2].y, v->row.y + v->row.height);
+            pointers++;
+        } else if (!ring->filled && ring->count > 2) {
+            const double x = LEFT + (position[bead[rings]] - position[0] + radius[0]) * scale;
+            const double r = fmin(radius[bead[rings]] * scale + 2, 0.5 * v->row.height - 1);
+            assert_at((ring->low[0] + ring->high[0]) / 2, x);
+            assert_at((ring->high[0] - ring->low[0]) / 2, r);
+            assert_at(ring->at[0].y, middle);
+            rings++;
+        }
+    }
+    assert_true(rings == 2 && pointers == 2);
+    for (int k = 0; k < 2; k++) {
+        const size_t at = find(&s.seen, k ? "other" : "one");
+        assert_true(fabs(s.seen.text[at].x + s.seen.text[at].width / 2 -
+                         (LEFT + (position[bead[k]] - position[0] + radius[0]) * scale)) < 2);
+        assert_true(fabs(s.seen.text[at].y + s.seen.text[at].height - (v->row.y + v->row.height + 1.1 * 12)) < 2);
+    }
+    close_shown(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sensors_have_their_curves),       cmocka_unit_test(many_sensors_are_named_in_colour),
+        cmocka_unit_test(bars_of_modes_have_their_energy), cmocka_unit_test(axes_are_at_their_panels),
+        cmocka_unit_test(theory_is_as_fast_as_its_force),  cmocka_unit_test(sensors_of_stages_have_rings),
+    };
+    return cmocka_run_group_tests_name("what views draw", tests, NULL, NULL);
+}
