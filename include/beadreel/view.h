@@ -68,6 +68,9 @@ struct bead_canvas;
 /* Places of the titles of vertical axes: turned, beside the axis (figures); above the plot (movies). */
 enum bead_titles { BEAD_TITLES_BESIDE, BEAD_TITLES_ABOVE, BEAD_TITLES_NONE };
 
+/* Parts of a stage's key. */
+enum bead_key_part { BEAD_KEY_LIGHT = 1, BEAD_KEY_MATERIALS = 2 };
+
 struct bead_view_setup {
     const struct bead_chain *chain;
     size_t chain_index;
@@ -79,13 +82,14 @@ struct bead_view_setup {
     bool axes;       /* axes and labels around the plot */
     bool ticks_only; /* no labels on the vertical axis: plots are low, or the plot at the left has them */
     enum bead_titles titles;
-    bool name_left;   /* the title of the axis along the chain is left of its numbers, where vertical axes have theirs */
-    int beyond[2];    /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
-    bool over_beads;  /* a view above or below draws the beads: what belongs to a bead is there */
-    int head;         /* stage: px at its top that are left free, for the heading */
-    bool small;       /* stage: one of a grid; fewer beads are in view, and the key is elsewhere */
-    bool own_colour;  /* profile: in the colour of the chain's number; others are on the same axis */
-    bool bead_labels; /* label the bead axis; false where a view below shares it */
+    bool name_left;     /* the title of the axis along the chain is left of its numbers, where vertical axes have theirs */
+    int beyond[2];      /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
+    bool over_beads;    /* a view above or below draws the beads: what belongs to a bead is there */
+    int head;           /* stage: px at its top that are left free, for the heading */
+    bool small;         /* stage: one of a grid; fewer beads are in view, and the key is elsewhere */
+    unsigned elsewhere; /* stage: parts of its key that another stage of the picture has; bead_key_part */
+    bool own_colour;    /* profile: in the colour of the chain's number; others are on the same axis */
+    bool bead_labels;   /* label the bead axis; false where a view below shares it */
     enum bead_orientation orientation; /* spacetime; AUTO: as TIME_RIGHT */
     bool time_shared;                  /* spacetime, sensors: no labels on the time axis; a view below has them */
     bool against;                      /* spacetime with time to the right: one title above for both axes */

@@ -5,6 +5,7 @@
 #include "render/draw/picture_times.h"
 #include "render/figure/figure.h"
 #include "render/stage/magnify.h"
+#include "render/stage/stage_key.h"
 #include "render/view/orientation.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
@@ -108,6 +109,8 @@ static enum bead_error fill_cell(struct bead_figure *f, struct bead_cell *cell, 
             .over_beads = bead_views_any(views, BEAD_SHOWS_BEADS) &&
                           bead_orientation_across(bead_orientation_of(f->output), panel->type->info) == BEAD_ACROSS_CHAIN,
             .light = f->output->views.light,
+            .elsewhere =
+                f->set.chain != SIZE_MAX ? 0 : bead_stage_key_elsewhere(f->context.chains, f->context.chain_count, cell->chain),
             .fine = true,
             .theory = f->output->shown.theory,
             .trust = f->output->shown.trust};

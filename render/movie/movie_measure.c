@@ -118,7 +118,8 @@ static struct bead_view_setup key_setup(const struct bead_composer *c, size_t ch
 
 double bead_composer_key(const struct bead_composer *c, size_t chain)
 {
-    const struct bead_view_setup setup = key_setup(c, chain);
+    struct bead_view_setup setup = key_setup(c, chain);
+    setup.elsewhere = bead_stage_key_elsewhere(c->setup.chains, c->setup.chain_count, chain);
     return bead_views_any(&c->setup.output->views, BEAD_ACTS) && !c->layout.grid ? bead_stage_key_room(&setup) : 0;
 }
 

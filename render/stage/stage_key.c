@@ -79,6 +79,27 @@ static size_t find_materials(const struct bead_chain *chain, struct bead_span be
     return count;
 }
 
+/* Does a chain have none but the materials of one before? */
+static bool named_before(const struct bead_chain *const *chains, size_t chain)
+{
+    const struct bead_span all = {0, SIZE_MAX};
+    size_t found[MOST_MATERIALS + 1];
+    bool named = false;
+    for (size_t i = 0; i < chain && !named; i++) {
+        const size_t count = find_materials(chains[i], all, found, 0);
+        named = count <= MOST_MATERIALS && find_materials(chains[chain], all, found, count) == count;
+    }
+    return named;
+}
+
+unsigned bead_stage_key_elsewhere(const struct bead_chain *const *chains, size_t count, size_t chain)
+{
+    size_t lit = count - 1;
+    while (lit > 0 && !named_before(chains, lit))
+        lit--;
+    return (chain != lit ? BEAD_KEY_LIGHT : 0u) | (named_before(chains, chain) ? BEAD_KEY_MATERIALS : 0u);
+}
+
 static void add_materials(struct key *key, const struct bead_view_setup *setup, const struct bead_chain *const *chains, size_t n)
 {
     const struct bead_scene *scene = bead_chain_scene(setup->chain);
@@ -136,10 +157,10 @@ double bead_stage_draw_key_of(cairo_t *cr, const struct bead_view_setup *setup, 
         .right = right,
         .middle = middle};
     const double full = bead_stage_full(setup);
-    if (setup->light != BEAD_LIGHT_NONE && setup->chain_index == 0 && full > 0)
+    if (setup->light != BEAD_LIGHT_NONE && !(setup->elsewhere & BEAD_KEY_LIGHT) && full > 0)
         add_scale(&key, setup, full);
     key.used = key.right < right;
-    if (bead_chain_spec(setup->chain)->system->has_contacts)
+    if (bead_chain_spec(setup->chain)->system->has_contacts && !(setup->elsewhere & BEAD_KEY_MATERIALS))
         add_materials(&key, setup, chains, n);
     return right - key.right;
 }

@@ -4,6 +4,9 @@
 
 #include "beadreel/view.h"
 
+/* The parts of the key that other stages have, of chains below each other: materials are named where they are first, and the light
+ * has its scale at the last chain that names none, which has more room for its label; else at the first. */
+unsigned bead_stage_key_elsewhere(const struct bead_chain *const *chains, size_t count, size_t chain);
 /* Room, px, that the key of a stage takes at the right of its headroom. */
 double bead_stage_key_room(const struct bead_view_setup *setup);
 /* Draws one key for the stages of several chains, which ends at `right` px, or with `cr` NULL measures it; returns its width.

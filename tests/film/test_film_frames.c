@@ -332,6 +332,31 @@ static void test_colours_have_a_scale(void **state)
     assert_true(bars > 0 && axes > 0);
 }
 
+/* What chains share is said once: their materials at the first, the scale of the light at the last, and labels have the room left.
+ */
+static void test_keys_leave_room_for_labels(void **state)
+{
+    (void)state;
+    static const int sizes[][2] = {{1920, 1080}, {1280, 720}, {1024, 768}, {960, 720}};
+    for (unsigned i = 0; i < 4 * 2 * 2; i++) {
+        static struct stage s;
+        char text[4096], what[80];
+        struct wish w = {.chains = 2 + i / 4 % 2, .light = i / 8, .size = {sizes[i % 4][0], sizes[i % 4][1]}};
+        describe(&w, text, sizeof text);
+        open_stage(&s, text, w.size);
+        snprintf(what, sizeof what, "labels-%zu-%dx%d", w.chains, w.size[0], w.size[1]);
+        show(&s, what);
+        assert_legible(&s.seen, w.size, what);
+        static const char *const words[] = {"every dimer the same way round", "half of the dimers reversed", "light: contact force",
+                                            "aluminium"};
+        for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+            if (times_written(&s.seen, words[k]) != 1)
+                fail_msg("%s: '%s' is written %zu times", what, words[k], times_written(&s.seen, words[k]));
+        }
+        close_stage(&s);
+    }
+}
+
 /* Names for people, not the scene's identifiers. */
 static void test_names_are_words(void **state)
 {
@@ -655,6 +680,7 @@ int main(void)
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_cells_in_the_picture),
         cmocka_unit_test(test_colours_have_a_scale),
+        cmocka_unit_test(test_keys_leave_room_for_labels),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),
