@@ -44,10 +44,11 @@ struct bead_series {
     bool jitter;       /* points of equal x are spread sideways, part of the way to the next x */
 };
 
-/* A line across the panel at a value of x (vertical) or y, with a band around it if low < high, and a label beside it. */
+/* A line across the panel at a value of x (vertical) or y, with a band around it if low < high, and a label beside it; or the band
+ * alone, and its label in it. */
 struct bead_ruler {
     bool vertical;
-    double value, low, high; /* low, high NaN: no band */
+    double value, low, high; /* value NaN: no line; low, high NaN: no band */
     const char *label;       /* NULL: none */
 };
 

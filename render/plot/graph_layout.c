@@ -313,7 +313,7 @@ static void move_words(struct graph_layout *l)
 {
     for (size_t p = 0; p < l->graph->panel_count; p++) {
         for (size_t r = 0; r < l->cells[p].panel->ruler_count; r++) {
-            if (l->cells[p].words[r].markup)
+            if (l->cells[p].words[r].markup && !isnan(l->cells[p].panel->rulers[r].value))
                 l->cells[p].words[r].state = GRAPH_WORD_IN_LEGEND;
         }
     }

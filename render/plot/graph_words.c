@@ -102,20 +102,37 @@ void graph_mask_cover(struct graph_mask *mask, struct graph_box box)
 /* Places tried along a ruler. */
 enum { ALONG = 24 };
 
-/* A box beside the ruler, on `side` 0 or 1, at the fraction `way` along it (from the top, or from the right). */
+/* Where words beside a ruler keep away from: its line, or, of a band without one, its end on this side, but the middle where they
+ * fit into the band. 0..1; *inside: they fit. */
+static double reference(const struct graph_cell *cell, const struct bead_ruler *ruler, int side, double part, bool *inside)
+{
+    const double low = graph_ruler_place(cell, ruler, ruler->low), high = graph_ruler_place(cell, ruler, ruler->high);
+    *inside = isnan(ruler->value) && high - low >= part;
+    if (!isnan(ruler->value))
+        return graph_ruler_place(cell, ruler, ruler->value);
+    return *inside ? 0.5 * (low + high) : side == ruler->vertical ? high : low;
+}
+
+/* A box beside the ruler, on `side` 0 or 1, or in its band, at the fraction `way` along it (from the top, or from the right). */
 static struct graph_box beside(const struct graph_cell *cell, const struct bead_look *look, const struct bead_ruler *ruler,
                                double width, double height, int side, double way)
 {
     const struct bead_rect *plot = &cell->plot;
-    double gap = graph_air(look) + 0.6 * look->line, inset = 0.6 * graph_air(look),
-           place = graph_ruler_place(cell, ruler, ruler->value);
+    double gap = graph_air(look) + 0.6 * look->line, inset = 0.6 * graph_air(look);
+    bool inside;
     if (ruler->vertical) {
-        double x = plot->x + place * plot->width;
-        return (struct graph_box){side ? x - gap - width : x + gap, plot->y + inset + way * (plot->height - height - 2 * inset),
-                                  width, height};
+        double x = plot->x + reference(cell, ruler, side, (width + gap) / plot->width, &inside) * plot->width;
+        return (struct graph_box){inside ? x - 0.5 * width
+                                  : side ? x - gap - width
+                                         : x + gap,
+                                  plot->y + inset + way * (plot->height - height - 2 * inset), width, height};
     }
-    double y = plot->y + (1 - place) * plot->height, x = plot->x + plot->width - inset - width;
-    return (struct graph_box){x - way * (plot->width - width - 2 * inset), side ? y + gap : y - gap - height, width, height};
+    double y = plot->y + (1 - reference(cell, ruler, side, height / plot->height, &inside)) * plot->height;
+    return (struct graph_box){plot->x + plot->width - inset - width - way * (plot->width - width - 2 * inset),
+                              inside ? y - 0.5 * height
+                              : side ? y + gap
+                                     : y - gap - height,
+                              width, height};
 }
 
 /* Boxes of text have room above and below the letters, so only part of the clear distance is kept there. */
@@ -145,7 +162,8 @@ bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, st
     for (size_t r = 0; r < cell->panel->ruler_count; r++) {
         struct graph_word *word = &cell->words[r];
         const struct bead_ruler *ruler = &cell->panel->rulers[r];
-        double place = graph_ruler_place(cell, ruler, ruler->value);
+        const bool band = isnan(ruler->value); /* which legends have no sign for */
+        double place = graph_ruler_place(cell, ruler, band ? 0.5 * (ruler->low + ruler->high) : ruler->value);
         if (!word->markup || !(place >= 0 && place <= 1)) {
             word->state = GRAPH_WORD_NONE;
             continue;
@@ -153,8 +171,8 @@ bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, st
         if (word->state == GRAPH_WORD_IN_LEGEND)
             continue;
         bool placed = place_word(word, cell, look, ruler, mask);
-        word->state = placed ? GRAPH_WORD_PLACED : GRAPH_WORD_IN_LEGEND;
-        moved = moved || !placed;
+        word->state = placed ? GRAPH_WORD_PLACED : band ? GRAPH_WORD_NONE : GRAPH_WORD_IN_LEGEND;
+        moved = moved || word->state == GRAPH_WORD_IN_LEGEND;
         if (placed)
             graph_mask_cover(mask, with_air(word->box, graph_air(look)));
     }

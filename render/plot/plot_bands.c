@@ -63,7 +63,7 @@ static enum bead_error shade_gaps(struct plot_panel *part, struct bead_panel *pa
     for (size_t i = 0; i < medium->cell.count; i++) {
         double ends[2];
         if (bead_gap(medium, i, ends))
-            part->rulers[panel->ruler_count++] = (struct bead_ruler){.value = NAN, .low = ends[0], .high = ends[1]};
+            part->rulers[panel->ruler_count++] = (struct bead_ruler){false, NAN, ends[0], ends[1], "gap"};
     }
     panel->rulers = part->rulers;
     return BEAD_OK;

@@ -82,8 +82,9 @@ static void add_theory(struct bead_plot_data *data, struct plot_panel *part, siz
         x[i] = places[0] + n * (places[1] - places[0]);
         x[POINTS + i] = bead_compacton_at(&wave, n);
     }
-    char *label = part->labels[series];
-    snprintf(label, sizeof *part->labels, "long waves, %.0f\u00a0beads/s", wave.speed);
+    char *label = part->labels[series], speed[48];
+    bead_number(wave.speed, 0, speed, sizeof speed);
+    snprintf(label, sizeof *part->labels, "long waves, %s\u00a0beads/s", speed);
     part->series[series] = (struct bead_series){
         .x = x, .y = x + POINTS, .count = POINTS, .mark = BEAD_MARK_LINE, .colour = 5, .label = m == 0 ? label : NULL};
     part->series[series].dash = BEAD_DASH_DOTTED;

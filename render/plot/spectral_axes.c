@@ -3,9 +3,10 @@
 #include <math.h>
 
 #include "render/plot/plot_private.h"
+#include "sim/measure/transform.h"
 
 /* Automatic axes leave out what is less than this part of the largest, and go this far beyond the highest band. */
-static const double least = 1e-3, least_log = 1e-6, beyond = 1.15;
+static const double least_log = 1e-6, beyond = 1.15;
 
 double plot_spectral_largest(const struct bead_spectral *spectral)
 {
@@ -18,7 +19,7 @@ double plot_spectral_largest(const struct bead_spectral *spectral)
 double plot_spectral_reach(const struct bead_output *output, const struct bead_spectral *spectral, const struct bead_medium *medium,
                            double largest)
 {
-    const double some = output->curves.show == BEAD_SHOW_TRANSFER ? 0 : least * largest;
+    const double some = output->curves.show == BEAD_SHOW_TRANSFER ? 0 : BEAD_TRANSFORM_LEAST * largest;
     double high = 0, ends[2];
     if (medium) {
         bead_band(medium, medium->cell.count - 1, ends);

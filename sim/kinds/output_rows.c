@@ -186,7 +186,7 @@ const struct bead_option bead_curves_rows[9] = {
      .high = 1e12, .open = BEAD_OPEN_LOW, .word = "auto", .word_value = NAN,
      .help = "the length of what spectra transform at once: lines are as wide as one or two over it. Half-overlapping segments are "
              "averaged by their squares (Welch); a spectrogram has a column for each, every eighth of its length. auto: all of "
-             "`time`; of a spectrogram a twentieth",
+             "`time`; of a spectrogram 2 sqrt(time / frequencies that are shown), which tells as many times as frequencies apart",
      .example = "0.2 ms"},
     {"frequencies", BEAD_OPTION_PAIR, BEAD_OF_OUTPUT(curves.frequencies), .unit = "Hz", .initial = "auto", .low = 0, .high = 1e12,
      .word = "auto", .word_value = NAN,

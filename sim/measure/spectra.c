@@ -8,15 +8,17 @@
 #include "sim/base/elementary.h"
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
-#include "sim/equation/fourier.h"
 #include "sim/measure/places.h"
 #include "sim/measure/sink_grid.h"
+#include "sim/measure/transform.h"
 
 static const double pi = 3.14159265358979323846;
 /* Samples of each period of the highest band. */
 static const double fine = 2.5;
-/* Parts of a run that a spectrogram has, and steps from segment to segment in units of their length. */
-enum { PARTS = 20, STEPS = 8, MOST_VALUES = 1 << 26, FEWEST = 16 };
+/* Steps from segment to segment of a spectrogram in units of their length. */
+enum { STEPS = 8, MOST_VALUES = 1 << 26, FEWEST = 16 };
+/* Half of the power of Hann's window is left within this part of its length, and half of that of a line within so many steps. */
+static const double half_time = 0.364, half_line = 1.44;
 /* There is no transfer where the drive has a smaller part of its largest amplitude. */
 static const double driven = 1e-3;
 
@@ -36,21 +38,6 @@ struct bead_spectra {
     struct curves *chains;
     char why[128];
 };
-
-/* The largest 2^a 3^b 5^c up to n: other lengths would take their largest prime factor times as long. */
-static size_t smooth(size_t n)
-{
-    for (size_t rest = 0; n > 1; n--) {
-        rest = n;
-        for (size_t p = 2; p <= 5; p++) {
-            while (rest % p == 0)
-                rest /= p;
-        }
-        if (rest == 1)
-            break;
-    }
-    return n;
-}
 
 void bead_spectra_destroy(struct bead_spectra *s)
 {
@@ -81,7 +68,7 @@ static enum bead_error place_cells(struct bead_spectra *s, size_t c, struct bead
         count = curves->media[0].last - first + !contacts;
         curves->cell = curves->media[0].cell.count;
     }
-    curves->count = smooth(count / curves->cell) * curves->cell;
+    curves->count = bead_transform_length(count / curves->cell) * curves->cell;
     BEAD_TRY(bead_new(&curves->places, curves->count, msg, "a dispersion"));
     for (size_t i = 0; i < curves->count; i++)
         curves->places[i] = (struct bead_place_shown){.index = first + i, .field = s->output->shown.field};
@@ -203,65 +190,11 @@ enum bead_error bead_spectra_feed(struct bead_spectra *s, const struct bead_samp
 
 /* ---- transforms ---- */
 
-/* Windows for the segments of a curve, and for the beads of a cell in space. */
-struct transform {
-    struct bead_fourier *fourier;
-    size_t points, bins;
-    double *window, *grid, sum; /* sum: of the window */
-    struct bead_complex *found; /* [bins] */
-};
-
-static void transform_free(struct transform *t)
-{
-    bead_fourier_destroy(t->fourier);
-    free(t->window);
-    free(t->grid);
-    free(t->found);
-}
-
-static enum bead_error transform_make(struct transform *t, size_t points, enum bead_taper window, struct bead_message *msg)
-{
-    *t = (struct transform){.points = points, .bins = points / 2 + 1};
-    BEAD_TRY(bead_fourier_create(points, NULL, &t->fourier, msg));
-    BEAD_TRY(bead_new(&t->window, points, msg, "a spectrum"));
-    BEAD_TRY(bead_new(&t->grid, points, msg, "a spectrum"));
-    BEAD_TRY(bead_new(&t->found, t->bins, msg, "a spectrum"));
-    for (size_t j = 0; j < points; j++) {
-        const double s = bead_sin(pi * ((double)j + 0.5) / (double)points);
-        t->window[j] = window == BEAD_WINDOW_HANN ? s * s : 1;
-        t->sum += t->window[j];
-    }
-    return BEAD_OK;
-}
-
-/* Without its mean, as the window weighs it. */
-static void transform_segment(struct transform *t, const double *values)
-{
-    double mean = 0;
-    for (size_t j = 0; j < t->points; j++)
-        mean += t->window[j] * values[j];
-    mean /= t->sum;
-    for (size_t j = 0; j < t->points; j++)
-        t->grid[j] = t->window[j] * (values[j] - mean);
-    bead_fourier_forward(t->fourier, t->grid, t->found);
-}
-
-static double square(struct bead_complex z)
-{
-    return z.re * z.re + z.im * z.im;
-}
-
-/* A bin, and whether another has the same part of the signal: all but 0 and Nyquist's. */
-static double twice(const struct transform *t, size_t bin)
-{
-    return bin == 0 || 2 * bin == t->points ? 1 : 2;
-}
-
 /* The data of one chain to be transformed. */
 struct work {
     const struct bead_spectra *s;
     const struct curves *curves;
-    struct transform time;
+    struct bead_transform time;
     size_t segments, hop, rows;
     struct bead_spectral *found;
 };
@@ -276,15 +209,15 @@ static void to_amplitudes(const struct work *w, size_t column, size_t count, dou
 {
     double *values = w->found->values + column * w->rows;
     for (size_t k = 0; k < w->rows; k++)
-        values[k] = scale * sqrt(2 * twice(&w->time, k) * values[k] / (double)count) / w->time.sum;
+        values[k] = scale * sqrt(2 * bead_transform_twice(&w->time, k) * values[k] / (double)count) / w->time.sum;
 }
 
 /* Squares of curve `place` in segment `segment`, added to a column. */
 static void add_squares(struct work *w, size_t place, size_t segment, size_t column)
 {
-    transform_segment(&w->time, segment_of(w, place, segment));
+    bead_transform_segment(&w->time, segment_of(w, place, segment));
     for (size_t k = 0; k < w->rows; k++)
-        w->found->values[column * w->rows + k] += square(w->time.found[k]);
+        w->found->values[column * w->rows + k] += bead_complex_square(w->time.found[k]);
 }
 
 static enum bead_error find_spectrum(struct work *w, struct bead_message *)
@@ -317,12 +250,12 @@ static enum bead_error find_transfer(struct work *w, struct bead_message *msg)
     BEAD_TRY(bead_new(&cross, rows * places, msg, "a transfer"));
     BEAD_TRY(bead_new(&power, rows, msg, "a transfer"));
     for (size_t i = 0; i < w->segments; i++) {
-        transform_segment(&w->time, segment_of(w, places, i));
+        bead_transform_segment(&w->time, segment_of(w, places, i));
         memcpy(drive, w->time.found, rows * sizeof *drive);
         for (size_t k = 0; k < rows; k++)
-            power[k] += square(drive[k]);
+            power[k] += bead_complex_square(drive[k]);
         for (size_t p = 0; p < places; p++) {
-            transform_segment(&w->time, segment_of(w, p, i));
+            bead_transform_segment(&w->time, segment_of(w, p, i));
             for (size_t k = 0; k < rows; k++) {
                 const struct bead_complex other = {drive[k].re, -drive[k].im}, z = bead_complex_times(other, w->time.found[k]);
                 cross[p * rows + k].re += z.re;
@@ -333,13 +266,14 @@ static enum bead_error find_transfer(struct work *w, struct bead_message *msg)
     for (size_t k = 0; k < rows; k++)
         most = fmax(most, power[k]);
     for (size_t i = 0; i < places * rows; i++)
-        w->found->values[i] = power[i % rows] > driven * driven * most ? sqrt(square(cross[i])) / power[i % rows] : NAN;
+        w->found->values[i] =
+            power[i % rows] > driven * driven * most ? sqrt(bead_complex_square(cross[i])) / power[i % rows] : NAN;
     return BEAD_OK;
 }
 
 /* Waves in both directions together, and the beads of a cell: of a wave A cos(k n - w t) of all of them the square is
  * A^2 times their number. */
-static void add_waves(struct work *w, struct transform *space, const struct bead_complex *bins)
+static void add_waves(struct work *w, struct bead_transform *space, const struct bead_complex *bins)
 {
     for (size_t k = 0; k < w->rows; k++) {
         for (int part = 0; part < 2; part++) {
@@ -347,18 +281,18 @@ static void add_waves(struct work *w, struct transform *space, const struct bead
                 space->grid[j] = space->window[j] * (part ? bins[j * w->rows + k].im : bins[j * w->rows + k].re);
             bead_fourier_forward(space->fourier, space->grid, space->found);
             for (size_t q = 0; q < space->bins; q++)
-                w->found->values[q * w->rows + k] += twice(space, q) * square(space->found[q]);
+                w->found->values[q * w->rows + k] += bead_transform_twice(space, q) * bead_complex_square(space->found[q]);
         }
     }
 }
 
-static enum bead_error add_cells(struct work *w, struct transform *space, struct bead_message *msg)
+static enum bead_error add_cells(struct work *w, struct bead_transform *space, struct bead_message *msg)
 {
     BEAD_FREED struct bead_complex *bins = NULL;
     BEAD_TRY(bead_new(&bins, space->points * w->rows, msg, "a dispersion"));
     for (size_t i = 0; i < w->segments * w->curves->cell; i++) {
         for (size_t j = 0; j < space->points; j++) {
-            transform_segment(&w->time, segment_of(w, j * w->curves->cell + i % w->curves->cell, i / w->curves->cell));
+            bead_transform_segment(&w->time, segment_of(w, j * w->curves->cell + i % w->curves->cell, i / w->curves->cell));
             memcpy(bins + j * w->rows, w->time.found, w->rows * sizeof *bins);
         }
         add_waves(w, space, bins);
@@ -370,12 +304,36 @@ static enum bead_error add_cells(struct work *w, struct transform *space, struct
 
 static enum bead_error find_dispersion(struct work *w, struct bead_message *msg)
 {
-    struct transform space;
-    enum bead_error err = transform_make(&space, w->curves->count / w->curves->cell, w->s->output->curves.window, msg);
+    struct bead_transform space;
+    enum bead_error err = bead_transform_make(&space, w->curves->count / w->curves->cell, w->s->output->curves.window, msg);
     if (!err)
         err = add_cells(w, &space, msg);
-    transform_free(&space);
+    bead_transform_free(&space);
     return err;
+}
+
+/* From 0 or what is asked for to the last frequency that is shown, Hz: tables have all. */
+static enum bead_error find_width(struct work *w, double *width, struct bead_message *msg)
+{
+    const double *asked = w->s->output->curves.frequencies, nyquist = 0.5 / w->s->grid.every;
+    double high = isnan(asked[1]) ? nyquist : fmin(asked[1], nyquist);
+    if (isnan(asked[1]) && w->s->output->kind != BEAD_OUTPUT_TABLE)
+        BEAD_TRY(bead_transform_reach(w->curves->values, w->curves->taken, w->s->grid.every, &high, msg));
+    *width = high - (asked[0] < high ? asked[0] : 0);
+    return BEAD_OK;
+}
+
+/* With segments of length L, of a time T and a width B of frequencies, half powers tell T/(0.364 L) times and B L/1.44 frequencies
+ * apart: as many of both if L = 2.0 sqrt(T/B). A line that runs over all of them in this time is then as narrow as it can be. */
+static enum bead_error balance(struct work *w, size_t *samples, struct bead_message *msg)
+{
+    const size_t taken = w->curves->taken, half = taken / 2;
+    double width = 0;
+    BEAD_TRY(find_width(w, &width, msg));
+    const double length = sqrt(half_line / half_time * (double)taken / (width * w->s->grid.every));
+    *samples = length < (double)half ? (size_t)length : half;
+    *samples = *samples < FEWEST ? FEWEST : *samples;
+    return BEAD_OK;
 }
 
 static enum bead_error choose_segments(struct work *w, size_t *points, struct bead_message *msg)
@@ -383,14 +341,15 @@ static enum bead_error choose_segments(struct work *w, size_t *points, struct be
     const struct bead_spectra *s = w->s;
     const double asked = s->output->curves.segment;
     const bool film = s->output->curves.show == BEAD_SHOW_SPECTROGRAM;
-    const size_t taken = w->curves->taken, wanted = isfinite(asked) ? (size_t)fmin(1e15, round(asked / s->grid.every))
-                                                    : film          ? taken / PARTS
-                                                                    : taken;
+    const size_t taken = w->curves->taken;
+    size_t wanted = isfinite(asked) ? (size_t)fmin(1e15, round(asked / s->grid.every)) : taken;
+    if (film && !isfinite(asked) && taken >= FEWEST)
+        BEAD_TRY(balance(w, &wanted, msg));
     if (wanted < FEWEST || wanted > taken)
         return bead_output_wrong(s->output, msg,
                                  "segment: has %zu of %zu samples, every %g; must have %d or more, and no more than there are",
                                  wanted, taken, s->grid.every, FEWEST);
-    *points = smooth(wanted);
+    *points = bead_transform_length(wanted);
     w->hop = film ? (*points + STEPS - 1) / STEPS : (*points + 1) / 2;
     w->segments = (taken - *points) / w->hop + 1;
     return BEAD_OK;
@@ -432,7 +391,7 @@ enum bead_error bead_spectra_of(const struct bead_spectra *s, size_t chain, stru
     if (show == BEAD_SHOW_SENSORS)
         return copy_curves(s, w.curves, found, msg);
     BEAD_TRY(choose_segments(&w, &points, msg));
-    enum bead_error err = transform_make(&w.time, points, s->output->curves.window, msg);
+    enum bead_error err = bead_transform_make(&w.time, points, s->output->curves.window, msg);
     w.rows = w.time.bins;
     *found = (struct bead_spectral){.columns = columns_of(&w),
                                     .rows = w.rows,
@@ -450,7 +409,7 @@ enum bead_error bead_spectra_of(const struct bead_spectra *s, size_t chain, stru
               : show == BEAD_SHOW_TRANSFER    ? find_transfer(&w, msg)
               : show == BEAD_SHOW_SPECTROGRAM ? find_spectrogram(&w, msg)
                                               : find_spectrum(&w, msg);
-    transform_free(&w.time);
+    bead_transform_free(&w.time);
     return err;
 }
 

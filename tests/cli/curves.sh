@@ -40,6 +40,7 @@ ok "a trimer's bands, and the modes of its chain" exits 0 "$beadsim" bands.yaml 
     --set 'outputs=[{table: trimer.csv, show: bands}, {table: modes.csv, show: eigenmodes}]'
 ok "... are counted" test "$(tail -n +2 trimer.csv | cut -d, -f1-4 | tr '\n' ' ')" = "1,21,band,1 1,21,gap,1 1,21,band,2 1,21,gap,2 1,21,band,3 "
 ok "... in order, without a hole" eval 'tail -n +2 trimer.csv | awk -F, "NR > 1 {bad += \$5 != end} {bad += !(\$6 > \$5); end = \$6} END {exit !(NR == 5 && bad == 0)}"'
+ok "... with the word gap for each in a plot" eval '"$beadreel" bands.yaml -q -o . --set "chain.beads=[{cell: [large-steel, aluminium, ptfe], count: 7}]" --only bands.svg && test "$(grep -o ">gap<" bands.svg | wc -l)" = 2'
 ok "... modes, too" eval 'tail -n +2 modes.csv | awk -F, "{bad += \$1 != NR || \$2 < last; last = \$2} END {exit !(NR == 22 && bad == 0)}"'
 
 # Legends of spreading have the exponents and errors of the table.

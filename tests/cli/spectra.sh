@@ -156,6 +156,18 @@ ok "a chirp" exits 0 "$beadsim" chirp.yaml -o .
 ok "a chirp's line climbs with it" follows
 ok "... with the amplitude of the sine" near "$(awk -F, 'NR > 1 && $3 > most {most = $3} END {print most}' chirp.csv)" 1e-9 0.15
 
+# Where the frequencies are those of the chirp, from 1 to 21 kHz in 20 ms, its line is narrowest with the length that is chosen,
+# 2 sqrt(20 ms / 20 kHz): the spread of the power about the line, mean over times.
+spread() { # SETTING...
+    "$beadsim" chirp.yaml -o wide --set 'outputs.0.frequencies=[1 kHz, 21 kHz]' "$@" >wide.log 2>&1 && awk -F, 'NR > 1 {
+            f = 1000 + 1e6 * $1; if (f > 5000 && f < 17000) {p += $3 * $3; s += $3 * $3 * ($2 - f) * ($2 - f)}} END {printf "%.0f", sqrt(s / p)}' wide/chirp.csv
+}
+narrowest() { echo "$1 with $2 and $3"; test "$1" -gt 0 && test "$1" -lt "$2" && test "$1" -lt "$3"; }
+ok "a spectrogram chooses the segments that make a chirp's line narrow" narrowest "$(spread)" "$(spread --set 'outputs.0.segment=1.2 ms')" \
+    "$(spread --set 'outputs.0.segment=3.2 ms')"
+step() { spread >/dev/null && awk -F, 'NR > 2 && $2 > f {print $2 - f; exit} {f = $2}' wide/chirp.csv; }
+ok "... of 2 ms, of samples whose number has small factors" near "$(step)" 500 0.05
+
 ok "a segment must fit" fails "1 2" "$beadsim" gap.yaml -o . --set 'outputs.0.segment=1 s'
 ok "... and be said" says "segment: has 50000 of 2001 samples"
 ok "spectrograms have one curve" fails "1 2" "$beadsim" --plan chirp.yaml --set outputs.0.beads='[0, 1]'

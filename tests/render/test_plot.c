@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plots of sensors: what forces are divided by, one axis for all chains, ranges, horizons. */
+/* Plots of sensors: what forces are divided by, one axis for all chains, ranges, horizons; words in bands. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -176,13 +176,55 @@ static void test_differences_are_below(void **state)
     release(&run);
 }
 
+/* The word of a band stands in it; beside one that is thinner than letters; nowhere where curves leave no room. */
+static void test_words_stand_in_bands(void **state)
+{
+    (void)state;
+    enum { POINTS = 400 };
+    static double x[POINTS], line[POINTS], dense[POINTS];
+    for (int i = 0; i < POINTS; i++) {
+        x[i] = i / (POINTS - 1.);
+        line[i] = 100 * x[i];
+        dense[i] = 100 * (i % 2);
+    }
+    static const struct bead_ruler rulers[] = {
+        {false, NAN, 60, 90, "wide"}, {false, NAN, 20, 20.5, "thin"}, {true, NAN, 0.6, 0.9, "along"}};
+    for (int full = 0; full < 2; full++) {
+        const struct bead_series series = {.x = x, .y = full ? dense : line, .count = POINTS, .mark = BEAD_MARK_LINE};
+        const struct bead_panel panel = {.x = {"x", "", 0, 1, BEAD_SCALE_LINEAR, false},
+                                         .y = {"y", "", 0, 100, BEAD_SCALE_LINEAR, false},
+                                         .series = &series,
+                                         .series_count = 1,
+                                         .rulers = rulers,
+                                         .ruler_count = 3};
+        const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+        struct bead_look look;
+        struct graph_layout layout;
+        struct bead_message msg = {""};
+        bead_look_screen(&look, 800, 600, false);
+        assert_int_equal(graph_layout_make(&graph, &look, 800, 600, NULL, &layout, &msg), BEAD_OK);
+        const struct graph_cell *cell = &layout.cells[0];
+        const struct bead_rect plot = cell->plot;
+        for (int r = 0; r < 3; r++)
+            assert_int_equal(cell->words[r].state, full ? GRAPH_WORD_NONE : GRAPH_WORD_PLACED);
+        const struct graph_box wide = cell->words[0].box, thin = cell->words[1].box, along = cell->words[2].box;
+        if (!full) {
+            assert_true(wide.y > plot.y + 0.1 * plot.height && wide.y + wide.height < plot.y + 0.4 * plot.height);
+            const double above = plot.y + 0.795 * plot.height - (thin.y + thin.height),
+                         below = thin.y - (plot.y + 0.8 * plot.height);
+            assert_true(fmax(above, below) > 0 && fmax(above, below) < 2 * graph_air(&look));
+            assert_true(along.x > plot.x + 0.6 * plot.width && along.x + along.width < plot.x + 0.9 * plot.width);
+        }
+        graph_layout_free(&layout);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forces_are_divided_as_asked),
-        cmocka_unit_test(test_chains_share_one_axis),
-        cmocka_unit_test(test_horizons_are_marked),
-        cmocka_unit_test(test_differences_are_below),
+        cmocka_unit_test(test_forces_are_divided_as_asked), cmocka_unit_test(test_chains_share_one_axis),
+        cmocka_unit_test(test_horizons_are_marked),         cmocka_unit_test(test_differences_are_below),
+        cmocka_unit_test(test_words_stand_in_bands),
     };
     return cmocka_run_group_tests_name("plots", tests, NULL, NULL);
 }
