@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "beadreel/view.h"
 #include "render/draw/markup.h"
 
 static void test_markup(void **state)
@@ -72,11 +73,170 @@ static void arguments_are_whole(void **state)
     }
 }
 
+#define DOWN   "<span baseline_shift=\"subscript\" size=\"72%\">"
+#define UP     "<span baseline_shift=\"superscript\" size=\"72%\">"
+#define END    "</span>"
+#define SYMBOL "<span face=\"STIX\"><i>"
+#define BACK   "</i></span>"
+#define MATH   "<span face=\"STIX\">"
+
+/* Each mark at the beginning, at the end, beside spaces, open, quoted, within others: as it is written. */
+static void marks_become_spans(void **)
+{
+    static const char *const cases[][2] = {{"", ""},
+                                           {"F_0x", "F" DOWN "0" END "x"},
+                                           {"_a^b", DOWN "a" END UP "b" END},
+                                           {"a_ b^ c", "a_ b^ c"},
+                                           {"a_", "a_"},
+                                           {"^", "^"},
+                                           {"x_{ab}c", "x" DOWN "ab" END "c"},
+                                           {"x_{a{b}c}d", "x" DOWN "a{b}c" END "d"},
+                                           {"x_{a\\}b}c", "x" DOWN "a}b" END "c"},
+                                           {"x_{ab", "x" DOWN "{" END "ab"},
+                                           {"x_{}y", "x" DOWN END "y"},
+                                           {"x^\\_y", "x" UP "_" END "y"},
+                                           {"x_*ab*c", "x" DOWN SYMBOL "ab" BACK END "c"},
+                                           {"x_*ab c", "x" DOWN "*" END "ab c"},
+                                           {"x_{*i*^2}", "x" DOWN SYMBOL "i" BACK UP "2" END END},
+                                           {"x_αβ", "x" DOWN "α" END "β"},
+                                           {"x_\\αβ", "x" DOWN "α" END "β"},
+                                           {"*a*b*c*", SYMBOL "a" BACK "b" SYMBOL "c" BACK},
+                                           {"*a b*", SYMBOL "a b" BACK},
+                                           {"* a*", "* a*"},
+                                           {"*a *b", "*a *b"},
+                                           {"*a *b*", SYMBOL "a *b" BACK},
+                                           {"**", "**"},
+                                           {"***", SYMBOL "*" BACK},
+                                           {"*a\\*b*", SYMBOL "a*b" BACK},
+                                           {"*x_i*", SYMBOL "x" DOWN "i" END BACK},
+                                           {"a\\*b\\", "a*b\\"},
+                                           {"\\\\", "\\"},
+                                           {"a = b", "a\u00a0=\u00a0b"},
+                                           {"a=b", "a=b"},
+                                           {"a =b= c", "a\u00a0=b=\u00a0c"},
+                                           {"a <& >b", "a &lt;&amp; &gt;b"},
+                                           {"{a}", "{a}"},
+                                           {"$x$", MATH "<i>x</i>" END},
+                                           {"$ab1$c", MATH "<i>ab</i>1" END "c"},
+                                           {"$ x$", "$ x$"},
+                                           {"$x $y", "$x $y"},
+                                           {"$x $y$", MATH "<i>x</i> $<i>y</i>" END},
+                                           {"$$", "$$"},
+                                           {"$a\\$b$", MATH "<i>a</i>$<i>b</i>" END},
+                                           {"$x_1y^{2n}$", MATH "<i>x</i>" DOWN "1" END "<i>y</i>" UP "2<i>n</i>" END END},
+                                           {"$x_$", MATH "<i>x</i>_" END},
+                                           {"${a}}b$", MATH "<i>a</i><i>b</i>" END},
+                                           {"$\\delta x$", MATH "<i>δ</i><i>x</i>" END},
+                                           {"$\\delta$", MATH "<i>δ</i>" END},
+                                           {"$\\delta  x$", MATH "<i>δ</i> <i>x</i>" END},
+                                           {"$a \\times b$", MATH "<i>a</i> × <i>b</i>" END},
+                                           {"$a\\,b$", MATH "<i>a</i>\u2009<i>b</i>" END},
+                                           {"$\\unknown1$", MATH "unknown1" END},
+                                           {"$\\del\\deltas$", MATH "deldeltas" END},
+                                           {"$\\{a\\}$", MATH "{<i>a</i>}" END},
+                                           {"$x_\\mu y$", MATH "<i>x</i>" DOWN "<i>μ</i>" END " <i>y</i>" END},
+                                           {"$x_{a_b}c$", MATH "<i>x</i>" DOWN "<i>a</i>" DOWN "<i>b</i>" END END "<i>c</i>" END},
+                                           {"$\\frac{a}{b}c$", MATH UP "<i>a</i>" END "\u2044" DOWN "<i>b</i>" END "<i>c</i>" END},
+                                           {"$\\frac ab$", MATH UP " " END "\u2044" DOWN "<i>a</i>" END "<i>b</i>" END},
+                                           {"$\\frac$", MATH UP END "\u2044" DOWN END END},
+                                           {"$\\fraction$", MATH "fraction" END},
+                                           {"$F = 1$", MATH "<i>F</i>\u00a0=\u00a01" END}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char out[1024], plain[64];
+        const size_t needed = strlen(cases[i][1]) + 1;
+        assert_true(needed <= bead_markup_size(cases[i][0]));
+        bead_markup(cases[i][0], out, bead_markup_size(cases[i][0]));
+        if (strcmp(out, cases[i][1]) != 0)
+            fail_msg("'%s' becomes '%s', not '%s'", cases[i][0], out, cases[i][1]);
+        bead_text_escape(cases[i][0], plain, sizeof plain);
+        for (size_t size = 0; size <= needed; size++) { /* all of it, or the text as it stands, as far as there is room */
+            memset(out, '#', sizeof out);
+            bead_markup(cases[i][0], out, size);
+            assert_true(out[size] == '#' && (size == 0 || strlen(out) < size));
+            if (size == needed)
+                assert_string_equal(out, cases[i][1]);
+            else if (size > 0)
+                assert_true(strncmp(out, plain, strlen(out)) == 0 && (size <= strlen(plain) || strcmp(out, plain) == 0));
+        }
+    }
+}
+
+/* Single letters, with subscript characters after them; the letters of words, units, numbers and what is marked already are none.
+ */
+static void symbols_are_single_letters(void **)
+{
+    static const char *const cases[][2] = {{"x", "*x*"},
+                                           {"xy", "xy"},
+                                           {"a x", "a *x*"},
+                                           {"x a", "*x* *a*"},
+                                           {"a", "*a*"},
+                                           {"2x", "2x"},
+                                           {"9z 0A", "9z 0A"},
+                                           {"x2", "*x*2"},
+                                           {"*x*", "*x*"},
+                                           {"_x^y{z\\q", "_x^y{z\\q"},
+                                           {"(x)", "(*x*)"},
+                                           {"é x", "é *x*"},
+                                           {"éx xé", "éx xé"},
+                                           {"A\u2080", "*A*_{0}"},
+                                           {"A\u2089Z", "*A*_{9}*Z*"},
+                                           {"u\u2090\u2081\u2093", "*u*_{*a*1*x*}"},
+                                           {"u\u208a\u208b\u208c\u208d\u208e", "*u*_{+-=()}"},
+                                           {"u\u209c", "*u*_{*t*}"},
+                                           {"u\u209d", "*u*\u209d"},
+                                           {"5 \u00b0C", "5 \u00b0C"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char out[128];
+        bead_markup_symbols(cases[i][0], out, sizeof out);
+        if (strcmp(out, cases[i][1]) != 0)
+            fail_msg("'%s' becomes '%s', not '%s'", cases[i][0], out, cases[i][1]);
+        for (size_t size = 0; size <= strlen(cases[i][1]) + 1; size++) {
+            memset(out, '#', sizeof out);
+            bead_markup_symbols(cases[i][0], out, size);
+            assert_true(out[size] == '#' && (size == 0 || (strlen(out) < size && strncmp(out, cases[i][1], strlen(out)) == 0)));
+        }
+    }
+}
+
+/* Quoted, escaped and plain texts are cut between characters, and end within their room. */
+static void texts_are_cut_between_characters(void **)
+{
+    static const char *const quoted[][2] = {{"a_b", "a\\_b"}, {"^*\\{}$", "\\^\\*\\\\\\{\\}\\$"}, {"αβ", "αβ"}, {"", ""}};
+    static const char *const escaped[][2] = {
+        {"a<b>&c", "a&lt;b&gt;&amp;c"}, {"tab\there", "tab here"}, {"\xffx\xc3", "?x?"}, {"αβ", "αβ"}};
+    static const char *const plain[][2] = {{"*x* = 1", "x = 1"}, {"$\\delta_0$ & <b>", "δ0 & <b>"}, {"αβγ", "αβγ"}};
+    char out[64];
+    for (int kind = 0; kind < 3; kind++) {
+        const size_t count = kind == 2 ? 3 : 4;
+        void (*const write)(const char *, char *, size_t) = kind == 0   ? bead_markup_quote
+                                                            : kind == 1 ? bead_text_escape
+                                                                        : bead_markup_plain;
+        for (size_t i = 0; i < count; i++) {
+            const char *const *row = kind == 0 ? quoted[i] : kind == 1 ? escaped[i] : plain[i];
+            size_t last = 0;
+            for (size_t size = 0; size <= strlen(row[1]) + 1; size++) {
+                memset(out, '#', sizeof out);
+                write(row[0], out, size);
+                assert_true(out[size] == '#');
+                if (size == 0)
+                    continue;
+                assert_true(strlen(out) < size && strlen(out) >= last && strncmp(out, row[1], strlen(out)) == 0);
+                assert_true(((unsigned char)row[1][strlen(out)] & 0xC0) != 0x80 && size - strlen(out) <= 6);
+                last = strlen(out);
+            }
+            assert_string_equal(out, row[1]);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_markup),
         cmocka_unit_test(arguments_are_whole),
+        cmocka_unit_test(marks_become_spans),
+        cmocka_unit_test(symbols_are_single_letters),
+        cmocka_unit_test(texts_are_cut_between_characters),
     };
     return cmocka_run_group_tests_name("markup", tests, NULL, NULL);
 }
