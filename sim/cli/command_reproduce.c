@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --reproduce: makes a file again from the scene that it was made of, and compares. */
 #include <dirent.h>
+#include <errno.h>
 #include <ftw.h>
 #include <limits.h>
 #include <stdlib.h>
@@ -11,12 +12,17 @@
 #include "beadreel/api.h"
 #include "sim/base/clock.h"
 #include "sim/base/file.h"
-#include "sim/base/memory.h"
+#include "sim/base/stop.h"
 #include "sim/base/suggest.h"
 #include "sim/cli/command_line.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/session/session_data.h"
 #include "sim/yaml/yaml.h"
+
+static enum bead_error stopped(const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    return bead_fail(msg, BEAD_ERROR_STOPPED, "stopped by signal %d (%s)", (int)*stop, strsignal(*stop));
+}
 
 static const char *base_name(const char *path)
 {
@@ -103,7 +109,8 @@ static bool names_input(const struct command *command, const char *path, struct 
 
 /* Tables have no room for a scene: one of the directory that names this file, rather as another file of results has
  * it, which is as it was run, than as its own file has it now. */
-static enum bead_error find_beside(const struct command *command, struct command_origin *origin, struct bead_message *msg)
+static enum bead_error find_beside(const struct command *command, struct command_origin *origin, const volatile sig_atomic_t *stop,
+                                   struct bead_message *msg)
 {
     const char *path = command->job.input, *base = base_name(path);
     char directory[PATH_MAX];
@@ -111,7 +118,7 @@ static enum bead_error find_beside(const struct command *command, struct command
     struct dirent **entries = NULL;
     const int count = scandir(directory, &entries, NULL, alphasort);
     bool found = false;
-    for (int i = 0; i < 2 * count && !found; i++) {
+    for (int i = 0; i < 2 * count && !found && !bead_stop_is_asked(stop); i++) {
         const struct dirent *entry = entries[i % count];
         char beside[PATH_MAX];
         const int length = snprintf(beside, sizeof beside, "%s%s", directory, entry->d_name);
@@ -121,6 +128,8 @@ static enum bead_error find_beside(const struct command *command, struct command
     for (int i = 0; i < count; i++)
         free(entries[i]);
     free(entries);
+    if (!found && bead_stop_is_asked(stop))
+        return stopped(stop, msg);
     return found
                ? BEAD_OK
                : bead_fail(msg, BEAD_ERROR_FORMAT, "%s: no scene is stored in it, nor one that names it in a file beside it", path);
@@ -131,34 +140,65 @@ static int remove_one(const char *path, const struct stat *, int, struct FTW *)
     return remove(path);
 }
 
-static size_t line_of(const char *bytes, size_t at)
+struct likeness {
+    bool same;
+    uint64_t bytes, line; /* up to the first difference */
+};
+
+static FILE *open_one(const char *path, struct bead_message *msg)
 {
-    size_t line = 1;
-    for (size_t i = 0; i < at; i++)
-        line += bytes[i] == '\n';
-    return line;
+    const int descriptor = bead_file_look(path);
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
+    if (!file)
+        (void)bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, bead_file_reason(errno));
+    return file;
 }
 
-/* Says whether `made` has the bytes of the file, or where they differ. Errors: NUMBERS: they differ. */
-static enum bead_error compare(const struct command *command, const struct command_origin *origin, const char *made,
-                               struct bead_message *msg)
+/* Side by side, as trajectories may be longer than memory. Errors: IO, STOPPED. */
+static enum bead_error compare_bytes(const char *const paths[2], const volatile sig_atomic_t *stop, struct likeness *found,
+                                     struct bead_message *msg)
 {
-    BEAD_FREED char *old = NULL, *new = NULL;
-    size_t old_length = 0, new_length = 0, same = 0;
+    enum { BLOCK = 1 << 14 };
+    char blocks[2][BLOCK];
+    size_t got[2] = {1, 1};
+    FILE *files[2] = {open_one(paths[0], msg), NULL};
+    files[1] = files[0] ? open_one(paths[1], msg) : NULL;
+    *found = (struct likeness){.same = true, .line = 1};
+    while (files[1] && found->same && got[0] > 0 && !bead_stop_is_asked(stop)) {
+        size_t same = 0;
+        for (int i = 0; i < 2; i++)
+            got[i] = fread(blocks[i], 1, BLOCK, files[i]);
+        for (; same < got[0] && same < got[1] && blocks[0][same] == blocks[1][same]; same++)
+            found->line += blocks[0][same] == '\n';
+        found->bytes += same;
+        found->same = same == got[0] && same == got[1];
+    }
+    enum bead_error err = files[1] ? BEAD_OK : BEAD_ERROR_IO;
+    for (int i = 0; i < 2 && !err; i++)
+        err = ferror(files[i]) ? bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read", paths[i]) : BEAD_OK;
+    for (int i = 0; i < 2; i++)
+        if (files[i])
+            fclose(files[i]);
+    return !err && bead_stop_is_asked(stop) ? stopped(stop, msg) : err;
+}
+
+/* Says whether `made` has the bytes of the file, or where they differ. Errors: IO, STOPPED, NUMBERS: they differ. */
+static enum bead_error compare(const struct command *command, const struct command_origin *origin, const char *made,
+                               const volatile sig_atomic_t *stop, struct bead_message *msg)
+{
+    const unsigned long long length = bead_file_bytes(command->job.input);
+    struct likeness found;
     char where[96], version[96] = "";
-    BEAD_TRY(bead_file_read(command->job.input, (size_t)1 << 40, &old, &old_length, msg));
-    BEAD_TRY(bead_file_read(made, (size_t)1 << 40, &new, &new_length, msg));
-    while (same < old_length && same < new_length && old[same] == new[same])
-        same++;
-    if (same == old_length && same == new_length) {
-        command_print(stdout, "%s: same bits: %zu bytes, by the scene %s%s\n", command->job.input, old_length,
+    BEAD_TRY(compare_bytes((const char *const[]){command->job.input, made}, stop, &found, msg));
+    if (found.same) {
+        command_print(stdout, "%s: same bits: %llu bytes, by the scene %s%s\n", command->job.input, length,
                       *origin->beside ? "of " : "in it", origin->beside);
         return BEAD_OK;
     }
     if (strcasecmp(ending(made), ".csv") == 0)
-        snprintf(where, sizeof where, "line %zu", line_of(old, same));
+        snprintf(where, sizeof where, "line %llu", (unsigned long long)found.line);
     else
-        snprintf(where, sizeof where, "byte %zu of %zu", same, old_length);
+        snprintf(where, sizeof where, "byte %llu of %llu", (unsigned long long)found.bytes, length);
     if (*origin->version && strcmp(origin->version, BEADREEL_VERSION) != 0)
         snprintf(version, sizeof version, "; beadreel %s made it, this is " BEADREEL_VERSION, origin->version);
     return bead_fail(msg, BEAD_ERROR_NUMBERS, "%s: other bits from %s on%s%s", command->job.input, where, version,
@@ -213,7 +253,7 @@ static enum bead_error make_again(const struct command *command, const struct co
         err = bead_fail(msg, BEAD_ERROR_USAGE, "%s: %s does not make it", attempt->file ? attempt->file : attempt->output,
                         command->program->name);
     if (!err && attempt->compared)
-        err = compare(command, origin, made, msg);
+        err = compare(command, origin, made, stop, msg);
     command_guard(NULL);
     bead_session_close(session);
     return err;
@@ -312,7 +352,7 @@ enum bead_error command_reproduce(const struct command *command, const volatile 
     char names[512];
     enum bead_error err = command_find_origin(command, command->job.input, &origin, msg);
     if (!err && !origin.scene)
-        err = find_beside(command, &origin, msg);
+        err = find_beside(command, &origin, stop, msg);
     if (!err)
         err = parse(command, &origin, &scene, msg);
     struct making made = {.output = NULL};

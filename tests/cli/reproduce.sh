@@ -150,4 +150,13 @@ ok "what is no file" fails 1 "$beadreel" --reproduce nothing.png
 
 "$beadreel" sweep -o sweep -q --set sweep.cells=8 --set sweep.configurations=2 >/dev/null
 for f in sweep.h5 force.csv sheet.pdf; do ok "a sweep's $f has the same bits" exits 0 "$beadreel" --reproduce "sweep/$f"; done
+# ---- a search that takes long ----
+mkdir films && echo 'contact,peak_force_N' >films/of_none.csv
+for i in $(seq 300); do truncate -s 100M "films/$i.mp4"; done # holes: 30 GB to read, none on the disk
+ends() {
+    timeout --preserve-status -k 20 -s TERM 1 "$beadreel" --reproduce films/of_none.csv >out 2>err </dev/null
+    [ $? -eq 143 ] && says "stopped by signal 15"
+}
+ok "a search in other files ends with SIGTERM" ends
+rm -r films
 finish
