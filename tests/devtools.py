@@ -32,12 +32,13 @@ class Browser:
         os.close(to_browser)
         os.close(from_browser)
         self.number, self.rest, self.session = 0, b"", None
-        self.errors, self.requests, self.loaded = [], [], False
+        self.errors, self.requests, self.loaded = [], [], None  # the last document that was loaded
         target = self.call("Target.getTargets")["targetInfos"]
         page = next(t for t in target if t["type"] == "page")
         self.session = self.call("Target.attachToTarget", targetId=page["targetId"], flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(domain + ".enable")
+        self.call("Page.setLifecycleEventsEnabled", enabled=True)
         self.resize(width, height)
 
     def close(self):
@@ -85,16 +86,16 @@ class Browser:
             self.errors.append(params["entry"]["text"])
         elif method == "Network.requestWillBeSent" and not params["request"]["url"].startswith("data:"):
             self.requests.append(params["request"]["url"])
-        elif method == "Page.loadEventFired":
-            self.loaded = True
+        elif method == "Page.lifecycleEvent" and params["name"] == "load":
+            self.loaded = params["loaderId"]
 
     # ---- what a reader does ----
 
     def open(self, url):
-        self.loaded = False
-        self.call("Page.navigate", url=url)
+        """Once this document is loaded, not the one before; one that is there already is not loaded again."""
+        document = self.call("Page.navigate", url=url).get("loaderId", self.loaded)
         deadline = time.monotonic() + 60
-        while not self.loaded:
+        while self.loaded != document:
             self.note(self.receive(deadline))
 
     def run(self, script):

@@ -9,11 +9,11 @@ within() { awk -v a="$1" -v b="$2" -v e="$3" 'BEGIN {d = a - b; if (d < 0) d = -
 # cell FILE FIELD PATTERN : a field of the line of a table that begins so
 cell() { awk -F, -v f="$2" -v p="$3" 'index($0, p) == 1 {print $f; exit}' "$1"; }
 measure() { cell "$1" 2 "$2,"; }
+more=() # options of what is made
 makes() {
     local scene=$1
-    shift
-    exits 0 "$beadreel" "thesis/$scene" -o figures || return 1
-    for f in "$@"; do
+    exits 0 "$beadreel" "thesis/$scene" -o figures "${more[@]}" || return 1
+    for f in "${@:2}"; do
         [ -s "figures/$f" ] || { echo "no $f"; return 1; }
     done
 }
@@ -46,7 +46,9 @@ for ((i = 0; i < 15; i += 5)); do
         ok "... and its time" within "$(cell figures/fig5-peaks.csv 4 "$line" | awk '{print 1e6 * $1}')" "${peaks[i + 2 + 2 * k]}" 2e-3
     done
 done
+more=(--set chain.points=1200) # of 4734
 ok "fig8" makes fig8 fig8.pdf fig8.png fig8.csv fig8-measures.csv
+more=()
 # The hump's right flank breaks first: t = min -1 / (d c / d x), c = sqrt(1 + e r) the speed, r = sech^2(x / w).
 ok "... breaks when characteristics cross" within "$(measure figures/fig8-measures.csv "breaking time")" "$(awk 'BEGIN {w = 1.5; e = 0.5
     for (x = 0; x < 6; x += 1e-4) {s = 2 / (exp(x / w) + exp(-x / w)); r = s * s; th = (exp(x / w) - exp(-x / w)) / (exp(x / w) + exp(-x / w))
