@@ -339,10 +339,111 @@ static void logarithmic_axes_have_labels(void **state)
     }
 }
 
+/* The label of a number with so many decimals, as it is shown, in characters. */
+static size_t letters_of(double number, int decimals)
+{
+    char text[64];
+    return (size_t)snprintf(text, sizeof text, "%.*f", decimals, number);
+}
+
+/* Have ticks `step` apart (in shown numbers) room? Labels above each other 1.9 of the type; beside each other their width of 0.6 a
+ * character, 1.8 at least, and 1.2 between them; no more than seven steps. */
+static size_t ticks_of(double low, double high, double step, int exponent, double length, double em, bool lying)
+{
+    const double from = ceil(low / step), to = floor(high / step);
+    size_t widest = 0;
+    if (to - from >= 7)
+        return 0;
+    for (double k = from; k <= to; k++) {
+        const size_t letters = letters_of(k * step + 0.0, exponent < 0 ? -exponent : 0);
+        widest = letters > widest ? letters : widest;
+    }
+    const double needed = lying ? em * (fmax(0.6 * (double)widest, 1.8) + 1.2) : 1.9 * em;
+    return length * step / (high - low) >= needed ? (size_t)(to - from + 1) : 0;
+}
+
+/* Of steps of 1, 2 and 5 times powers of ten, the smallest whose labels have room, if it gives two ticks. */
+static void steps_are_the_smallest_that_fit(void **)
+{
+    uint64_t random = 12345;
+    size_t compared = 0;
+    for (int i = 0; i < 3000; i++) {
+        double draws[4];
+        for (int k = 0; k < 4; k++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            draws[k] = (double)(random >> 11) / 9007199254740992.0;
+        }
+        const bool lying = i % 2;
+        const double low = (i % 3 ? 0.01237 : -0.5) + draws[0], high = low + 0.0101 + pow(10, 2.5 * draws[1]),
+                     length = 100 + 900 * draws[2], em = 8 + 20 * draws[3];
+        struct bead_axis axis;
+        bead_axis_make(&axis, low, high, "", BEAD_SCALE_LINEAR, length, em, lying);
+        assert_true(axis.factor == 1);
+        size_t expected = 0;
+        double step = 0;
+        for (int e = -5; e <= 4 && expected == 0; e++) {
+            for (int m = 0; m < 3 && expected == 0; m++) {
+                step = (double[]){1, 2, 5}[m] * pow(10, e);
+                expected = ticks_of(low, high, step, e, length, em, lying);
+            }
+        }
+        if (expected < 2)
+            continue; /* labels are set closer */
+        compared++;
+        if (axis.count != expected || fabs(axis.ticks[0].value - step * ceil(low / step)) > 1e-9 * high ||
+            fabs(axis.ticks[1].value - axis.ticks[0].value - step) > 1e-9 * high)
+            fail_msg("%g to %g, %g px of %g, %s: %zu ticks from %g by %g, not %zu by %g", low, high, length, em,
+                     lying ? "lying" : "upright", axis.count, axis.ticks[0].value, axis.ticks[1].value - axis.ticks[0].value,
+                     expected, step);
+        for (size_t t = 0; t < axis.count; t++)
+            assert_true(fabs(axis.ticks[t].place - (axis.ticks[t].value - low) / (high - low)) < 1e-9);
+    }
+    assert_true(compared > 2000);
+}
+
+/* Labels of some axes, all of them. */
+static void axes_have_these_labels(void **)
+{
+    static const struct {
+        double low, high;
+        const char *si_unit;
+        enum bead_scale scale;
+        double length;
+        bool lying;
+        const char *labels, *unit;
+        size_t minor;
+    } cases[] = {{0, 10, "", BEAD_SCALE_LINEAR, 400, true, "0 2 4 6 8 10", "", 0},
+                 {0.6, 1.5, "", BEAD_SCALE_LINEAR, 400, true, "0.6 0.9 1.2 1.5", "", 6},
+                 {0, 1e-3, "s", BEAD_SCALE_LINEAR, 400, true, "0.0 0.2 0.4 0.6 0.8 1.0", "ms", 0},
+                 {0, 25e3, "N", BEAD_SCALE_LINEAR, 200, false, "0 5 10 15 20 25", "kN", 0},
+                 {0, 3e6, "", BEAD_SCALE_LINEAR, 400, true, "0.0 0.5 1.0 1.5 2.0 2.5 3.0", "\u00d710<sup>6</sup>", 0},
+                 {0, 3e-6, "", BEAD_SCALE_LINEAR, 400, true, "0.0 0.5 1.0 1.5 2.0 2.5 3.0", "\u00d710<sup>\u22126</sup>", 0},
+                 {0.5, 5.5, "1", BEAD_SCALE_LINEAR, 400, true, "1 2 3 4 5", "", 0},
+                 {0.5, 40.5, "1", BEAD_SCALE_LINEAR, 400, true, "10 20 30 40", "", 0},
+                 {1, 1000, "", BEAD_SCALE_LOG, 400, true, "1 10 100 1000", "", 24},
+                 {1e-6, 1, "", BEAD_SCALE_LOG, 600, true,
+                  "10<sup>\u22126</sup> 10<sup>\u22125</sup> 10<sup>\u22124</sup> 10<sup>\u22123</sup> 10<sup>\u22122</sup> "
+                  "10<sup>\u22121</sup> 10<sup>0</sup>",
+                  "", 48},
+                 {0, 100, "N", BEAD_SCALE_SQRT, 400, false, NULL, "N", 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct bead_axis axis;
+        char labels[600] = "";
+        bead_axis_make(&axis, cases[i].low, cases[i].high, cases[i].si_unit, cases[i].scale, cases[i].length, 18, cases[i].lying);
+        for (size_t t = 0; t < axis.count; t++)
+            snprintf(labels + strlen(labels), sizeof labels - strlen(labels), "%s%s", t ? " " : "", axis.ticks[t].label);
+        if (cases[i].labels && (strcmp(labels, cases[i].labels) != 0 || axis.minor_count != cases[i].minor))
+            fail_msg("%g to %g %s: %s, %zu minor ticks", cases[i].low, cases[i].high, cases[i].si_unit, labels, axis.minor_count);
+        assert_string_equal(axis.unit, cases[i].unit);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ticks_stand_at_their_values), cmocka_unit_test(labels_stand_at_their_ticks),
-                                       cmocka_unit_test(titles_fit_the_room), cmocka_unit_test(boxes_surround_their_pixels),
-                                       cmocka_unit_test(logarithmic_axes_have_labels)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ticks_stand_at_their_values), cmocka_unit_test(steps_are_the_smallest_that_fit),
+        cmocka_unit_test(axes_have_these_labels),      cmocka_unit_test(labels_stand_at_their_ticks),
+        cmocka_unit_test(titles_fit_the_room),         cmocka_unit_test(boxes_surround_their_pixels),
+        cmocka_unit_test(logarithmic_axes_have_labels)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
