@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Strokes of schematic drawings as numbers: each part of them is where geometry has it. */
 #include "render/draw/looks.h"
+#include "render/draw/markup.h"
 #include "strokes.h"
 #include "tests/schematics.h"
 
@@ -406,6 +407,64 @@ static void contacts_have_their_triangles(void **)
     }
 }
 
+/* What is written below a contact has the numbers of Hertz's law: A = 4/3 E* sqrt(R*), with 1/E* and 1/R* the sums of both sides.
+ */
+static void formulas_have_the_contacts_numbers(void **)
+{
+    static const struct {
+        const char *chain, *words[7]; /* in the syntax of labels */
+        double modulus, radius;       /* E*, R* */
+    } cases[] = {{"{beads: [{bead: red}, {bead: blue}]}",
+                  {"*r̃*^2 + (*R_i* − *δ_i*)^2 = *R_i*^2", "*r̃*^2 ≈ 2*R*_1*δ*_1 ≈ 2*R*_2*δ*_2", "*R*_1 = 4.00\u00a0mm",
+                   "*R*_2 = 2.00\u00a0mm", "*δ*_2 = 0.1 *R*_2", "*r̃* = 0.436 *R*_2", "(*δ*_1 + *δ*_2)"},
+                  0.5e9,
+                  4e-3 / 3},
+                 {"{beads: [{bead: blue}, {bead: red}]}",
+                  {"*r̃*^2 + (*R_i* − *δ_i*)^2 = *R_i*^2", "*r̃*^2 ≈ 2*R*_1*δ*_1 ≈ 2*R*_2*δ*_2", "*R*_1 = 2.00\u00a0mm",
+                   "*R*_2 = 4.00\u00a0mm", "*δ*_1 = 0.1 *R*_1", "*r̃* = 0.436 *R*_1", "(*δ*_1 + *δ*_2)"},
+                  0.5e9,
+                  4e-3 / 3},
+                 {"{beads: [{bead: red, count: 3}]}",
+                  {"*r̃*^2 + (*R* − *δ*)^2 = *R*^2", "*r̃*^2 = 2*Rδ* − *δ*^2", "*R* = 4.00\u00a0mm", "*δ* = 0.1 *R*",
+                   "*r̃* = 0.436 *R*", NULL, "(2*δ*)"},
+                  0.5e9,
+                  2e-3},
+                 {"{beads: [{bead: red}], wall: blue}",
+                  {"*R* = 4.00\u00a0mm", "*δ* = 0.1 *R*", "*r̃* = 0.436 *R*", NULL, NULL, NULL, "*δ*"},
+                  0.5e9,
+                  4e-3},
+                 {"{beads: [{bead: red}], wall: rigid}",
+                  {"*R* = 4.00\u00a0mm", "*δ* = 0.1 *R*", "*r̃* = 0.436 *R*", NULL, NULL, NULL, "*δ*"},
+                  1e9,
+                  4e-3}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[1500], markup[600];
+        struct seen seen = {.count = 0};
+        snprintf(text, sizeof text,
+                 COLOURED "chain: %s\noutputs: [{plot: a.png, show: contact, contact: 1, compression: 0.1, size: [1600, 1000]}]\n",
+                 cases[i].chain);
+        struct staged *s = set_stage(text);
+        assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+        const double stiffness = 4.0 / 3 * cases[i].modulus * sqrt(cases[i].radius);
+        for (size_t k = 0; k < 7; k++) {
+            if (!cases[i].words[k])
+                continue;
+            if (k < 6)
+                snprintf(text, sizeof text, "%s", cases[i].words[k]);
+            else
+                snprintf(text, sizeof text, "*F* = *A* %s^{3/2}, *A* = %.3f × 10^{7} N/m^{3/2}", cases[i].words[k],
+                         stiffness / 1e7);
+            bead_markup(text, markup, sizeof markup);
+            bool found = false;
+            for (size_t n = 0; n < seen.count; n++)
+                found = found || strncmp(seen.box[n].text, markup, 299) == 0;
+            if (!found)
+                fail_msg("case %zu: nothing says %s", i, text);
+        }
+        clear_stage(s);
+    }
+}
+
 /* ---- cells ---- */
 
 struct ball {
@@ -637,6 +696,7 @@ int main(void)
         cmocka_unit_test(crowds_are_noticed),
         cmocka_unit_test(pieces_fill_their_lines),
         cmocka_unit_test(contacts_have_their_triangles),
+        cmocka_unit_test(formulas_have_the_contacts_numbers),
         cmocka_unit_test(cells_are_in_the_middle),
         cmocka_unit_test(beads_lie_on_their_guide),
     };
