@@ -217,18 +217,23 @@ static void keep(struct bead_peaks *p, size_t index, struct bead_peak found)
         p->second[index] = lower;
 }
 
-/* The maximum within a part of the step at whose start the force rises and at whose end it falls. */
-static void find_in_part(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_curve_part *part,
-                         double rate0, double rate1, double limit)
+/* The maximum within a part of the step at whose start the force rises and at whose end it falls, if it comes before the limit and
+ * is higher than `least`; false: it does not, or is not. */
+static bool maximum_in_part(const struct bead_stepper *s, const struct bead_curve_part *part, double rate0, double rate1,
+                            double least, double limit, struct bead_peak *found)
 {
     const double x = bead_curve_part_turn(part, rate0, rate1);
     struct maximum most = {x, bead_force_curve_value(part->curve, x)};
-    if (s->events && x > 0 && most.value > interest(p, index) * (1 - close_call))
+    if (s->events && x > 0 && most.value > least * (1 - close_call))
         sharpen(s, part->curve, &most);
-    double time = s->t0 + most.x * s->h;
-    if (!(time <= limit && most.value > interest(p, index)))
-        return;
-    keep(p, index, (struct bead_peak){.value = most.value, .time = time});
+    *found = (struct bead_peak){.value = most.value, .time = s->t0 + most.x * s->h};
+    return found->time <= limit && found->value > least;
+}
+
+/* Keeps that maximum. */
+static void keep_maximum(struct bead_peaks *p, const struct bead_stepper *s, size_t index, struct bead_peak found)
+{
+    keep(p, index, found);
     for (size_t k = p->of_beads && index > 0 ? index - 1 : index; k <= index && k < s->chain->contacts; k++)
         p->least[k] = least_of(p, s->chain, k);
 }
@@ -248,7 +253,28 @@ static bool is_early(const struct bead_peaks *p, const struct bead_stepper *s, s
     return p->after && s->t0 < p->after[index];
 }
 
-/* The force of a bead, the sum of two contacts, may have more than one maximum within a step. */
+/* Finds the maxima of a curve within the step: of a bead, whose force is the sum of two contacts, there may be more than one. Keeps
+ * them, or returns true at the first one that is higher than the peak. */
+static bool find_maxima(struct bead_peaks *p, const struct bead_stepper *s, size_t index, const struct bead_force_curve *curve,
+                        double limit, bool keeps)
+{
+    double rate0 = bead_force_curve_rate(curve, 0), end = bead_force_curve_rate(curve, 1);
+    const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : BEAD_CURVE_PARTS;
+    for (int i = 1; i <= parts; i++) {
+        struct bead_curve_part part = {curve, (i - 1) / (double)parts, 1.0 / parts};
+        struct bead_peak found;
+        double rate1 = i == parts ? end : bead_force_curve_rate(curve, part.from + part.length);
+        const double least = keeps ? interest(p, index) : p->best[index].value;
+        if (rate0 > 0 && rate1 <= 0 && maximum_in_part(s, &part, rate0, rate1, least, limit, &found)) {
+            if (!keeps)
+                return true;
+            keep_maximum(p, s, index, found);
+        }
+        rate0 = rate1;
+    }
+    return false;
+}
+
 static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double limit)
 {
     if (is_early(p, s, index))
@@ -258,15 +284,7 @@ static void find_peak(struct bead_peaks *p, const struct bead_stepper *s, size_t
     struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
     if (bead_stepper_damped(s))
         find_jump(p, s, index, &curve, limit);
-    double rate0 = bead_force_curve_rate(&curve, 0), end = bead_force_curve_rate(&curve, 1);
-    const int parts = rate0 > 0 && end <= 0 && !p->of_beads ? 1 : BEAD_CURVE_PARTS;
-    for (int i = 1; i <= parts; i++) {
-        struct bead_curve_part part = {&curve, (i - 1) / (double)parts, 1.0 / parts};
-        double rate1 = i == parts ? end : bead_force_curve_rate(&curve, part.from + part.length);
-        if (rate0 > 0 && rate1 <= 0)
-            find_in_part(p, s, index, &part, rate0, rate1, limit);
-        rate0 = rate1;
-    }
+    find_maxima(p, s, index, &curve, limit, true);
 }
 
 /* A force still rising at the limit, and higher than any maximum before: the peak is its value at the limit, marked as open. */
@@ -379,12 +397,41 @@ static void follow_late(struct bead_peaks *p, const struct bead_stepper *s, size
     }
 }
 
-/* Marks the peaks that forces at the end of the step exceed, long after the first pulse. */
-static void find_exceeded(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
+/* Marks the forces that may have maxima within the step. */
+static bool mark_all(struct bead_peaks *p, const struct bead_stepper *s, size_t n)
 {
+    if (bead_stepper_damped(s))
+        memset(p->mark, 1, n);
+    return bead_stepper_damped(s) || (p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n));
+}
+
+/* Is a force higher than its peak within the step? */
+static bool is_higher(struct bead_peaks *p, const struct bead_stepper *s, size_t index, double over)
+{
+    if (!bead_stepper_damped(s) && force_bound(p, s, index) <= p->best[index].value)
+        return false;
+    const struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
+    return find_maxima(p, s, index, &curve, over, false);
+}
+
+/* The force at the end of the step, or of the run if that comes before. */
+static double last_force(const struct bead_peaks *p, const struct bead_stepper *s, size_t index, double over)
+{
+    if (over >= s->t1)
+        return p->of_beads ? bead_force(s, &s->end, index) : s->end.f[index] + s->chain->static_force[index];
+    const struct bead_force_curve curve = bead_force_curve_of(s, index, p->of_beads);
+    return bead_force_curve_value(&curve, (over - s->t0) / s->h);
+}
+
+/* Marks the peaks that forces of the step exceed, at its end or within it, long after the first pulse. */
+static void find_exceeded(struct bead_peaks *p, const struct bead_stepper *s, size_t n, double over)
+{
+    const bool any = mark_all(p, s, n);
     for (size_t i = p->first; i < n; i++) {
-        const double force = p->of_beads ? bead_force(s, &s->end, i) : s->end.f[i] + s->chain->static_force[i];
-        p->best[i].exceeded |= !p->best[i].open && force > p->best[i].value;
+        struct bead_peak *best = &p->best[i];
+        if (best->open || best->exceeded)
+            continue;
+        best->exceeded = last_force(p, s, i, over) > best->value || (any && p->mark[i] && is_higher(p, s, i, over));
     }
 }
 
@@ -396,13 +443,11 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
         return;
     if (s->t0 > limit) {
         follow_late(p, s, n, over);
-        if (s->t1 <= over)
-            find_exceeded(p, s, n);
+        if (s->t0 <= over)
+            find_exceeded(p, s, n, over);
         return;
     }
-    if (bead_stepper_damped(s))
-        memset(p->mark, 1, n);
-    const bool any = bead_stepper_damped(s) || (p->of_beads ? mark_beads(p, s, n) : mark_contacts(p, s, n));
+    const bool any = mark_all(p, s, n);
     const unsigned char *mark = p->mark + p->first, *end = p->mark + n;
     for (; any && (mark = memchr(mark, 1, (size_t)(end - mark))); mark++)
         find_peak(p, s, (size_t)(mark - p->mark), limit);
@@ -410,6 +455,9 @@ void bead_peaks_step(struct bead_peaks *p, const struct bead_stepper *s, double 
         find_open(p, s, i, limit);
         p->late[i] = p->best[i].open;
     }
-    if (limit < over)
+    if (limit < over) {
         follow_late(p, s, n, over);
+        if (limit < s->t1)
+            find_exceeded(p, s, n, over);
+    }
 }
