@@ -9,12 +9,13 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
+#include "sim/kinds/scene_facts.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
 
 /* Changes of a scene that precede the job's options and settings; begins as zeros. */
 struct changes {
-    struct bead_override all[4];
+    struct bead_override all[5];
     size_t count;
     struct bead_node file; /* that of a new output */
 };
@@ -129,15 +130,39 @@ static void add(struct changes *changes, struct bead_override change)
     changes->all[changes->count++] = change;
 }
 
-/* Leave no output but a new one: the file, of the first kind that it ends like. */
-static enum bead_error name_output(struct changes *changes, const char *file, enum bead_source_kind source,
-                                   const struct bead_own *own, struct bead_message *msg)
+/* Do forces follow from the displacements that are stored? Its chains have not been made yet. */
+static bool forces_follow(const struct bead_scene *scene)
 {
+    bool follow = true;
+    for (size_t c = 0; c < scene->chain_count; c++)
+        follow = follow && !(scene->chains[c].damping_coefficient > 0);
+    return follow;
+}
+
+/* The field that a new output shows of a stored run which does not have the usual one: its first; NULL: the usual one. */
+static const char *held_field(const struct bead_session *s, const struct bead_output_type *type)
+{
+    const unsigned held = s->trajectory ? bead_trajectory_fields(s->trajectory) : 0;
+    const struct bead_scene *scene = s->trajectory ? bead_trajectory_scene(s->trajectory) : NULL;
+    enum bead_field first = 0;
+    if (!held || held & BEAD_FIELD_BIT(BEAD_FIELD_FORCE) || !bead_options_find(type->options, "field") ||
+        !bead_scene_system(scene)->has_contacts || (held & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && forces_follow(scene)))
+        return NULL;
+    while (!(held & BEAD_FIELD_BIT(first)))
+        first++;
+    return bead_field_info(first)->name;
+}
+
+/* Leave no output but a new one: the file, of the first kind that it ends like. */
+static enum bead_error name_output(const struct bead_session *s, struct changes *changes, enum bead_source_kind source,
+                                   struct bead_message *msg)
+{
+    const char *file = s->job.output;
     const enum bead_output_kind kind = bead_output_kind_of(file, source);
-    const struct bead_sink_type *sink = kind == BEAD_OUTPUT_OWN ? bead_output_own_of(own, file) : NULL;
+    const struct bead_sink_type *sink = kind == BEAD_OUTPUT_OWN ? bead_output_own_of(s->job.own, file) : NULL;
     if (kind == BEAD_OUTPUT_KINDS && !sink)
         return no_kind(file, source, msg);
-    const char *show = bead_output_type(kind)->shown_of[source];
+    const char *show = bead_output_type(kind)->shown_of[source], *field = held_field(s, bead_output_type(kind));
     changes->file =
         (struct bead_node){.kind = BEAD_NODE_SCALAR, .origin = "--output", .place = {1, 1}, .text = bead_session_base_name(file)};
     add(changes, (struct bead_override){.path = "outputs", .value = "[]"});
@@ -145,6 +170,8 @@ static enum bead_error name_output(struct changes *changes, const char *file, en
         (struct bead_override){.below = "outputs.+", .path = sink ? sink->name : bead_output_key(kind), .node = &changes->file});
     if (show)
         add(changes, (struct bead_override){.below = "outputs.0", .path = "show", .value = show});
+    if (field)
+        add(changes, (struct bead_override){.below = "outputs.0", .path = "field", .value = field});
     return BEAD_OK;
 }
 
@@ -190,7 +217,7 @@ static enum bead_error choose_file(struct bead_session *s, const struct bead_sce
                          s->job.output);
     const struct bead_output *found = own ? find(scene, &s->job, source) : NULL;
     if (!found)
-        return name_output(changes, s->job.output, source, s->job.own, msg);
+        return name_output(s, changes, source, msg);
     const bool same_name = strcmp(bead_session_base_name(found->path), bead_session_base_name(s->single)) == 0;
     if (s->job.setting_count + s->job.look_count + changes->count > 0 || (source == BEAD_OF_TRAJECTORY && !same_name))
         keep_output(changes, found);

@@ -32,6 +32,21 @@ ok "extremes of one run" exits 0 "$beadsim" a.h5 -o one.csv --set 'outputs=[{tab
 ok "... have no part" eval '[ "$(head -n 1 one.csv)" = time_s,largest_N,bead ]'
 ok "... its largest is that of the run" eval '"$beadsim" s.yaml -o p.csv --set "outputs=[{table: p.csv, show: bead-peaks, uncertainty: false}]" --set simulate.accuracy=1e-5 >"$T/out" &&
     awk -F, "FNR == 1 {file++; next} {m[file] = \$2 > m[file] ? \$2 : m[file]} END {exit !(m[1] <= m[2] && m[1] > 0.98 * m[2])}" one.csv p.csv'
+# Runs that hold one field that is not the usual one, and what it is called.
+while read -r field title; do
+    ok "two runs of $field alone" eval 'make f1.h5 --set simulate.accuracy=1e-5 --set outputs.0.fields='"[$field]"' && make f2.h5 --set outputs.0.fields='"[$field]"
+    ok "... one in a picture" eval '"$beadreel" f1.h5 -o f.svg --size 400x300 >"$T/out" && grep -qF "$title (" f.svg'
+    ok "... their difference" eval '"$beadreel" --diff f1.h5 f2.h5 -o f.svg --size 400x300 >"$T/out" && grep -qF "difference in $title" f.svg'
+    ok "... and its largest values" eval '"$beadsim" --diff f1.h5 f2.h5 -o f.csv >"$T/out" && awk -F, "NR > 1 && \$2 != 0 {found = 1} END {exit !found}" f.csv'
+done <<'END'
+velocity velocity
+displacement bead force
+compression compression
+energy energy
+contact-force contact force
+END
+ok "displacements of a damped chain do not tell its forces" make f1.h5 --set chain.damping.coefficient=5 --set 'outputs.0.fields=[displacement]'
+ok "... and are shown themselves" eval '"$beadreel" f1.h5 -o f.svg --size 400x300 >"$T/out" && grep -qF "displacement (" f.svg'
 ok "a picture of the difference" exits 0 "$beadreel" --diff a.h5 b.h5 -o diff.svg --size 400x300
 ok "... says what it is" grep -qF 'difference in bead force' diff.svg
 ok "curves of both in one plot" exits 0 "$beadreel" a.h5 b.h5 -o both.svg --beads 10
