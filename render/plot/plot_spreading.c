@@ -11,8 +11,8 @@
 #include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_spreading.h"
 
-/* Three curves, and two power laws of two points. */
-enum { SERIES = BEAD_SPREADING_NUMBERS + 2, LAW = 4 };
+/* Three curves, two power laws that fit, and two of theory, of two points each. */
+enum { LAWS = 4, SERIES = BEAD_SPREADING_NUMBERS + LAWS, LAW = 4 };
 static const char *const names[BEAD_SPREADING_NUMBERS] = {"second moment (beads²)", "participation", "front"};
 
 static void set_axes(struct bead_panel *panel, const char *seconds, const double range[2])
@@ -48,6 +48,26 @@ static size_t add(struct bead_series *series, char (*labels)[256], int n, const 
                                      .dash = BEAD_DASH_DOTTED,
                                      .label = labels[1]};
     return 2;
+}
+
+/* What the second moment grows like where energy runs freely, as in an ordered chain, and where it diffuses: from where its fit
+ * begins, for as long. Returns how many series. */
+static size_t add_theory(struct bead_series *series, const double *fit, double (*laws)[LAW])
+{
+    static const struct {
+        const char *name;
+        int power;
+    } theories[LAWS - 2] = {{"theory: ballistic, exponent 2", 2}, {"theory: diffusion, exponent 1", 1}};
+    if (!(fit[0] > 0 && fit[2] > 0))
+        return 0;
+    for (int i = 0; i < LAWS - 2; i++) {
+        double *law = laws[i], ratio = fit[1] / fit[0];
+        memcpy(law, fit, 3 * sizeof *law);
+        law[3] = fit[2] * (theories[i].power == 2 ? ratio * ratio : ratio);
+        series[i] = (struct bead_series){.x = law, .y = law + 2, .count = 2, .mark = BEAD_MARK_LINE, .label = theories[i].name};
+        plot_tell_apart(&series[i], (size_t)(BEAD_SPREADING_NUMBERS + i));
+    }
+    return LAWS - 2;
 }
 
 /* ---- of a run ---- */
@@ -89,15 +109,17 @@ static enum bead_error plot_spreading_finish(struct bead_plot_data *data, const 
     const size_t times = bead_grid_count(&data->grid);
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        double *laws = part->values + BEAD_SPREADING_NUMBERS * times;
+        double(*laws)[LAW] = (double(*)[LAW])(part->values + BEAD_SPREADING_NUMBERS * times);
         size_t used = 0;
         for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
             struct bead_exponent e = {NAN, NAN, NAN};
             if (n != BEAD_FRONT)
                 e = bead_spreading_exponent(&data->spreading[p], n);
             used += add(&part->series[used], &part->labels[used], n, data->sample, part->values + (size_t)n * times, part->taken,
-                        &e, laws + LAW * (n % 2));
+                        &e, laws[n % 2]);
         }
+        if (data->output->shown.theory)
+            used += add_theory(&part->series[used], laws[BEAD_SECOND_MOMENT], laws + 2);
         data->panels[p].series_count = used;
     }
     return BEAD_OK;
@@ -111,10 +133,10 @@ const struct plot_kind bead_plot_spreading = {
 struct means {
     struct bead_series series[SERIES];
     char labels[SERIES][256], title[300];
-    double law[2][LAW];
+    double law[LAWS][LAW];
 };
 
-static void fill(const struct bead_sweep_spreads *spreads, size_t k, const double range[2], struct means *m,
+static void fill(const struct bead_sweep_spreads *spreads, size_t k, const struct bead_output *output, struct means *m,
                  struct bead_panel *panel)
 {
     const struct bead_sweep_spread *s = &spreads->of[k];
@@ -125,9 +147,11 @@ static void fill(const struct bead_sweep_spreads *spreads, size_t k, const doubl
             e = (struct bead_exponent){s->exponent[n].mean, s->exponent[n].standard_error, s->offset[n]};
         used += add(&m->series[used], &m->labels[used], n, spreads->time, s->mean[n], spreads->times, &e, m->law[n % 2]);
     }
+    if (output->shown.theory)
+        used += add_theory(&m->series[used], m->law[BEAD_SECOND_MOMENT], m->law + 2);
     bead_markup_quote(s->name, m->title, sizeof m->title);
     *panel = (struct bead_panel){.title = *m->title ? m->title : NULL, .series = m->series, .series_count = used};
-    set_axes(panel, "s", range);
+    set_axes(panel, "s", output->plot.range);
 }
 
 enum bead_error bead_spreading_plot_write(const struct bead_output *output, const struct bead_run_context *context,
@@ -142,7 +166,7 @@ enum bead_error bead_spreading_plot_write(const struct bead_output *output, cons
     if (!err)
         err = bead_new(&panels, spreads.count, msg, "a plot of a sweep");
     for (size_t k = 0; k < spreads.count && !err; k++)
-        fill(&spreads, k, output->plot.range, &means[k], &panels[k]);
+        fill(&spreads, k, output, &means[k], &panels[k]);
     const struct bead_graph graph = {
         .panels = panels, .panel_count = spreads.count, .letters = true, .share_x = true, .share_y = true};
     if (!err)

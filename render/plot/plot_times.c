@@ -37,7 +37,7 @@ enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, c
         return bead_output_wrong(data->output, msg, "every: %g gives %zu times; a plot shows from 2 to 4194304", data->grid.every,
                                  times);
     data->numbers = numbers;
-    BEAD_TRY(plot_reserve_chains(data, 2 * numbers, (times + 2) * (numbers + 1), msg));
+    BEAD_TRY(plot_reserve_chains(data, 3 * numbers, (times + 4) * (numbers + 2), msg));
     for (size_t p = 0; p < data->count; p++)
         data->panels[p].series_count = numbers;
     snprintf(data->why, sizeof data->why, "%s at %zu times", what, times);

@@ -63,6 +63,8 @@ static const struct bead_option sweep_plot_rows[] = {
      .shape = "auto, or [low, high] in units of the clean chain's peak, in N over keys", .word = "auto", .word_value = NAN,
      .like = "auto|[2 number]", .read = bead_output_read_sweep_range,
      .help = "ends of the axis of forces, and with `show: decay` of energies; auto: the range of the data", .example = "[0, 1.2]"},
+    {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",
+     .help = "with `show: spreading`: how the second moment grows where energy runs freely, as t^2, and where it diffuses, as t"},
 };
 static const struct bead_option_rows sweep_plot_shared[] = {{BEAD_OPTIONS(bead_threshold_row)},
                                                             {BEAD_OPTIONS(bead_against_row)},

@@ -216,7 +216,8 @@ const struct bead_option bead_plot_rows[7] = {
      .help = "one panel for the curves of all chains, instead of one each; peaks always have one"},
     {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",
      .help = "with `show: profiles` of `field: contact-force`: Nesterenko's solitary wave beside the highest pulse of each time, "
-             "in chains of equal Hertzian beads without precompression, with the speed that it has by its force"},
+             "in chains of equal Hertzian beads without precompression, with the speed that it has by its force; with `show: "
+             "spreading`: how the second moment grows where energy runs freely, as t^2, and where it diffuses, as t"},
     {"normalise", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.normalise), .initial = "none", .choices = normalisings,
      .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
              "largest force at the same sensor"},

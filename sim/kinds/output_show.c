@@ -50,7 +50,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                             .why_not = "extremes are those of all beads over time",
                             .ends = TABLE,
                             .of_field = true},
-    [BEAD_SHOW_SPREADING] = {.keys = KEYS("every", "time"),
+    [BEAD_SHOW_SPREADING] = {.keys = KEYS("every", "time", "theory"),
                              .why_not = "spreading is that of the energies of all beads over time",
                              .without_contacts = "is one of the energies of beads, which equations do not have",
                              .ends = PLOT | TABLE,

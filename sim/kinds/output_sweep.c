@@ -58,6 +58,8 @@ static BEAD_OUTPUT_CHECK(check_lines)
 BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
 {
     static const char *const of_lines[] = {"field", "beads", "contacts", "every", "time", "window", "segment", "frequencies", NULL};
+    if (output->shown.theory && output->sweep_curves.show != BEAD_SWEEP_SPREADING)
+        return BEAD_WRONG_KEY(reader, at, "theory", "belongs to `show: spreading`");
     if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
         return check_lines(reader, at, output);
     BEAD_TRY(bead_without(reader, at, of_lines, "belongs to `show: sensors`, `spectrum`, `transfer` or `dispersion`"));

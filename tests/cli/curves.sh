@@ -52,6 +52,26 @@ YAML
 ok "plot and table of spreading" exits 0 "$beadreel" spread.yaml -o .
 exponents() { tail -n 1 spread.csv | awk -F, '{printf ">exponent %.3f ± %.3f<\n>exponent %.3f ± %.3f<\n", $5, $6, $7, $8}'; }
 ok "... say the same exponents and errors" test "$(exponents)" = "$(grep -o '>exponent [^<]*<' spread.svg | grep -v :)"
+# Lines of two points: the fit of the second moment, and from where it begins, for as long, t^2 and t, on logarithmic axes.
+ok "plot of spreading with theory" exits 0 "$beadreel" spread.yaml -o . --set outputs.0.theory=true --only spread.svg
+slopes() {
+    python3 - "$1" <<'PYTHON'
+import re, sys
+svg = open(sys.argv[1], encoding="utf-8").read()
+paths = [[tuple(map(float, p)) for p in re.findall(r"[ML] ([-\d.]+) ([-\d.]+)", d)]
+         for d in re.findall(r'<g clip-path="[^"]*"[^>]*>\n<path [^>]* d="([^"]+)"', svg)]
+fit, *_, freely, diffusing = [p for p in paths if len(p) == 2]
+assert freely[0] == diffusing[0] == fit[0] and freely[1][0] == diffusing[1][0] == fit[1][0], (fit, freely, diffusing)
+rise = [p[0][1] - p[1][1] for p in (fit, freely, diffusing)]
+assert abs(rise[1] / rise[2] - 2) < 0.01 and rise[2] < rise[0] < 1.1 * rise[1], rise
+PYTHON
+}
+ok "... which begins with the fit" slopes spread.svg
+ok "... and is named" test "$(grep -oE '>theory: (ballistic, exponent 2|diffusion, exponent 1)<' spread.svg | wc -l)" = 2
+ok "of a sweep, too" exits 0 "$beadreel" spread.yaml -o . --set 'outputs=[{plot: mean.svg, show: spreading, theory: true}]' \
+    --set 'chain.beads.0.disorder={radius: normal 5 %, seed: 1}' --set 'sweep={over: {chain.beads.0.disorder.seed: 1..2}}'
+ok "... with the same theory" slopes mean.svg
+ok "... and only there" fails "1 2" "$beadreel" spread.yaml --plan --set 'outputs=[{plot: mean.svg, theory: true}]' --set 'sweep={over: {chain.beads.0.count: [200, 220]}}'
 
 # Two bands have two edges each; the energy past a bead is the last curve. The first pulse has .99366 of the striker's 2 J.
 cat >energy.yaml <<'YAML'
