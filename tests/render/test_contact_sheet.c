@@ -151,12 +151,10 @@ static void pictures_stand_in_a_grid(void **)
 
 /* As many as fit in their order; of many magnetisms, from the highest to the lowest, evenly in 1 - M^2 to the power of 1.5; the
  * ones asked for. */
-static void rows_are_spread_over_magnetism(void **)
+static void assert_spread(const char *sweep, const char *size)
 {
     struct laid l;
-    assert_int_equal(
-        lay_out(&l, "sweep: {cells: 8, configurations: 5, seed: 7, magnetism: all}", "size: [900, 700], orientation: time-down"),
-        BEAD_OK);
+    assert_int_equal(lay_out(&l, sweep, size), BEAD_OK);
     const struct contact_sheet *s = &l.sheet;
     const struct bead_sweep_spec *spec = bead_sweep_panel(s->sweep, 0)->spec;
     const double high = spec->groups[spec->group_count - 1].magnetism, low = spec->groups[0].magnetism;
@@ -190,12 +188,35 @@ static void rows_are_spread_over_magnetism(void **)
         }
         assert_true(s->images[i].row == r && s->images[i].index == s->rows[r].first + c);
     }
+    /* The words are beside a single picture, else above all. */
+    const struct bead_rect begin = s->images[0].spins;
+    if (s->rows[0].count == 1 && s->columns >= 3 && s->intro.y == begin.y)
+        assert_true(abs(s->intro.x - right_of(begin) - (int)(1.1 * s->small)) <= 1 &&
+                    contact_sheet_intro(s, NULL, s->intro.width) <= s->intro.height);
+    else
+        assert_true(s->intro.x == (int)s->look.margin && s->intro.y == (int)s->look.margin &&
+                    begin.y >= end_of(s->intro) + (int)(1.5 * 1.1 * s->small));
     clear(&l);
+}
+
+static void rows_are_spread_over_magnetism(void **)
+{
+    assert_spread("sweep: {cells: 8, configurations: 5, seed: 7, magnetism: all}", "size: [900, 700], orientation: time-down");
+    assert_spread("sweep: {cells: 8, configurations: 5, seed: 7, magnetism: all}", "size: [2000, 1100], orientation: time-down");
+    assert_spread("sweep: {cells: 16, configurations: 5, seed: 7, magnetism: [0.25, 0.375, 0.5, 0.625, 0.75, 0.875]}",
+                  "size: [900, 700], orientation: time-down");
+    struct laid l;
+    const struct contact_sheet *s = &l.sheet;
     assert_int_equal(lay_out(&l, "sweep: {cells: 8, configurations: 5, seed: 7, magnetism: all}",
                              "size: [900, 900], orientation: time-down, magnetism: [0.25, 1, 0.26, 0.75], configurations: 2"),
                      BEAD_OK);
     assert_true(s->row_count == 3 && s->columns == 2 && s->image_count <= 6); /* 0.26 is that of 0.25 */
     assert_true(s->rows[0].magnetism == 0.25 && s->rows[1].magnetism == 1 && s->rows[2].magnetism == 0.75);
+    clear(&l);
+    assert_int_equal(lay_out(&l, "sweep: {cells: 8, configurations: 5, seed: 7, magnetism: all}",
+                             "size: [900, 900], orientation: time-down, magnetism: 0.5"),
+                     BEAD_OK);
+    assert_true(s->row_count == 1 && s->rows[0].magnetism == 0.5);
     clear(&l);
     assert_int_equal(
         lay_out(&l, "sweep: {cells: 8, configurations: 50, seed: 7, magnetism: 0.5}", "size: [900, 700], orientation: time-down"),

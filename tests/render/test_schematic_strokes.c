@@ -366,6 +366,27 @@ static void contacts_have_their_triangles(void **)
                     assert_true(fabs(name[0] - centre[side]) < 0.5 * em && name[1] < level - scale * radius);
             }
             assert_int_equal(at, count - 1);
+            /* Outlines: what is left in ink, what was there dashed and faint, both from one end of the chord to the other; a wall's
+             * face. */
+            size_t outlines[2] = {0, 0}, faces = 0;
+            for (size_t j = 0; j < strokes.count; j++) {
+                const struct stroke *out = &strokes.list[j];
+                if (out->filled || fabs(out->width - 1.6 * look.line) > 1e-9)
+                    continue;
+                const struct stroke_point *from = &out->at[0], *to = &out->at[out->count - 1];
+                assert_true(stroke_has(out, false, out->dashes ? look.faint : look.ink));
+                assert_at(from->x, foot);
+                assert_at(to->x, foot);
+                if (cases[i].wall && out->count == 2 && !out->dashes) {
+                    faces++;
+                    assert_bounds(out, foot, level - scale * 4e-3, foot, level + scale * 4e-3);
+                    continue;
+                }
+                outlines[out->dashes]++;
+                assert_at(fabs(from->y - level), scale * q);
+                assert_at(from->y + to->y, 2 * level);
+            }
+            assert_true(outlines[0] == (cases[i].wall ? 1 : 2) && outlines[1] == outlines[0] && faces == cases[i].wall);
             /* The verticals of the dimensions. */
             count = lines_of(look.faint, lines, 12);
             const double small_right = cases[i].radius[1] > 0 ? cases[i].radius[1]
