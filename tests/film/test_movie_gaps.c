@@ -16,8 +16,10 @@
 #include "render/movie/movie_cells.h"
 #include "render/movie/movie_layout.h"
 #include "render/movie/movie_stage.h"
+#include "render/movie/movie_words.h"
 #include "render/stage/stage_key.h"
 #include "render/view/views.h"
+#include "strokes.h"
 
 static int up(double x)
 {
@@ -128,6 +130,37 @@ static void assert_words(const struct bead_movie_wants *w, const struct bead_mov
         assert_px(end_of(l->caption), w->height - margin, "the caption's end", w, 0);
         assert_true(l->caption.x == margin && right_of(l->caption) == w->width - margin);
     }
+}
+
+/* A badge: round corners of 0.2 letters, in the middle of its line, its text 0.45 letters from the left. */
+static void badges_are_round(void **)
+{
+    struct bead_look look;
+    bead_look_film(&look, 1280, 720, true, false);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 600, 200);
+    cairo_t *cr = cairo_create(surface);
+    for (int low = 0; low < 2; low++) {
+        const double em = look.label, height = low ? em : 1.4 * em, round = 0.2 * em;
+        const struct bead_rect rect = {30, 40, 400, low ? (int)em : 80};
+        const struct bead_text_style style = {.family = look.family, .size = em};
+        double text, lines;
+        bead_text_size(NULL, &style, "slow", &text, &lines);
+        strokes_begin();
+        bead_badge_draw(cr, &look, "slow", rect);
+        strokes.on = false;
+        const double right = 30 + text + 0.9 * em, top = 40 + (rect.height - (low ? (int)em : height)) / 2,
+                     bottom = top + (low ? (int)em : height);
+        const struct stroke *s = &strokes.list[0];
+        assert_true(strokes.count == 1 && stroke_has(s, true, look.accent) && s->count == 8);
+        const double corners[8][2] = {{30, top + round},       {30 + round, top},       {right - round, top}, {right, top + round},
+                                      {right, bottom - round}, {right - round, bottom}, {30 + round, bottom}, {30, bottom - round}};
+        for (size_t i = 0; i < 8; i++) {
+            assert_at(s->at[i].x, corners[i][0]);
+            assert_at(s->at[i].y, corners[i][1]);
+        }
+    }
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
 }
 
 /* ---- cells ---- */
@@ -598,7 +631,8 @@ static void frames_scale(void **)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(cells_are_as_far_apart_as_labels_need),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(badges_are_round),
+                                       cmocka_unit_test(cells_are_as_far_apart_as_labels_need),
                                        cmocka_unit_test(words_are_beside_the_clock_where_they_fit),
                                        cmocka_unit_test(bars_lie_beside_the_clock_or_below_the_words),
                                        cmocka_unit_test(layouts_have_the_columns_of_their_names),
