@@ -68,8 +68,8 @@ struct bead_canvas;
 /* Places of the titles of vertical axes: turned, beside the axis (figures); above the plot (movies). */
 enum bead_titles { BEAD_TITLES_BESIDE, BEAD_TITLES_ABOVE, BEAD_TITLES_NONE };
 
-/* Parts of a stage's key. */
-enum bead_key_part { BEAD_KEY_LIGHT = 1, BEAD_KEY_MATERIALS = 2 };
+/* Parts of a stage's key: the scale of the light, its quantity's name, the materials. */
+enum bead_key_part { BEAD_KEY_LIGHT = 1, BEAD_KEY_MATERIALS = 2, BEAD_KEY_QUANTITY = 4 };
 
 struct bead_view_setup {
     const struct bead_chain *chain;
@@ -86,7 +86,7 @@ struct bead_view_setup {
     int beyond[2];      /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
     bool over_beads;    /* a view above or below draws the beads: what belongs to a bead is there */
     int head;           /* stage: px at its top that are left free, for the heading */
-    bool small;         /* stage: one of a grid; fewer beads are in view, and the key is elsewhere */
+    bool small;         /* stage: one of a grid; fewer beads are in view */
     unsigned elsewhere; /* stage: parts of its key that another stage of the picture has; bead_key_part */
     bool own_colour;    /* profile: in the colour of the chain's number; others are on the same axis */
     bool bead_labels;   /* label the bead axis; false where a view below shares it */

@@ -74,7 +74,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
         .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
         .small = c->layout.grid,
-        .elsewhere = bead_stage_key_elsewhere(c->setup.chains, c->setup.chain_count, chain),
+        .elsewhere = c->layout.key.width > 0 ? BEAD_KEY_LIGHT | BEAD_KEY_MATERIALS
+                                             : bead_stage_key_elsewhere(c->setup.chains, c->setup.chain_count, chain),
         .own_colour = bead_composer_shares_curves(c),
         .bead_labels = labels && !time,
         .orientation = c->wants.orientation,

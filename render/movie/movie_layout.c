@@ -86,11 +86,11 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
     f->row[BADGE].least = w->badge_width > 0 && !f->badge_beside ? bead_cells_whole(1.5 * look->label) : 0;
     f->row[TITLE].least = title && !f->title_beside ? (w->title_width > room ? 2 : 1) * line : 0;
     f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
-    /* One key of a grid of stages: left of facts that end at the right, else in a line of its own. */
-    const bool key = stage && w->key_width > 0 && bead_stage_columns(w) > 1 && bead_stage_keyed(w);
+    /* One key of all stages: left of facts that end at the right, else in lines of its own. */
+    const int key = stage ? bead_stage_key_lines(w) : 0;
     f->key_beside =
-        key && f->title_beside && w->facts && bead_facts_lines(look, w->facts, room - w->key_width - 2 * look->gap) == 1;
-    f->row[KEY].least = key && !f->key_beside ? line : 0;
+        key == 1 && f->title_beside && w->facts && bead_facts_lines(look, w->facts, room - w->key_width - 2 * look->gap) == 1;
+    f->row[KEY].least = f->key_beside ? 0 : key * line;
     f->row[TRUST].least = w->trust ? line : 0;
     f->row[CELLS].gap = level->titles && !w->headings ? bead_cells_whole(0.5 * look->gap) : 0;
 }
@@ -294,7 +294,7 @@ static void forget(struct bead_movie_layout *layout)
 }
 
 /* A stage with all words, by the first plan that has room. */
-static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to)
+static bool stage_by_plan(const struct bead_movie_wants *w, struct bead_movie_layout *to)
 {
     const struct bead_level *level = &bead_levels[w->axes ? 0 : BEAD_LEVELS - 1];
     struct frame f = measure_frame(w, level, true);
@@ -310,12 +310,24 @@ static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to
             continue;
         to->layout = BEAD_LAYOUT_STAGE;
         to->axes = to->titles = w->axes;
+        to->curve = plan->curve;
         place_words(w, &f, area.x + f.inset, area.x + area.width - f.inset, to);
         if (f.row[CAPTION].size > 0)
             to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
         return true;
     }
     return false;
+}
+
+/* A key above all stages gives way before the curve does. */
+static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to)
+{
+    const bool placed = stage_by_plan(w, to);
+    if ((placed && to->curve) || bead_stage_key_lines(w) == 0 || bead_stage_columns(w) > 1)
+        return placed;
+    struct bead_movie_wants keyless = *w;
+    keyless.key_width = 0;
+    return stage_by_plan(&keyless, to);
 }
 
 /* The best of all levels and numbers of columns. False: the frame is too small. */

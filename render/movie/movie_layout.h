@@ -45,7 +45,9 @@ struct bead_movie_wants {
     bool same_beads;      /* all chains have the same bead axis: only the lowest is labelled */
     double keyed_heading; /* of the widest such heading with the key of its stage beside it */
     double name_least;    /* of the first chain's name above its image, as small as may be */
-    double key_width;     /* of one key for all stages, where they are a grid */
+    double key_width;     /* of one key for all stages, where these have none of their own */
+    double key_brief;     /* without the name of what the light shows */
+    double key_part;      /* of its widest part, where it has two lines */
     double time_width;    /* of the widest time that is shown */
     double badge_width;   /* of the widest badge of the speed; 0: none */
     const struct bead_facts *facts;                /* NULL: one line of them is enough */
@@ -75,6 +77,7 @@ struct bead_movie_layout {
     bool against;     /* images have one title for both axes */
     bool label_lines; /* headings have two lines */
     int head;         /* px at the top of a stage for its heading; 0: that is above it */
+    bool curve;       /* of a stage: it has not given way */
     bool grid;        /* stages are side by side, too, with one key for all */
     int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
     int colours;      /* px: the colours of images, along the axis of the curve; 0: they have a bar, or none */

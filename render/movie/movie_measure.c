@@ -120,17 +120,30 @@ double bead_composer_key(const struct bead_composer *c, size_t chain)
 {
     struct bead_view_setup setup = key_setup(c, chain);
     setup.elsewhere = bead_stage_key_elsewhere(c->setup.chains, c->setup.chain_count, chain);
-    return bead_views_any(&c->setup.output->views, BEAD_ACTS) && !c->layout.grid ? bead_stage_key_room(&setup) : 0;
+    return bead_views_any(&c->setup.output->views, BEAD_ACTS) && c->layout.key.width == 0 ? bead_stage_key_room(&setup) : 0;
+}
+
+/* A line of the key of all chains, without the parts elsewhere; with `cr` NULL it is measured only. Returns its width. */
+static double key_line(const struct bead_composer *c, cairo_t *cr, unsigned elsewhere, double right, double middle, double size)
+{
+    struct bead_view_setup setup = key_setup(c, 0);
+    setup.elsewhere = elsewhere;
+    return bead_stage_draw_key_of(cr, &setup, c->setup.chains, c->setup.chain_count, right, middle, size);
 }
 
 void bead_composer_draw_key(const struct bead_composer *c, cairo_t *cr)
 {
-    const struct bead_view_setup setup = key_setup(c, 0);
+    static const unsigned elsewhere[3][2] = {{0}, {BEAD_KEY_QUANTITY}, {BEAD_KEY_LIGHT, BEAD_KEY_MATERIALS}};
+    const struct bead_movie_wants *w = &c->wants;
     const struct bead_rect *key = &c->layout.key;
-    const double part = fmin(1, key->width / fmax(1, c->wants.key_width)), middle = key->y + 0.5 * key->height,
-                 right = key->x + part * c->wants.key_width;
-    if (key->width > 0)
-        bead_stage_draw_key_of(cr, &setup, c->setup.chains, c->setup.chain_count, right, middle, part * c->look.tick);
+    const int lines = key->width > 0 ? bead_stage_key_lines(w) : 0, kind = lines == 2 ? 2 : bead_stage_key_brief(w);
+    const double widths[] = {w->key_width, w->key_brief, w->key_part}, part = fmin(1, key->width / fmax(1, widths[kind])),
+                 size = part * c->look.tick;
+    for (int i = 0; i < lines; i++) {
+        const unsigned but = elsewhere[kind][i];
+        const double width = key_line(c, NULL, but, 0, 0, size);
+        (void)key_line(c, cr, but, key->x + width, key->y + (i + 0.5) * key->height / lines, size);
+    }
 }
 
 static void measure_words(struct bead_composer *c)
@@ -145,10 +158,13 @@ static void measure_words(struct bead_composer *c)
         w->heading_least = fmax(w->heading_least, bead_heading_least(&c->look, c->setup.chains[i]));
         w->keyed_heading = fmax(w->keyed_heading, bead_heading_least(&c->look, c->setup.chains[i]) + bead_composer_key(c, i));
     }
-    const struct bead_view_setup first = key_setup(c, 0);
-    if (bead_views_any(&c->setup.output->views, BEAD_ACTS) && bead_stage_columns(w) > 1)
-        w->key_width = bead_stage_draw_key_of(NULL, &first, c->setup.chains, w->chain_count, 0, 0, c->look.tick);
-    c->facts.keyed = bead_views_any(&c->setup.output->views, BEAD_ACTS) && bead_stage_keyed(w);
+    if (bead_views_any(&c->setup.output->views, BEAD_ACTS)) {
+        const double size = c->look.tick;
+        w->key_width = key_line(c, NULL, 0, 0, 0, size);
+        w->key_brief = key_line(c, NULL, BEAD_KEY_QUANTITY, 0, 0, size);
+        w->key_part = fmax(key_line(c, NULL, BEAD_KEY_LIGHT, 0, 0, size), key_line(c, NULL, BEAD_KEY_MATERIALS, 0, 0, size));
+        c->facts.keyed = bead_stage_keyed(w) || bead_stage_key_lines(w) > 0;
+    }
     w->badge_width = bead_badge_width(&c->look, &c->facts);
     w->facts = &c->facts;
     if (!c->setup.title || !c->setup.title[0])

@@ -96,9 +96,24 @@ static void sort_views(struct stage *s)
 bool bead_stage_keyed(const struct bead_movie_wants *w)
 {
     const double room = w->width - 2.0 * bead_stage_inset(w);
-    if (bead_stage_columns(w) > 1)
-        return least_key * w->key_width + 2 * stage_margin * w->look->gap <= room;
-    return w->keyed_heading + 0.04 * w->width + w->look->label <= room;
+    return bead_stage_columns(w) == 1 && w->keyed_heading + 0.04 * w->width + w->look->label <= room;
+}
+
+static bool key_fits(const struct bead_movie_wants *w, double width)
+{
+    return least_key * width <= w->width - 2.0 * bead_stage_inset(w) - 2 * stage_margin * w->look->gap;
+}
+
+int bead_stage_key_lines(const struct bead_movie_wants *w)
+{
+    if (w->key_width == 0 || bead_stage_keyed(w))
+        return 0;
+    return key_fits(w, w->key_width) || key_fits(w, w->key_brief) ? 1 : key_fits(w, w->key_part) ? 2 : 0;
+}
+
+bool bead_stage_key_brief(const struct bead_movie_wants *w)
+{
+    return !key_fits(w, w->key_width) && key_fits(w, w->key_brief);
 }
 
 /* Headings that fit beside the key are over the top of their stage, which leaves that free; those of a grid have no key beside

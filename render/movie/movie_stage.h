@@ -19,8 +19,12 @@ extern const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS];
 int bead_stage_inset(const struct bead_movie_wants *wants);
 /* Stages side by side: of four chains two, but on phones, where beads are larger below each other. */
 size_t bead_stage_columns(const struct bead_movie_wants *wants);
-/* Is there room for the key of beads beside the headings, or for all stages of a grid above them? */
+/* Is there room for the keys of beads beside the headings? Never in grids. */
 bool bead_stage_keyed(const struct bead_movie_wants *wants);
+/* Else one key for all stages is above them, in so many lines; 0: there is no room, or they have theirs beside the headings. */
+int bead_stage_key_lines(const struct bead_movie_wants *wants);
+/* Is one line enough only without the name of what the light shows? */
+bool bead_stage_key_brief(const struct bead_movie_wants *wants);
 /* The view of large beads; view_count: there is none. */
 size_t bead_stage_view(const struct bead_movie_wants *wants);
 /* Chooses rectangles for headings, plots and bar within `area`. False: there is no room. */

@@ -142,8 +142,11 @@ static void add_scale(struct key *key, const struct bead_view_setup *setup, doub
         cairo_pattern_destroy(scale);
     }
     key->right -= width + to_word * key->style.size;
-    snprintf(words, sizeof words, "light: %s  0",
-             setup->light == BEAD_LIGHT_BEADS && info->of_contacts ? bead_field_info(BEAD_FIELD_FORCE)->title : info->title);
+    if (setup->elsewhere & BEAD_KEY_QUANTITY)
+        snprintf(words, sizeof words, "light 0");
+    else
+        snprintf(words, sizeof words, "light: %s  0",
+                 setup->light == BEAD_LIGHT_BEADS && info->of_contacts ? bead_field_info(BEAD_FIELD_FORCE)->title : info->title);
     add_word(key, words);
 }
 

@@ -148,7 +148,7 @@ enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bea
     if (!v->look.clear)
         draw_backdrop(v, cr);
     bead_stage_draw_names(v, cr);
-    if (v->setup.axes && !v->setup.small && v->head >= headroom(v))
+    if (v->setup.axes && v->head >= headroom(v))
         bead_stage_draw_key(v, cr);
     return BEAD_OK;
 }

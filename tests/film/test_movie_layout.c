@@ -183,6 +183,14 @@ static double share_of(const struct bead_movie_wants *w, const struct bead_movie
     return area / ((double)w->width * w->height);
 }
 
+static double share_of_headings(const struct bead_movie_wants *w, const struct bead_movie_layout *layout)
+{
+    double area = 0;
+    for (size_t c = 0; c < layout->chain_count; c++)
+        area += (double)layout->chains[c].heading.width * layout->chains[c].heading.height;
+    return area / ((double)w->width * w->height);
+}
+
 /* Beads have 35 to 45 % of the frame and, in the usual type, images 15 to 25 %; where room is short images give way, never what a
  * viewer cannot do without. */
 static void test_stage_has_its_share(void **state)
@@ -200,10 +208,13 @@ static void test_stage_has_its_share(void **state)
         w.orientation = BEAD_TIME_RIGHT;
         w.badge_width = 9 * look.label;
         w.key_width = 29 * look.label;
+        w.key_brief = w.key_part = 23 * look.label;
+        w.keyed_heading = size[1] > size[0] ? 40 * look.label : 0; /* on phones, no key has room beside a heading */
         w.caption_lines = (int)(i / FULL_SIZE / 8);
         w.caption_line = 1.4 * look.title;
         assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
-        double beads = share_of(&w, &found, 0), images = share_of(&w, &found, 2);
+        double beads = share_of(&w, &found, 0) + (found.head == 0 ? share_of_headings(&w, &found) : 0),
+               images = share_of(&w, &found, 2);
         bool curve = found.chains[0].plot[1].width > 0, upright = size[1] > size[0],
              usual = !large && w.caption_lines == 0 && !(upright && chains > 3);
         if (getenv("SHOW"))
@@ -213,15 +224,16 @@ static void test_stage_has_its_share(void **state)
         const double across = 2 / 2.9 * (found.chains[0].plot[0].height - ceil(0.8 * look.tick)) / size[0];
         if ((curve && (usual || chains + large < 5) && !(beads > 0.35 && beads < (w.caption_lines > 0 ? 0.505 : 0.45))) ||
             images > 0.26 ||
-            (usual && images < (upright && chains > 2              ? 0.12
+            (usual && images < (upright && chains > 2              ? 0.11
                                 : size[0] == size[1] && chains > 3 ? 0.135
+                                : upright                          ? 0.148
                                                                    : 0.149)) ||
             (upright && !large && across < 0.05))
             fail_msg("%d x %d, %zu chains: beads have %.1f %%, images %.1f %%", size[0], size[1], chains, 100 * beads,
                      100 * images);
         assert_true(images == 0 || found.bar.width > 0 || found.colours > 0); /* their colours have a scale */
         assert_true(curve || (!found.grid && large && w.caption_lines == 2));
-        assert_true(found.grid == (chains == 4 && !upright) && (!found.grid || found.key.width > 0));
+        assert_true(found.grid == (chains == 4 && !upright) && (!(found.grid || (upright && !large)) || found.key.width > 0));
         assert_true(found.axes && found.time.width && found.badge.width && found.title.width && found.facts.width);
         assert_true(found.chains[chains - 1].heading.width > 0);
         check(&w, &found);
