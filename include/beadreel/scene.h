@@ -179,7 +179,8 @@ struct bead_over_key {
     char **text;   /* [count] values as scenes have them */
     double *value; /* [count] in this unit; NaN: not a number */
     size_t count;
-    bool seed; /* values are averaged over: the path ends in `seed` */
+    bool seed;  /* values are averaged over: the path ends in `seed` */
+    int digits; /* of values between two ends, in names: as many as tell them apart, four or more; 0: as they are written */
 };
 enum bead_combine { BEAD_COMBINE_GRID, BEAD_COMBINE_PAIRS };
 struct bead_over {

@@ -95,6 +95,20 @@ static char *range_value(const struct range *range, const double ends[2], const 
     return asprintf(&text, "%.12g%s%s", value, *unit ? " " : "", unit) < 0 ? NULL : text;
 }
 
+/* Two that differ by a unit of the last digit remain two, and whole numbers are written out. */
+static int digits_apart(const double *value, size_t count)
+{
+    int digits = 4, whole = 1;
+    double least = 1;
+    for (size_t i = 0; i + 1 < count; i++)
+        least = fmin(least, fabs(value[i + 1] - value[i]) / fmax(fabs(value[i]), fabs(value[i + 1])));
+    for (double part = 1e-3; digits < 12 && least < part; part /= 10)
+        digits++;
+    for (double most = fmax(fabs(value[0]), fabs(value[count - 1])); whole < 12 && most >= 10; most /= 10)
+        whole++;
+    return digits > whole ? digits : whole;
+}
+
 static enum bead_error read_range(struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
 {
     struct range range = {{NULL, NULL}, 0, SPACING_EVEN};
@@ -114,6 +128,7 @@ static enum bead_error read_range(struct bead_reader *reader, const struct bead_
     BEAD_TRY(bead_new(&key->value, range.count, reader->msg, "a sweep"));
     for (size_t i = 0; i < range.count; i++)
         BEAD_TRY(add_value(reader, key, range_value(&range, ends, unit, i)));
+    key->digits = digits_apart(key->value, key->count);
     return BEAD_OK;
 }
 

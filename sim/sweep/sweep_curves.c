@@ -38,11 +38,15 @@ void bead_sweep_curve_name(const struct bead_sweep *sweep, size_t panel, size_t 
 {
     const struct bead_over *over = &bead_sweep_panel(sweep, panel)->spec->over;
     for (size_t k = 0; k < over->key_count && over->combine == BEAD_COMBINE_GRID; k++) {
-        const size_t used = strlen(name);
-        const char *path = over->keys[k].path, *dot = strrchr(path, '.');
-        if (k != key && !over->keys[k].seed)
-            snprintf(name + used, 200 - used, "%s%s %s", used ? ", " : "", dot ? dot + 1 : path,
-                     over->keys[k].text[bead_sweep_value(sweep, panel, index, k)]);
+        const struct bead_over_key *of = &over->keys[k];
+        const size_t used = strlen(name), value = bead_sweep_value(sweep, panel, index, k);
+        const char *dot = strrchr(of->path, '.');
+        if (k == key || of->seed)
+            continue;
+        char *unit = of->text[value], number[32] = "";
+        if (of->digits > 0 && value > 0 && value + 1 < of->count) /* the ends are as they are written */
+            snprintf(number, sizeof number, "%.*g", of->digits, strtod(of->text[value], &unit));
+        snprintf(name + used, 200 - used, "%s%s %s%s", used ? ", " : "", dot ? dot + 1 : of->path, number, unit);
     }
 }
 

@@ -186,4 +186,12 @@ ok "outputs are no keys" refused 'sweep.over={outputs.0.size: [1, 2]}' 'must beg
 ok "spins have no place beside it" refused sweep.magnetism=0.5 'sweep.magnetism: belongs to sweeps over spins'
 ok "pairs need as many values" refused 'sweep={combine: pairs, over: {chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [1 g]}}' 'must have as many'
 ok "no such key along the axis" fails 2 "$beadsim" v.yaml -o wrong --set 'outputs=[{table: t.csv, against: chain.wall}]'
+# Values between two ends have digits enough to tell them apart in names, and no more; whole numbers are written out.
+names() {
+    "$beadsim" v.yaml -o n --set "sweep.over={$1}" --set 'materials.my={mass: 1 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}' --set 'outputs=[{table: n.csv, show: sensors, contacts: 3}]' >log 2>&1 || { cat log; return 1; }
+    awk -F, 'NR == 1 {for (c = 1; $c != "curve";) c++; next} {split($c, word, " "); print word[2]}' n/n.csv | sort -u | tr '\n' ' '
+}
+ok "names of values are short" is "$(names 'chain.striker.velocity: {from: 0.1 m/s, to: 2 m/s, count: 4, spacing: log}')" "0.1 0.2714 0.7368 2 "
+ok "... but differ" is "$(names 'chain.striker.velocity: {from: 1 m/s, to: 1.0001 m/s, count: 3}')" "1 1.00005 1.0001 "
+ok "... and whole numbers are whole" is "$(names 'materials.my.modulus: {from: 100000 MPa, to: 200000 MPa, count: 3}')" "100000 150000000000 200000 "
 finish
