@@ -75,6 +75,8 @@ BEAD_INTERNAL void bead_file_discard(const char *part);
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
 /* Creates the directory of the file `path` and its parents. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
+/* Are both there, and one file by one name or by two? */
+BEAD_INTERNAL bool bead_file_same(const char *a, const char *b);
 /* Free bytes on the file system of `path`; infinite if unknown. */
 BEAD_INTERNAL double bead_file_room(const char *path);
 /* Size of the file in bytes; 0: there is none. */

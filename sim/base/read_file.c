@@ -31,6 +31,13 @@ int bead_file_look(const char *path)
     return -1;
 }
 
+bool bead_file_same(const char *a, const char *b)
+{
+    struct stat found[2];
+    return stat(a, &found[0]) == 0 && stat(b, &found[1]) == 0 && found[0].st_dev == found[1].st_dev &&
+           found[0].st_ino == found[1].st_ino;
+}
+
 /* Up to `room` bytes. Waiting in poll() ends with a signal, even where its handler restarts other calls. */
 static enum bead_error read_open(int file, const char *path, size_t room, char *bytes, size_t *length, struct bead_message *msg)
 {

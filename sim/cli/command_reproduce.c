@@ -330,12 +330,25 @@ void command_remove_temporary(const char *path)
     nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS);
 }
 
+/* A file below the directory that is written to might be replaced, and then compared with itself. */
+static enum bead_error check_apart(const char *path, const char *directory, struct bead_message *msg)
+{
+    char below[PATH_MAX], above[PATH_MAX];
+    const bool known = realpath(path, below) && realpath(directory, above);
+    const size_t length = known ? strlen(above) : 0;
+    return known && strncmp(below, above, length) == 0 && (length == 1 || below[length] == '/')
+               ? bead_fail(msg, BEAD_ERROR_USAGE,
+                           "--reproduce: -o %s has %s in it, which might be replaced; name another directory", directory, path)
+               : BEAD_OK;
+}
+
 static enum bead_error in_directory(const struct command *command, const struct command_origin *origin,
                                     const struct bead_scene *scene, struct making made, const volatile sig_atomic_t *stop,
                                     struct bead_message *msg)
 {
     char temporary[PATH_MAX];
     if (command->job.output) {
+        BEAD_TRY(check_apart(command->job.input, command->job.output, msg));
         BEAD_TRY(bead_file_make_directory(command->job.output, msg));
         return try_all(command, origin, scene, made, command->job.output, stop, msg);
     }

@@ -5,6 +5,7 @@
 #include <inttypes.h>
 #include <limits.h>
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -305,15 +306,34 @@ enum bead_error command_run(const struct command *command, const volatile sig_at
     return err;
 }
 
+/* Signals wait until the file is whole, which it soon is. */
+static enum bead_error write_merged(const struct bead_sweep *sweep, const char *path, struct bead_message *msg)
+{
+    sigset_t stopping, before;
+    sigemptyset(&stopping);
+    sigaddset(&stopping, SIGINT);
+    sigaddset(&stopping, SIGTERM);
+    sigaddset(&stopping, SIGHUP);
+    sigprocmask(SIG_BLOCK, &stopping, &before);
+    const enum bead_error err = bead_sweep_write(sweep, path, msg);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return err;
+}
+
 enum bead_error command_merge(const struct command *command, struct bead_message *msg)
 {
     struct bead_sweep *sweep = NULL;
     const char *dot = command->job.output ? strrchr(command->job.output, '.') : NULL;
     if (!dot || strcmp(dot, ".h5") != 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: name the merged file with -o FILE.h5");
+    for (size_t i = 0; i < command->part_count; i++) {
+        if (bead_file_same(command->parts[i], command->job.output))
+            return bead_fail(msg, BEAD_ERROR_USAGE, "--merge: -o %s would replace one of the parts; give another name",
+                             command->job.output);
+    }
     enum bead_error err = bead_sweep_merge(command->parts, command->part_count, &sweep, msg);
     if (!err)
-        err = bead_sweep_write(sweep, command->job.output, msg);
+        err = write_merged(sweep, command->job.output, msg);
     if (!err) {
         const struct bead_result result = {.path = command->job.output, .bytes = bead_file_bytes(command->job.output)};
         print_results(&result, 1);

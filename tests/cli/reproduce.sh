@@ -159,4 +159,11 @@ ends() {
 }
 ok "a search in other files ends with SIGTERM" ends
 rm -r films
+# ---- what is compared stays ----
+"$beadsim" clean-vs-delocalised --set simulate.until='50 us' --set 'outputs=[{table: p.csv}, {trajectory: run.h5}]' -o kept >/dev/null
+echo changed >>kept/p.csv
+ok "a changed table, made again above it" fails 2 "$beadsim" --reproduce kept/p.csv -o kept
+ok "... is refused with a word" says "--reproduce: -o kept has kept/p.csv in it, which might be replaced; name another directory"
+ok "... and stays" test "$(tail -n 1 kept/p.csv)" = changed
+ok "... elsewhere, it is other bits" fails 1 "$beadsim" --reproduce kept/p.csv -o elsewhere
 finish

@@ -273,6 +273,19 @@ else
     ok "... is told" says "warning: this kernel has no seccomp: such files are read in a process of their own, but in no sandbox"
 fi
 
+if [ "${sanitized:-}" ]; then
+    skip "a build without sanitizers" "a merge that is stopped"
+else
+    printf '%s\n' '#define _GNU_SOURCE' '#include <dlfcn.h>' '#include <signal.h>' 'int rename(const char *a, const char *b)' \
+        '{ raise(SIGTERM); return ((int (*)(const char *, const char *))dlsym(RTLD_NEXT, "rename"))(a, b); }' >late.c
+    ${CC:-cc} -w -shared -fPIC late.c -o late.so -ldl
+    late() {
+        (LD_PRELOAD=$T/late.so run "$beadsim" --merge parts/*.h5 -o late.h5; exit $status) 2>/dev/null
+        [ $? -eq 143 ] && cmp late.h5 sweep.h5 && [ ! -e late.h5.new ]
+    }
+    ok "SIGTERM while a merged file is written: it is whole" late
+fi
+
 # ---- no locks ----
 if [ "${sanitized:-}" ] || ! refuse flock -1 37; then # ENOLCK
     skip "a compiler, and a build without sanitizers" "file systems without locks"
