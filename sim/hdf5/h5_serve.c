@@ -83,8 +83,9 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct
         .file = -1, .path = path, .kind = kind, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
     h5->check.file = bead_file_look(path);
     if (h5->check.file < 0 || fstat(h5->check.file, &found) != 0) {
-        h5->code = BEAD_ERROR_IO;
-        bead_h5_fail_by(h5, "read", errno);
+        const int error = errno; /* directories and pipes are there, but of no format */
+        h5->code = error == EISDIR || error == ENXIO ? BEAD_ERROR_FORMAT : BEAD_ERROR_IO;
+        bead_h5_fail_by(h5, "read", error);
         h5->code = BEAD_ERROR_FORMAT;
     } else if (!bead_h5_is(path))
         bead_h5_fail(h5, false, "not an HDF5 file");
