@@ -62,7 +62,7 @@ static double multiple(double k, int mantissa, int exponent)
     return exponent < 0 ? k * mantissa / bead_power_of_ten(-exponent) : k * mantissa * bead_power_of_ten(exponent);
 }
 
-static const int mantissas[] = {1, 2, 5};
+static const int mantissas[] = {1, 2, 5}, uneven_mantissas[] = {3, 4, 6, 8};
 
 static bool try_step(struct bead_axis *axis, const struct room *room, int mantissa, int exponent)
 {
@@ -81,12 +81,12 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
     return room->length * step / (high - low) >= needed(room, (double)widest);
 }
 
-/* A short axis may have room for two labels though no round step gives two: "0" and "40" say more than "0" alone. */
+/* A short axis may have room for two labels though no round step gives two: "0" and "80" say more than "0" alone. */
 static bool uneven_step(struct bead_axis *axis, const struct room *room, int first)
 {
     for (int exponent = first; exponent < first + 4; exponent++) {
-        for (int mantissa = 3; mantissa <= 4; mantissa++) {
-            if (try_step(axis, room, mantissa, exponent) && axis->count == 2)
+        for (size_t i = 0; i < sizeof uneven_mantissas / sizeof *uneven_mantissas; i++) {
+            if (try_step(axis, room, uneven_mantissas[i], exponent) && axis->count == 2)
                 return true;
         }
     }

@@ -438,12 +438,25 @@ static void axes_have_these_labels(void **)
     }
 }
 
+/* A low axis has two numbers wherever its room, two thirds of which is the least between 0 and a number of one digit, has it. */
+static void test_low_axes_have_two_numbers(void **state)
+{
+    (void)state;
+    enum { EM = 20 };
+    for (int i = 20; i <= 100; i++) {
+        struct bead_axis axis;
+        bead_axis_make(&axis, 0, i, "N", BEAD_SCALE_LINEAR, 2.2 * EM, EM, false);
+        if (axis.count < 2)
+            fail_msg("an axis to %d has %zu numbers", i, axis.count);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ticks_stand_at_their_values), cmocka_unit_test(steps_are_the_smallest_that_fit),
-        cmocka_unit_test(axes_have_these_labels),      cmocka_unit_test(labels_stand_at_their_ticks),
-        cmocka_unit_test(titles_fit_the_room),         cmocka_unit_test(boxes_surround_their_pixels),
-        cmocka_unit_test(logarithmic_axes_have_labels)};
+        cmocka_unit_test(test_low_axes_have_two_numbers),  cmocka_unit_test(ticks_stand_at_their_values),
+        cmocka_unit_test(steps_are_the_smallest_that_fit), cmocka_unit_test(axes_have_these_labels),
+        cmocka_unit_test(labels_stand_at_their_ticks),     cmocka_unit_test(titles_fit_the_room),
+        cmocka_unit_test(boxes_surround_their_pixels),     cmocka_unit_test(logarithmic_axes_have_labels)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
