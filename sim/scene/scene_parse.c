@@ -185,7 +185,7 @@ static enum bead_error check_ending(const char *path, struct bead_message *msg)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%s: not an HDF5 file, or damaged at its beginning", path);
     for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
         if (bead_output_ends_like(bead_output_endings(kind), path))
-            return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is a result, not a scene; --reproduce makes it again, of the scene in it",
+            return bead_fail(msg, BEAD_ERROR_SCENE, "%s: is a result, not a scene; if beadreel made it, --reproduce does so again",
                              path);
     }
     return BEAD_OK;

@@ -56,7 +56,7 @@ for ending in png jpg svg pdf eps mp4 webm gif csv html; do
     cp "$T/made/peaks.csv" "$T/made.$ending"
     for how in --only=none --plan --info; do
         ok "a result, .$ending, for a scene, $how" refused 2 "$beadreel" $how "$T/made.$ending"
-        ok "..." says "made.$ending: is a result, not a scene; --reproduce makes it again, of the scene in it"
+        ok "..." says "made.$ending: is a result, not a scene; if beadreel made it, --reproduce does so again"
     done
 done
 cp "$T/made/peaks.csv" "$T/made.h5"

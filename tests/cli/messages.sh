@@ -85,8 +85,9 @@ ok "a directory for one picture" eval 'fails 2 "$beadreel" run.h5 -o folder && s
 plan() { "$beadreel" good.yaml --plan --set "outputs=[{movie: m.mp4, speed: $1}]"; }
 ok "one factor is a speed" eval 'plan 1/2000 >one && plan "[{at: 0, factor: 1/2000}]" >many && cmp one many && plan 1/4000 >other && ! cmp -s one other'
 ok "... but no word" eval 'fails 2 plan slow && says "must be a factor such as 1/4000, or a list"'
-printf '\xff\xd8\xff\xe0picture' >picture.jpg
-ok "a picture is no scene" eval 'fails 2 "$beadreel" --info picture.jpg && says "a scene is a text in UTF-8, which a picture or a film is not"'
+printf "\\xff\\xd8\\xff\\xe0picture" | tee picture.jpg >picture.yaml
+ok "a picture is no scene" eval 'fails 2 "$beadreel" --info picture.yaml && says "a scene is a text in UTF-8, which a picture or a film is not"'
+ok "... and is told by its name, too" eval 'fails 2 "$beadreel" --info picture.jpg && says "is a result, not a scene; if beadreel made it, --reproduce"'
 ok "a plan says milliseconds where there are many" eval '"$beadsim" good.yaml --plan --set "outputs=[{table: t.csv, show: sensors, beads: 2, every: 20 ms}]" --set simulate.until=0.1s >out && grep -q "6 times every 20 ms until 100 ms" out'
 # What the options for -o mean, written in several ways.
 drawn() { # NAME OPTION VALUE : its pixels, as NAME.raw
