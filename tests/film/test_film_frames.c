@@ -14,27 +14,7 @@
 
 #include "render/draw/picture.h"
 #include "render/movie/composer_private.h"
-
-enum { MOST_TEXTS = 512 };
-
-struct texts {
-    struct {
-        double x, y, width, height;
-        char markup[300];
-    } text[MOST_TEXTS];
-    size_t count;
-};
-
-static void see(void *context, const char *markup, double x, double y, double width, double height)
-{
-    struct texts *seen = context;
-    assert_true(seen->count < MOST_TEXTS);
-    seen->text[seen->count].x = x;
-    seen->text[seen->count].y = y;
-    seen->text[seen->count].width = width;
-    seen->text[seen->count].height = height;
-    snprintf(seen->text[seen->count++].markup, 300, "%s", markup);
-}
+#include "tests/texts.h"
 
 static void assert_legible(const struct texts *seen, const int size[2], const char *what)
 {
@@ -127,7 +107,7 @@ static void open_stage(struct stage *s, const char *text, const int size[2])
         fail_msg("%s\n%s", msg.text, text);
     for (size_t i = 0; i < s->scene->chain_count; i++)
         assert_int_equal(bead_chain_create(s->scene, i, &s->chains[i], &msg), BEAD_OK);
-    s->watch = (struct bead_text_watch){see, &s->seen};
+    s->watch = (struct bead_text_watch){texts_note, &s->seen};
     s->seen.count = 0;
     struct bead_composer_setup setup = {.output = &s->scene->outputs[0],
                                         .chains = (const struct bead_chain *const *)s->chains,

@@ -14,14 +14,11 @@
 
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
+#include "tests/texts.h"
 
-enum { WIDTH = 700, HEIGHT = 600, TEXTS = 40 };
+enum { WIDTH = 700, HEIGHT = 600 };
 static const struct bead_rect all = {200, 150, 300, 250};
 
-struct text {
-    char markup[400];
-    double x, y, width, height;
-};
 struct drawn {
     struct bead_look look;
     struct bead_axis axis;
@@ -30,18 +27,8 @@ struct drawn {
     bool downwards;
     cairo_surface_t *surface;
     double reach; /* px, returned */
-    size_t count; /* of texts */
-    struct text text[TEXTS];
+    struct texts texts;
 };
-
-static void see(void *context, const char *markup, double x, double y, double width, double height)
-{
-    struct drawn *d = context;
-    assert_true(d->count < TEXTS);
-    struct text *text = &d->text[d->count++];
-    *text = (struct text){"", x, y, width, height};
-    snprintf(text->markup, sizeof text->markup, "%s", markup);
-}
 
 /* An axis from low to high at a side of the plot, on white. */
 static void draw(struct drawn *d, double low, double high, bool labels, const char *title)
@@ -52,8 +39,8 @@ static void draw(struct drawn *d, double low, double high, bool labels, const ch
     bead_axis_make(&d->axis, low, high, "N", d->axis.scale, lying ? d->plot.width : d->plot.height, d->look.tick, lying);
     const double measured = bead_axis_draw(NULL, &d->look, &d->axis, d->plot, d->side, d->downwards, labels, title);
     d->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
-    d->count = 0;
-    const struct bead_text_watch watch = {see, d};
+    d->texts.count = 0;
+    const struct bead_text_watch watch = {texts_note, &d->texts};
     assert_true(bead_text_watch(d->surface, &watch));
     cairo_t *cr = cairo_create(d->surface);
     cairo_set_source_rgb(cr, 1, 1, 1);
@@ -137,7 +124,7 @@ static void ticks_stand_at_their_values(void **state)
         struct drawn d = {0};
         next_axis(&d, i);
         draw(&d, i % 2 ? 0.7 : -3, i % 2 ? 300 : 11, false, NULL);
-        assert_int_equal(d.count, 0); /* ticks only */
+        assert_int_equal(d.texts.count, 0); /* ticks only */
         assert_true(d.axis.count >= 3);
         const int line = (int)d.look.line, length = (int)d.reach - line;
         assert_true(d.reach == line + length && length > 0.3 * d.look.tick && length < 0.5 * d.look.tick);
@@ -184,10 +171,10 @@ static void labels_stand_at_their_ticks(void **state)
         const double ticks = d.reach, em = d.look.tick;
         clear(&d);
         draw(&d, i % 2 ? 0.7 : -3, i % 2 ? 1300 : 11, true, NULL);
-        assert_int_equal(d.count, d.axis.count);
+        assert_int_equal(d.texts.count, d.axis.count);
         double furthest = 0;
-        for (size_t k = 0; k < d.count; k++) {
-            const struct text *text = &d.text[k];
+        for (size_t k = 0; k < d.texts.count; k++) {
+            const struct text *text = &d.texts.text[k];
             assert_string_equal(text->markup, d.axis.ticks[k].label);
             const double bearing = 0.12 * em; /* between a letter's box and its ink */
             if (!(fabs(middle_of(&d, text) - along(&d, d.axis.ticks[k].place)) < bearing))
@@ -226,16 +213,16 @@ static enum fitted fit(struct drawn *d, int room, const char *title)
     const double labels = d->reach, em = d->look.label;
     clear(d);
     draw(d, 0, 10, true, title);
-    const struct text found = d->text[d->count - 1];
+    const struct text found = d->texts.text[d->texts.count - 1];
     const double axis = d->axis.count, reach = d->reach;
     char whole[400];
     bead_axis_title(&d->axis, title, whole, sizeof whole);
     clear(d);
-    if (d->count == axis) {
+    if (d->texts.count == axis) {
         assert_true(reach == labels);
         return NONE;
     }
-    assert_int_equal(d->count, axis + 1);
+    assert_int_equal(d->texts.count, axis + 1);
     double line, width = lying ? found.width : found.height, thickness = lying ? found.height : found.width;
     const double full = natural_width(&d->look, whole, &line), middle = lying ? found.x + width / 2 : found.y + width / 2;
     if (!(width <= room + 1))

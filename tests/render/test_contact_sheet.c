@@ -7,31 +7,15 @@
 #include "render/view/orientation.h"
 #include "strokes.h"
 #include "tests/sweeps.h"
-
-enum { TEXTS = 200 };
-
-struct text {
-    char markup[400];
-    double x, y, width, height;
-};
+#include "tests/texts.h"
 
 struct laid {
     struct bead_scene *scene;
     struct bead_sweep *sweep;
     struct contact_sheet sheet;
     cairo_surface_t *surface;
-    size_t count;
-    struct text text[TEXTS];
+    struct texts texts;
 };
-
-static void see(void *context, const char *markup, double x, double y, double width, double height)
-{
-    struct laid *l = context;
-    assert_true(l->count < TEXTS);
-    struct text *t = &l->text[l->count++];
-    *t = (struct text){"", x, y, width, height};
-    snprintf(t->markup, sizeof t->markup, "%s", markup);
-}
 
 static enum bead_error lay_out(struct laid *l, const char *sweep, const char *output)
 {
@@ -258,8 +242,8 @@ static void assert_filled(const struct stroke *s, struct bead_rgb colour, double
 
 static size_t find(const struct laid *l, const char *words, size_t n)
 {
-    for (size_t i = 0; i < l->count; i++) {
-        if (strstr(l->text[i].markup, words) && n-- == 0)
+    for (size_t i = 0; i < l->texts.count; i++) {
+        if (strstr(l->texts.text[i].markup, words) && n-- == 0)
             return i;
     }
     fail_msg("nothing says '%s'", words);
@@ -298,17 +282,17 @@ static void words_say_what_was_found(void **)
                                                                                 : 12.3};
         }
         l.surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1200, 900);
-        const struct bead_text_watch watch = {see, &l};
+        const struct bead_text_watch watch = {texts_note, &l.texts};
         assert_true(bead_text_watch(l.surface, &watch));
         cairo_t *cr = cairo_create(l.surface);
         strokes_begin();
-        l.count = 0;
+        l.texts.count = 0;
         assert_int_equal(contact_sheet_draw(s, cr, &msg), BEAD_OK);
         strokes.on = false;
         /* The key: squares of 0.75 of the type in the middle of their words. */
         size_t at = 0;
         for (int i = 0; i < 2; i++, at++) {
-            const struct text *word = &l.text[find(&l, i ? "reversed cell" : "cell as written", 0)];
+            const struct text *word = &l.texts.text[find(&l, i ? "reversed cell" : "cell as written", 0)];
             const struct stroke *square = &strokes.list[at];
             assert_true(stroke_has(square, true, contact_sheet_spin_colour(s, 1 - i)));
             assert_at(square->high[0] - square->low[0], 0.75 * look->tick);
@@ -341,13 +325,13 @@ static void words_say_what_was_found(void **)
                 assert_filled(&strokes.list[at++], look->accent, w.x, y, part * w.width, meter);
             char number[32];
             snprintf(number, sizeof number, "<b>#%zu</b>", image->index);
-            const struct text *index = &l.text[find(&l, number, 0)];
+            const struct text *index = &l.texts.text[find(&l, number, 0)];
             assert_true(fabs(index->x - w.x) < 3 &&
                         fabs(index->y + index->height - (y + meter + 1.25 * s->small)) < 0.3 * s->small);
         }
-        assert_non_null(strstr(l.text[find(&l, ">F<", 1)].markup, "12.3")); /* the first one explains */
-        const struct text *clean = &l.text[find(&l, " 0.25", 0)], *share = &l.text[find(&l, " 3.2", 0)],
-                          *force = &l.text[find(&l, "12.3", 0)];
+        assert_non_null(strstr(l.texts.text[find(&l, ">F<", 1)].markup, "12.3")); /* the first one explains */
+        const struct text *clean = &l.texts.text[find(&l, " 0.25", 0)], *share = &l.texts.text[find(&l, " 3.2", 0)],
+                          *force = &l.texts.text[find(&l, "12.3", 0)];
         const struct bead_rect w = s->images[0].words;
         const double y = w.y + round(0.3 * s->small) + meter;
         assert_true(fabs(clean->x + clean->width - right_of(w)) < 3 &&
@@ -360,7 +344,7 @@ static void words_say_what_was_found(void **)
         for (size_t r = 0; r < 2; r++) {
             char name[400];
             contact_sheet_row_name(s, &s->rows[r], name, sizeof name);
-            const struct text *row = &l.text[find(&l, name, 0)];
+            const struct text *row = &l.texts.text[find(&l, name, 0)];
             const struct bead_rect p = s->images[r * s->rows[0].count].picture;
             assert_true(fabs(row->x - look->margin) < 3 &&
                         fabs(row->y + row->height / 2 - (p.y + p.height / 2.0)) < 0.3 * look->tick);

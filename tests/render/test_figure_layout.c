@@ -15,21 +15,17 @@
 #include "render/draw/looks.h"
 #include "render/figure/figure.h"
 #include "tests/sweeps.h"
+#include "tests/texts.h"
 
-enum { MOST_CHAINS = 7, TEXTS = 400 };
+enum { MOST_CHAINS = 7 };
 
-struct text {
-    char markup[200];
-    double x, y, width, height;
-};
 struct laid {
     struct bead_scene *scene;
     struct bead_chain *chains[MOST_CHAINS];
     const struct bead_chain *shown[MOST_CHAINS];
     struct bead_look look;
     struct bead_figure *figure;
-    size_t count; /* of texts */
-    struct text text[TEXTS];
+    struct texts texts;
 };
 
 /* A figure of the output on `area`, NULL: on its page. */
@@ -205,7 +201,7 @@ static void parts_stand_in_a_grid(void **state)
         for (size_t chains = 1; chains <= cases[k].most; chains++) {
             const size_t style = (k + chains) % STYLES;
             char output[300];
-            struct laid l = {.count = 0};
+            struct laid l = {.texts = {.count = 0}};
             snprintf(output, sizeof output, "%s, %s", styles[chains > 4 ? 0 : style], cases[k].views);
             lay_out(&l, chains, output, NULL);
             assert_grid(l.figure);
@@ -223,26 +219,18 @@ static void parts_stand_in_a_grid(void **state)
 
 /* ---- texts ---- */
 
-static void see(void *context, const char *markup, double x, double y, double width, double height)
-{
-    struct laid *l = context;
-    assert_true(l->count < TEXTS);
-    l->text[l->count] = (struct text){"", x, y, width, height};
-    snprintf(l->text[l->count++].markup, sizeof l->text[0].markup, "%s", markup);
-}
-
 /* All that is written around images is on the page, apart, and near the page's margin on each side. */
 static void texts_are_apart_and_fill_the_page(void **state)
 {
     (void)state;
     for (size_t i = 0; i < 2 * STYLES; i++) {
         const size_t chains = 1 + i % 4;
-        struct laid l = {.count = 0};
+        struct laid l = {.texts = {.count = 0}};
         struct bead_message msg = {""};
         char output[200];
         snprintf(output, sizeof output, "%s, field: %s", styles[i % STYLES], i < STYLES ? "force" : "velocity");
         lay_out(&l, chains, output, NULL);
-        const struct bead_text_watch watch = {see, &l};
+        const struct bead_text_watch watch = {texts_note, &l.texts};
         cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1); /* texts are told of wherever they are */
         assert_true(bead_text_watch(surface, &watch));
         cairo_t *cr = cairo_create(surface);
@@ -251,13 +239,13 @@ static void texts_are_apart_and_fill_the_page(void **state)
             fail_msg("%s", msg.text);
         cairo_destroy(cr);
         cairo_surface_destroy(surface);
-        assert_true(l.count > 6 + 4 * chains);
+        assert_true(l.texts.count > 6 + 4 * chains);
         const struct bead_rect *page = &l.figure->area;
         double left = page->width, top = page->height, right = 0, bottom = 0;
-        for (size_t t = 0; t < l.count; t++) {
-            const struct text *a = &l.text[t];
+        for (size_t t = 0; t < l.texts.count; t++) {
+            const struct text *a = &l.texts.text[t];
             for (size_t u = 0; u < t; u++) {
-                const struct text *b = &l.text[u];
+                const struct text *b = &l.texts.text[u];
                 if (a->x < b->x + b->width && b->x < a->x + a->width && a->y < b->y + b->height && b->y < a->y + a->height)
                     fail_msg("%s: '%s' and '%s' collide", output, a->markup, b->markup);
             }
@@ -284,7 +272,7 @@ static void layouts_move_with_their_area(void **state)
     const struct bead_rect areas[] = {{0, 0, 900, 600}, {131, 57, 900, 600}};
     struct bead_rect plot[2][4], bar[2], heading[2];
     for (int i = 0; i < 2; i++) {
-        struct laid l = {.count = 0};
+        struct laid l = {.texts = {.count = 0}};
         struct bead_insets insets;
         lay_out(&l, 4, "size: [1280, 720], field: velocity", &areas[i]);
         assert_int_equal(bead_figure_put(l.figure, areas[i], &(struct bead_insets){0}, &insets, NULL), BEAD_OK);

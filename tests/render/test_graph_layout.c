@@ -3,6 +3,7 @@
 #include "graphs.h"
 #include "render/draw/looks.h"
 #include "strokes.h"
+#include "tests/texts.h"
 
 enum { LEFT = 100, TOP = 50, WIDTH = 400, HEIGHT = 200, RIGHT = LEFT + WIDTH, BOTTOM = TOP + HEIGHT };
 
@@ -410,25 +411,6 @@ static void samples_look_like_their_curves(void **)
 
 /* ---- names at the ends of lines ---- */
 
-struct texts {
-    size_t count;
-    struct {
-        char markup[80];
-        double x, y, width, height;
-    } text[40];
-};
-
-static void note(void *context, const char *markup, double x, double y, double width, double height)
-{
-    struct texts *t = context;
-    assert_true(t->count < 40);
-    snprintf(t->text[t->count].markup, sizeof t->text[0].markup, "%s", markup);
-    t->text[t->count].x = x;
-    t->text[t->count].y = y;
-    t->text[t->count].width = width;
-    t->text[t->count++].height = height;
-}
-
 /* 0.45 em beyond the frame, as high as the end of their line but within the frame; not where two are closer than 0.85 of a line, or
  * one ends 2.5 em before the frame. */
 static void names_stand_where_lines_end(void **)
@@ -455,7 +437,7 @@ static void names_stand_where_lines_end(void **)
         const double widest = fmax(width_of("nnn", em), width_of("ooooo", em));
         assert_true(graph_ends_reach(&cell, &look) == ceil(widest + 0.45 * em));
         struct texts texts = {.count = 0};
-        const struct bead_text_watch watch = {note, &texts};
+        const struct bead_text_watch watch = {texts_note, &texts};
         struct canvas c = make_canvas(800, 400);
         assert_true(bead_text_watch(c.surface, &watch));
         graph_ends_draw(&cell, &look, c.cr);
@@ -565,7 +547,7 @@ static void titles_begin_above_the_axes(void **)
         assert_true(page.above == ceil(down + 0.7 * em) && page.below == ceil(caption_height + 0.5 * em));
         assert_at(page.caption_height, caption_height);
         struct texts texts = {.count = 0};
-        const struct bead_text_watch watch = {note, &texts};
+        const struct bead_text_watch watch = {texts_note, &texts};
         struct canvas c = make_canvas(1000, 500);
         assert_true(bead_text_watch(c.surface, &watch));
         graph_page_draw(&page, &look, c.cr, 77);

@@ -9,6 +9,7 @@
 #include "render/stage/stage_key.h"
 #include "strokes.h"
 #include "tests/scenes.h"
+#include "tests/texts.h"
 
 enum { WIDTH = 500, HEIGHT = 100 };
 static const struct bead_rect strip = {40, 20, 400, 60};
@@ -218,25 +219,6 @@ static void beads_are_counted(void **)
 
 /* ---- the key of a stage ---- */
 
-struct seen {
-    size_t count;
-    struct {
-        char markup[160];
-        double x, y, width, height;
-    } text[40];
-};
-
-static void see(void *context, const char *markup, double x, double y, double width, double height)
-{
-    struct seen *seen = context;
-    assert_true(seen->count < 40);
-    snprintf(seen->text[seen->count].markup, sizeof seen->text[0].markup, "%s", markup);
-    seen->text[seen->count].x = x;
-    seen->text[seen->count].y = y;
-    seen->text[seen->count].width = width;
-    seen->text[seen->count++].height = height;
-}
-
 struct keyed {
     struct bead_scene *scene;
     struct bead_chain *chain;
@@ -278,8 +260,8 @@ static void keys_are_rows_of_samples(void **)
     const double size = 20, right = 780, middle = 33;
     open_keyed(&k, STRIKER BEADS_OF);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 900, 80);
-    struct seen seen = {.count = 0};
-    const struct bead_text_watch watch = {see, &seen};
+    struct texts seen = {.count = 0};
+    const struct bead_text_watch watch = {texts_note, &seen};
     assert_true(bead_text_watch(surface, &watch));
     cairo_t *cr = cairo_create(surface);
     const struct bead_chain *chains[] = {k.chain};

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is written into a drawing: a look's watch {texts_note, &texts} keeps each text as markup, with its box in px. */
+#ifndef BEADREEL_TESTS_TEXTS_H
+#define BEADREEL_TESTS_TEXTS_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+struct texts {
+    size_t count;
+    struct text {
+        char markup[400];
+        double x, y, width, height;
+    } text[512];
+};
+
+static void texts_note(void *context, const char *markup, double x, double y, double width, double height)
+{
+    struct texts *texts = context;
+    assert_true(texts->count < sizeof texts->text / sizeof *texts->text);
+    struct text *text = &texts->text[texts->count++];
+    *text = (struct text){"", x, y, width, height};
+    snprintf(text->markup, sizeof text->markup, "%s", markup);
+}
+
+#endif
