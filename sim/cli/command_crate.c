@@ -193,6 +193,7 @@ static enum bead_error write_one(struct crate *crate, const char *name, bead_fil
     char path[PATH_MAX + 32];
     uint64_t bytes = 0;
     snprintf(path, sizeof path, "%s%s", crate->folder, name);
+    BEAD_TRY(bead_session_spare_inputs(crate->session, path, msg));
     return bead_file_write(path, fill, crate, &bytes, msg);
 }
 

@@ -193,7 +193,7 @@ static enum bead_error file_points(const struct bead_reader *reader, const struc
         path = NULL;
         return bead_no_memory(reader);
     }
-    enum bead_error err = bead_file_read(path, MOST_BYTES, &text, &length, &why);
+    enum bead_error err = bead_yaml_read_part(reader->yaml, path, MOST_BYTES, &text, &length, &why);
     if (err)
         return err == BEAD_ERROR_MEMORY ? bead_no_memory(reader) : bead_wrong(reader, at, "%s", why.text);
     return points_text(reader, at, file, text, points);

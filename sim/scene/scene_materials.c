@@ -179,6 +179,8 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
     struct bead_yaml *yaml = NULL, *scene_yaml = reader->yaml;
     enum bead_error err = bead_asset_path(file, path, sizeof path, reader->msg);
     if (!err)
+        err = bead_yaml_note_part(scene_yaml, path, reader->msg);
+    if (!err)
         err = bead_asset_read(file, &text, &length, reader->msg);
     if (!err)
         err = bead_yaml_parse(path, text, length, &yaml, reader->msg);

@@ -70,7 +70,7 @@ static enum bead_error take_materials(struct own *own)
     struct bead_yaml *library = NULL;
     BEAD_FREED char *text = NULL;
     size_t length = 0;
-    enum bead_error err = bead_file_read(config->materials, BEAD_YAML_BYTES, &text, &length, &why);
+    enum bead_error err = bead_yaml_read_part(own->reader->yaml, config->materials, BEAD_YAML_BYTES, &text, &length, &why);
     if (err)
         return bead_fail(msg, err == BEAD_ERROR_IO ? BEAD_ERROR_SCENE : err, "%s:%zu:%zu: materials: %.500s", config->path,
                          config->materials_place.line, config->materials_place.column, why.text);
@@ -222,7 +222,7 @@ static enum bead_error take_colours(struct own *own, const struct bead_at *at)
         free(path);
         return BEAD_OK;
     }
-    enum bead_error err = path ? bead_file_read(path, BEAD_YAML_BYTES, &text, &length, &why) : BEAD_ERROR_MEMORY;
+    enum bead_error err = path ? bead_yaml_read_part(reader->yaml, path, BEAD_YAML_BYTES, &text, &length, &why) : BEAD_ERROR_MEMORY;
     if (err == BEAD_ERROR_IO || err == BEAD_ERROR_SCENE)
         err = bead_wrong(reader, at, "%s", why.text);
     if (!err && !(colours = read_colours(text, turned, wrong, sizeof wrong)))
@@ -268,7 +268,9 @@ enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *path
 {
     struct bead_config *config = NULL;
     const struct bead_at root = {NULL, "", 0, bead_yaml_root(reader->yaml)};
-    enum bead_error err = path ? bead_config_load(path, &config, reader->msg) : BEAD_OK;
+    enum bead_error err = path ? bead_yaml_note_part(reader->yaml, path, reader->msg) : BEAD_OK;
+    if (!err && path)
+        err = bead_config_load(path, &config, reader->msg);
     struct own own = {reader, config, false};
     struct bead_node *outputs = bead_node_get(root.node, "outputs", NULL);
     if (!err && config && root.node->kind == BEAD_NODE_MAP)

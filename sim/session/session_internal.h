@@ -12,6 +12,8 @@ struct bead_planned {
 bool bead_session_planned(const struct bead_session *session, size_t index, struct bead_planned *planned);
 /* Name of the `index`-th output that none of the job's sinks can make (pictures in beadsim); NULL behind the last. */
 const char *bead_session_skipped(const struct bead_session *session, size_t index);
+/* Refuses a file that the session reads: what is read is not replaced. Errors: USAGE. */
+enum bead_error bead_session_spare_inputs(const struct bead_session *session, const char *file, struct bead_message *msg);
 /* The scene as it is run, with all changes; of a trajectory or a sweep's file, the scene stored in it. YAML; the session's. */
 const char *bead_session_text(const struct bead_session *session);
 /* Unit of the session's times: "s", or "" (bead_chain_time_unit). */

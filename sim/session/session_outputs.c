@@ -11,12 +11,14 @@
 
 /* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
 
-/* What is read is not replaced. */
-static enum bead_error spare_inputs(const struct bead_session *s, const char *file, struct bead_message *msg)
+enum bead_error bead_session_spare_inputs(const struct bead_session *s, const char *file, struct bead_message *msg)
 {
     bool same = bead_file_same(file, s->job.input);
     for (size_t i = 0; i < s->job.other_count; i++)
         same = same || bead_file_same(file, s->job.others[i]);
+    const char *part;
+    for (size_t i = 0; (part = bead_yaml_part(s->source->tree, i)); i++)
+        same = same || bead_file_same(file, part);
     return same ? bead_fail(msg, BEAD_ERROR_USAGE, "%s: would replace what it is made of; give another name or directory with -o",
                             file)
                 : BEAD_OK;
@@ -25,7 +27,7 @@ static enum bead_error spare_inputs(const struct bead_session *s, const char *fi
 static enum bead_error claim(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     if (bead_session_makes(m) && m->path)
-        BEAD_TRY(spare_inputs(s, m->path, msg));
+        BEAD_TRY(bead_session_spare_inputs(s, m->path, msg));
     /* The unfinished file of a sweep's results is a journal, which locks itself. */
     if (bead_session_holds_sweep(m) || !bead_session_makes(m))
         return BEAD_OK;
@@ -33,7 +35,7 @@ static enum bead_error claim(struct bead_session *s, struct bead_made *m, struct
     const char *beside = m->sink && m->type->beside ? m->type->beside(m->sink, &bytes) : NULL;
     const char *const files[2] = {m->path, beside};
     for (int i = 0; i < 2 && files[i]; i++) {
-        BEAD_TRY(spare_inputs(s, files[i], msg));
+        BEAD_TRY(bead_session_spare_inputs(s, files[i], msg));
         BEAD_TRY(bead_file_make_parents(files[i], msg));
         BEAD_TRY(bead_file_claim(files[i], &m->claims[i], msg));
         const char *claimed_by = bead_file_claimed_by(m->claims[i]);

@@ -55,7 +55,14 @@ BEAD_CHECK enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct be
  * Errors: as above. */
 BEAD_CHECK enum bead_error bead_yaml_find(struct bead_yaml *yaml, const char *path, const char *const *naming,
                                           const struct bead_node **node, struct bead_message *msg);
-/* A document with a copy of the tree. Errors: MEMORY. */
+/* Note the name of a file of which the document has parts, or what is made of it. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_yaml_note_part(struct bead_yaml *yaml, const char *path, struct bead_message *msg);
+/* Note the name, and read the file as bead_file_read does. */
+BEAD_CHECK enum bead_error bead_yaml_read_part(struct bead_yaml *yaml, const char *path, size_t most, char **text, size_t *length,
+                                               struct bead_message *msg);
+/* The files noted so, from 0 on; NULL after the last. */
+const char *bead_yaml_part(const struct bead_yaml *yaml, size_t index);
+/* A document with a copy of the tree, and the names of its parts. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_duplicate(const struct bead_yaml *yaml, struct bead_yaml **made, struct bead_message *msg);
 /* Write a node of the document as text, to be freed with free(). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_emit(const struct bead_yaml *yaml, const struct bead_node *node, char **text,

@@ -13,6 +13,7 @@ struct bead_yaml_chunk {
 struct bead_yaml {
     char *name;
     struct bead_node *root;
+    struct bead_node *files; /* a list of the names of files of which it has parts; NULL: none */
     struct bead_yaml_chunk *chunks;
     size_t nodes;
     const char *origin; /* of nodes being made, as in bead_node */

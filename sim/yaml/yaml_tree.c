@@ -2,6 +2,7 @@
 /* Trees of nodes: memory, look-ups, and their text in messages. Parser, editor and scene reader share these. */
 #include <stdlib.h>
 
+#include "sim/base/file.h"
 #include "sim/base/text.h"
 #include "sim/yaml/yaml_private.h"
 
@@ -155,10 +156,38 @@ struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node 
     return made;
 }
 
+const char *bead_yaml_part(const struct bead_yaml *yaml, size_t index)
+{
+    return yaml->files && index < yaml->files->count ? yaml->files->items[index]->text : NULL;
+}
+
+enum bead_error bead_yaml_note_part(struct bead_yaml *yaml, const char *path, struct bead_message *msg)
+{
+    static const struct bead_place nowhere = {0, 0};
+    const char *noted;
+    for (size_t i = 0; (noted = bead_yaml_part(yaml, i)); i++) {
+        if (strcmp(noted, path) == 0)
+            return BEAD_OK;
+    }
+    if (!yaml->files)
+        yaml->files = bead_yaml_node(yaml, BEAD_NODE_LIST, nowhere);
+    struct bead_node *name = yaml->files ? bead_yaml_scalar(yaml, path, strlen(path), nowhere) : NULL;
+    return name && bead_yaml_append(yaml, yaml->files, name) ? BEAD_OK
+                                                             : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory", path);
+}
+
+enum bead_error bead_yaml_read_part(struct bead_yaml *yaml, const char *path, size_t most, char **text, size_t *length,
+                                    struct bead_message *msg)
+{
+    BEAD_TRY(bead_yaml_note_part(yaml, path, msg));
+    return bead_file_read(path, most, text, length, msg);
+}
+
 enum bead_error bead_yaml_duplicate(const struct bead_yaml *yaml, struct bead_yaml **made, struct bead_message *msg)
 {
     struct bead_yaml *copy = *made = calloc(1, sizeof *copy);
-    if (copy && (copy->name = strdup(yaml->name)) && (copy->root = bead_yaml_copy(copy, yaml->root, yaml->root->place, NULL)))
+    if (copy && (copy->name = strdup(yaml->name)) && (copy->root = bead_yaml_copy(copy, yaml->root, yaml->root->place, NULL)) &&
+        (!yaml->files || (copy->files = bead_yaml_copy(copy, yaml->files, yaml->files->place, NULL))))
         return BEAD_OK;
     bead_yaml_free(copy);
     *made = NULL;

@@ -61,6 +61,32 @@ done
 ok "... and a picture" fails 1 timeout 20 "$beadreel" --reproduce pipe.png
 ok "..." says "pipe.png: cannot be read: it is not a regular file"
 
+# ---- what is read is not replaced ----
+mkdir -p .config/beadreel
+printf 'materials: mine.yaml\ncolormaps: {own: own.csv}\n' >.config/beadreel/config.yaml
+printf 'mine: {modulus: 193 GPa, poisson: 0.3, radius: 4.76 mm, mass: 3.63 g}\n' >.config/beadreel/mine.yaml
+printf '0 0 0\n255 255 255\n' | tee map.csv >.config/beadreel/own.csv
+printf 't,v\n0,0\n1e-5,0.5\n2e-5,0\n' | tee drive.csv >seen.csv
+ln map.csv hard.csv && ln -s drive.csv soft.csv && ln -s .config/beadreel/config.yaml config.csv && ln -s .config/beadreel/mine.yaml mine.csv
+ln -s "$BEADREEL_ASSETS/materials.yaml" ready.csv
+cat >parts.yaml <<'Y'
+chain: {drive: {displacement: {file: drive.csv}, amplitude: 1 um}, beads: [{bead: large-steel, sensor: first}, {bead: mine}]}
+simulate: {until: 50 us}
+outputs: [{table: a.csv}, {image: b.png, colormap: map.csv}, {image: c.png, colormap: own}, {plot: d.png, show: sensors, measured: seen.csv}]
+Y
+for file in map.csv drive.csv seen.csv .config/beadreel/own.csv hard.csv soft.csv config.csv mine.csv ready.csv; do
+    cp "$file" before
+    ok "-o $file, which the run reads" fails 2 "$beadreel" parts.yaml -o "$file"
+    ok "... is said" says "beadreel: $file: would replace what it is made of; give another name or directory with -o"
+    ok "... also where the scene names it" fails 2 "$beadreel" parts.yaml --set outputs.0.table="$file" -o .
+    ok "... and is as before" cmp "$file" before
+done
+ok "a crate" exits 0 "$beadsim" plain.yaml -o crate --crate
+cp crate/ro-crate-scene.yaml before && echo '# mine' | tee -a before >>crate/ro-crate-scene.yaml
+ok "... does not replace the scene that it is made of" fails 2 "$beadsim" crate/ro-crate-scene.yaml -o crate --crate
+ok "..." cmp crate/ro-crate-scene.yaml before
+rm -r .config
+
 # ---- what is shown ----
 quiet() { ! LC_ALL=C grep -qP '[\x01-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]' "$@"; }
 printf '"ch\\u009b31main\\u202e": 1\n%s\n' "$(scene '{table: a.csv}')" >key.yaml
