@@ -369,8 +369,8 @@ tsan: ## demo, sweep and every kind of output under the thread sanitizer; ends w
 $(FAIL_ALLOC): tests/torture/fail_alloc.c
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(CC) -std=c2x -D_GNU_SOURCE -O1 -g -fPIC -fno-builtin $(WARN) -shared -o $@ $<
-torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, PAIRS=5, ALLOCATIONS=60 or all; ends with `N passed, M failed`
-	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS) $(PAIRS)
+torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; KILLS=60, PAIRS=5, ALLOCATIONS=60 or all, PARTS=...; ends with `N passed, M failed`
+	@tests/torture/torture.sh $(BUILD) $(KILLS) $(ALLOCATIONS) $(PAIRS) $(PARTS)
 
 # One build for libFuzzer's targets and for tests under sanitizers: clang's, in all of the project's code. Comparisons of numbers are not
 # traced, which would halve the speed; those of texts are. Undefined behaviour is a trap: the report has where it is, but not what, whose

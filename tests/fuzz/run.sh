@@ -3,7 +3,7 @@
 # Run the fuzz targets of a build and count: tests/fuzz/run.sh BUILD SECONDS RUNS [TARGET...]
 # Each target is run for SECONDS, or RUNS executions where that is shorter; -1: any number. JOBS=n runs n side by side.
 # What is new in coverage stays in BUILD/corpus/TARGET; the input of a fault in BUILD/faults, and stands in the output; each run adds a
-# line to BUILD/runs.txt: target, executions, seconds of processor time, exit status (or `hdf5`).
+# line to BUILD/runs.txt: target, executions, seconds of processor time, exit status (or `hdf5`), date, commit.
 # Ends with a line for each target, its executions, and `N passed, M failed`.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -69,7 +69,7 @@ for target; do
         verdict="FAILED, status $status"
         tail -n 60 "$log"
     fi
-    echo "$target ${executed:-0} $(awk '{printf "%.0f", $1 + $2}' "$work/$target/time") $status" >>"$build/runs.txt"
+    echo "$target ${executed:-0} $(awk '{printf "%.0f", $1 + $2}' "$work/$target/time") $status $(date +%F) $(git describe --always --abbrev=10)" >>"$build/runs.txt"
     lines+=("$(printf '%-12s %9s executions %7s a second  %s' "$target" "${executed:-?}" "$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")" "$verdict")")
 done
 printf '%s\n' "${lines[@]}"

@@ -1,13 +1,16 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Torture the program: tests/torture/torture.sh BUILD KILLS ALLOCATIONS|all [PAIRS]
+# Torture the program: tests/torture/torture.sh BUILD KILLS ALLOCATIONS|all [PAIRS [PART...]]
 # It is killed at random moments, run twice at once, starved of disk, file size, descriptors and memory, and sent every signal. What must
 # hold: no file under a final name that is not whole; unfinished files can be read; exit statuses as documented; a failure says why in
 # one line and leaves nothing unfinished. KILLS that hit; each of the ALLOCATIONS fails in a run of its own; PAIRS of runs at once for
-# each kind of output. Ends with a table of counts and `N passed, M failed`. SEED=n: other moments.
+# each kind of output. PART: kills, pairs, want, signals, allocations; all unless given. Ends with a table of counts and `N passed,
+# M failed`. SEED=n: other moments.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 build=$(realpath "$1") kills=$2 allocations=$3 pairs=${4:-5}
+parts=("${@:5}")
+[ ${#parts[@]} -gt 0 ] || parts=(kills pairs want signals allocations)
 export BEADREEL_ASSETS=$PWD/assets
 beadreel=$build/beadreel
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-torture.XXXXXX") || exit 1
@@ -165,16 +168,18 @@ over_what_is_left() { # KIND
     judge_files "rerun: $1" "$T/kill-$1" "$T/whole-$1"
     end
 }
-# Runs that had ended before are none of the kills.
-for ((i = 0, hit = 0; hit < kills && i < 4 * kills; i++)); do
-    kind=${kinds[i % ${#kinds[@]}]}
-    killed "$kind"
-    case $((RANDOM % 4)) in
-    0) over_what_is_left "$kind" ;;
-    1) rm -rf "$T/kill-$kind" ;;
-    esac
-done
-for kind in "${kinds[@]}"; do over_what_is_left "$kind"; done
+torture_kills() {
+    # Runs that had ended before are none of the kills.
+    for ((i = 0, hit = 0; hit < kills && i < 4 * kills; i++)); do
+        kind=${kinds[i % ${#kinds[@]}]}
+        killed "$kind"
+        case $((RANDOM % 4)) in
+        0) over_what_is_left "$kind" ;;
+        1) rm -rf "$T/kill-$kind" ;;
+        esac
+    done
+    for kind in "${kinds[@]}"; do over_what_is_left "$kind"; done
+}
 
 # ---- two at once ----
 
@@ -199,12 +204,14 @@ two() { # KIND : the second differs, so that it is known whose files are there
     ! ls "$T"/two/*.part >"$T/info" 2>&1 || fault "$what" wrong "left $(cat "$T/info")"
     end
 }
-for kind in "${kinds[@]}" every; do
-    other=(--set title=other --set simulate.step='0.9 us')
-    rm -rf "$T/other"
-    draw "$kind" "$T/other" "${other[@]}" || { cat "$T/err"; failed=$((failed + 1)); continue; }
-    for ((i = 0; i < pairs; i++)); do two "$kind"; done
-done
+torture_pairs() {
+    for kind in "${kinds[@]}" every; do
+        other=(--set title=other --set simulate.step='0.9 us')
+        rm -rf "$T/other"
+        draw "$kind" "$T/other" "${other[@]}" || { cat "$T/err"; failed=$((failed + 1)); continue; }
+        for ((i = 0; i < pairs; i++)); do two "$kind"; done
+    done
+}
 
 # ---- want of disk, file size, descriptors ----
 
@@ -220,35 +227,36 @@ starved() { # WHAT SCENE COMMAND... : status 0 or 1; with a limit set by COMMAND
     rm -rf "$T/starved"/* "$T/starved"
     end
 }
-for name in every sweep; do
-    for limit in 1 2 4 8 16 32 64 128 256; do starved "file-size limit" $name "ulimit -f $limit"; done
-    for limit in 4 5 6 7 8 9 10 12 14 16 20; do starved "descriptors" $name "ulimit -n $limit"; done
-done
-mkdir "$T/disk"
-ln -s disk/out "$T/starved" 2>/dev/null
-if [ "$(id -u)" -eq 0 ] && mount -t tmpfs -o size=64k beadreel-torture "$T/disk" 2>/dev/null; then
-    rm -f "$T/starved"
-    on_disk() { # SCENE KIB
-        begin "small disk"
-        mount -o remount,size="$2"k "$T/disk" || return
-        draw "$1" "$T/disk/out"
-        local status=$?
-        judge_status "small disk" $status 0 1
-        judge_files "small disk" "$T/disk/out" "$T/whole-$1"
-        judge_left "small disk" $status "$T/disk/out"
-        rm -rf "$T/disk/out"
-        end
-    }
-    for name in every sweep trajectory; do for size in 4 8 12 16 24 32 64 96 128 192 256 384 512; do on_disk $name $size; done; done
-    umount "$T/disk"
-else
-    rm -f "$T/starved"
-    echo "small disks are skipped: no tmpfs can be mounted here"
-fi
+torture_want() {
+    for name in every sweep; do
+        for limit in 1 2 4 8 16 32 64 128 256; do starved "file-size limit" $name "ulimit -f $limit"; done
+        for limit in 4 5 6 7 8 9 10 12 14 16 20; do starved "descriptors" $name "ulimit -n $limit"; done
+    done
+    mkdir "$T/disk"
+    ln -s disk/out "$T/starved" 2>/dev/null
+    if [ "$(id -u)" -eq 0 ] && mount -t tmpfs -o size=64k beadreel-torture "$T/disk" 2>/dev/null; then
+        rm -f "$T/starved"
+        on_disk() { # SCENE KIB
+            begin "small disk"
+            mount -o remount,size="$2"k "$T/disk" || return
+            draw "$1" "$T/disk/out"
+            local status=$?
+            judge_status "small disk" $status 0 1
+            judge_files "small disk" "$T/disk/out" "$T/whole-$1"
+            judge_left "small disk" $status "$T/disk/out"
+            rm -rf "$T/disk/out"
+            end
+        }
+        for name in every sweep trajectory; do for size in 4 8 12 16 24 32 64 96 128 192 256 384 512; do on_disk $name $size; done; done
+        umount "$T/disk"
+    else
+        rm -f "$T/starved"
+        echo "small disks are skipped: no tmpfs can be mounted here"
+    fi
+}
 
 # ---- signals ----
 
-set -m # background jobs of a script ignore SIGINT and SIGQUIT otherwise
 signalled() { # NUMBER KIND
     rm -rf "$T/signal"
     begin "signals"
@@ -263,11 +271,14 @@ signalled() { # NUMBER KIND
     judge_files "signals" "$T/signal" "$T/whole-$2"
     end
 }
-for ((signal = 1; signal <= 31; signal++)); do
-    case $signal in 19 | 20 | 21 | 22) continue ;; esac # these only pause
-    for kind in trajectory movie; do signalled $signal $kind; done
-done 2>/dev/null
-set +m
+torture_signals() {
+    set -m # background jobs of a script ignore SIGINT and SIGQUIT otherwise
+    for ((signal = 1; signal <= 31; signal++)); do
+        case $signal in 19 | 20 | 21 | 22) continue ;; esac # these only pause
+        for kind in trajectory movie; do signalled $signal $kind; done
+    done 2>/dev/null
+    set +m
+}
 
 # ---- failing allocations ----
 
@@ -286,18 +297,22 @@ fail() { # SCENE K
     rm -rf "$T/memory"
     end
 }
-for name in every few; do
-    (export LD_PRELOAD=$build/tests/fail_alloc.so FAIL_COUNT=$T/allocations; draw $name "$T/memory")
-    all=$(cat "$T/allocations")
-    echo "$name: $all allocations of the program's own"
-    rm -rf "$T/memory"
-    [ "$all" -gt 100 ] || { failed=$((failed + 1)); continue; }
-    if [ "$allocations" = all ]; then
-        for ((k = 1; k <= all; k++)); do fail $name $k; done
-    else
-        for ((i = 0; i < allocations; i++)); do fail $name $((1 + (RANDOM * 32768 + RANDOM) % all)); done
-    fi
-done
+torture_allocations() {
+    for name in every few; do
+        (export LD_PRELOAD=$build/tests/fail_alloc.so FAIL_COUNT=$T/allocations; draw $name "$T/memory")
+        all=$(cat "$T/allocations")
+        echo "$name: $all allocations of the program's own"
+        rm -rf "$T/memory"
+        [ "$all" -gt 100 ] || { failed=$((failed + 1)); continue; }
+        if [ "$allocations" = all ]; then
+            for ((k = 1; k <= all; k++)); do fail $name $k; done
+        else
+            for ((i = 0; i < allocations; i++)); do fail $name $((1 + (RANDOM * 32768 + RANDOM) % all)); done
+        fi
+    done
+}
+
+for part in "${parts[@]}"; do "torture_$part" || failed=$((failed + 1)); done
 
 # ---- the table ----
 
