@@ -288,12 +288,27 @@ else
     ok "... and has written nothing" test ! -e intruded
     ok "a fault within libpng ends no program" fails 1 env LD_PRELOAD="$T/png_fault.so" "$beadreel" --reproduce read.png
     ok "... it is damage" says "read.png: damaged: what reads it fails over it (Segmentation fault)"
-    printf '%s\n' '#include <sys/socket.h>' '#include <unistd.h>' '#include <stdio.h>' '#include <errno.h>' 'void yaml_parser_delete(void *parser)' \
-        '{ if (socket(AF_INET, SOCK_STREAM, 0) < 0 && errno == EPERM) fputs("intruder: connect: refused\n", stderr);' \
-        'if (execl("/bin/true", "true", (char *)0) < 0 && errno == EPERM) fputs("intruder: run: refused\n", stderr); }' >yaml.c
-    ${CC:-cc} -w -shared -fPIC yaml.c -o yaml.so
-    ok "who takes over the reading of a scene" exits 0 env LD_PRELOAD="$T/yaml.so" "$beadsim" plain.yaml -o plain
-    for what in connect run; do ok "... cannot $what" says "intruder: $what: refused"; done
+    # reads FUNCTION RESULT PARAMETERS ARGUMENTS WHAT COMMAND... : a program in which FUNCTION, which reads WHAT, does what else it can.
+    reads() {
+        printf '%s\n' '#define _GNU_SOURCE' '#include <dlfcn.h>' '#include <errno.h>' '#include <stdio.h>' '#include <sys/socket.h>' '#include <unistd.h>' \
+            "$2 $1($3) { static int done; if (!done++) {" \
+            'if (socket(AF_INET, SOCK_STREAM, 0) < 0 && errno == EPERM) fputs("intruder: connect: refused\n", stderr);' \
+            'if (execl("/bin/true", "true", (char *)0) < 0 && errno == EPERM) fputs("intruder: run: refused\n", stderr); errno = 0; }' \
+            "return (($2 (*)($3))dlsym(RTLD_NEXT, \"$1\"))($4); }" >"reads_$1.c"
+        ${CC:-cc} -w -shared -fPIC "reads_$1.c" -o "reads_$1.so" -ldl
+        ok "who takes over the reading of $5" exits 0 env LD_PRELOAD="$T/reads_$1.so" "${@:6}"
+        for what in connect run; do ok "... cannot $what" says "intruder: $what: refused"; done
+    }
+    reads yaml_parser_delete void "void *p" p "a scene" "$beadsim" plain.yaml -o plain
+    scene '{image: a.png, colormap: map.csv}' >map.yaml
+    reads strtod double "const char *a, char **b" "a, b" "a colour map" "$beadreel" map.yaml -o plain
+    sed 's/outputs: .*/outputs: [{table: a.csv}]/' parts.yaml | sed 's/, {bead: mine}//' >wave.yaml
+    reads strtod double "const char *a, char **b" "a, b" "a wave" "$beadsim" wave.yaml -o plain
+    printf '%s\n' '#include <signal.h>' 'int rename(const char *a, const char *b) { raise(SIGKILL); return -1; }' >killed.c
+    ${CC:-cc} -w -shared -fPIC killed.c -o killed.so
+    (LD_PRELOAD=$T/killed.so "$beadsim" sweep.yaml -o journal) >/dev/null 2>&1
+    reads pread ssize_t "int f, void *b, size_t n, off_t at" "f, b, n, at" "a journal" "$beadsim" --info journal/sweep.h5.part
+    ok "..." grep -q 'chains are done' out
     refuse syscall -1 38 beadsim
     ok "a kernel without sandboxes" exits 0 env LD_PRELOAD="$T/syscall.so" "$beadsim" --info read.h5
     ok "... is told" says "warning: this kernel has no seccomp: such files are read in a process of their own, but in no sandbox"
