@@ -163,10 +163,14 @@ struct bead_chain_spec {
     const struct bead_node *node; /* where the scene says it; NULL: made without a scene */
 };
 
+/* Beads of sweeps whose chains may be of unlike lengths. */
+#define BEAD_LAST   SIZE_MAX
+#define BEAD_MIDDLE 0
+
 /* Measurements of every chain of a sweep. */
 struct bead_sweep_measures {
     bool peak;       /* the largest bead force, first passage, over `beads`, or at each of `sensors` where there are some */
-    size_t beads[2]; /* counted from the last random bead: 3, 5 are the third to the fifth behind it */
+    size_t beads[2]; /* counted from the last random bead: 3, 5 are the third to the fifth behind it; or BEAD_LAST, BEAD_MIDDLE */
     char **sensors;  /* names */
     size_t sensor_count;
     bool decay; /* peaks of every bead's force and energy */
@@ -369,7 +373,7 @@ struct bead_panel_asked {
 
 /* Numbers of beads or contacts, rising. */
 struct bead_listed {
-    size_t *all; /* NULL: none are listed */
+    size_t *all; /* NULL: none are listed; BEAD_LAST in sweeps over keys */
     size_t count;
 };
 

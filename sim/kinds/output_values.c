@@ -112,6 +112,7 @@ BEAD_OPTION_READER(bead_output_read_views)
 enum bead_error bead_output_read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, size_t *index)
 {
     const struct bead_scene *scene = reader->scene;
+    const bool any = scene->sweep_count == 1 && scene->sweeps[0].over.key_count > 0; /* chains may be of any length */
     size_t last[2] = {SIZE_MAX, 0}; /* of the chains that have the fewest and the most */
     for (size_t c = 0; c < scene->chain_count && !reader->unsound; c++) {
         const size_t of_chain = bead_scene_last_bead(scene, c) - (contact && scene->chains[c].wall == BEAD_WALL_NONE);
@@ -121,6 +122,10 @@ enum bead_error bead_output_read_place(const struct bead_reader *reader, const s
     const struct bead_option row = {
         .type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS, .word = "last", .word_value = (double)last[1]};
     BEAD_TRY(bead_read_count(reader, at, &row, index));
+    if (any) {
+        *index = at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "last") == 0 ? BEAD_LAST : *index;
+        return BEAD_OK;
+    }
     if (last[0] < last[1] && at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "last") == 0)
         return bead_wrong(reader, at, "is last, which is %zu in one chain and %zu in another; must be a number here", last[0],
                           last[1]);

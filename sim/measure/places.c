@@ -2,10 +2,16 @@
 /* Finds the places of curves over time: see places.h. */
 #include "sim/measure/places.h"
 
+/* Of `limit` beads, or contacts. */
+static size_t index_of(size_t listed, size_t limit)
+{
+    return listed == BEAD_LAST ? limit - 1 : listed;
+}
+
 static size_t below(const struct bead_listed *listed, size_t limit)
 {
     size_t count = 0;
-    while (count < listed->count && listed->all[count] < limit) /* they rise */
+    while (count < listed->count && index_of(listed->all[count], limit) < limit) /* they rise */
         count++;
     return count;
 }
@@ -35,11 +41,31 @@ struct bead_place_shown bead_place_shown(const struct bead_output *output, const
         snprintf(place.name, sizeof place.name, "%s", sensor->name);
         return place;
     }
-    place.index = k < beads ? output->curves.beads.all[k] : output->curves.contacts.all[k - beads];
+    const size_t listed = k < beads ? output->curves.beads.all[k] : output->curves.contacts.all[k - beads];
+    const char *kind = k < beads ? "bead" : "contact";
+    place.index = index_of(listed, k < beads ? bead_chain_beads(chain) : bead_chain_contacts(chain));
     if (k >= beads && !bead_field_info(place.field)->of_contacts)
         place.field = BEAD_FIELD_CONTACT_FORCE;
-    snprintf(place.name, sizeof place.name, "%s %zu", k < beads ? "bead" : "contact", place.index);
+    if (listed == BEAD_LAST)
+        snprintf(place.name, sizeof place.name, "last %s", kind);
+    else
+        snprintf(place.name, sizeof place.name, "%s %zu", kind, place.index);
     return place;
+}
+
+static enum bead_error check(const struct bead_output *output, const struct bead_listed *listed, const char *kind, size_t limit,
+                             struct bead_message *msg)
+{
+    const size_t count = below(listed, limit);
+    return count == listed->count ? BEAD_OK
+                                  : bead_output_wrong(output, msg, "%ss: a chain has no %s %zu: its last is %zu", kind, kind,
+                                                      listed->all[count], limit - 1);
+}
+
+enum bead_error bead_places_check(const struct bead_output *output, const struct bead_chain *chain, struct bead_message *msg)
+{
+    BEAD_TRY(check(output, &output->curves.beads, "bead", bead_chain_beads(chain), msg));
+    return check(output, &output->curves.contacts, "contact", bead_chain_contacts(chain), msg);
 }
 
 void bead_place_needs(const struct bead_place_shown *place, struct bead_needs *needs)

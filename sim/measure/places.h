@@ -16,6 +16,9 @@ struct bead_place_shown {
  * out. */
 BEAD_INTERNAL size_t bead_places_count(const struct bead_output *output, const struct bead_chain *chain);
 BEAD_INTERNAL struct bead_place_shown bead_place_shown(const struct bead_output *output, const struct bead_chain *chain, size_t k);
+/* Fails where the chain does not have one that is listed. */
+BEAD_CHECK enum bead_error bead_places_check(const struct bead_output *output, const struct bead_chain *chain,
+                                             struct bead_message *msg);
 /* Widen what is needed of samples to one place. */
 void bead_place_needs(const struct bead_place_shown *place, struct bead_needs *needs);
 /* Widen what is needed of samples, `beads` and `fields`, to those of the chain. */

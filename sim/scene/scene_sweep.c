@@ -21,8 +21,11 @@ static const struct bead_option measure_rows[] = {
     {"peak", BEAD_OPTION_CUSTOM, .shape = "force or none", .like = "force|none",
      .help = "take the largest force of `beads` in the first passage, which ends when the front reaches the end of the chain",
      .example = "force"},
-    {"beads", BEAD_OPTION_CUSTOM, MEASURE(beads), .initial = "[3, 5]", .shape = "[first, last], counted from the last random bead",
-     .like = "[2 number]", .read = read_places, .help = "the beads of which the largest force is taken", .example = "[1, 8]"},
+    {"beads", BEAD_OPTION_CUSTOM, MEASURE(beads), .initial = "[3, 5]",
+     .shape = "last, or [first, last], counted from the last random bead, with `over` from the striker",
+     .like = "last|[2 number|last]", .read = read_places,
+     .help = "the beads of which the largest force is taken; with `over`, unless said, the one in the middle of each chain",
+     .example = "[1, 8]"},
     {"sensor", BEAD_OPTION_CUSTOM, .shape = "the name of a sensor, or a list of some", .like = "text|[text]", .read = read_sensors,
      .help = "take the peak force at these sensors instead", .example = "first"},
     {"decay", BEAD_OPTION_FLAG, MEASURE(decay), .initial = "false",
@@ -87,16 +90,17 @@ const struct bead_options bead_sweep_options = {
 
 static BEAD_OPTION_READER(read_places)
 {
-    static const struct bead_option place = {.type = BEAD_OPTION_COUNT, .low = 1, .high = 1000000};
+    static const struct bead_option place = {
+        .type = BEAD_OPTION_COUNT, .low = 1, .high = 1000000, .word = "last", .word_value = 1e9};
     struct bead_sweep_measures *measures = settings;
     double beads[2] = {0, 0};
     BEAD_TRY(bead_read_pair(reader, at, &place, option->shape, beads));
-    measures->beads[0] = (size_t)beads[0];
-    measures->beads[1] = (size_t)beads[1];
+    for (size_t i = 0; i < 2; i++)
+        measures->beads[i] = beads[i] > place.high ? BEAD_LAST : (size_t)beads[i];
     return measures->beads[0] <= measures->beads[1]
                ? BEAD_OK
-               : bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", measures->beads[0],
-                            measures->beads[1]);
+               : bead_wrong(reader, at, "is [%s, %s]; the first must not be greater than the last", at->node->items[0]->text,
+                            at->node->items[1]->text);
 }
 
 static BEAD_OPTION_READER(read_sensors)
@@ -151,7 +155,8 @@ static enum bead_error check_measure(const struct bead_reader *reader, const str
         if (!bead_chain_spec_has_sensor(chain, measures->sensors[i]))
             return BEAD_WRONG_KEY(reader, &measure, "sensor", "`%s` is not a sensor of the chain", measures->sensors[i]);
     }
-    if (measures->peak && measures->sensor_count == 0 && sweep->last + measures->beads[1] > count)
+    if (measures->peak && measures->sensor_count == 0 && measures->beads[1] != BEAD_LAST &&
+        sweep->last + measures->beads[1] > count)
         return BEAD_WRONG_KEY(reader, &measure, "beads", "reaches to bead %zu; the chain ends with bead %zu",
                               sweep->last + measures->beads[1], count);
     for (size_t g = 0; g < sweep->group_count; g++)
@@ -354,7 +359,7 @@ static enum bead_error read_points(struct bead_reader *reader, const struct bead
     if (measures->decay)
         return BEAD_WRONG_KEY(reader, &measure, "decay", "is one of spins, by magnetism: leave it out with `over`");
     if (measures->sensor_count == 0 && !(bead_given(at, "measure") && bead_given(&measure, "beads")))
-        measures->beads[0] = measures->beads[1] = (bead_scene_count_beads(&reader->scene->chains[sweep->chain]) + 1) / 2;
+        measures->beads[0] = measures->beads[1] = BEAD_MIDDLE;
     return BEAD_OK;
 }
 

@@ -293,6 +293,39 @@ static enum bead_error make_scene(const struct bead_sweep *sweep, size_t panel, 
     return err;
 }
 
+static size_t bead_of(const struct bead_sweep_spec *spec, const struct bead_chain *chain, size_t measured)
+{
+    const size_t beads = bead_chain_beads(chain);
+    return measured == BEAD_LAST ? beads - 1 : measured == BEAD_MIDDLE ? beads / 2 : spec->last + measured;
+}
+
+struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place)
+{
+    const struct bead_sweep_measures *measures = &panel->shown.spec->measures;
+    size_t count = 0;
+    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
+    for (size_t i = 0; measures->sensor_count && i < count; i++) {
+        if (strcmp(sensors[i].name, measures->sensors[place]) == 0)
+            return (struct bead_span){sensors[i].bead, sensors[i].bead};
+    }
+    return (struct bead_span){bead_of(panel->shown.spec, chain, measures->beads[0]),
+                              bead_of(panel->shown.spec, chain, measures->beads[1])};
+}
+
+enum bead_error bead_sweep_check_places(const struct sweep_panel *panel, const struct bead_chain *chain, size_t index,
+                                        struct bead_message *msg)
+{
+    const size_t last = bead_chain_beads(chain) - 1;
+    for (size_t i = 0; i < panel->shown.places; i++) {
+        const struct bead_span span = bead_sweep_place_span(panel, chain, i);
+        const size_t most = span.first > span.last ? span.first : span.last;
+        if (most > last)
+            return bead_fail(msg, BEAD_ERROR_SCENE, "sweep: chain %zu has no bead %zu, which is measured: its last is %zu", index,
+                             most, last);
+    }
+    return BEAD_OK;
+}
+
 /* Values that make no scene are found before the first chain runs: each value of each key is tried, of long lists the ends. */
 static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, struct bead_message *msg)
 {
@@ -303,6 +336,8 @@ static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, 
         struct bead_chain *chain = NULL;
         BEAD_TRY(make_scene(sweep, panel, i, &scene, msg));
         enum bead_error err = bead_chain_outline(scene, &scene->chains[0], &chain, msg);
+        if (!err)
+            err = bead_sweep_check_places(&sweep->panels[panel], chain, i, msg);
         bead_chain_destroy(chain);
         bead_scene_free(scene);
         BEAD_TRY(err);

@@ -57,6 +57,9 @@ static inline bool bead_sweep_is_over(const struct sweep_panel *panel)
 bool bead_sweep_mine(const struct bead_sweep *sweep, size_t job);
 /* The beads of a place in a chain of the panel. */
 struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place);
+/* Fails where the chain is too short for them. */
+BEAD_CHECK enum bead_error bead_sweep_check_places(const struct sweep_panel *panel, const struct bead_chain *chain, size_t index,
+                                                   struct bead_message *msg);
 /* Why the beads of a panel's chain are kept to the end of its run; NULL: those far behind the front are dropped, see behind.h. */
 const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bead_chain *chain);
 /* Creates a sweep without spins and results, to read them from a file. */

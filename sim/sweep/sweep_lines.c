@@ -7,6 +7,7 @@
 
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
+#include "sim/measure/places.h"
 #include "sim/measure/sink_grid.h"
 #include "sim/run/run_kinds.h"
 #include "sim/statistics/statistics.h"
@@ -68,6 +69,7 @@ static enum bead_error make_chain(const struct bead_sweep *sweep, const struct b
     BEAD_TRY(bead_sweep_chain_create(sweep, 0, index, &own->made, msg));
     own->chain = bead_sweep_chain_of(own->made);
     own->curve = bead_sweep_curve_of(sweep, 0, index, SIZE_MAX);
+    BEAD_TRY(bead_places_check(output, own->chain, msg));
     BEAD_TRY(bead_run_kind_of(own->chain)->pace(own->chain, &bead_sweep_scene(sweep)->simulate, 1, &pace, msg));
     struct bead_run_context context = context_of(sweep, own, end);
     context.resolution = pace.resolution;

@@ -28,19 +28,6 @@ struct measure {
     double *seen;          /* [beads] s: times of the peaks whose energy is known */
 };
 
-struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place)
-{
-    const struct bead_sweep_spec *spec = panel->shown.spec;
-    const struct bead_sweep_measures *measures = &spec->measures;
-    size_t count = 0;
-    const struct bead_sensor *sensors = bead_chain_sensors(chain, &count);
-    for (size_t i = 0; measures->sensor_count && i < count; i++) {
-        if (strcmp(sensors[i].name, measures->sensors[place]) == 0)
-            return (struct bead_span){sensors[i].bead, sensors[i].bead};
-    }
-    return (struct bead_span){spec->last + measures->beads[0], spec->last + measures->beads[1]};
-}
-
 static void find_span(struct measure *m)
 {
     m->span = (struct bead_span){SIZE_MAX, 0};
@@ -216,9 +203,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
         simulate.accuracy = m->panel->accuracy;
     play.simulate = &simulate;
     find_span(m);
-    if (m->span.last >= m->chain->beads)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "sweep: chain %zu has no bead %zu, which is measured: its last is %zu", m->row - 1,
-                         m->span.last, m->chain->beads - 1);
+    BEAD_TRY(bead_sweep_check_places(m->panel, m->chain, m->row - 1, msg));
     play.peak_span = &m->span;
     play.consumers = &consumer;
     play.consumer_count = 1;

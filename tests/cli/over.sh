@@ -14,6 +14,7 @@ outputs:
   - {sweep: s.h5}
 YAML
 column() { tail -n +2 "$1" | cut -d, -f"$2"; }
+pixels() { python3 -c 'import re, sys; print(re.search(b"IDAT(.*?)(IEND|.{4}[it].Xt)", open(sys.argv[1], "rb").read(), re.S).group(1)[:-4].hex())' "$1"; }
 is() { [ "$1" = "$2" ] || { echo "$1 is not $2"; return 1; }; }
 within() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {d = a - b; exit !((d < 0 ? -d : d) <= t)}' || { echo "$1 is not $2 to $3"; return 1; }; }
 ok "a sweep over the striker's velocity" exits 0 "$beadsim" v.yaml -o .
@@ -122,12 +123,60 @@ ok "... with a row for each combination, and the seeds in it" eval '[ "$(grep -c
 ok "pairs" exits 0 "$beadsim" g.yaml -o pairs --set sweep.combine=pairs --set 'sweep.over={chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [2 g, 4 g]}'
 ok "... are two chains" is "$(column pairs/each.csv 1 | wc -l)" 2
 
+# A sweep over spins is one over a key, too: the same chains, so the same bits in the results of each, its table and its picture.
+cat >spins.yaml <<'YAML'
+sweep: {cells: 12, magnetism: all, configurations: 3, seed: 2009}
+outputs: [{table: spins.csv, show: configurations}, {sweep: spins.h5}]
+YAML
+by_keys() {
+    "$beadsim" spins.yaml -q -o . && python3 -c 'import csv
+spins = [row["spins"] for row in csv.DictReader(open("spins.csv"))]
+print("chain: {beads: [{cell: [large-steel, aluminium], count: 12, spins: \"111111111111\"}, {cell: [large-steel, aluminium], count: 15}]}")
+print("sweep: {measure: {beads: [27, 29]}, over: {chain.beads.0.spins: [%s]}}" % ", ".join(f"\"{digits}\"" for digits in spins))
+print("outputs: [{table: keys.csv, show: configurations}, {sweep: keys.h5}]")' >keys.yaml && "$beadsim" keys.yaml -q -o .
+}
+same_results() { # each data set but that of uncertainties: of spins some chains measure theirs, of keys others
+    local part
+    for part in peak_force peak_time peak_bead peak_open; do
+        cmp <(h5dump -d /sweeps/0/$part -m %.17g spins.h5 | tail -n +2) <(h5dump -d /sweeps/0/$part -m %.17g keys.h5 | tail -n +2) || return 1
+        cmp <(h5dump -d /sweeps/0/reference_$part -m %.17g spins.h5 | tail -n +2) <(h5dump -d /sweeps/0/reference_$part -m %.17g keys.h5 | tail -n +2) || return 1
+    done
+}
+both_ways() { # FILE [OPTION]...
+    local how
+    for how in spins keys; do "$beadreel" $how.h5 --configuration 7 -q -o "$how-$1" "${@:2}" >"$T/out" 2>&1 || { cat "$T/out"; return 1; }; done
+}
+ok "a sweep over spins, by its own words and by keys" by_keys
+ok "... has as many chains" is "$(column keys.csv 1 | wc -l)" 19
+ok "... with the same forces, times and beads" cmp <(cut -d, -f4-6 spins.csv) <(cut -d, -f3-5 keys.csv)
+if command -v h5dump >/dev/null; then ok "... in the files of results, too" same_results; else skip h5dump "files of sweeps"; fi
+ok "... the same peaks of a chain" eval 'both_ways peaks.csv && cmp spins-peaks.csv keys-peaks.csv'
+ok "... and the same picture of it" eval 'both_ways image.png --size 300x200 && cmp <(pixels spins-image.png) <(pixels keys-image.png)'
+
 # A range instead of a list: its ends are those written, the rest at equal distances, or with equal ratios.
 values() { "$beadsim" v.yaml -o range.csv --set "sweep.over={$1}" --set 'outputs=[{table: range.csv, show: configurations}]' >"$T/out" 2>&1 && column range.csv 2 | tr '\n' ';'; }
 ok "a range of velocities" is "$(values 'chain.striker.velocity: {from: 100 mm/s, to: 0.5 m/s, count: 5}')" "100 mm/s;0.2 m/s;0.3 m/s;0.4 m/s;0.5 m/s;"
 ok "... with equal ratios" is "$(values 'chain.striker.velocity: {from: 0.01 m/s, to: 10 m/s, count: 4, spacing: log}')" "0.01 m/s;0.1 m/s;1 m/s;10 m/s;"
 ok "... forces scale with its power 6/5 there" within "$(awk -F, 'NR == 2 {a = $3} NR == 5 {print log($3 / a) / log(1000)}' range.csv)" 1.2 1e-6
 ok "... downwards, without a unit" is "$(values 'chain.striker.velocity: {from: 3, to: 1, count: 3}')" "3;2;1;"
+# Chains of unlike lengths: the bead in the middle of each, or its last, which nothing holds: half of the force of its contact.
+lengths() { # SETTING...
+    "$beadsim" v.yaml -o . --set 'sweep={over: {chain.beads.0.count: [5, 10, 21]}}' --set simulate.until=0.4ms --set chain.striker.velocity=1m/s --set 'outputs=[{table: n.csv, show: configurations}]' "$@"
+}
+printf 'chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 0.4 ms}\noutputs: [{table: one.csv}]\n' >alone.yaml
+of_bead() { "$beadsim" alone.yaml -q -o one.csv --set "chain.beads.0.count=$1" --set "outputs=[{table: one.csv, show: bead-peaks, beads: $2}]" >"$T/out" 2>&1 && tail -n 1 one.csv | cut -d, -f2; }
+ok "chains of three lengths" exits 0 lengths
+ok "... the bead in the middle of each" is "$(column n.csv 5 | tr '\n' ' ')" "3 5 11 "
+ok "... and its force" is "$(column n.csv 3 | tr '\n' ' ')" "$(of_bead 5 3) $(of_bead 10 5) $(of_bead 21 11) "
+ok "the last of each" exits 0 lengths --set 'sweep.measure={beads: last}'
+ok "... and its force" is "$(column n.csv 3 | tr '\n' ' ')" "$(of_bead 5 last) $(of_bead 10 last) $(of_bead 21 last) "
+ok "... or from a bead to the last" exits 0 lengths --set 'sweep.measure={beads: [4, last]}'
+ok "a bead that the shortest does not have" eval 'fails 2 lengths --set "sweep.measure={beads: [7, last]}" && says "chain 0 has no bead 7, which is measured: its last is 5"'
+ok "... and before any has run" eval 'fails 2 lengths --plan --set "sweep.measure={beads: [7, 7]}" && says "chain 0 has no bead 7"'
+ok "a last that is before the first" eval 'fails 2 lengths --set "sweep.measure={beads: [last, 3]}" && says "is [last, 3]"'
+ok "curves of the last of each" exits 0 lengths --set 'outputs=[{table: n.csv, show: sensors, contacts: last}]'
+ok "... each with the same peak" within "$(awk -F, 'NR > 1 && $4 > top[$2] {top[$2] = $4} END {print top["count 10"] / top["count 21"]}' n.csv)" 1 1e-3
+ok "... of a bead that is not there" eval 'fails 2 lengths --set "outputs=[{table: n.csv, show: sensors, beads: 7}]" && says "a chain has no bead 7: its last is 5"'
 cat >d.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 8}], precompression: 10 N, wall: rigid, drive: {force: sine, amplitude: 1 N, frequency: 1 kHz}}
 simulate: {until: 1 ms}
@@ -169,7 +218,6 @@ quartile() { # WHICH RANGE
     "$beadreel" m.yaml -o "$1" --set 'sweep.over={chain.striker.velocity: [1e-6 m/s, 0.4 m/s]}' --set simulate.until=0.15ms \
         --set "outputs=[{image: q.png, show: $1-quartile, axes: false, size: [60, 40], range: [0, $2 N], scale: linear}]" >"$T/out" 2>&1
 }
-pixels() { python3 -c 'import re, sys; print(re.search(b"IDAT(.*?)(IEND|.{4}[it].Xt)", open(sys.argv[1], "rb").read(), re.S).group(1)[:-4].hex())' "$1"; }
 ok "quartiles between nothing and a wave are 1 and 3 quarters of it" eval 'quartile lower 10 && quartile upper 30 && is "$(pixels lower/q.png)" "$(pixels upper/q.png)"'
 ok "... and not each other" eval 'quartile upper 10 && [ "$(pixels lower/q.png)" != "$(pixels upper/q.png)" ]'
 
