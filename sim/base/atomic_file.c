@@ -120,6 +120,18 @@ static enum bead_error cannot_write(const char *part, int error, struct bead_mes
                                        : strerror(error));
 }
 
+/* What is renamed to `path` would take the place of a pipe or a device for good. */
+static enum bead_error check_place(const char *path, struct bead_message *msg)
+{
+    struct stat found;
+    if (lstat(path, &found) != 0 || S_ISREG(found.st_mode) || S_ISLNK(found.st_mode))
+        return BEAD_OK;
+    if (S_ISDIR(found.st_mode))
+        return cannot_write(path, EISDIR, msg);
+    return bead_fail(msg, BEAD_ERROR_IO,
+                     "%s: is a pipe or a device, and files replace what is there; -o - writes to standard output", path);
+}
+
 enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg)
 {
     /* O_NONBLOCK, as opening a FIFO without a reader would block. */
@@ -207,12 +219,15 @@ static void sync_directory(const char *path)
 
 enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg)
 {
-    int error = sync_path(part, O_RDONLY);
-    if (!error && rename(part, path) != 0)
+    enum bead_error err = check_place(path, msg);
+    int error = err ? 0 : sync_path(part, O_RDONLY);
+    if (!err && !error && rename(part, path) != 0)
         error = errno;
-    if (error) {
+    if (error)
+        err = bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be finished: %s", path, strerror(error));
+    if (err) {
         unlink(part);
-        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be finished: %s", path, strerror(error));
+        return err;
     }
     sync_directory(path);
     return BEAD_OK;
@@ -326,6 +341,7 @@ static enum bead_error claim_beside(const char *part, const char *path, struct b
 enum bead_error bead_file_lock(const char *part, const char *path, struct bead_file_lock *lock, struct bead_message *msg)
 {
     *lock = (struct bead_file_lock){.descriptor = -1};
+    BEAD_TRY(check_place(path, msg));
     for (;;) { /* again if another run finished and renamed the file in between */
         BEAD_TRY(bead_file_open(part, &lock->descriptor, &lock->created, msg));
         enum bead_error err = BEAD_OK;

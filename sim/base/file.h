@@ -35,8 +35,8 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE
 /* Bring `file` to the disk and close it, reporting any write error since it was opened (a full disk, say). Closes it in any case.
  * Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char *part, struct bead_message *msg);
-/* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. On failure `part` is removed. Errors: IO.
- */
+/* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. Only a file or a symbolic link is
+ * replaced. On failure `part` is removed. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
 /* A lock on an unfinished file, which is open: flock, or, on file systems that have none, a file beside it that only one run can
  * make. */

@@ -238,10 +238,29 @@ static enum bead_error unknown_option(char **argv, int found, struct bead_messag
     return bead_fail(msg, BEAD_ERROR_USAGE, "unknown option `%s`%s", word, *near ? near : "; see --help");
 }
 
+/* `10..20`, as in sweeps, and `10–20`, as in print, become `10:20`. */
+static void put_colons(char *value)
+{
+    static const char *const dashes[] = {"..", "\xe2\x80\x93"};
+    for (size_t i = 0; i < sizeof dashes / sizeof *dashes; i++) {
+        char *dash = strstr(value, dashes[i]);
+        if (!dash)
+            continue;
+        const size_t length = strlen(dashes[i]);
+        *dash = ':';
+        memmove(dash + 1, dash + length, strlen(dash + length) + 1);
+    }
+}
+
 /* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so; lists of words,
  * with a single separator, may have one alone. To be freed; NULL: out of memory. */
-static char *as_list(const char *value, const char *separators)
+static char *as_list(const char *given, const char *separators)
 {
+    BEAD_FREED char *value = strdup(given);
+    if (!value)
+        return NULL;
+    if (strchr(separators, ':'))
+        put_colons(value);
     const bool words = *separators && !separators[1];
     char *text = NULL;
     size_t size = 0;

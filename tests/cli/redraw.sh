@@ -74,7 +74,7 @@ fi
 # draws OPTION... : another picture than without.
 draws() { exits 0 "$beadreel" run/run.h5 -o "again.png" "$@" && ! cmp -s again.png plain/deep/force.png && rm again.png; }
 for option in '--range 0:10' '--range [0,10]' '--range 0,10' '--time 0.2ms:0.4ms' '--time 0.2ms:' '--time [0.2ms,auto]' '--beads 30:60' \
-    '--beads 30-60' '--beads [30,60]' '--size 400x300' '--size [400,300]' '--field velocity' '--field velocity --colormap vik' \
+    '--beads 30-60' '--beads 30..60' '--beads 30–60' '--beads [30,60]' '--range 0..10' '--range -1..1' '--time 0.2ms..0.4ms' '--size 400x300' '--size [400,300]' '--field velocity' '--field velocity --colormap vik' \
     '--views beads,spacetime --set outputs.0.axes=true' '--style paper --size 86mmx60mm --set outputs.0.axes=true'; do
     # shellcheck disable=SC2086
     ok "$option" draws $option

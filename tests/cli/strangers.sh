@@ -81,11 +81,28 @@ for file in map.csv drive.csv seen.csv .config/beadreel/own.csv hard.csv soft.cs
     ok "... also where the scene names it" fails 2 "$beadreel" parts.yaml --set outputs.0.table="$file" -o .
     ok "... and is as before" cmp "$file" before
 done
+scene '{image: a.png, colormap: map.csv}' >map.yaml
 ok "a crate" exits 0 "$beadsim" plain.yaml -o crate --crate
 cp crate/ro-crate-scene.yaml before && echo '# mine' | tee -a before >>crate/ro-crate-scene.yaml
 ok "... does not replace the scene that it is made of" fails 2 "$beadsim" crate/ro-crate-scene.yaml -o crate --crate
 ok "..." cmp crate/ro-crate-scene.yaml before
 rm -r .config
+
+mkfifo seen.png && mkdir folder.csv && ln -s plain.yaml here.png
+for kind in '{image: seen.png}' '{movie: film.mp4, poster: seen.png, duration: .1 s}'; do
+    scene "$kind" >fifo.yaml
+    ok "a pipe in the place of $kind" fails 1 timeout 20 "$beadreel" fifo.yaml -o .
+    ok "..." says "seen.png: is a pipe or a device, and files replace what is there; -o - writes to standard output"
+done
+ok "... or of -o" fails 1 timeout 20 "$beadreel" map.yaml -o seen.png
+ok "... stays" test -p seen.png
+scene '{table: folder.csv}' >folder.yaml
+ok "a directory in the place of a file" fails 1 "$beadsim" folder.yaml -o .
+ok "... is told before the run" says "folder.csv: cannot be written: Is a directory"
+ok "... and nothing is left" test ! -e folder.csv.part -a ! -e film.mp4 -a ! -e film.mp4.part
+scene '{image: here.png}' >here.yaml
+ok "a symbolic link is replaced" exits 0 "$beadreel" here.yaml -o .
+ok "... not what it points at" test ! -L here.png -a "$(head -c 5 plain.yaml)" = chain
 
 # ---- what is shown ----
 quiet() { ! LC_ALL=C grep -qP '[\x01-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]' "$@"; }
@@ -300,7 +317,6 @@ else
         for what in connect run; do ok "... cannot $what" says "intruder: $what: refused"; done
     }
     reads yaml_parser_delete void "void *p" p "a scene" "$beadsim" plain.yaml -o plain
-    scene '{image: a.png, colormap: map.csv}' >map.yaml
     reads strtod double "const char *a, char **b" "a, b" "a colour map" "$beadreel" map.yaml -o plain
     sed 's/outputs: .*/outputs: [{table: a.csv}]/' parts.yaml | sed 's/, {bead: mine}//' >wave.yaml
     reads strtod double "const char *a, char **b" "a, b" "a wave" "$beadsim" wave.yaml -o plain
