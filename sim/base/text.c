@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "sim/base/text.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 size_t bead_text_obeyed(const char *text)
@@ -13,6 +12,28 @@ size_t bead_text_obeyed(const char *text)
         return 2;
     const bool marks = c[0] == 0xE2 && c[1] == 0x80 && (c[2] == 0x8E || c[2] == 0x8F || (c[2] >= 0xA8 && c[2] <= 0xAE));
     return marks || (c[0] == 0xE2 && c[1] == 0x81 && c[2] >= 0xA6 && c[2] <= 0xA9) ? 3 : 0;
+}
+
+bool bead_text_turns(const char *text)
+{
+    enum { DEEPEST = 125 };     /* of UAX 9; deeper ones count for nothing there */
+    bool isolates[DEEPEST + 1]; /* what is open, from the outermost on */
+    size_t depth = 0;
+    for (; *text && depth <= DEEPEST; text++) {
+        const unsigned char *c = (const unsigned char *)text;
+        const bool old = c[0] == 0xE2 && c[1] == 0x80 && c[2] >= 0xAA && c[2] <= 0xAE;
+        const bool isolating = c[0] == 0xE2 && c[1] == 0x81 && c[2] >= 0xA6 && c[2] <= 0xA9;
+        if (isolating && c[2] == 0xA9) { /* closes the innermost isolate, and all within */
+            size_t outer = depth;
+            while (outer > 0 && !isolates[outer - 1])
+                outer--;
+            depth = outer > 0 ? outer - 1 : depth;
+        } else if (old && c[2] == 0xAC)
+            depth -= depth > 0 && !isolates[depth - 1];
+        else if (old || isolating)
+            isolates[depth++] = isolating;
+    }
+    return depth > 0;
 }
 
 const char *bead_text_show(const char *text, char *shown, size_t size)

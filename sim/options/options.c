@@ -241,7 +241,6 @@ enum bead_error bead_read_choice(const struct bead_reader *reader, const struct 
     return no_choice(reader, at, choices);
 }
 
-/* U+0080 to U+009F in UTF-8. */
 /* U+FDD0 to U+FDEF, and the last two code points of every plane. `c` is the first byte of a character of valid UTF-8. */
 static bool is_noncharacter(const unsigned char *c)
 {
@@ -257,11 +256,17 @@ enum bead_error bead_check_text(const struct bead_reader *reader, const struct b
         return bead_wrong(reader, at, "is too long: at most %d bytes are allowed", LONGEST_TEXT);
     for (const char *c = text; *c; c++) {
         const size_t obeyed = bead_text_obeyed(c);
-        if (obeyed == 1 || (obeyed == 2 && (unsigned char)*c == 0xC2))
+        const bool line = strncmp(c, "\xe2\x80\xa8", 3) == 0 || strncmp(c, "\xe2\x80\xa9", 3) == 0;
+        if (line || obeyed == 1 || (obeyed == 2 && (unsigned char)*c == 0xC2))
             return bead_wrong(reader, at, "contains a line break or another control character; must be one line of text");
         if (is_noncharacter((const unsigned char *)c))
             return bead_wrong(reader, at, "contains a code point that Unicode reserves as no character, such as U+FFFF");
     }
+    if (bead_text_turns(text))
+        return bead_wrong(
+            reader, at,
+            "turns the direction of the text (U+202A to U+202E, U+2066 to U+2068) and not back; end that with U+202C, or "
+            "U+2069");
     return BEAD_OK;
 }
 

@@ -189,6 +189,6 @@ enum { BEAD_CHOICES = 30 }; /* the most, where a list of them is made */
 BEAD_CHECK enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
                                             unsigned *value);
 BEAD_CHECK enum bead_error bead_read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value);
-/* One line of text, without control characters and what Unicode reserves: a key, say. */
+/* One line of text, without control characters and what Unicode reserves, that turns nothing written behind it: a key, say. */
 BEAD_CHECK enum bead_error bead_check_text(const struct bead_reader *reader, const struct bead_at *at, const char *text);
 BEAD_CHECK enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text);

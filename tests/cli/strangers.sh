@@ -115,9 +115,18 @@ for name in '\e[31mred' '\uffff' '\u009b31m'; do
     ok "a material is not named $name" fails 2 "$beadsim" --plan name.yaml
     ok "..." quiet err
 done
-bidi() { "$beadsim" --info turned.yaml >out && quiet out && grep -q '^title: a b$' out; }
-scene '{table: a.csv}' 'title: "a\u202eb"' >turned.yaml
+bidi() { "$beadsim" --info turned.yaml >out && quiet out && grep -q '^title: a  b$' out; }
+scene '{table: a.csv}' 'title: "a\u202e\u202cb"' >turned.yaml
 ok "a title that turns the line is shown without that" bidi
+for title in '\u202eb' '\u202a\u202db\u202c' '\u2067b' '\u2068\u202eb\u202c' '\u2067\u2066b\u2069' '\u202b\u2067b\u202c\u2069'; do
+    scene '{table: a.csv}' "title: \"a$title\"" >turned.yaml
+    ok "a title $title, which turns what follows" fails 2 "$beadsim" --plan turned.yaml
+    ok "..." says "turned.yaml:3:8: title: turns the direction of the text"
+done
+for title in '\u202eb\u202c' '\u2067b\u2069c' '\u2068\u202eb\u2069' '\u2069\u202cb' '\u200fb' 'אבג 1' '\u202a\u2067b\u2069\u202c'; do
+    scene '{table: a.csv}' "title: \"a$title\"" >turned.yaml
+    ok "a title $title, which does not" exits 0 "$beadsim" --plan turned.yaml
+done
 python=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3) # the one that has Debian's packages
 if $python -c 'import h5py' 2>/dev/null; then
     scene '{trajectory: method.h5, every: 5 us}' >method.yaml && "$beadsim" method.yaml -o . >/dev/null
