@@ -85,8 +85,9 @@ struct heading {
 static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
 {
     const struct bead_look *look = &f->look;
-    const bool plain = f->page.paper || f->part; /* like the headings of plots, which may be beside it */
-    const double size = f->part ? look->label : look->title;
+    const bool small = f->page.paper || f->part, slide = f->output->paper.style == BEAD_STYLE_SLIDE;
+    const bool plain = small || slide; /* like the headings of plots, which may be beside it */
+    const double size = f->part || slide ? look->label : look->title;
     (void)words_of(f, cell, &h->words);
     h->letter = h->name = bead_words_style(look, size, look->ink, BEAD_ALIGN_BASELINE);
     h->magnetism = bead_words_style(look, size, plain ? look->ink : look->accent, BEAD_ALIGN_BASELINE);
@@ -95,7 +96,7 @@ static void make_heading(const struct bead_figure *f, const struct bead_cell *ce
     h->gap = (plain ? 0.5 : 0.7) * look->label; /* 0.5: an en space, as in headings of plots */
     h->letter.bold = true;
     h->comma = plain;
-    if (plain)
+    if (small)
         h->words.label = h->words.moment;
 }
 

@@ -39,6 +39,7 @@ static double measure_entries(struct graph_legend *legend, const struct bead_loo
     for (size_t i = 0; i < legend->count; i++) {
         struct graph_entry *entry = &legend->entries[i];
         bead_text_size(NULL, &style, entry->markup, &entry->width, &entry->height);
+        entry->wraps = entry->width > limit && !legend->cut;
         if (entry->width > limit) {
             legend->wrap = legend->cut ? -limit : limit;
             bead_text_size_lines(NULL, &style, legend->wrap, entry->markup, &entry->width, &entry->height);
@@ -213,11 +214,13 @@ void graph_legend_draw(const struct graph_legend *legend, const struct bead_look
 {
     struct bead_text_style style = legend_style_of(legend, look);
     double em = type_of(legend, look);
-    style.down = BEAD_ALIGN_START;
     for (size_t i = 0; i < legend->count && legend->box.width > 0; i++) {
         const struct graph_entry *entry = &legend->entries[i];
         double x = legend->box.x + entry->x, y = legend->box.y + entry->y;
         draw_sample(entry, look, em, cr, x, y);
-        bead_text_draw_lines(cr, &style, legend->wrap, x + sample_width(em), y - entry->height / 2, entry->markup);
+        /* Lines are higher where they have letters of mathematics; entries of a row are written on one line all the same. */
+        style.down = entry->wraps ? BEAD_ALIGN_START : BEAD_ALIGN_MIDDLE;
+        bead_text_draw_lines(cr, &style, legend->wrap, x + sample_width(em), y - (entry->wraps ? entry->height / 2 : 0),
+                             entry->markup);
     }
 }

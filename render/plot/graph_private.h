@@ -27,6 +27,7 @@ struct graph_entry {
     const struct graph_cell *cell; /* of the series */
     char *markup;                  /* borrowed */
     double width, height, x, y;    /* x, y: left end of the sample and middle of the row, within the legend */
+    bool wraps;                    /* in several lines */
 };
 
 struct graph_legend {

@@ -12,7 +12,6 @@ static enum bead_error plot_energy_create(struct bead_plot_data *data, struct be
     BEAD_TRY(plot_times_create(data, bead_energy_parts_count(data->output), "the energy budget", msg));
     for (size_t p = 0; p < data->count; p++) {
         const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
-        plot_heading(data, data->parts[p].chain, data->parts[p].title, sizeof data->parts[p].title);
         data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
                                                      data->grid.end, BEAD_SCALE_LINEAR,           false};
         data->panels[p].y = (struct bead_graph_axis){"energy", "J", range[0], range[1], BEAD_SCALE_LINEAR, true};

@@ -88,7 +88,7 @@ enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, 
             continue;
         struct plot_panel *part = &data->parts[data->count];
         part->chain = c;
-        bead_markup_quote(bead_chain_title(data->context.chains[c]), part->title, sizeof part->title);
+        plot_heading(data, c, part->title, sizeof part->title);
         BEAD_TRY(plot_reserve_series(data, data->count++, series, values, msg));
     }
     return BEAD_OK;

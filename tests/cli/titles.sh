@@ -41,6 +41,28 @@ ok "... two beads are told in the legend" two
 ok "a spectrogram says of which bead" eval '"$beadreel" chains.yaml -q -o . --set "outputs=[{plot: gram.svg, show: spectrogram, beads: 3, field: velocity}]" && grep -q ": bead 3</tspan>" gram.svg'
 ok "... and of what" has gram.svg "amplitude of velocity (dB)"
 
+# Headings say M of the chain in every kind of plot, after a comma; images of slides have the same, in the letters and colours of plots.
+cat >spins.yaml <<'YAML'
+chains:
+  - {name: one, beads: [{cell: [large-steel, aluminium], count: 6, spins: "111111"}], wall: rigid, precompression: 10 N}
+  - {name: two, beads: [{cell: [large-steel, aluminium], count: 6, spins: "110100"}], wall: rigid, precompression: 10 N}
+simulate: {until: 0.3 ms}
+outputs: [{table: t.csv}]
+YAML
+heading() { # KEYS: those of the chain "two" over the plot
+    "$beadreel" spins.yaml -q -o . --set "outputs=[{$1}]" 2>"$T/out" || { cat "$T/out"; return 1; }
+    python3 -c 'import re, sys
+words = "\n".join(re.sub("<[^>]*>", "", line).strip("\n") for line in open(sys.argv[1]) if line.startswith("<text"))
+sys.exit(not re.search("two\\n?,\\s*M\\s*=\\s*0\\b", words))' "$2"
+}
+for show in "sensors, beads: 3" "profiles, at: [0.2 ms]" "spectrum, beads: 3" "spectrogram, beads: 3" dispersion energy spreading eigenmodes; do
+    ok "M over a plot: $show" heading "plot: h.svg, show: $show" h.svg
+done
+ok "... not over bands, which are those of the cell" eval '! heading "plot: h.svg, show: bands" h.svg'
+ok "... over images of slides" heading "image: h.svg, style: slide" h.svg
+colours() { grep "^<text" "$1" | grep -E ">(two|M)</tspan>" | grep -o 'fill="[^"]*"' | sort -u; }
+ok "... in the colour of names" [ "$(colours h.svg | wc -l)" -eq 1 ]
+
 # Names of axes of like views have one size, also where rows are low.
 ok "three views of two chains" exits 0 "$beadreel" chains.yaml -o . \
     --set 'outputs=[{image: low.svg, size: [1280, 720], views: [beads, profile, spacetime], at: 0.1 ms}]'

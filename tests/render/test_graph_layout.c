@@ -2,6 +2,7 @@
 /* Ranges, words, legends and names of curves in graphs: each is where its rule has it, in numbers. */
 #include "graphs.h"
 #include "render/draw/looks.h"
+#include "render/draw/markup.h"
 #include "strokes.h"
 #include "tests/texts.h"
 
@@ -278,6 +279,30 @@ static void legends_are_columns_of_entries(void **)
     assert_true(legend.wrap == -70 && entries[1].height < 1.5 * height_of("one"));
     graph_legend_measure(&legend, &look, 10, 1);
     assert_at(legend.wrap, -3 * em);
+}
+
+/* Entries of a row have one baseline, whether or not they have letters of mathematics, which make lines higher. */
+static void entries_are_on_one_line(void **)
+{
+    char *markup[2] = {bead_markup_new("44"), bead_markup_new("*M* = 4")};
+    const struct bead_series line = {.mark = BEAD_MARK_LINE, .count = 2};
+    struct graph_entry entries[2] = {{.markup = markup[0], .cell = &cell, .series = &line},
+                                     {.markup = markup[1], .cell = &cell, .series = &line}};
+    struct graph_legend legend = {.entries = entries, .count = 2};
+    struct texts texts = {.count = 0};
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1000, 800);
+    cairo_t *cr = cairo_create(surface);
+    look.label = 40;
+    assert_true(bead_text_watch(surface, &(struct bead_text_watch){texts_note, &texts}));
+    graph_legend_measure(&legend, &look, 1000, 2);
+    assert_true(entries[1].height > entries[0].height + 1);
+    graph_legend_draw(&legend, &look, cr);
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    free(markup[0]);
+    free(markup[1]);
+    assert_true(texts.count == 2 && legend.columns == 2);
+    assert_float_equal(texts.text[0].y + texts.text[0].height, texts.text[1].y + texts.text[1].height, 0.6);
 }
 
 /* Smaller type before words are cut: 0.87, 0.75; then one column, cut, in full size, where that is enough. */
@@ -702,6 +727,7 @@ int main(void)
         cmocka_unit_test_setup(masks_count_covered_cells, set_up),
         cmocka_unit_test_setup(words_stand_beside_their_lines, set_up),
         cmocka_unit_test_setup(legends_are_columns_of_entries, set_up),
+        cmocka_unit_test_setup(entries_are_on_one_line, set_up),
         cmocka_unit_test_setup(legends_shrink_before_they_are_cut, set_up),
         cmocka_unit_test_setup(legends_prefer_corners, set_up),
         cmocka_unit_test_setup(samples_look_like_their_curves, set_up),
