@@ -5,6 +5,7 @@
 
 #include "render/draw/layout.h"
 #include "render/figure/figure.h"
+#include "render/stage/along.h"
 #include "render/view/orientation.h"
 
 /* Lengths in units of the label's font size. */
@@ -216,13 +217,10 @@ static void figure_choose_columns(struct bead_figure *f)
 
 static bool same_beads(const struct bead_figure *f)
 {
-    const struct bead_span *first = &f->cells[0].panel[0].setup.beads;
-    for (size_t c = 1; c < f->cell_count; c++) {
-        const struct bead_span *span = &f->cells[c].panel[0].setup.beads;
-        if (span->first != first->first || span->last != first->last)
-            return false;
-    }
-    return true;
+    bool same = true;
+    for (size_t c = 1; c < f->cell_count; c++)
+        same = same && bead_along_alike(&f->cells[0].panel[0].setup, &f->cells[c].panel[0].setup);
+    return same;
 }
 
 /* The quantity along a panel's horizontal axis. */

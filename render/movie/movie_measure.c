@@ -7,6 +7,7 @@
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
 #include "render/movie/movie_stage.h"
+#include "render/stage/along.h"
 #include "render/stage/camera.h"
 #include "render/stage/panel.h"
 #include "render/stage/stage_key.h"
@@ -179,15 +180,18 @@ static void measure_words(struct bead_composer *c)
 static void measure_beads(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
+    const bool drawn = bead_views_any(&c->setup.output->views, BEAD_SHOWS_BEADS);
+    const struct bead_view_setup first = {.chain = c->setup.chains[0], .beads = bead_composer_span(c, 0), .over_beads = drawn};
     w->same_beads = true;
     for (size_t i = 0; i < w->chain_count; i++) {
         const struct bead_chain *chain = c->setup.chains[i];
         const struct bead_chain_spec *spec = bead_chain_spec(chain);
-        struct bead_span span = bead_composer_span(c, i), first = bead_composer_span(c, 0), beads = bead_composer_beads(c, i);
+        const struct bead_span beads = bead_composer_beads(c, i);
+        const struct bead_view_setup setup = {.chain = chain, .beads = bead_composer_span(c, i)};
         double radius, spacing = bead_chain_spacing(chain, beads, &radius);
         size_t count = beads.last - beads.first + 1;
         double shown = fmin((double)c->setup.output->movie.window, (double)count);
-        w->same_beads = w->same_beads && span.first == first.first && span.last == first.last;
+        w->same_beads = w->same_beads && bead_along_alike(&first, &setup);
         w->beads = count > w->beads ? count : w->beads;
         w->striker = w->striker || (beads.first == 0 && spec->system->has_striker);
         w->wall = w->wall || (beads.last + 1 == bead_chain_beads(chain) && spec->wall != BEAD_WALL_NONE);

@@ -15,5 +15,7 @@ bool bead_along_fixed(const struct bead_view_setup *setup);
 double bead_along_border(const struct bead_view_setup *setup, size_t number);
 /* 0..1 of a number, with fraction, along plots where places are uneven. */
 double bead_along_place(const struct bead_view_setup *setup, double number);
+/* Have both the same numbers, and, where beads are drawn beside these, each within half a radius of the same place? */
+bool bead_along_alike(const struct bead_view_setup *setup, const struct bead_view_setup *other);
 /* The axis: see bead_axis_along_chain. Its ticks stand at their beads. Returns the title. */
 const char *bead_along_axis(struct bead_axis *axis, const struct bead_view_setup *setup, double length, double em, bool horizontal);

@@ -458,6 +458,36 @@ static void test_numbers_of_a_grid_part(void **state)
     }
 }
 
+/* Rows of beads share the numbers below the last one only if each bead of every row stands over its number there. */
+static void test_unlike_rows_have_their_own_numbers(void **state)
+{
+    static const int size[2] = {1920, 1080};
+    static const struct {
+        const char *beads;
+        bool own;
+    } cases[] = {{"{bead: large-steel, count: 64, taper: 1 %}", true},
+                 {"{bead: large-steel, count: 32}, {bead: small-steel, count: 32}", true},
+                 {"{bead: large-steel, count: 20, gap: 3 mm}, {bead: large-steel, count: 44}", true},
+                 {"{bead: aluminium, count: 64}", false},
+                 {"{cell: [large-steel, aluminium], count: 32}", false}};
+    (void)state;
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        static struct stage s;
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "chains:\n  - {name: One, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [%s]}\n"
+                 "  - {name: Two, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 64}]}\n"
+                 "outputs: [{movie: m.mp4}]\n",
+                 cases[k].beads);
+        open_stage(&s, text, size);
+        const struct bead_movie_chain *chains = s.composer->layout.chains;
+        assert_true(chains[1].labels[0]);
+        assert_int_equal(chains[0].labels[0], cases[k].own);
+        assert_legible(&s.seen, size, cases[k].beads);
+        close_stage(&s);
+    }
+}
+
 /* Beside the title of the first image its name has less room than the others: like labels have one size. */
 static void test_names_of_images_have_one_size(void **state)
 {
@@ -670,6 +700,7 @@ int main(void)
         cmocka_unit_test(test_headings_show_equations),
         cmocka_unit_test(test_numbers_at_the_end_are_whole),
         cmocka_unit_test(test_numbers_of_a_grid_part),
+        cmocka_unit_test(test_unlike_rows_have_their_own_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

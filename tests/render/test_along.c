@@ -50,6 +50,34 @@ static struct made make(size_t k)
     return m;
 }
 
+/* Chains share numbers where beads are drawn over them only if those of both stand there. */
+static void test_chains_of_like_places(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < CASES; k++) {
+        for (size_t l = 0; l < CASES; l++) {
+            const struct made a = make(k), b = make(l);
+            const size_t most = bead_chain_beads(a.chain) - 1, others = bead_chain_beads(b.chain) - 1;
+            const double *x = bead_chain_position(a.chain), *y = bead_chain_position(b.chain), *r = bead_chain_radius(a.chain),
+                         *s = bead_chain_radius(b.chain);
+            const double length = x[most] - x[0] + r[most] + r[0], other = y[others] - y[0] + s[others] + s[0];
+            bool like = most == others;
+            for (size_t i = 0; like && i <= most; i++)
+                like =
+                    fabs((x[i] - x[0] + r[0]) / length - (y[i] - y[0] + s[0]) / other) <= 0.5 * fmin(r[i] / length, s[i] / other);
+            const struct bead_view_setup one = {.chain = a.chain, .beads = {0, most}, .over_beads = true},
+                                         two = {.chain = b.chain, .beads = {0, others}, .over_beads = true};
+            assert_int_equal(bead_along_alike(&one, &two), like);
+            const struct bead_view_setup bare = {.chain = a.chain, .beads = {0, most}};
+            assert_int_equal(bead_along_alike(&bare, &two), most == others);
+            bead_chain_destroy(a.chain);
+            bead_chain_destroy(b.chain);
+            bead_scene_free(a.scene);
+            bead_scene_free(b.scene);
+        }
+    }
+}
+
 /* The row of beads takes all of the plot's width, as far as its height allows; a bead is within half a radius of the place of its
  * number, and the tick of its number at that place. */
 static void test_beads_over_their_numbers(void **state)
@@ -202,11 +230,9 @@ static void test_strings_reach_their_ends(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_beads_over_their_numbers),
-        cmocka_unit_test(rows_leave_room_for_names),
-        cmocka_unit_test(panels_are_filled),
-        cmocka_unit_test(test_strings_reach_their_ends),
-        cmocka_unit_test(test_pixels_belong_to_unlike_beads),
+        cmocka_unit_test(test_beads_over_their_numbers), cmocka_unit_test(test_chains_of_like_places),
+        cmocka_unit_test(rows_leave_room_for_names),     cmocka_unit_test(panels_are_filled),
+        cmocka_unit_test(test_strings_reach_their_ends), cmocka_unit_test(test_pixels_belong_to_unlike_beads),
     };
     return cmocka_run_group_tests_name("places along chains", tests, NULL, NULL);
 }
