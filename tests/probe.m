@@ -2,7 +2,9 @@
 % Values of datasets as Octave's `load` has them: octave probe.m FILE.h5 DATASET...
 % Prints one line each: how many values there are, then some of them. readers.py compares.
 arguments = argv ();
-data = load (arguments{1});
+% Named parts only: `load` reads no UTF-8, as in a scene, and nothing behind it.
+tops = unique (strtok (arguments(2:end), "/"));
+data = load (arguments{1}, tops{:});
 for k = 2:numel (arguments)
   parts = strsplit (arguments{k}, "/");
   values = data;

@@ -36,7 +36,7 @@ for scene in one two utf8 run; do
     *) ok "$scene runs" exits 0 "$beadsim" "$T/$scene.yaml" -o "$T" ;;
     esac
     few=()
-    case $scene in one | utf8) few=(python) ;; esac
+    [ $scene != one ] || few=(python)
     run "$python" -W ignore "$top/tests/readers.py" "$T/$scene.h5" "${few[@]}"
     relay "$scene: "
 done
