@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Removes unfinished files if a fault in a library ends the program; takes the room that libraries want. */
+#include <malloc.h>
 #include <pthread.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -35,10 +36,20 @@ static void on_fault(int number, siginfo_t *info, void *)
     (void)raise(number);
 }
 
+/* The C library sets 64 MiB of addresses aside for each thread that allocates (glibc, arena.c); where they are few, as on clusters
+ * that count them, threads share one heap. */
+static void save_addresses(void)
+{
+    struct rlimit addresses;
+    if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY)
+        (void)mallopt(M_ARENA_MAX, 1);
+}
+
 /* Libraries take a stack of the usual size for granted: of less, main's is raised as far as it may be, and threads get it anyway.
  */
-void command_take_stacks(void)
+void command_take_room(void)
 {
+    save_addresses();
     static const size_t usual = 8 << 20;
     struct rlimit stack;
     pthread_attr_t attributes;

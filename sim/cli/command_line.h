@@ -161,8 +161,8 @@ enum bead_error command_new(const struct command *command, struct bead_message *
 void command_guard(struct bead_session *session);
 /* Installs the handlers. Returns false on failure. */
 bool command_catch_faults(void);
-/* Makes small stacks (ulimit -s) as large as usual. */
-void command_take_stacks(void);
+/* Makes small stacks (ulimit -s) as large as usual, and spares addresses where they are few (ulimit -v). */
+void command_take_room(void);
 /* Prints text that may come from anybody, without control characters; starts each further line with `line` (NULL: there is only
  * one line). */
 void command_show(FILE *out, const char *text, const char *line);

@@ -259,7 +259,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
     struct bead_message msg = {""};
     struct command command = {.program = program};
     enum bead_error err = BEAD_OK;
-    command_take_stacks();
+    command_take_room();
     bead_sandbox_confine();    /* scenes may be a stranger's, too */
     bead_h5_no_exit_handler(); /* all files are closed before the end */
     command.settings = calloc((size_t)argc + 1, sizeof *command.settings);

@@ -238,6 +238,21 @@ else
     ok "a shell's small stack is made larger" stack 0 soft -S -s 64
     ok "64 kB of stack, and no more: too few" stack 139 hard -s 64
     ok "... which is told" says "no unfinished file is left"
+    printf '%s\n' '#include <stdio.h>' '#include <string.h>' '#include <unistd.h>' 'static pid_t first;' \
+        '__attribute__((constructor)) static void begin(void) { first = getpid(); }' \
+        '__attribute__((destructor)) static void end(void) { char line[160]; FILE *f = first == getpid() ? fopen("/proc/self/status", "r") : 0;' \
+        'while (f && fgets(line, sizeof line, f)) if (!strncmp(line, "VmPeak:", 7)) fputs(line, stderr); }' >peak.c
+    ${CC:-cc} -w -shared -fPIC peak.c -o peak.so
+    addresses() { # LIMIT in kB : the most that a run has had, in MiB
+        (ulimit -v "$1" && LD_PRELOAD=$T/peak.so "$beadreel" film.yaml -o addresses --threads 4 --canvas plain --progress none) 2>&1 >/dev/null |
+            awk '/^VmPeak/ { print int($2 / 1024) }'
+    }
+    spared() {
+        local all few
+        all=$(addresses unlimited) few=$(addresses 50000000) # two threads or more have had a heap of 64 MiB each
+        [ "$few" -gt 50 ] && [ $((all - few)) -ge 128 ] || { echo "$all MiB, $few MiB"; return 1; }
+    }
+    ok "where addresses are limited, threads share one heap" spared
     echo 'int png_write_end(void *png, void *info) { volatile char some[4096]; some[0] = 1; return png_write_end(png, info) + some[0]; }' >deep.c
     ${CC:-cc} -w -O0 -shared -fPIC deep.c -o deep.so
     deep() {
