@@ -23,6 +23,16 @@ for chapter in "$manual"/*.md; do
     done < <(cat "$T/$(basename "$chapter" .md)/missing" 2>/dev/null)
 done
 
+# What two waves that pass each other gain is what the chapter says, 0.4168 (m^2/(A^2 v))^(1/5) (test_starts), and what its commands print.
+ahead() {
+    local stated
+    stated=$(sed -n 's/^The wave is \([0-9.]*\) us ahead.*/\1/p' "$manual/ask.md")
+    [ -n "$stated" ] && (cd "$T/ask" && "$beadsim" two.yaml -q -o . --set 'outputs=[{table: chain.csv, show: chain}]' &&
+        awk -F, -v s="$stated" 'NR == FNR {if (FNR == 4) {m = $3; A = $7} next} FNR > 1 {for (c = 2; c < 4; c++) if ($c + 0 > F[c]) {F[c] = $c; t[c] = $1}}
+            END {d = (t[3] - t[2]) * 1e6; e = 0.4168 * (m * m / A / A / 0.4) ^ 0.2 * 1e6; print d, e, s; exit !((d - e) ^ 2 < 0.03 ^ 2 && (s - e) ^ 2 < 0.006 ^ 2)}' chain.csv shift.csv)
+}
+ok "two waves pass as early as the manual says" ahead
+
 short() { # FILE... : scenes of the chapters, none longer than fifteen lines
     local scene
     for scene; do [ "$(wc -l <"$T/$scene")" -le 15 ] || { wc -l "$T/$scene"; return 1; }; done
