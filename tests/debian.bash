@@ -34,7 +34,7 @@ find_mirror() {
     done
 }
 
-# make_root SUITE [OPTION of debootstrap]... : a minimal system in $root. Where BARE=DIRECTORY is set, one is kept there for the next script.
+# make_root SUITE [OPTION of debootstrap]... : a minimal system in $root.
 make_root() {
     local suite=$1
     shift
@@ -47,11 +47,6 @@ make_root() {
     trap clean_up EXIT
     trap 'exit 130' INT
     trap 'exit 143' TERM HUP
-    if [ -n "${BARE:-}" ] && [ -d "$BARE/$suite" ]; then
-        say "minimal system as in $BARE"
-        cp -a "$BARE/$suite/." "$root" && return
-        exit 1
-    fi
     say "minimal system from $mirror"
     # A release of Ubuntu that is newer than this debootstrap is made as its others are.
     local script=/usr/share/debootstrap/scripts/$suite
@@ -59,20 +54,15 @@ make_root() {
     alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" "${script##*/}" >"$root.log" 2>&1 ||
         { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/temporary" # nothing here outlives a power cut
-    [ -z "${BARE:-}" ] || cp -a "$root" "$BARE/$suite" || exit 1
 }
 
-# within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it. Where
-# COMPILER_CACHE=DIRECTORY is set, ccache there uses this directory of the host's: what the same compiler has made here is not made again.
+# within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it.
 within() {
-    local -x cache=/var/cache/ccache
     # shellcheck disable=SC2016
     alone bash -c '
         root=$1; shift
         mount -t proc proc "$root/proc" && mount --rbind /dev "$root/dev" || exit 1
-        [ -z "${COMPILER_CACHE:-}" ] || { mkdir -p "$root$cache" && mount --bind "$COMPILER_CACHE" "$root$cache"; } || exit 1
         exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-        ${COMPILER_CACHE:+CC="ccache gcc" CCACHE_DIR=$cache CCACHE_BASEDIR=/root/beadreel CCACHE_NOHASHDIR=1} \
         DEBIAN_FRONTEND=noninteractive ${CFLAGS:+CFLAGS="$CFLAGS"} ${WERROR:+WERROR="$WERROR"} ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
         ${no_proxy:+no_proxy="$no_proxy"} "$@"
 }

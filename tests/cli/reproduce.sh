@@ -13,15 +13,12 @@ outputs:
   - {image: a.pdf}
   - {image: a.svg}
   - {movie: a.mp4, size: [320, 240], duration: 0.2 s}
-  - {movie: a.webm, size: [320, 240], duration: 0.2 s}
-  - {movie: a.mkv, size: [320, 240], duration: 0.2 s}
-  - {movie: a.gif, size: [320, 240], duration: 0.2 s}
   - {table: a.csv, show: peaks}
   - {trajectory: a.h5}
   - {report: a.html}
 YAML
-made=(a.png a.pdf a.svg a.mp4 a.webm a.mkv a.gif a.csv a.h5 a.html)
-ok "a scene with a file of each kind" exits 0 "$beadreel" scene.yaml -o all --set simulate.until='0.25 ms'
+made=(a.png a.pdf a.svg a.mp4 a.csv a.h5 a.html)
+ok "a scene with a file of most kinds" exits 0 "$beadreel" scene.yaml -o all --set simulate.until='0.25 ms'
 mv scene.yaml kept.yaml
 for f in "${made[@]}"; do
     ok "$f is made again" exits 0 "$beadreel" --reproduce "all/$f"
@@ -107,7 +104,7 @@ again() { # FROM FILE OPTION...
     return $result
 }
 for from in drawn.yaml drawn.h5; do
-    for file in x.png x.svg x.jpg x.webm x.html; do ok "$file of $from" again $from $file; done
+    for file in x.png x.svg x.jpg x.html; do ok "$file of $from" again $from $file; done
     ok "... in another size" again $from x.png --size 400x300
     ok "... a film" again $from x.mp4 --size 300x300
 done
@@ -119,7 +116,9 @@ ok "... another plot" again drawn.h5 x.png --set 'outputs=[{plot: x.png, show: p
 piped() { "$beadreel" drawn.yaml --set 'outputs=[{movie: c.gif, size: [240, 160], duration: 0.2 s}]' -o - >p.gif && exits 0 "$beadreel" --reproduce p.gif && prints "p.gif: same bits"; }
 ok "a film by way of standard output" piped
 
-# What was changed is found.
+# What was changed is found. Where bits differ, all that the scene makes is made: here no film.
+grep -v movie kept.yaml >light.yaml
+rm -r all && "$beadreel" light.yaml -o all -q --set simulate.until='0.25 ms'
 other() { # FILE SED SAYS
     sed -i "$2" "all/$1" && fails 1 "$beadreel" --reproduce "all/$1" && says "$3"
 }
@@ -132,7 +131,7 @@ ok "another version is named" older
 mkdir alone && cp all/a.csv alone
 ok "a table alone has no scene" fails 1 "$beadreel" --reproduce alone/a.csv
 ok "... and says so" says "no scene is stored in it, nor one that names it in a file beside it"
-cp new/a.csv alone && cp kept.yaml alone/run.yaml
+cp new/a.csv alone && cp light.yaml alone/run.yaml
 ok "its scene's file beside it serves" exits 1 "$beadreel" --reproduce alone/a.csv
 ok "... but was run with another value" says "a.csv: other bits from line"
 sed -i 's/0\.2 ms}/0.25 ms}/' alone/run.yaml

@@ -137,8 +137,8 @@ static const struct ready_film {
     {"fput-kdv", 0, {"duration=12 s"}, 1},
     {"kdv", 0, {"duration=12 s"}, 1},
     {"shock", 0, {"duration=6 s", "until=4"}, 1},
-    {"zabusky-kruskal", 0, {"duration=12 s", "until=4.8"}, 1},
-    {"cradle", 0, {"duration=8 s", "until=1.4"}, 1},
+    {"zabusky-kruskal", 0, {"duration=6 s", "until=2.4"}, 1},
+    {"cradle", 0, {"duration=4 s", "until=0.7"}, 1},
 };
 enum { READY_FILMS = sizeof ready_films / sizeof *ready_films };
 
@@ -283,10 +283,10 @@ static void text_is_sharp(void **state)
     } kinds[] = {
         {"draft.mp4", "draft", 33}, {"standard.mp4", "standard", 36}, {"high.mp4", "high", 40}, {"standard.webm", "standard", 36}};
     struct decoded exact;
-    film("teaching", "exact.mkv", "lossless", (const char *const[2]){"duration=4 s"}, &exact);
+    film("teaching", "exact.mkv", "lossless", (const char *const[2]){"duration=2 s"}, &exact);
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         struct decoded coded;
-        film("teaching", kinds[k].name, kinds[k].quality, (const char *const[2]){"duration=4 s"}, &coded);
+        film("teaching", kinds[k].name, kinds[k].quality, (const char *const[2]){"duration=2 s"}, &coded);
         assert_true(coded.count == exact.count || strcmp(kinds[k].quality, "draft") == 0);
         check_text(kinds[k].name, &coded, &exact, 5, 45, kinds[k].least);
         check_text(kinds[k].name, &coded, &exact, HEIGHT - 30, HEIGHT - 5, kinds[k].least);
