@@ -36,8 +36,8 @@ static void on_fault(int number, siginfo_t *info, void *)
     (void)raise(number);
 }
 
-/* The C library sets 64 MiB of addresses aside for each thread that allocates (glibc, arena.c); where they are few, as on clusters
- * that count them, threads share one heap. */
+/* The C library sets 64 MiB of addresses aside for each thread that allocates (HEAP_MAX_SIZE of glibc); where they are few, as on
+ * clusters that count them, threads share one heap. */
 static void save_addresses(void)
 {
     struct rlimit addresses;
