@@ -7,17 +7,32 @@
 #include "beadreel/law.h"
 #include "sim/chain/chain_internal.h"
 
-/* In radii: the compression of the striker's hit as drawn, and the limit for any contact that stores all of the hit's energy. */
+/* In radii: the compression of the striker's hit as drawn, and the limit for any contact whose neighbours meet as fast. */
 static const double share = 0.25, limit = 0.5;
 /* In radii of the smallest bead: how far one that is held at its place swings as drawn, as far as to the place of the next. */
 static const double farthest = 2;
+
+static double reduced(double a, double b)
+{
+    return a * b / (a + b);
+}
 
 /* Energy of the hit that the first contact stores, J; or would, were it hit with the largest velocity. */
 static double hit_energy(const struct bead_chain *chain)
 {
     const double *mass = bead_chain_mass(chain), v = bead_chain_speed(chain);
-    double reduced = bead_chain_beads(chain) < 2 ? mass[0] : mass[0] * mass[1] / (mass[0] + mass[1]);
-    return 0.5 * reduced * v * v;
+    return 0.5 * (bead_chain_beads(chain) < 2 ? mass[0] : reduced(mass[0], mass[1])) * v * v;
+}
+
+/* Energy of a contact where its neighbours meet with the largest velocity; light ones are pressed by those behind them. */
+static double squeeze_energy(const struct bead_chain *chain, size_t contact)
+{
+    const double *mass = bead_chain_mass(chain), v = bead_chain_speed(chain);
+    const size_t beads = bead_chain_beads(chain), right = contact + 1;
+    const double left = fmax(mass[contact], contact > 0 ? mass[contact - 1] : 0);
+    if (right >= beads) /* the wall */
+        return 0.5 * left * v * v;
+    return 0.5 * reduced(left, fmax(mass[right], right + 1 < beads ? mass[right + 1] : 0)) * v * v;
 }
 
 /* Compression of a contact that stores `energy`, m; 0 if it cannot store any. */
@@ -38,17 +53,20 @@ double bead_compression_scale(const struct bead_chain *chain)
 static double magnify_factor_of(const struct bead_chain *chain)
 {
     const double *radius = bead_chain_radius(chain);
-    double energy = hit_energy(chain), factor = INFINITY, smallest = INFINITY;
+    double factor = INFINITY, smallest = INFINITY;
     for (size_t i = 0; i < bead_chain_beads(chain); i++)
         smallest = fmin(smallest, radius[i]);
     const double swing = bead_chain_swing(chain);
     if (swing > 0)
         factor = farthest * smallest / swing;
     for (size_t k = 0; k < bead_chain_contacts(chain); k++) {
-        double d = magnify_compression(chain, k, energy);
-        double r = k + 1 < bead_chain_beads(chain) ? fmin(radius[k], radius[k + 1]) : radius[k];
+        const double hit = k == 0 ? magnify_compression(chain, k, hit_energy(chain)) : 0,
+                     d = magnify_compression(chain, k, squeeze_energy(chain, k));
+        const double r = k + 1 < bead_chain_beads(chain) ? fmin(radius[k], radius[k + 1]) : radius[k];
+        if (hit > 0)
+            factor = fmin(factor, share * r / hit);
         if (d > 0)
-            factor = fmin(factor, (k == 0 ? share : limit) * r / d);
+            factor = fmin(factor, limit * r / d);
     }
     return factor;
 }

@@ -638,6 +638,32 @@ static void test_magnification_is_as_large_as_can_be(void **state)
     assert_int_equal(met, 0xff);
 }
 
+/* Heavy beads press the light one between them with all that they have, be it struck first or later: as drawn, no contact takes
+ * more than half of its radius. Compressions by Hertz's law, of the energy that two heavy beads have in each other's eyes. */
+static void test_magnification_of_light_beads(void **state)
+{
+    (void)state;
+    static const char *const beads[] = {
+        "{bead: large-steel, radius: 2 mm}, {bead: large-steel, radius: 10 mm, count: 2}",
+        "{bead: large-steel, radius: 10 mm}, {bead: large-steel, radius: 2 mm}, {bead: large-steel, radius: 10 mm}"};
+    for (size_t i = 0; i < 2; i++) {
+        char text[400];
+        snprintf(text, sizeof text,
+                 "chain: {striker: {bead: large-steel, radius: 10 mm, velocity: 1 m/s}, beads: [%s]}\noutputs: [{movie: a.mp4}]\n",
+                 beads[i]);
+        struct bead_scene *scene = parse(text);
+        struct bead_chain *chain;
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        const double factor = bead_magnify_auto((const struct bead_chain *const *)&chain, 1), *mass = bead_chain_mass(chain);
+        for (size_t k = i; k < i + 2; k++) {
+            const double energy = 0.25 * mass[0], d = pow(2.5 * energy / bead_chain_stiffness(chain)[k], 0.4);
+            assert_true(factor * d <= 0.5 * 2e-3 && factor * d > 0.25 * 2e-3);
+        }
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 /* Beads on pendulums swing by v sqrt(l/g) and more than collisions press them: as drawn, no further than to the next place. */
 static void test_magnification_of_swings(void **state)
 {
@@ -665,6 +691,7 @@ static void test_magnification_of_swings(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_magnification_of_light_beads),
         cmocka_unit_test(test_beads_with_lens),
         cmocka_unit_test(test_lens_on_plain_background),
         cmocka_unit_test(test_beads_in_one_row),
