@@ -34,6 +34,16 @@ static void stage_destroy(struct bead_view *v)
     free(v);
 }
 
+/* On a floor, balls meet above one that is smaller than a quarter of both: these stand apart, with air around what is between. */
+static void part_from_others(struct bead_view *v, size_t i)
+{
+    for (size_t j = i - 1; j-- > 0 && v->place[i] - v->place[j] < 2 * v->largest;) {
+        const double apart = v->place[i] - v->place[j], least = 2 * sqrt(v->radius[i] * v->radius[j]);
+        for (size_t k = j + 1; apart < least && k <= i; k++)
+            v->place[k] = v->place[j] + (v->place[k] - v->place[j]) * least / apart;
+    }
+}
+
 /* Beads stand on the floor: centres of neighbours that touch are nearer to each other along it than the sum of unlike radii. */
 static void place_beads(struct bead_view *v)
 {
@@ -45,6 +55,8 @@ static void place_beads(struct bead_view *v)
             v->place[i] = v->place[i - 1] + sqrt(fmax(0.01 * along * along, along * along - rise * rise));
         }
         v->largest = fmax(v->largest, v->radius[i]);
+        if (i > 1)
+            part_from_others(v, i);
         v->ends[0] = fmin(v->ends[0], v->place[i] - v->radius[i]);
         v->ends[1] = fmax(v->ends[1], v->place[i] + v->radius[i]);
     }

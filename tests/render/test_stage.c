@@ -508,6 +508,33 @@ static double gap_of(const struct bead_stage *s, size_t i)
     return hypot(b->x - a->x, b->r - a->r) - a->r - b->r;
 }
 
+/* No bead goes through another, and what is between two heavy ones has as much air on both sides. */
+static void light_beads_part_heavy_ones(void **state)
+{
+    (void)state;
+    static const char *const between[] = {"{bead: large-steel, radius: 2 mm}", "{bead: large-steel, radius: 1 mm, count: 3}",
+                                          "{bead: large-steel, radius: 3 mm}"};
+    for (size_t c = 0; c < 3; c++) {
+        struct setting s;
+        char text[300];
+        snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, radius: 10 mm}, %s, {bead: large-steel, radius: 10 mm}]}",
+                 between[c]);
+        open_view(&s, text, BEAD_LIGHT_CONTACTS);
+        const struct bead_view *v = s.view;
+        const size_t last = v->count - 1;
+        for (size_t i = 0; i < last; i++) {
+            for (size_t j = i + 1; j <= last; j++)
+                assert_true(hypot(v->place[j] - v->place[i], v->radius[j] - v->radius[i]) >=
+                            (v->radius[i] + v->radius[j]) * (1 - 1e-9));
+        }
+        const size_t heavy = last - 1 - (c == 1 ? 3 : 1); /* the second last of them */
+        const double left = v->place[heavy + 1] - v->place[heavy], right = v->place[last] - v->place[last - 1];
+        assert_float_equal(left, right, 1e-9 * left);
+        assert_true(c < 2 || fabs(left - 2 * sqrt(30e-6)) < 1e-9); /* large enough: all touch */
+        close_view(&s);
+    }
+}
+
 static void beads_touch_where_they_do(void **state)
 {
     (void)state;
@@ -825,6 +852,7 @@ int main(void)
         cmocka_unit_test(fine_stages_look_the_same),
         cmocka_unit_test(camera_rests_and_follows),
         cmocka_unit_test(waves_that_meet_are_both_in_the_window),
+        cmocka_unit_test(light_beads_part_heavy_ones),
         cmocka_unit_test(beads_touch_where_they_do),
         cmocka_unit_test(swings_stay_on_the_stage),
         cmocka_unit_test(beads_are_over_their_numbers),
