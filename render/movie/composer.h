@@ -72,6 +72,8 @@ BEAD_CHECK enum bead_error bead_composer_pass(struct bead_composer *composer, do
 /* The interest of the frame at `time`: of several chains, the difference of their values; of one, the mean distance of its values
  * from zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
+/* Of a bead, the mean of both contacts, or of a contact; 0 of other fields. */
+double bead_force_at_rest(const struct bead_chain *chain, enum bead_field field, size_t index);
 /* Takes a sample for that alone; and, before it is asked, brings it to the frame at the last sample. */
 void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
 void bead_interest_advance(struct bead_composer *composer);

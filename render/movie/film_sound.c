@@ -63,15 +63,6 @@ static bool find_sensor(const struct bead_chain *chain, const struct bead_sound_
     return false;
 }
 
-/* N. A sensor measures the bead force, the mean of the two contacts. */
-static double force_at_rest(const struct bead_chain *chain, const struct voice *v)
-{
-    const double *force = bead_chain_static_force(chain);
-    if (v->field == BEAD_FIELD_CONTACT_FORCE)
-        return force[v->index];
-    return 0.5 * ((v->index > 0 ? force[v->index - 1] : 0) + (v->index < bead_chain_contacts(chain) ? force[v->index] : 0));
-}
-
 static enum bead_error nothing_heard(const struct bead_output *output, struct bead_message *msg)
 {
     const struct bead_sound_asked *asked = &output->movie.sound;
@@ -257,7 +248,7 @@ enum bead_error bead_film_sound_feed(struct bead_film_sound *sound, const struct
         return BEAD_OK;
     size_t room = bead_grid_count(&sound->film->times.grid);
     if (!v->force) { /* the arrays of the chain may not be there before */
-        v->rest = force_at_rest(sound->film->context.chains[sample->chain], v);
+        v->rest = bead_force_at_rest(sound->film->context.chains[sample->chain], v->field, v->index);
         v->force = malloc(room * sizeof *v->force);
     }
     if (!v->force)

@@ -84,6 +84,8 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
     f->row[CLOCK].least = f->bar_beside ? lying : clock;
     f->row[BAR].least = f->bar_below ? lying : 0;
     f->row[BADGE].least = w->badge_width > 0 && !f->badge_beside ? bead_cells_whole(1.5 * look->label) : 0;
+    f->row[BADGE].gap =
+        f->bar_beside && f->row[BADGE].least > 0 ? bead_cells_whole(0.5 * look->gap) : 0; /* numbers of the bar are above it */
     f->row[TITLE].least = title && !f->title_beside ? (w->title_width > room ? 2 : 1) * line : 0;
     f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
     /* One key of all stages: left of facts that end at the right, else in lines of its own. */

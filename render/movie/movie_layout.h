@@ -52,7 +52,7 @@ struct bead_movie_wants {
     double badge_width;   /* of the widest badge of the speed; 0: none */
     const struct bead_facts *facts;                /* NULL: one line of them is enough */
     double title_width;                            /* of the title; 0: none */
-    double left;                                   /* how far ticks and labels of vertical axes reach out of plots */
+    double left, image_left;                       /* how far ticks and labels of vertical axes reach out of plots, of images */
     double below_beads, below_time, below_numbers; /* axes below plots: with their titles, without */
     double along;                                  /* the title of an axis along the first chain */
     double against;                                /* the title of both axes of an image whose time is to the right */

@@ -125,13 +125,29 @@ static double difference(const struct bead_composer *c)
     return sqrt(sum);
 }
 
-/* Mean distance from zero along the colour bar, weighted by how far views of all times have filled. */
+double bead_force_at_rest(const struct bead_chain *chain, enum bead_field field, size_t index)
+{
+    const double *force = bead_chain_static_force(chain);
+    if (field != BEAD_FIELD_CONTACT_FORCE && field != BEAD_FIELD_FORCE)
+        return 0;
+    if (field == BEAD_FIELD_CONTACT_FORCE)
+        return force[index];
+    return 0.5 * ((index > 0 ? force[index - 1] : 0) + (index < bead_chain_contacts(chain) ? force[index] : 0));
+}
+
+static double along_bar(const struct bead_composer *c, double value)
+{
+    return fmin(1, fmax(0, bead_colours_place(&c->colours, value)));
+}
+
+/* Mean distance along the colour bar from the values at rest, weighted by how far views of all times have filled. */
 static double shown(const struct bead_composer *c, double time)
 {
     double passed = (time - c->setup.time[0]) / (c->setup.time[1] - c->setup.time[0]), sum = 0;
-    double zero = fmin(1, fmax(0, bead_colours_place(&c->colours, 0)));
+    const enum bead_field field = c->setup.output->shown.field;
+    const size_t first = bead_composer_span(c, 0).first;
     for (size_t i = 0; i < c->fed_room; i++)
-        sum += fabs(fmin(1, fmax(0, bead_colours_place(&c->colours, c->fed[i]))) - zero);
+        sum += fabs(along_bar(c, c->fed[i]) - along_bar(c, bead_force_at_rest(c->setup.chains[0], field, first + i)));
     return (bead_views_any(&c->setup.output->views, BEAD_SHOWS_ALL_TIMES) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
 }
 

@@ -9,7 +9,7 @@
 /* In units of the label's font size: lines of titles, gaps, and the least sizes of a stage, a curve and an image. */
 static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,
                     least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5,
-                    colours_width = 0.45;
+                    colours_width = 0.45, between_numbers = 0.5;
 /* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame; in
  * others, numbers at the end leave as much air as the margin of a panel. */
 static const double wide = 1.5, wide_inset = 0.03;
@@ -196,6 +196,12 @@ static double left_of(const struct stage *s, bool first)
     return !s->w->axes ? (first ? 0 : 0.5 * s->em) : first ? s->w->left : 0.5 * s->em + 2 * s->w->time_end;
 }
 
+/* More room before an image beside a curve where its numbers would begin at the curve's end. */
+static double air_between(const struct stage *s)
+{
+    return s->w->axes ? fmax(0, s->w->image_left + between_numbers * s->em - s->w->left) : 0;
+}
+
 static double left_of_curve(const struct stage *s)
 {
     return left_of(s, true) + s->colours;
@@ -292,7 +298,8 @@ static bool place_beside(const struct stage *s, int y, int bottom)
     double first = drawn > 0 ? drawn + left_of_curve(s) : fmax(left_of_curve(s), s->inset),
            right = plots > 0 ? right_of(s) : right_of_curve(s),
            room = s->area.width - (has_curve ? first : drawn) - bar_room(s) - right;
-    room -= (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
+    const double air = has_curve && plots > 0 ? air_between(s) : 0;
+    room -= air + (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
     double least = has_curve ? fmax(least_curve[0] * s->em, curve_part * room) : 0;
     double width = plots > 0 ? floor((room - least) / plots) : 0; /* images take what they must have, the curve the rest */
     if (has_curve && s->plan->images > 0)
@@ -306,7 +313,7 @@ static bool place_beside(const struct stage *s, int y, int bottom)
         s->to->inset = (struct bead_rect){s->area.x + s->inset, y, (int)floor(s->w->inset), bottom - y};
     if (has_curve) {
         place_curve(s, (struct bead_rect){whole(x), top, (int)floor(room - plots * width), height});
-        x = whole(x) + floor(room - plots * width);
+        x = whole(x) + floor(room - plots * width) + air;
     }
     for (size_t k = 0; k < s->other_count; k++)
         x = place_view(s, s->others[k], x, top, width, height);

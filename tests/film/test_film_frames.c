@@ -392,6 +392,76 @@ static void test_differences_count(void **state)
     close_stage(&s);
 }
 
+/* What is pressed at first is nothing to see: the wave is, wherever it adds the same. */
+static void test_precompression_is_no_peak(void **state)
+{
+    static struct stage s;
+    static const int size[2] = {640, 360};
+    (void)state;
+    open_stage(
+        &s,
+        "chain: {precompression: 20 N, striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: "
+        "40}], wall: rigid}\nsimulate: {until: 1.2 ms}\n"
+        "outputs: [{movie: m.mp4, views: [profile], range: [0, 45 N], scale: linear}]\n",
+        size);
+    double value[41], interest[3];
+    for (int i = 0; i < 3; i++) { /* at rest; pressed by 9 N more; relieved by 9 N */
+        struct bead_sample sample = {.time = 1e-4 * (double)i, .active = 41};
+        for (size_t j = 0; j < 41; j++)
+            value[j] = j == 0 ? 10 : 20;
+        value[20] += i == 1 ? 9 : i == 2 ? -9 : 0;
+        sample.field[BEAD_FIELD_FORCE] = value;
+        assert_int_equal(bead_composer_feed(s.composer, &sample, NULL), BEAD_OK);
+        interest[i] = bead_composer_interest(s.composer, sample.time);
+    }
+    assert_float_equal(interest[0], 0, 1e-12);
+    assert_float_equal(interest[1], 9 / 45.0 / 41, 1e-9);
+    assert_float_equal(interest[2], 9 / 45.0 / 41, 1e-9);
+    close_stage(&s);
+}
+
+/* Numbers of a bar beside the clock end above a badge in the next line; those of images begin behind the curve. */
+static void test_numbers_are_apart_from_what_is_beside_them(void **state)
+{
+    static struct stage s;
+    static const int phone[2] = {1080, 1920}, wide[2] = {1920, 1080};
+    (void)state;
+    open_stage(&s,
+               "title: A soliton\nsimulate: {until: 1}\n"
+               "chain: {equation: kdv, length: 2, points: 640, dispersion: 4.84e-4, start: {cosine: 1, amplitude: 1}}\n"
+               "outputs: [{movie: m.mp4, views: [profile, spacetime], size: [1080, 1920]}]\n",
+               phone);
+    const struct bead_movie_layout *l = &s.composer->layout;
+    size_t above = 0;
+    assert_true(l->badge.y >= l->time.y + l->time.height && l->bar.y < l->badge.y);
+    for (size_t t = 0; t < s.seen.count; t++) {
+        const struct text *text = &s.seen.text[t];
+        if (!is_number(text->markup) || text->y < l->bar.y || text->y >= l->badge.y)
+            continue;
+        above++;
+        assert_true(text->y + text->height <= l->badge.y);
+    }
+    assert_true(above >= 2);
+    close_stage(&s);
+    open_stage(&s,
+               "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 2000}]}\n"
+               "outputs: [{movie: m.mp4}]\n",
+               wide);
+    l = &s.composer->layout;
+    const struct bead_rect curve = l->chains[0].plot[1], image = l->chains[0].plot[2];
+    size_t left = 0;
+    for (size_t t = 0; t < s.seen.count; t++) {
+        const struct text *text = &s.seen.text[t];
+        if (!is_number(text->markup) || text->x + text->width > image.x || text->x < curve.x + curve.width - text->width ||
+            text->y > image.y + image.height)
+            continue;
+        left++;
+        assert_true(text->x >= curve.x + curve.width + 0.3 * s.composer->look.tick);
+    }
+    assert_true(left >= 3);
+    close_stage(&s);
+}
+
 /* Chains of equations have their equation beside their name, unless they have a label. */
 static void test_headings_show_equations(void **state)
 {
@@ -700,6 +770,8 @@ int main(void)
         cmocka_unit_test(test_headings_show_equations),
         cmocka_unit_test(test_numbers_at_the_end_are_whole),
         cmocka_unit_test(test_numbers_of_a_grid_part),
+        cmocka_unit_test(test_precompression_is_no_peak),
+        cmocka_unit_test(test_numbers_are_apart_from_what_is_beside_them),
         cmocka_unit_test(test_unlike_rows_have_their_own_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
