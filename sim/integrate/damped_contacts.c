@@ -9,9 +9,9 @@ static const double touching = 1e-6;
 /* A change of the force's sign within this first part of a step counts as one at its start. */
 static const double at_once = 1e-6;
 
-/* Ahead of the front contacts open and close by rounding errors: forces that change velocities in a step by less than this part of
- * the largest at the start end no step. */
-static const double unseen = 0x1p-43;
+/* A difference quotient over this part of a step; a change that the end of a step misses by more than this part of it is another.
+ */
+static const double nearby = 1e-4, far_off = 0.1;
 
 static double rate(const struct bead_state *state, size_t k)
 {
@@ -23,6 +23,11 @@ static double closed_force(const struct bead_stepper *s, size_t k, double d, dou
 {
     double elastic = s->chain->law->force(s->table.stiffness[k], s->table.law, d);
     return s->table.damping > 0 ? elastic + bead_damping_force(&s->table, d, change) : elastic;
+}
+
+static double closed_force_in(const struct bead_stepper *s, const struct bead_state *state, size_t k)
+{
+    return closed_force(s, k, bead_stepper_compression(s, state, k), rate(state, k));
 }
 
 double bead_damped_contacts_within(const struct bead_stepper *s, size_t k, double d, double change)
@@ -42,12 +47,24 @@ void bead_damped_contacts_update(struct bead_stepper *s)
     }
 }
 
-/* A contact over the step: its compression as a cubic, accurate enough to locate an event. */
+/* A contact over the step: its compression as samples have it. */
 struct contact_curve {
     const struct bead_stepper *stepper;
     size_t contact;
     struct bead_polynomial compression;
 };
+
+/* What changes its sign where a contact opens, or closes although compressed. */
+static double push(const struct bead_stepper *s, size_t k, double d, double change)
+{
+    const double force = s->table.damping > 0 ? closed_force(s, k, d, change) : d;
+    return force != 0 ? force : d;
+}
+
+static double push_in(const struct bead_stepper *s, const struct bead_state *state, size_t k)
+{
+    return push(s, k, bead_stepper_compression(s, state, k), rate(state, k));
+}
 
 static double closing(const void *context, double x)
 {
@@ -59,22 +76,44 @@ static double pushing(const void *context, double x)
 {
     const struct contact_curve *c = context;
     double d = bead_polynomial_value(&c->compression, x), change = bead_polynomial_slope(&c->compression, x) / c->stepper->h;
-    const double force = closed_force(c->stepper, c->contact, d, change);
-    return force != 0 ? force : d;
+    return push(c->stepper, c->contact, d, change);
+}
+
+/* Does the contact, open at the start, close as its beads touch? */
+static bool closes(const struct bead_stepper *s, size_t k)
+{
+    return !s->closed[k] && bead_stepper_compression(s, &s->start, k) < 0;
 }
 
 static double change_of(const struct bead_stepper *s, size_t k)
 {
-    double d0 = bead_stepper_compression(s, &s->start, k), d1 = bead_stepper_compression(s, &s->end, k);
-    double r0 = s->h * rate(&s->start, k), r1 = s->h * rate(&s->end, k);
-    struct contact_curve curve = {s, k, {{d0, r0, 3 * (d1 - d0) - 2 * r0 - r1, 2 * (d0 - d1) + r0 + r1, 0, 0, 0, 0}}};
-    if (!s->closed[k] && d0 < 0)
-        return d1 > 0 ? fmax(bead_find_root(closing, &curve, d0, d1), 2 * at_once) : 1;
-    /* Closed, or open although compressed: its force changes sign. */
-    double f0 = pushing(&curve, 0), f1 = pushing(&curve, 1);
-    if (fmax(fabs(f0), fabs(f1)) * s->h * s->chain->inverse_mass[k] < unseen * s->chain->speed)
+    const bool closing_now = closes(s, k);
+    const double f0 = closing_now ? bead_stepper_compression(s, &s->start, k) : push_in(s, &s->start, k),
+                 f1 = closing_now ? bead_stepper_compression(s, &s->end, k) : push_in(s, &s->end, k);
+    if ((f0 > 0) == (f1 > 0) || (f0 > 0) != (s->closed[k] != 0))
         return 1;
-    return (f0 > 0) != (f1 > 0) && (f0 > 0) == (s->closed[k] != 0) ? bead_find_root(pushing, &curve, f0, f1) : 1;
+    if (fmax(fabs(closed_force_in(s, &s->start, k)), fabs(closed_force_in(s, &s->end, k))) * s->h * s->chain->inverse_mass[k] <
+        s->event_tolerance)
+        return 1;
+    const struct contact_curve curve = {s, k, bead_dense_compression(s, k)};
+    return closing_now ? fmax(bead_find_root(closing, &curve, f0, f1), 2 * at_once) : bead_find_root(pushing, &curve, f0, f1);
+}
+
+double bead_damped_contacts_miss(const struct bead_stepper *s, size_t k)
+{
+    const double d = bead_stepper_compression(s, &s->end, k), change = rate(&s->end, k),
+                 w = s->chain->inverse_mass[k] + (k + 1 < s->beads ? s->chain->inverse_mass[k + 1] : 0);
+    double off, jump; /* in steps, and what it does to a velocity per step, m/s */
+    if (closes(s, k)) {
+        off = d / (change * s->h);
+        jump = off * closed_force(s, k, fmax(d, 0), change);
+    } else {
+        const struct contact_curve curve = {s, k, bead_dense_compression(s, k)};
+        const double slope = (push(s, k, d, change) - pushing(&curve, 1 - nearby)) / nearby;
+        off = push(s, k, d, change) / slope;
+        jump = s->table.damping > 0 ? 0.5 * off * off * slope : 0;
+    }
+    return fabs(jump) * s->h * w > s->event_tolerance && fabs(off) < far_off ? -off : 0;
 }
 
 struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *s)

@@ -89,7 +89,7 @@ static void step_composition(struct bead_stepper *s, double h)
         bead_stepper_evaluate(s, u, v, s->end.f, s->end.a);
 }
 
-/* Runge-Kutta-Nystrom methods for u'' = a(u), from a tableau.
+/* Runge-Kutta-Nystrom methods for u'' = a(u), from a tableau, and Runge-Kutta methods for u'' = a(u, v).
  *
  * A long chain is stepped in tiles that fit in the cache: each stage of a tile is shifted SKEW beads to the left of the stage
  * before, so that its right neighbours are known and the previous tile has computed the left ones. Results are equal to those of
@@ -128,6 +128,14 @@ static void sum(const struct bead_stepper *s, struct bead_part part, double *y, 
                         terms->coefficient + first, at + first);
 }
 
+/* Velocities of a part with weights of the first `count` stages. They have no drift: the first term takes its place. */
+static void make_velocities(const struct bead_stepper *s, struct bead_part part, double *v, double h, const double *row,
+                            size_t count)
+{
+    const struct terms terms = gather(s, row, count, h);
+    sum(s, part, v, s->start.v, terms.coefficient[0], terms.array[0], &terms, 1);
+}
+
 /* Stage i of a part; the last stage is the end of the step. Displacements are needed for one more vector than forces. */
 static void make_stage(struct bead_stepper *s, double h, size_t i, struct bead_part part)
 {
@@ -139,22 +147,45 @@ static void make_stage(struct bead_stepper *s, double h, size_t i, struct bead_p
         s->now = s->t0 + t->c[i] * h;
         terms = gather(s, t->a + i * t->stages, i, h * h);
         sum(s, beads, s->y, s->start.u, t->c[i] * h, s->start.v, &terms, 0);
-        bead_stepper_evaluate_part(s, s->y, NULL, s->stage_f[i], s->stage_a[i], part);
+        if (t->av)
+            make_velocities(s, beads, s->w[0], h, t->av + i * t->stages, i);
+        bead_stepper_evaluate_part(s, s->y, t->av ? s->w[0] : NULL, s->stage_f[i], s->stage_a[i], part);
         return;
     }
     s->now = s->t1;
     terms = gather(s, t->b, t->stages, h * h);
     sum(s, beads, s->end.u, s->start.u, h, s->start.v, &terms, 0);
-    bead_stepper_evaluate_part(s, s->end.u, NULL, s->end.f, s->end.a, part);
-    terms = gather(s, t->bp, t->stages, h);
-    /* v has no drift: the first term takes its place. */
-    sum(s, part, s->end.v, s->start.v, terms.coefficient[0], terms.array[0], &terms, 1);
+    if (t->av)
+        make_velocities(s, beads, s->end.v, h, t->bp, t->stages);
+    bead_stepper_evaluate_part(s, s->end.u, t->av ? s->end.v : NULL, s->end.f, s->end.a, part);
+    if (!t->av) /* of the last force, too */
+        make_velocities(s, part, s->end.v, h, t->bp, t->stages);
+}
+
+double bead_stage_state(const struct bead_stepper *s, size_t i, double *u, double *v)
+{
+    const struct bead_tableau *t = s->method->tableau;
+    const struct bead_part beads = {s->first, s->span};
+    if (t->bp[i] == 0)
+        return 0;
+    if (i == 0) {
+        memcpy(u, s->start.u, s->span * sizeof *u);
+        memcpy(v, s->start.v, s->span * sizeof *v);
+    } else {
+        const struct terms terms = gather(s, t->a + i * t->stages, i, s->h * s->h);
+        sum(s, beads, u, s->start.u, t->c[i] * s->h, s->start.v, &terms, 0);
+        make_velocities(s, beads, v, s->h, t->av + i * t->stages, i);
+    }
+    u[s->span] = v[s->span] = 0;
+    return t->bp[i];
 }
 
 static void step_nystrom(struct bead_stepper *s, double h)
 {
     const struct bead_tableau *t = s->method->tableau;
     const size_t stages = t->fsal ? t->stages - 1 : t->stages, tile = s->span > LONG ? TILE : s->span + SKEW * stages;
+    if (t->av)
+        s->w[0][s->span] = 0; /* velocities of stages, if needed: the wall, or a bead at rest */
     for (size_t p = s->first; p < s->span + SKEW * stages; p += tile) {
         for (size_t i = 1; i <= stages; i++) {
             /* a single tile is not skewed */
@@ -184,7 +215,7 @@ double bead_nystrom_error(const struct bead_stepper *s)
     const size_t *flagged = NULL;
     size_t count = 0, next = 0;
     double worst = 0;
-    if (!t)
+    if (!t || !t->bpe)
         return 0;
     const struct terms terms = gather(s, t->bpe, t->stages, 1);
     if (s->events)
@@ -199,10 +230,19 @@ double bead_nystrom_error(const struct bead_stepper *s)
     return worst;
 }
 
+static const double simpson_nodes[] = {0, 0.5, 1}, simpson_weights[] = {1 / 6.0, 2 / 3.0, 1 / 6.0};
+static const double lobatto_nodes[] = {0, 0.17267316464601143, 0.5, 0.8273268353539886, 1},
+                    lobatto_weights[] = {0.05, 49 / 180.0, 16 / 45.0, 49 / 180.0, 0.05};
+
 /* The thetas were measured on disordered chains (tests/bench), theta_max in tests/stress. */
 static const struct bead_method methods[] = {
     {.info = {"rk4", "classical Runge-Kutta 4, the thesis's method (its Appendix 1)", 4, 4, true, false, 0.04, 3, 0.5, 2.8},
-     .step = step_rk4},
+     .step = step_rk4,
+     .quadrature = {3, 4, simpson_nodes, simpson_weights}},
+    {.info = {"rk8", "Runge-Kutta of order 8 (Cooper, Verner 1972): the default with damping", 8, 12, true, true, 0.35, 6, 0.6, 3},
+     .step = step_nystrom,
+     .tableau = &bead_tableau_rk8,
+     .quadrature = {5, 8, lobatto_nodes, lobatto_weights}},
     {.info = {"verlet", "velocity Verlet, symplectic (Swope et al. 1982)", 2, 1, false, false, 0.004, 2, 0.5, 2.0},
      .step = step_composition,
      .composition = &composition_verlet},

@@ -27,14 +27,15 @@ BEAD_INTERNAL const struct bead_method_info *bead_method_find(const char *name);
 /* Coefficients of the methods: data with their sources. */
 
 /* Runge-Kutta-Nystrom for y'' = f(y): Y_i = y + c_i h y' + h^2 sum_j a_ij f_j,
- * y1 = y + h y' + h^2 sum b_i f_i, y1' = y' + h sum bp_i f_i; bpe: bp minus the embedded method's. */
+ * y1 = y + h y' + h^2 sum b_i f_i, y1' = y' + h sum bp_i f_i; bpe: bp minus the embedded method's, NULL: there is none. For
+ * y'' = f(y, y'), av is set: Y'_i = y' + h sum_j av_ij f_j. */
 struct bead_tableau {
     size_t stages;
-    bool fsal;                          /* the last stage is the end of the step */
-    const double *c, *a, *b, *bp, *bpe; /* a: stages x stages, row by row */
+    bool fsal;                               /* the last stage is the end of the step */
+    const double *c, *a, *b, *bp, *bpe, *av; /* a, av: stages x stages, row by row */
 };
 
-extern const struct bead_tableau bead_tableau_rkn6, bead_tableau_rkn8, bead_tableau_rkn12;
+extern const struct bead_tableau bead_tableau_rkn6, bead_tableau_rkn8, bead_tableau_rkn12, bead_tableau_rk8;
 
 /* Symplectic compositions: alternating drifts u += d h v and kicks v += k h a(u). */
 struct bead_composition {

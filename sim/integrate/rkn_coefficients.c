@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Coefficients of Runge-Kutta-Nystrom methods: the nearest doubles to the published rationals, with the rational in a
- * comment if it is short. tests/sim/test_accuracy.c measures their orders. */
+/* Coefficients of Runge-Kutta-Nystrom methods, and of one for forces that depend on velocities: the nearest doubles to the
+ * published rationals, with the rational in a comment if it is short. tests/sim/test_accuracy.c measures their orders. */
 #include "sim/integrate/methods.h"
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 235): RKN6(4)6FM, order 6 with embedded 4. */
@@ -43,7 +43,7 @@ static const double rkn6_a[6][6] = {
     {0.11450768253968253, -0.10692622222222223, 0.23313422222222221, -0.00951568253968254, 0, 0},
     {0.07049486461251167, 0.04310344827586207, 0.2814327485380117, 0.3273809523809524, -0.22241201380733783, 0},
 };
-const struct bead_tableau bead_tableau_rkn6 = {6, true, rkn6_c, &rkn6_a[0][0], rkn6_b, rkn6_bp, rkn6_bpe};
+const struct bead_tableau bead_tableau_rkn6 = {6, true, rkn6_c, &rkn6_a[0][0], rkn6_b, rkn6_bp, rkn6_bpe, NULL};
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 423): RKN8(6)9FM, order 8 with embedded 6, 8 evaluations a step. */
 static const double rkn8_c[9] = {
@@ -102,7 +102,7 @@ static const double rkn8_a[9][9] = {
     {0.028092718568909044, 0, 0.1457093253968254, 0.1529431216931217, 0.09151785714285714, 0.06554705215419501, 0.01618992504409171,
      0, 0},
 };
-const struct bead_tableau bead_tableau_rkn8 = {9, true, rkn8_c, &rkn8_a[0][0], rkn8_b, rkn8_bp, rkn8_bpe};
+const struct bead_tableau bead_tableau_rkn8 = {9, true, rkn8_c, &rkn8_a[0][0], rkn8_b, rkn8_bp, rkn8_bpe, NULL};
 
 /* Dormand, El-Mikkawy, Prince 1987 (IMA J. Numer. Anal. 7, 423): RKN12(10)17M, order 12 with embedded 10. */
 static const double rkn12_c[17] = {
@@ -216,4 +216,47 @@ static const double rkn12_a[17][17] = {
      -48.95128052584765, 38.297096034337926, -10.58738133697598, 2.4332304376226275, -1.0453406042575444, 0.0717732095086726,
      0.0021622109708082783, 0.007009595759602514, 0, 0},
 };
-const struct bead_tableau bead_tableau_rkn12 = {17, false, rkn12_c, &rkn12_a[0][0], rkn12_b, rkn12_bp, rkn12_bpe};
+const struct bead_tableau bead_tableau_rkn12 = {17, false, rkn12_c, &rkn12_a[0][0], rkn12_b, rkn12_bp, rkn12_bpe, NULL};
+
+/* G. J. Cooper, J. H. Verner 1972 (SIAM J. Numer. Anal. 9, 389): order 8 in 11 stages, for forces that depend on velocities, too;
+ * rationals of the square root of 21. Its weights are those of Lobatto's quadrature with five nodes. rk8_av are their a_ij; of
+ * displacements, whose rates are the velocities of the stages, rk8_a is its square, and rk8_b the product of the weights and
+ * rk8_av. */
+static const double rk8_c[11] = {
+    0, 0.5, 0.5, 0.8273268353539885, 0.8273268353539885, 0.5, 0.17267316464601143, 0.17267316464601143, 0.5, 0.8273268353539885, 1};
+static const double rk8_b[11] = {0.05, 0, 0, 0, 0, 0, 0, 0.22521674962414134, 0.17777777777777778, 0.04700547259808089, 0};
+static const double rk8_bp[11] = {0.05, 0, 0, 0, 0, 0, 0, 0.2722222222222222, 0.35555555555555557, 0.2722222222222222, 0.05};
+static const double rk8_a[11][11] = {
+    {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.125, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.11818954790771265, 0.22404529834071021, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.15347479805204517, 0.1303751795232087, 0.05838486867316898, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.09981849682245666, 0.19244227845132952, -0.19244227845132952, 0.02518150317754333, 0, 0, 0, 0, 0, 0, 0},
+    {0.022272471404337957, 0.06578025319848055, -0.08701556358828517, -0.023970087389971046, 0.037840937269872, 0, 0, 0, 0, 0, 0},
+    {0.012333797474715103, 0, -0.006992889725661387, -0.033225099279405715, 0.03191437396264635, 0.010877828462139937, 0, 0, 0, 0,
+     0},
+    {0.015625, 0, 0.07329207279037571, 0.1498070497385305, -0.1468326435184141, -0.07329207279037571, 0.10640059377988362, 0, 0, 0,
+     0},
+    {0.059094773953856324, 0, -0.24369047478472294, -0.40738906501486055, 0.40738906501486055, 0.38266267890538724,
+     -0.87328632246533, 1.0174541906392323, 0, 0, 0},
+    {0, 0, 0.8436435780471985, 1.3336047630170107, -1.266454087876895, -1.7313972994395377, 4.158801528973123, -3.837063315224349,
+     0.9988648325034504, 0, 0},
+};
+static const double rk8_av[11][11] = {
+    {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.25, 0.25, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.14285714285714285, -0.2117115008659951, 0.8961811933628409, 0, 0, 0, 0, 0, 0, 0, 0},
+    {0.18550685351137905, 0, 0.5766714726956089, 0.06514850914700064, 0, 0, 0, 0, 0, 0, 0},
+    {0.19963699364491333, 0, 0.3772937693043289, -0.46345538964060623, 0.386524626691364, 0, 0, 0, 0, 0, 0},
+    {0.1289862929772419, 0, -0.03302551131448482, -0.3497052863177422, 0.32851721314173715, 0.09790045615925942, 0, 0, 0, 0, 0},
+    {0.07142857142857142, 0, 0, 0, 0.0020021659931149204, -0.011868683886786031, 0.1111111111111111, 0, 0, 0, 0},
+    {0.03125, 0, 0, 0, -0.009086961100820556, 0.1527777777777778, -0.6325461606959097, 0.9576053440189525, 0, 0, 0},
+    {0.07142857142857142, 0, 0, 0, 0.1111111111111111, -0.6379313501852646, 2.031083139166862, -1.8108630829377543,
+     1.0624984467704635, 0, 0},
+    {0, 0, 0, 0, -0.5512205630727289, 2.451380432416967, -7.164951553231382, 7.553840442120271, -2.2291582101947447,
+     0.9401094519616178, 0},
+};
+const struct bead_tableau bead_tableau_rk8 = {
+    .stages = 11, .c = rk8_c, .a = &rk8_a[0][0], .b = rk8_b, .bp = rk8_bp, .av = &rk8_av[0][0]};

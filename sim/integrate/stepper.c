@@ -262,15 +262,18 @@ void bead_stepper_advance(struct bead_stepper *s, double t1)
 /* Repeats a step in which a contact closes or opens up to that moment; the next begins with the new state and force. */
 static void end_at_closing(struct bead_stepper *s)
 {
+    enum { TRIES = 4 }; /* each misses by the error of samples in the last */
     struct bead_damped_contact first = bead_damped_contacts_first(s);
     unsigned char other = !s->closed[first.contact];
-    if (first.at < 1) {
-        s->h *= first.at;
+    double longer = first.at - 1;
+    for (int i = 0; i < TRIES && longer != 0; i++) {
+        s->h *= 1 + longer;
         s->t1 = s->t0 + s->h;
         s->method->step(s, s->h);
         s->last_a = s->end.a;
         if (s->driven != SIZE_MAX)
             hold(s);
+        longer = bead_damped_contacts_miss(s, first.contact);
     }
     memcpy(s->was_closed, s->closed, s->active);
     bead_damped_contacts_update(s);

@@ -69,12 +69,21 @@ struct bead_stepper {
     void *memory;
 };
 
+/* How a step integrates a force that is known over it: as this quadrature on 0..1, exact for polynomials of lower degree than its
+ * order. */
+struct bead_quadrature {
+    size_t nodes;
+    int order;
+    const double *node, *weight;
+};
+
 struct bead_method {
     struct bead_method_info info;
     /* From start to end over h; end.a and end.f are those of end.u (and end.v). */
     void (*step)(struct bead_stepper *stepper, double h);
     const struct bead_tableau *tableau;         /* of Nystrom methods */
     const struct bead_composition *composition; /* of symplectic methods */
+    struct bead_quadrature quadrature;          /* of methods for damping */
     bool events;                                /* with the contact-event correction */
 };
 
@@ -136,6 +145,9 @@ static inline void bead_stepper_pull(const struct bead_stepper *stepper, const d
     if (stepper->driven >= part.from && stepper->driven < part.to)
         bead_drive_apply(stepper->chain, stepper->now, 0, a);
 }
+/* State at stage i of the last step of a Runge-Kutta method, with an element after the last bead; returns the weight of the stage
+ * in integrals over the step, 0 where it has none and no state. */
+double bead_stage_state(const struct bead_stepper *stepper, size_t i, double *u, double *v);
 /* Energy relative to the static state, J, and momentum, kg m/s. */
 double bead_stepper_energy(const struct bead_stepper *stepper, const struct bead_state *state);
 double bead_stepper_momentum(const struct bead_stepper *stepper, const struct bead_state *state);

@@ -3,8 +3,7 @@
  *
  * The force f of a contact takes the power f D from the beads, with D the rate of its compression, and the elastic force e stores
  * e D: (f - e) D is lost. That is gamma |D|^(a+1) in a closed contact. If damping would pull, the contact has no force, and the
- * rest of its elastic energy is lost as it opens. Both are smooth within a step, because steps end where contacts close or open;
- * compressions within it are the polynomials used for samples. */
+ * rest of its elastic energy is lost as it opens. Both are integrated as the motion is. */
 #include "sim/run/budget.h"
 
 #include "sim/integrate/damped_contacts.h"
@@ -21,41 +20,78 @@ static double power(const struct bead_stepper *s, size_t k, double d, double rat
     return (bead_damped_contacts_within(s, k, d, rate) - s->chain->law->force(s->table.stiffness[k], s->table.law, d)) * rate;
 }
 
-/* True if the beads of contact k move alike, or do not touch. */
-static bool idle(const struct bead_stepper *s, size_t k)
+/* Was contact k closed for the whole of the last step? Damped springs that pull as well are. */
+static bool was_closed(const struct bead_stepper *s, size_t k)
 {
-    const bool still = s->start.v[k] == s->start.v[k + 1] && s->end.v[k] == s->end.v[k + 1];
-    const bool open = s->was_closed && !s->was_closed[k] && bead_stepper_compression(s, &s->start, k) <= 0 &&
-                      bead_stepper_compression(s, &s->end, k) <= 0;
-    return still || open;
+    return !s->was_closed || s->was_closed[k];
+}
+
+/* What an open contact, whose beads move apart without a force, still had stored: its elastic energy falls. */
+static double left_behind(const struct bead_stepper *s)
+{
+    const size_t n = bead_stepper_contacts(s);
+    double sum = 0;
+    for (size_t k = 0; k < n; k++) {
+        const double d0 = bead_stepper_compression(s, &s->start, k), d1 = bead_stepper_compression(s, &s->end, k);
+        if (!was_closed(s, k) && (d0 > 0 || d1 > 0))
+            sum += s->chain->law->energy(s->table.stiffness[k], s->table.law, d0) -
+                   s->chain->law->energy(s->table.stiffness[k], s->table.law, d1);
+    }
+    return sum;
+}
+
+/* The power at time t and u, v that damped contacts or an absorbing end take, or a drive gives, W. */
+typedef double power_in(const struct bead_stepper *s, double t, const double *u, const double *v);
+
+static double into_contacts(const struct bead_stepper *s, double, const double *u, const double *v)
+{
+    const size_t n = bead_stepper_contacts(s);
+    double sum = 0;
+    for (size_t k = 0; k < n; k++)
+        sum += !was_closed(s, k) || v[k] == v[k + 1]
+                   ? 0
+                   : power(s, k, s->table.static_compression[k] + (u[k] - u[k + 1]), v[k] - v[k + 1]);
+    return sum;
+}
+
+static double into_end(const struct bead_stepper *s, double, const double *, const double *v)
+{
+    const double last = v[s->beads - 1];
+    return bead_dashpot_force(&s->chain->end, last) * last;
+}
+
+/* Its integral over the last step, as the method has integrated the motion: an error of one that the other lacks would look as
+ * energy that is not conserved. rk4 keeps no stages, and makes steps so short that polynomials do. */
+static double integral(const struct bead_stepper *s, power_in *power_of)
+{
+    double *u = s->y, *v = s->w[0], sum = 0;
+    if (s->method->tableau) {
+        for (size_t i = 0; i < s->method->tableau->stages; i++) {
+            const double part = bead_stage_state(s, i, u, v);
+            sum += part != 0 ? part * power_of(s, s->t0 + s->method->tableau->c[i] * s->h, u, v) : 0;
+        }
+        return sum * s->h;
+    }
+    for (int i = 0; i < NODES; i++) {
+        for (size_t j = 0; j < s->active; j++) {
+            const struct bead_polynomial p = bead_dense_bead(s, j);
+            u[j] = bead_polynomial_value(&p, node[i]);
+            v[j] = bead_polynomial_slope(&p, node[i]) / s->h;
+        }
+        u[s->active] = v[s->active] = 0;
+        sum += weight[i] * power_of(s, s->t0 + node[i] * s->h, u, v);
+    }
+    return sum * s->h;
 }
 
 double bead_dissipation(const struct bead_stepper *s)
 {
-    const size_t n = bead_stepper_contacts(s);
-    double sum = 0;
-    for (size_t k = 0; k < n && bead_stepper_damped(s); k++) {
-        if (idle(s, k))
-            continue;
-        const struct bead_polynomial d = bead_dense_compression(s, k);
-        for (int i = 0; i < NODES; i++)
-            sum += weight[i] * power(s, k, bead_polynomial_value(&d, node[i]), bead_polynomial_slope(&d, node[i]) / s->h);
-    }
-    return sum * s->h;
+    return bead_stepper_damped(s) ? integral(s, into_contacts) + left_behind(s) : 0;
 }
 
 double bead_absorption(const struct bead_stepper *s)
 {
-    const struct bead_dashpot *end = &s->chain->end;
-    if (!(end->coefficient > 0) || s->active < s->beads)
-        return 0;
-    const struct bead_polynomial u = bead_dense_bead(s, s->beads - 1);
-    double sum = 0;
-    for (int i = 0; i < NODES; i++) {
-        const double v = bead_polynomial_slope(&u, node[i]) / s->h;
-        sum += weight[i] * bead_dashpot_force(end, v) * v;
-    }
-    return sum * s->h;
+    return s->chain->end.coefficient > 0 && s->active == s->beads ? integral(s, into_end) : 0;
 }
 
 /* The power of a drive, per step, at t0 + x h: of a bead whose displacement is given, against its contact k. */
@@ -65,8 +101,7 @@ static double against_contact(const struct bead_stepper *s, const struct bead_de
     const struct bead_polynomial compression = bead_dense_compression(s, k);
     double d[2] = {bead_polynomial_value(&compression, x), bead_polynomial_slope(&compression, x)};
     bead_between_correct_compression(dense->between, s, k, x, d);
-    const double force = bead_stepper_damped(s) ? bead_damped_contacts_within(s, k, d[0], d[1] / s->h)
-                                                : c->law->force(s->table.stiffness[k], s->table.law, d[0]);
+    const double force = c->law->force(s->table.stiffness[k], s->table.law, d[0]);
     return s->h * (force - c->static_force[k]) * bead_drive_at(c, s->t0 + x * s->h).x[1];
 }
 
@@ -114,6 +149,25 @@ static double work_with(const struct bead_stepper *s, const struct bead_dense *d
     return sum;
 }
 
+/* The power of a drive while contacts are damped: of a bead whose displacement is given, against its contacts, or of a force. */
+static double of_displacement(const struct bead_stepper *s, double t, const double *u, const double *v)
+{
+    const struct bead_chain *c = s->chain;
+    const size_t j = s->driven;
+    double sum = 0;
+    for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++) {
+        const double d = c->static_compression[k] + (u[k] - u[k + 1]),
+                     force = bead_damped_contacts_within(s, k, d, v[k] - v[k + 1]);
+        sum += (k == j ? 1 : -1) * (force - c->static_force[k]);
+    }
+    return sum * bead_drive_at(c, t).x[1];
+}
+
+static double of_force(const struct bead_stepper *s, double t, const double *, const double *v)
+{
+    return bead_drive_at(s->chain, t).x[0] * v[s->driven];
+}
+
 /* A bead whose displacement is given: what its own energy changes by, and what it does to its contacts. */
 static double work_of_displacement(const struct bead_stepper *s, const struct bead_dense *dense, double until)
 {
@@ -123,6 +177,8 @@ static double work_of_displacement(const struct bead_stepper *s, const struct be
     double work = 0.5 * c->mass[j] * (at1.x[1] * at1.x[1] - at0.x[1] * at0.x[1]);
     work += bead_chain_spring_energy(c, j, at1.x[0]) - bead_chain_spring_energy(c, j, at0.x[0]);
     work -= j == 0 ? c->striker_force * (at1.x[0] - at0.x[0]) : 0;
+    if (bead_stepper_damped(s))
+        return work + integral(s, of_displacement);
     for (size_t k = j > 0 ? j - 1 : 0; k <= j && k < c->contacts; k++)
         work += (k == j ? 1 : -1) * work_with(s, dense, against_contact, k, k, k, until);
     return work;
@@ -133,9 +189,12 @@ double bead_drive_work(const struct bead_stepper *s, struct bead_dense *dense, d
     const size_t j = s->driven;
     if (j == SIZE_MAX || until <= 0)
         return 0;
-    bead_dense_find_events(dense, s);
+    if (!bead_stepper_damped(s))
+        bead_dense_find_events(dense, s);
     if (s->chain->spec->drive.displacement)
         return work_of_displacement(s, dense, until);
+    if (bead_stepper_damped(s))
+        return integral(s, of_force);
     return work_with(s, dense, on_bead, j, j > 0 ? j - 1 : 0, j, until);
 }
 
@@ -202,6 +261,7 @@ enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double 
         return BEAD_OK;
     }
     if (t >= s->t1) {
+        work += bead_stepper_damped(s) ? bead_drive_work(s, NULL, 1) : 0;
         *budget = add_up(s, &s->end, dissipated + bead_dissipation(s) + bead_absorption(s), work, beads);
         return BEAD_OK;
     }
@@ -209,6 +269,7 @@ enum bead_error bead_budget_find(const struct bead_stepper *s, double t, double 
     while (!err && part->t1 < t) { /* repeated if damped contacts close or open */
         bead_stepper_advance(part, t);
         dissipated += bead_dissipation(part) + bead_absorption(part);
+        work += bead_stepper_damped(s) ? bead_drive_work(part, NULL, 1) : 0;
     }
     if (!err)
         *budget = add_up(part, &part->end, dissipated, work, beads);

@@ -63,7 +63,7 @@ struct reason {
 static struct reason automatic(const struct bead_chain *chain, double share, double accuracy)
 {
     if (bead_chain_is_damped(chain))
-        return (struct reason){"rk4", "damping: forces depend on velocities"};
+        return (struct reason){"rk8", "damping: forces depend on velocities"};
     if (!chain->law->one_sided)
         return (struct reason){"rkn8-plain", "contacts pull as well as push: nothing opens"};
     if (never_opens(chain))
@@ -88,10 +88,11 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
     if (!method)
         return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: there is no method `%s`: see --list methods", file, name);
     if (bead_chain_is_damped(chain) && !method->info.damping)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` is for forces without damping; use rk4 or auto", file,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` is for forces without damping; use rk8, rk4 or auto", file,
                          name);
     if (bead_is_driven(chain->spec) && method->composition)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` does not know drives; use rk4, rkn8 or auto", file, name);
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` does not know drives; use rk8, rk4, rkn8 or auto", file,
+                         name);
     if (method->events && chain->law->one_sided && isnan(bead_chain_exponent(chain)))
         return bead_fail(msg, BEAD_ERROR_SCENE,
                          "%ssimulate.method: `%s` corrects contact events, which law `%s` does not allow; use rkn8-plain or auto",
@@ -102,7 +103,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
         choice->theta *= damped_part;
     if (method->events && chain->law->one_sided)
         choice->share = share;
-    if (!any || !method->tableau)
+    if (!any || !method->tableau || method->tableau->av)
         return BEAD_OK;
     if (never_opens(chain)) {
         choice->theta = smooth_theta;

@@ -6,6 +6,7 @@
 
 #include "sim/adjoint/record.h"
 #include "sim/base/memory.h"
+#include "sim/chain/chain_internal.h"
 #include "sim/chain/drive.h"
 #include "sim/integrate/dense.h"
 #include "sim/integrate/events.h"
@@ -300,21 +301,24 @@ static double next_step(struct bead_run *run)
     const double h = bead_step_control_next(&run->control, s);
     if (s->steps % WEIGH_EVERY == 0)
         bead_events_weigh(s->events, s);
-    return bead_stepper_damped(s) ? bead_step_control_damped(s, run->stepping.accuracy, h) : h;
+    return bead_stepper_damped(s) ? bead_step_control_damped(&run->control, s, h) : h;
 }
 
 /* Makes one step of the chosen length, or a shorter one that ends with the run. */
 static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
 {
     struct bead_stepper *s = run->stepper;
-    const double h = next_step(run);
-    /* The short steps after a contact has closed, or before it opens, are few. */
-    const double least = shortest * (s->table.damping_compression > 0 ? shortest : 1) * run->stepping.step;
-    if (bead_stepper_damped(s) && h < least)
-        return bead_fail(msg, BEAD_ERROR_NUMBERS,
-                         "chain%s%s: at %.6g s velocities decay so fast that steps of %.2g s would be needed: the damping is too "
-                         "strong for these masses; give a smaller chain.damping.coefficient",
-                         *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, h);
+    double h = next_step(run);
+    if (bead_stepper_damped(s) && run->stepping.variable) {
+        char at[128];
+        if (h < shortest * run->stepping.step)
+            return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                             "%schain%s%s: at %.6g s velocities decay so fast that steps of %.2g s would be needed: the damping is "
+                             "too strong for these masses; give a smaller chain.damping.coefficient",
+                             bead_chain_place(s->chain, "chain.damping.coefficient", at, sizeof at),
+                             *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, h);
+        h = bead_step_control_graded(&run->control, s, h);
+    }
     if (s->driven != SIZE_MAX) { /* steps end where the drive is not smooth */
         const double stop = fmin(bead_drive_break(s->chain, s->t1), run->settings.end > s->t1 ? run->settings.end : INFINITY);
         bead_stepper_advance(s, s->t1 + h > stop - last_sliver * h ? stop : s->t1 + h);
@@ -458,7 +462,8 @@ enum bead_error bead_run_sample(struct bead_run *run, double t, unsigned fields,
     sample->time = t;
     if (run->settings.budget) {
         sample->budget = &run->budget;
-        const double x = s->h > 0 ? fmin((t - s->t0) / s->h, 1) : 0, work = run->work[0] + bead_drive_work(s, &run->dense, x);
+        const double x = s->h > 0 ? fmin((t - s->t0) / s->h, 1) : 0,
+                     part = bead_stepper_damped(s) ? 0 : bead_drive_work(s, &run->dense, x), work = run->work[0] + part;
         BEAD_TRY(bead_budget_find(s, t, run->lost[0], s->steps > 0 ? work : 0, run->budget_beads, &run->budget, msg));
     }
     /* Beads under static compression carry a force even at rest, so all are active. */
@@ -510,7 +515,7 @@ void bead_run_finish(struct bead_run *run, double end, struct bead_outcome *outc
         .momentum_start = run->momentum_start,
         .momentum_end = bead_stepper_momentum(s, &s->end),
         .energy_error = run->energy_error,
-        .embedded_error = s->method->tableau && speed > 0 ? run->embedded_error / speed : NAN,
+        .embedded_error = s->method->tableau && s->method->tableau->bpe && speed > 0 ? run->embedded_error / speed : NAN,
         .event_error = s->events && speed > 0 ? run->event_error / speed : NAN,
         .contact_peaks = run->contact_peaks ? bead_peaks_found(run->contact_peaks) : NULL,
         .bead_peaks = run->bead_peaks ? bead_peaks_found(run->bead_peaks) : NULL,

@@ -3,6 +3,7 @@
 #include "sim/run/step_control.h"
 
 #include "sim/chain/drive.h"
+#include "sim/chain/law_beginning.h"
 
 /* Steps between estimates of omega, each of which looks this far ahead. */
 enum { EVERY = 4 };
@@ -79,13 +80,6 @@ static double drive_omega(const struct bead_stepper *s)
     return s->driven == SIZE_MAX ? 0 : bead_drive_omega(s->chain, s->t1);
 }
 
-struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
-{
-    const double first = theta / omega, longest = (s->driven == SIZE_MAX ? growth : driven_growth) * first;
-    return (struct bead_step_control){theta, sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)), longest,
-                                      theta / fmax(omega, drive_omega(s))};
-}
-
 /* Longest step that the stiffnesses expected from velocities v allow, if steps until the next check have length h. */
 static double allowed(const struct bead_step_control *control, const struct bead_stepper *s, const double *v, double h)
 {
@@ -120,9 +114,6 @@ double bead_step_control_next(struct bead_step_control *control, const struct be
     return h;
 }
 
-/* Damping makes velocities decay within 1/rate. Runge-Kutta 4 has this accuracy with steps of theta/rate, at most cap/rate. */
-static const double damped_theta = 0.06, damped_accuracy = 1e-6, damped_cap = 0.5;
-
 /* Decay rate of the last bead's velocity by an absorbing end. */
 static double end_rate(const struct bead_stepper *s)
 {
@@ -153,52 +144,130 @@ static double damping_rate(const struct bead_stepper *s)
     return fmax(circles_of(s, n, k), end_rate(s));
 }
 
-/* A step near a turn takes one part in so many of the time from it. */
+/* The time since or until then that a step sees of a branch point. */
+struct nearby {
+    const struct bead_branch *branch;
+    double away; /* s */
+    double part; /* N: of the force, a step from it */
+    bool coming;
+    double rate; /* kg/s: the slope of a steep one here */
+};
+
+/* What a quadrature makes too much of x^power, where x is the distance from a point `at` of the interval 0..1: 0 before that point,
+ * or turned over there. */
+static double quadrature_error(const struct bead_quadrature *q, double power, double at, bool turned)
+{
+    double sum = -(pow(1 - at, power + 1) - (turned ? pow(at, power + 1) : 0)) / (power + 1);
+    for (size_t i = 0; i < q->nodes; i++) {
+        const double x = q->node[i] - at;
+        sum += q->weight[i] * (x < 0 && !turned ? 0 : copysign(pow(fabs(x), power), x));
+    }
+    return fabs(sum);
+}
+
+/* The derivative of order n of x^power at 1, over n factorial. */
+static double binomial(double power, int n)
+{
+    double product = 1;
+    for (int i = 0; i < n; i++)
+        product *= (power - i) / (i + 1);
+    return fabs(product);
+}
+
+/* A branch point x^power; of a rate, it is turned over. An infinite slope makes the stages of a step wrong, not only their sum:
+ * then the whole of the force counts. */
+static struct bead_branch branch(const struct bead_quadrature *q, double power, bool turned)
+{
+    enum { PLACES = 16 };
+    const bool smooth = !(power > 0) || fmod(power, turned ? 2 : 1) == (turned ? 1 : 0);
+    struct bead_branch b = {.power = power, .steep = turned && power < 1};
+    for (int i = 0; i < PLACES && !smooth; i++)
+        b.within = fmax(b.within, b.steep ? 1 : quadrature_error(q, power, i / (double)PLACES, turned));
+    b.beside = binomial(power, q->order) * quadrature_error(q, q->order, 0, false);
+    return b;
+}
+
+/* Next to a steep branch point a step takes one part in so many of the time since or until then, and not more than the slope
+ * allows. */
 enum { PARTS = 3 };
 
-/* With an exponent a below 1, the force gamma |D|^a has an infinite slope where a contact turns, D = 0. Steps become shorter
- * towards the turn and longer behind it, by the same part of the time from it, so that each sees a smooth force; the one over the
- * turn is so short that what it does to the velocities, gamma |D' h|^a h / m, is below the tolerance. */
-static double steep(const struct bead_stepper *s, double tolerance, double h)
+/* The longest step, not above h, in which the quadrature error of a branch point changes a velocity by no more than `tolerance`:
+ * over the point itself, or away from it, where the error is that of a derivative, by Peano's theorem. A step towards it goes half
+ * of the way. */
+static double grazing(const struct nearby *p, double theta, int order, double inverse_mass, double tolerance, double h)
+{
+    const double kick = p->part * h * inverse_mass, power = p->branch->power;
+    if (!(kick * p->branch->within > tolerance))
+        return h;
+    const double over = h * pow(tolerance / (kick * p->branch->within), 1 / (1 + power));
+    if (!(p->away > over))
+        return fmin(h, over);
+    if (p->branch->steep)
+        return fmin(h, fmax(over, fmin(p->away / PARTS, theta / (p->rate * inverse_mass))));
+    const double away = p->coming ? 0.5 * p->away : p->away,
+                 beside = h * pow(tolerance / (kick * p->branch->beside * pow(away / h, power - order)), 1.0 / (1 + order));
+    return fmin(h, fmax(over, p->coming ? fmin(beside, away) : beside));
+}
+
+/* The branch points next to contact k. */
+static size_t find_points(const struct bead_step_control *control, const struct bead_stepper *s, size_t k, double h,
+                          struct nearby p[BEAD_BRANCHES])
+{
+    const double change = s->end.v[k] - s->end.v[k + 1], turning = s->end.a[k] - s->end.a[k + 1], rate = fabs(change),
+                 d = fmax(bead_stepper_compression(s, &s->end, k), 0), until = rate > 0 ? d / rate : INFINITY;
+    const struct bead_branch *b = control->branch;
+    size_t count = 0;
+    if (b[BEAD_BRANCH_ELASTIC].within > 0 && rate > 0)
+        p[count++] = (struct nearby){&b[BEAD_BRANCH_ELASTIC], until,
+                                     s->chain->law->force(s->table.stiffness[k], s->table.law, rate * h), change < 0, 0};
+    if (b[BEAD_BRANCH_COMPRESSION].within > 0 && rate > 0)
+        p[count++] =
+            (struct nearby){&b[BEAD_BRANCH_COMPRESSION], until, bead_damping_force(&s->table, rate * h, rate), change < 0, 0};
+    if (b[BEAD_BRANCH_RATE].within > 0 && turning != 0)
+        p[count++] =
+            (struct nearby){&b[BEAD_BRANCH_RATE], rate / fabs(turning), bead_damping_force(&s->table, d, fabs(turning) * h),
+                            change * turning < 0, s->table.damping_exponent * bead_damping_force(&s->table, d, rate) / rate};
+    return count;
+}
+
+struct bead_step_control bead_step_control_start(const struct bead_stepper *s, double theta, double omega)
+{
+    const double first = theta / omega, longest = (s->driven == SIZE_MAX ? growth : driven_growth) * first;
+    struct bead_step_control control = {theta,
+                                        sqrt(circles(s, s->chain->contacts, s->end.v, 0, true)),
+                                        longest,
+                                        theta / fmax(omega, drive_omega(s)),
+                                        {{0, 0, 0, false}}};
+    const struct bead_quadrature *q = &s->method->quadrature;
+    if (!bead_stepper_damped(s))
+        return control;
+    control.branch[BEAD_BRANCH_ELASTIC] = branch(q, bead_chain_exponent(s->chain), false);
+    if (s->table.damping > 0) {
+        control.branch[BEAD_BRANCH_COMPRESSION] = branch(q, s->table.damping_compression, false);
+        control.branch[BEAD_BRANCH_RATE] = branch(q, s->table.damping_exponent, true);
+    }
+    return control;
+}
+
+double bead_step_control_graded(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
     const size_t n = bead_stepper_contacts(s);
-    const double a = s->table.damping_exponent, *w = s->chain->inverse_mass;
+    const double *w = s->chain->inverse_mass;
     for (size_t k = 0; k < n; k++) {
-        const double change = fabs(s->end.v[k] - s->end.v[k + 1]), turning = fabs(s->end.a[k] - s->end.a[k + 1]);
-        if ((s->closed && !s->closed[k]) || turning == 0 || PARTS * turning * h <= change)
-            continue;
-        const double weight = s->table.damping * pow(turning, a) * (w[k] + (k + 1 < s->beads ? w[k + 1] : 0));
-        h = fmin(h, fmax(change / (PARTS * turning), pow(tolerance / weight, 1 / (1 + a))));
+        struct nearby p[BEAD_BRANCHES];
+        const size_t points = !s->closed || s->closed[k] ? find_points(control, s, k, h, p) : 0;
+        for (size_t i = 0; i < points; i++)
+            h = fmin(h, grazing(&p[i], control->theta, s->method->quadrature.order, w[k] + (k + 1 < s->beads ? w[k + 1] : 0),
+                                s->event_tolerance, h));
     }
     return h;
 }
 
-/* A force gamma |D|^a d^c with c below 1 has an infinite slope where the contact closes or opens, d = 0. As above, each step takes
- * a part of the time since or until then; the one that begins with it may change velocities by the tolerance. */
-static double grazing(const struct bead_stepper *s, double tolerance, double h)
+double bead_step_control_damped(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
-    const size_t n = bead_stepper_contacts(s);
-    const double c = s->table.damping_compression, *w = s->chain->inverse_mass;
-    for (size_t k = 0; k < n; k++) {
-        const double change = fabs(s->end.v[k] - s->end.v[k + 1]), d = fmax(bead_stepper_compression(s, &s->end, k), 0);
-        if ((s->closed && !s->closed[k]) || PARTS * change * h <= d)
-            continue;
-        const double force = bead_damping_force(&s->table, change, change),
-                     weight = force * (w[k] + (k + 1 < s->beads ? w[k + 1] : 0));
-        h = fmin(h, fmax(d / (PARTS * change), pow(tolerance / weight, 1 / (1 + c))));
-    }
-    return h;
-}
-
-double bead_step_control_damped(const struct bead_stepper *s, double accuracy, double h)
-{
-    if (s->table.damping_compression > 0 && s->table.damping_compression < 1)
-        h = grazing(s, accuracy * bead_chain_speed(s->chain), h);
-    if (s->table.damping_exponent < 1)
-        return steep(s, accuracy * bead_chain_speed(s->chain), h);
-    const double part = accuracy / damped_accuracy, power = part > 1 ? 0.25 : 0.4;
-    const double theta = fmin(damped_theta * pow(part, power), damped_cap), rate = damping_rate(s);
-    return rate * h > theta ? theta / rate : h;
+    /* Below the exponent 1 the rate has no bound where a contact turns; steps are graded there. */
+    const double rate = s->table.damping_exponent < 1 ? 0 : damping_rate(s);
+    return rate * h > control->theta ? control->theta / rate : h;
 }
 
 /* Reduces the drift of a method of order 8 by a factor of 25. */

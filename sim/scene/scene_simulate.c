@@ -99,7 +99,7 @@ enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struc
     for (size_t i = 0; i < reader->scene->chain_count; i++) {
         const struct bead_method_info *method = bead_method_find(simulate->method);
         if (method && !method->damping && reader->scene->chains[i].damping_coefficient > 0)
-            return BEAD_WRONG_KEY(reader, at, "method", "`%s` is for forces without damping; must be auto or rk4 here",
+            return BEAD_WRONG_KEY(reader, at, "method", "`%s` is for forces without damping; must be auto, rk8 or rk4 here",
                                   method->name);
     }
     /* NaN until: not known yet. */

@@ -70,8 +70,8 @@ static void orders_are_those_of_the_tables(void **state)
     static const struct {
         const char *method;
         double step, order;
-    } cases[] = {{"rk4", 2e-6, 4},   {"verlet", 0.5e-6, 2}, {"pefrl", 2e-6, 4},
-                 {"vefrl", 2e-6, 4}, {"rkn6", 5e-6, 6},     {"rkn8", 8e-6, 8}};
+    } cases[] = {{"rk4", 2e-6, 4},  {"verlet", 0.5e-6, 2}, {"pefrl", 2e-6, 4}, {"vefrl", 2e-6, 4},
+                 {"rkn6", 5e-6, 6}, {"rkn8", 8e-6, 8},     {"rk8", 8e-6, 8}};
     const double end = 0.4e-3;
     double exact[BEADS], coarse[BEADS], fine[BEADS];
     solve_p4("rkn12", 1e-6, end, exact, BEADS);

@@ -25,6 +25,34 @@ static void septic_is_exact_for_septics(void **state)
     }
 }
 
+/* The product of weights over stages and a stage's row. */
+static double product(size_t stages, const double *weights, const double *rows, size_t column)
+{
+    double sum = 0;
+    for (size_t i = 0; i < stages; i++)
+        sum += weights[i] * rows[i * stages + column];
+    return sum;
+}
+
+/* Velocities and displacements are integrated alike: those of stages, whose places are exact, and of the end. */
+static void damping_is_integrated_as_motion(void **state)
+{
+    (void)state;
+    const struct bead_tableau *t = &bead_tableau_rk8;
+    const size_t n = t->stages;
+    for (size_t i = 0; i < n; i++) {
+        double sum = 0;
+        for (size_t j = 0; j < n; j++) {
+            sum += t->av[i * n + j];
+            assert_true(j < i || t->av[i * n + j] == 0); /* explicit */
+            assert_near(t->a[i * n + j], product(n, t->av + i * n, t->av, j), 1e-14);
+        }
+        assert_near(sum, t->c[i], 1e-15);
+        assert_near(t->b[i], product(n, t->bp, t->av, i), 1e-15);
+        assert_near(t->b[i], t->bp[i] * (1 - t->c[i]), 1e-15);
+    }
+}
+
 /* Sum of w c^n over the stages. */
 static double moment(const struct bead_tableau *t, const double *w, int n)
 {
@@ -137,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(septic_is_exact_for_septics),
         cmocka_unit_test(methods_have_their_order),
+        cmocka_unit_test(damping_is_integrated_as_motion),
         cmocka_unit_test(samples_between_steps_are_accurate),
         cmocka_unit_test(magnetism_is_exact),
         cmocka_unit_test(spins_are_uniform),

@@ -17,7 +17,7 @@ static uint64_t hash_of(const char *chain, const char *simulate, double end, str
     return hash;
 }
 
-static const char *const methods[] = {"rk4", "verlet", "pefrl", "vefrl", "rkn6", "rkn8-plain", "rkn8", "rkn12"};
+static const char *const methods[] = {"rk4", "rk8", "verlet", "pefrl", "vefrl", "rkn6", "rkn8-plain", "rkn8", "rkn12"};
 enum { METHODS = sizeof methods / sizeof *methods };
 
 static void window_changes_no_bit(void **state)
