@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "render/draw/markup.h"
+#include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/measure/places.h"
@@ -58,7 +59,11 @@ static void make_images(struct bead_plot_data *data)
             place = bead_place_shown(data->output, chain, 0);
             const size_t used = strlen(part->title);
             bead_markup_quote(place.name, name, sizeof name);
-            snprintf(part->title + used, sizeof part->title - used, "%s%s", used > 0 ? ": " : "", name);
+            snprintf(part->title + used, sizeof part->title - used, "%s%s",
+                     used == 0                  ? ""
+                     : *bead_chain_title(chain) ? ": "
+                                                : ", ",
+                     name);
             data->panels[p].title = part->title;
         }
         snprintf(data->axis_title, sizeof data->axis_title, "amplitude of %s", bead_chain_field(chain, place.field)->title);

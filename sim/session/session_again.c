@@ -2,6 +2,7 @@
 /* Opens a trajectory as a session that draws it again. */
 #include <stdlib.h>
 
+#include "sim/base/suggest.h"
 #include "sim/measure/sink_grid.h"
 #include "sim/session/session_data.h"
 #include "sim/trajectory/trajectory_data.h"
@@ -57,6 +58,23 @@ static enum bead_error limit_to_file(struct bead_session *s, struct bead_output 
     return err;
 }
 
+/* All at once, so that one more run is enough. Films show beads, which need displacements; their curves and images do not. */
+static enum bead_error say_missing(const struct bead_session *s, const struct bead_made *m, unsigned missing,
+                                   struct bead_message *msg)
+{
+    const bool one = (missing & (missing - 1)) == 0;
+    const bool of_beads = missing & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && m->output->kind == BEAD_OUTPUT_MOVIE;
+    char names[160] = "";
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        if (missing & BEAD_FIELD_BIT(f))
+            bead_list_add(names, sizeof names, ", ", bead_field_info((enum bead_field)f)->name);
+    }
+    return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
+                     "%s needs the field%s `%s`, which %s does not hold: add %s to `fields` and run again%s", m->output->path,
+                     one ? "" : "s", names, s->job.input, one ? "it" : "them",
+                     of_beads ? ", or draw without beads: --set outputs.0.views='[profile, spacetime]'" : "");
+}
+
 static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
 {
     unsigned missing = m->needs.fields & ~bead_session_joined_fields(s);
@@ -71,13 +89,7 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
                          "%s: `trust` compares two runs, and a trajectory holds one: run the scene, or draw without it: "
                          "--set outputs.0.trust=false",
                          m->output->path);
-    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
-        if (missing & BEAD_FIELD_BIT(f))
-            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
-                             "%s needs the field `%s`, which %s does not hold: add it to `fields` and run again", m->output->path,
-                             bead_field_info((enum bead_field)f)->name, s->job.input);
-    }
-    return BEAD_OK;
+    return missing ? say_missing(s, m, missing, msg) : BEAD_OK;
 }
 
 /* The stored sample at `time`, which must be one of them. */

@@ -192,4 +192,10 @@ ok "... which it has none of" says "--colormap:1:1: outputs.0.colormap: "
 ok "... one chain of it" exits 0 "$beadreel" s/sweep.h5 --configuration 1 -o s/one.png --colormap grey --beads 2:9
 ok "... a sheet of it" exits 0 "$beadreel" --sheet s/sweep.h5 -o s/sheet.png --size 640x480
 ok "... with --only" fails 2 "$beadreel" s/sweep.h5 -o s/no.png --only force.png
+# Runs of one field: all that is missing for a film is named at once, and a film of what is there needs no more than that.
+for field in velocity force energy; do
+    ok "a run of one field: $field" exits 0 "$beadreel" scene.yaml -o one --set "outputs=[{trajectory: $field.h5, every: 5 us, fields: [$field]}]"
+    ok "... a film of its beads lacks two others" eval 'fails 1 "$beadreel" one/$field.h5 -o beads.mp4 --field $field && says "needs the fields \`contact-force, displacement\`" && says "views='"'"'[profile, spacetime]'"'"'"'
+    ok "... one without beads does not" exits 0 "$beadreel" one/$field.h5 -o curves.mp4 --field $field --size 320x240 --set outputs.0.duration='0.2 s' --set 'outputs.0.views=[profile, spacetime]'
+done
 finish
