@@ -4,10 +4,14 @@
 #include "sim/hdf5/h5_private.h"
 
 #include <errno.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 /* Follow no links out of the file: an untrusted file must not refer to others. */
 static herr_t refuse_external(const char *, const char *, const char *, const char *, unsigned *, hid_t, void *)
@@ -26,13 +30,49 @@ hid_t bead_h5_access(hid_t class)
 /* Files up to this size are looked through when they are opened; of larger ones, what is read is. */
 static const uint64_t checked_whole = 64 << 20;
 
+static bool is_part(const char *path)
+{
+    static const char ending[] = ".part";
+    const size_t length = strlen(path);
+    return length >= sizeof ending && strcmp(path + length - (sizeof ending - 1), ending) == 0;
+}
+
+/* A run writes the head of its file last of what is flushed first, some hundredths of a second after it has made the file. */
+static void await_head(int file)
+{
+    static const struct timespec moment = {.tv_nsec = 10000000};
+    static const time_t patience = 2; /* s */
+    static const char none[8];
+    struct stat found;
+    char head[sizeof none] = {0};
+    while (fstat(file, &found) == 0 && time(NULL) - found.st_mtime <= patience && pread(file, head, sizeof head, 0) >= 0 &&
+           memcmp(head, none, sizeof none) == 0)
+        nanosleep(&moment, NULL);
+}
+
+/* `run.h5.part` is `run.h5` once its run has finished, perhaps since its reader was called. */
+int bead_h5_look(const char *path)
+{
+    int file = bead_file_look(path);
+    if (!is_part(path))
+        return file;
+    if (file >= 0) {
+        await_head(file);
+        return file;
+    }
+    const int error = errno;
+    BEAD_FREED char *finished = error == ENOENT ? strndup(path, strrchr(path, '.') - path) : NULL;
+    file = finished ? bead_file_look(finished) : -1;
+    errno = error;
+    return file;
+}
+
 static enum bead_error find_seal(struct bead_h5 *h5)
 {
     struct bead_h5_check *check = &h5->check;
     const enum bead_seal_state state = bead_seal_read(&check->seal, check->file);
-    const size_t length = strlen(h5->path), ending = strlen(".part");
     /* A killed run may have begun its seal. */
-    if (state == BEAD_SEAL_DAMAGED && length > ending && strcmp(h5->path + length - ending, ".part") == 0)
+    if (state == BEAD_SEAL_DAMAGED && is_part(h5->path))
         return BEAD_OK;
     if (state == BEAD_SEAL_NO_MEMORY)
         return bead_h5_fail_by(h5, "read", ENOMEM);
@@ -43,7 +83,7 @@ static enum bead_error look_through(struct bead_h5 *h5)
 {
     uint64_t damaged = 0, from = 0, to = 0;
     struct stat found;
-    h5->check.file = bead_file_look(h5->path);
+    h5->check.file = bead_h5_look(h5->path);
     if (h5->check.file < 0 || fstat(h5->check.file, &found) != 0)
         return bead_h5_fail_by(h5, "read", errno);
     h5->bytes = (uint64_t)found.st_size;
@@ -110,7 +150,7 @@ bool bead_h5_is(const char *path)
 {
     static const char signature[8] = "\211HDF\r\n\032\n";
     char bytes[sizeof signature];
-    int file = bead_file_look(path);
+    int file = bead_h5_look(path);
     off_t at = 0;
     bool found = false, more = file >= 0;
     while (!found && more) {

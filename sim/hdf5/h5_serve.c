@@ -81,7 +81,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct
     struct stat found;
     *h5 = (struct bead_h5){
         .file = -1, .path = path, .kind = kind, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
-    h5->check.file = bead_file_look(path);
+    h5->check.file = bead_h5_look(path);
     if (h5->check.file < 0 || fstat(h5->check.file, &found) != 0) {
         const int error = errno; /* directories and pipes are there, but of no format */
         h5->code = error == EISDIR || error == ENXIO ? BEAD_ERROR_FORMAT : BEAD_ERROR_IO;

@@ -172,7 +172,7 @@ static enum bead_error check_times(struct bead_trajectory *t)
     size_t rows = 0;
     hid_t series = bead_h5_open_series(&t->h5, "/time", 0, 1, &rows);
     t->samples = rows < t->samples ? rows : t->samples;
-    if (t->samples > bead_file_bytes(t->path) / sizeof(double))
+    if (t->samples > t->h5.bytes / sizeof(double))
         bead_h5_fail(&t->h5, false, "claims %zu samples, more than the file can hold", t->samples);
     for (size_t first = 0; !t->h5.error && first < t->samples; first += 1024) {
         size_t count = t->samples - first < 1024 ? t->samples - first : 1024;

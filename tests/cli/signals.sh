@@ -148,4 +148,30 @@ ok "... and says how far the run got" killed_says
 head -c 5000 /dev/zero >"$T/early.h5.part"
 ok "killed before the first flush" fails 1 "$beadreel" --info "$T/early.h5.part"
 ok "... says so" says "early.h5.part: is an unfinished file"
+
+# Runs that begin and end while their file is read.
+part=$T/kill/run.h5.part
+has_some() { grep -q 'samples: [1-9]' "$T/out"; }
+begun() {
+    cp "$part" "$T/begun.h5.part" && head -c 8 /dev/zero | dd of="$T/begun.h5.part" conv=notrunc status=none
+    (sleep 0.3; head -c 8 "$part" | dd of="$T/begun.h5.part" conv=notrunc status=none) &
+    exits 0 "$beadsim" --info "$T/begun.h5.part" && has_some
+}
+ok "a file whose head is written in a moment is waited for" begun
+wait
+cp "$part" "$T/done.h5"
+ok "what was run.h5.part a moment ago is run.h5" exits 0 "$beadsim" --info "$T/done.h5.part"
+ok "... and its samples are there" has_some
+if nm -D "$beadsim" 2>/dev/null | grep -q __asan_; then
+    skip "a build without sanitizers" "a file that is renamed while it is read"
+else
+    cp "$part" "$T/renamed.h5.part"
+    printf '%s\n' '#define _GNU_SOURCE' '#include <dlfcn.h>' '#include <stdio.h>' '#include <stdlib.h>' 'int socketpair(int a, int b, int c, int *d)' \
+        '{ rename(getenv("PART"), getenv("DONE")); return ((int (*)(int, int, int, int *))dlsym(RTLD_NEXT, "socketpair"))(a, b, c, d); }' >"$T/renames.c"
+    ${CC:-cc} -w -shared -fPIC "$T/renames.c" -o "$T/renames.so" -ldl
+    ok "a file that is renamed while it is read" exits 0 env PART="$T/renamed.h5.part" DONE="$T/renamed.h5" LD_PRELOAD="$T/renames.so" "$beadsim" \
+        --info "$T/renamed.h5.part"
+    ok "..." has_some
+    ok "... which it was" test ! -e "$T/renamed.h5.part"
+fi
 finish
