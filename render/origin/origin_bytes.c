@@ -98,7 +98,7 @@ bool origin_find_head(struct origin_span text, struct origin_span *version, size
         const char *name = found += strlen(program);
         while (found < limit && found - name <= LONGEST_VERSION && isgraph((unsigned char)*found) && *found != ',')
             found++;
-        if ((size_t)(limit - found) < strlen(mark) || memcmp(found, mark, strlen(mark)) != 0)
+        if (found == name || (size_t)(limit - found) < strlen(mark) || memcmp(found, mark, strlen(mark)) != 0)
             continue;
         *version = (struct origin_span){(const unsigned char *)name, (size_t)(found - name)};
         *end = (size_t)(found - begin) + strlen(mark);

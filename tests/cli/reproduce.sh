@@ -129,6 +129,9 @@ ok "... as it should be" bash -c "[ \"\$(diff all/a.csv new/a.csv | grep -c '^<'
 older() { sed -i 's/beadreel [0-9.]*, scene:/beadreel 0.0.9, scene:/' all/a.svg && fails 1 "$beadreel" --reproduce all/a.svg && says "beadreel 0.0.9 made it"; }
 ok "another version is named" older
 mkdir alone && cp all/a.csv alone
+printf 'GIF89a\x01\0\x01\xfe\0\0\0!\xfe!beadreel , scene:\n\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0!;' >unsaid.gif # found by fuzzing
+ok "a head without a version is none" fails 1 "$beadreel" --reproduce unsaid.gif
+ok "..." says "no scene is stored in it"
 ok "a table alone has no scene" fails 1 "$beadreel" --reproduce alone/a.csv
 ok "... and says so" says "no scene is stored in it, nor one that names it in a file beside it"
 cp new/a.csv alone && cp light.yaml alone/run.yaml
