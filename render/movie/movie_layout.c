@@ -14,6 +14,8 @@
 static const double wide_frame = 1.5;
 /* Margin around a stage and films that have room for it, in units of the usual one. */
 static const double wide_margin = 2;
+/* Of the width of a stage, for labels behind the dashes of their curves. */
+static const double label_part = 0.85;
 /* The best width of a cell, in heights; the costs of a level, of an empty cell, and of axes without names. */
 static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1, never = 100;
 enum { MOST_COLUMNS = 12, MOST_CHAINS = 100000 };
@@ -295,7 +297,37 @@ static void forget(struct bead_movie_layout *layout)
     *layout = (struct bead_movie_layout){.chains = chains, .chain_count = count};
 }
 
-/* A stage with all words, by the first plan that has room. */
+/* Plans from the first of these on, with or without a line for labels, and with images no smaller, and beads no larger, than those
+ * of `least`. */
+struct plans {
+    size_t first;
+    bool label_lines;
+    const struct bead_stage_plan *least; /* NULL: any */
+};
+
+/* By the first plan that has room. Returns which; BEAD_STAGE_PLANS: none. */
+static size_t place_from(const struct bead_movie_wants *w, struct bead_rect area, struct plans plans, struct bead_movie_layout *to)
+{
+    for (size_t i = plans.first; i < BEAD_STAGE_PLANS; i++) {
+        const struct bead_stage_plan *plan = &bead_stage_plans[i];
+        if (plans.least &&
+            (plan->images < plans.least->images || plan->beads > plans.least->beads || plan->curve != plans.least->curve))
+            continue;
+        forget(to);
+        to->label_lines = plans.label_lines;
+        if (bead_stage_place(w, plan, area, to))
+            return i;
+    }
+    return BEAD_STAGE_PLANS;
+}
+
+/* Would labels have room below names, if not beside them? Dashes before names, and the key where that is on the stage, stay. */
+static bool labels_below(const struct bead_movie_wants *w, double room)
+{
+    return !bead_stage_keyed(w) && needs_label_line(w, room, true) && w->heading_width - w->heading_least <= label_part * room;
+}
+
+/* A stage with all words. On upright frames labels that have no room beside names are below them, where no image gives way. */
 static bool stage_by_plan(const struct bead_movie_wants *w, struct bead_movie_layout *to)
 {
     const struct bead_level *level = &bead_levels[w->axes ? 0 : BEAD_LEVELS - 1];
@@ -304,21 +336,20 @@ static bool stage_by_plan(const struct bead_movie_wants *w, struct bead_movie_la
     if (!asked || bead_stage_view(w) == w->view_count || !divide_frame(w, &f))
         return false;
     struct bead_rect area = row_of(&f, CELLS, f.margin, w->width - f.margin);
-    for (size_t i = 0; i < BEAD_STAGE_PLANS; i++) {
-        const struct bead_stage_plan *plan = &bead_stage_plans[i];
-        forget(to);
-        to->label_lines = needs_label_line(w, (double)area.width / (double)bead_stage_columns(w), false);
-        if (!bead_stage_place(w, plan, area, to))
-            continue;
-        to->layout = BEAD_LAYOUT_STAGE;
-        to->axes = to->titles = w->axes;
-        to->curve = plan->curve;
-        place_words(w, &f, area.x + f.inset, area.x + area.width - f.inset, to);
-        if (f.row[CAPTION].size > 0)
-            to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
-        return true;
-    }
-    return false;
+    const double room = (double)area.width / (double)bead_stage_columns(w);
+    const bool needed = needs_label_line(w, room, false), wanted = w->height > w->width && !needed && labels_below(w, room);
+    size_t plan = place_from(w, area, (struct plans){0, needed, NULL}, to);
+    if (plan == BEAD_STAGE_PLANS)
+        return false;
+    if (wanted && place_from(w, area, (struct plans){0, true, &bead_stage_plans[plan]}, to) == BEAD_STAGE_PLANS)
+        plan = place_from(w, area, (struct plans){plan, false, NULL}, to);
+    to->layout = BEAD_LAYOUT_STAGE;
+    to->axes = to->titles = w->axes;
+    to->curve = bead_stage_plans[plan].curve;
+    place_words(w, &f, area.x + f.inset, area.x + area.width - f.inset, to);
+    if (f.row[CAPTION].size > 0)
+        to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
+    return true;
 }
 
 /* A key above all stages gives way before the curve does. */

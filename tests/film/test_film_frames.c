@@ -462,6 +462,34 @@ static void test_numbers_are_apart_from_what_is_beside_them(void **state)
     close_stage(&s);
 }
 
+/* On phones labels have no room beside names, but below them, where no plot becomes smaller for them. */
+static void test_labels_on_phones(void **state)
+{
+    static struct stage s;
+    (void)state;
+    for (size_t chains = 1; chains <= 2; chains++) {
+        struct wish w = {.size = {1080, 1920}, .chains = chains};
+        char text[4096];
+        describe(&w, text, sizeof text);
+        open_stage(&s, text, w.size);
+        show(&s, chains == 1 ? "labels-1" : "labels-2");
+        assert_legible(&s.seen, w.size, text);
+        assert_true(chains > 1 || wrote(&s.seen, "every dimer the same way round"));
+        const struct bead_movie_layout with = s.composer->layout;
+        const double shown = image_share(&s);
+        const struct bead_rect beads = with.chains[0].plot[0];
+        close_stage(&s);
+        for (char *label = strstr(text, " label: "); label; label = strstr(text, " label: "))
+            memmove(label, strstr(label, ", "), strlen(strstr(label, ", ")) + 1);
+        for (char *comma = strstr(text, ",,"); comma; comma = strstr(text, ",,"))
+            memmove(comma, comma + 1, strlen(comma));
+        open_stage(&s, text, w.size);
+        assert_true(shown >= image_share(&s) - 0.005);
+        assert_true(beads.width == s.composer->layout.chains[0].plot[0].width);
+        close_stage(&s);
+    }
+}
+
 /* Chains of equations have their equation beside their name, unless they have a label. */
 static void test_headings_show_equations(void **state)
 {
@@ -771,6 +799,7 @@ int main(void)
         cmocka_unit_test(test_numbers_at_the_end_are_whole),
         cmocka_unit_test(test_numbers_of_a_grid_part),
         cmocka_unit_test(test_precompression_is_no_peak),
+        cmocka_unit_test(test_labels_on_phones),
         cmocka_unit_test(test_numbers_are_apart_from_what_is_beside_them),
         cmocka_unit_test(test_unlike_rows_have_their_own_numbers),
     };
