@@ -79,14 +79,14 @@ static double reach_left_of(const struct bead_composer *c, const struct bead_vie
     return reach(&c->look, c->setup.range, field->unit, scale, length, BEAD_SIDE_LEFT, NULL);
 }
 
-/* Vertical axes of plots of several heights, of views with any of these traits; the title is above them. */
+/* Vertical axes of plots of several heights, of views with any of these traits, or of all (0); the title is above them. */
 static double reach_left(const struct bead_composer *c, unsigned traits)
 {
     static const double parts[] = {0.08, 0.16, 0.3, 0.6};
     double most = 0;
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
         for (size_t v = 0; v < c->wants.view_count; v++) {
-            if (bead_view_has(c->wants.views[v], traits))
+            if (!traits || bead_view_has(c->wants.views[v], traits))
                 most = fmax(most, reach_left_of(c, c->wants.views[v]->info, fmax(24, parts[i] * c->wants.height)));
         }
     }
@@ -256,7 +256,7 @@ static void measure_axes(struct bead_composer *c)
     struct bead_movie_wants *w = &c->wants;
     const char *unit = bead_chain_time_unit(c->setup.chains[0]);
     double length = 0.9 * w->width, numbers[2] = {0, 1};
-    w->left = reach_left(c, ~0u);
+    w->left = reach_left(c, 0);
     w->image_left = reach_left(c, BEAD_SHOWS_IMAGE);
     c->name_left = true;
     if (bead_views_any(&c->setup.output->views, BEAD_SHOWS_MODES))

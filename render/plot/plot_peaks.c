@@ -43,7 +43,6 @@ static void plot_peaks_needs(const struct bead_plot_data *data, struct bead_need
 {
     *needs = (struct bead_needs){.contact_peaks = true,
                                  .uncertainty = data->output->curves.uncertainty && !data->context.replayed,
-                                 .until = INFINITY,
                                  .why = data->why};
 }
 

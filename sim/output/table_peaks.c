@@ -18,7 +18,6 @@ static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
     needs->beads = (struct bead_span){listed->count > 0 ? SIZE_MAX : 0, SIZE_MAX};
     for (size_t i = 0; i < listed->count; i++)
         needs->beads.first = listed->all[i] < needs->beads.first ? listed->all[i] : needs->beads.first;
-    needs->until = INFINITY;
 }
 
 static void peaks_header(struct bead_sink *sink)

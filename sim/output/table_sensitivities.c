@@ -10,7 +10,6 @@ static void sensitivities_needs(const struct bead_sink *sink, struct bead_needs 
     needs->contact_peaks = needs->sensitivities = true;
     needs->contacts = sink->output->curves.contacts.all;
     needs->contact_count = sink->output->curves.contacts.count;
-    needs->until = INFINITY;
 }
 
 static void sensitivities_header(struct bead_sink *sink)

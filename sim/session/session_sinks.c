@@ -129,6 +129,8 @@ void bead_session_ask_needs(const struct bead_session *s, struct bead_made *m)
     for (size_t i = 0; i < s->chain_count; i++)
         last = bead_chain_beads(s->chains[i]) > last ? bead_chain_beads(s->chains[i]) : last;
     m->needs.beads.last = m->needs.beads.last < last ? m->needs.beads.last : last - 1;
+    if (m->needs.until == 0 && (m->needs.contact_peaks || m->needs.bead_peaks || m->needs.states))
+        m->needs.until = INFINITY;
 }
 
 double bead_session_latest(const struct bead_session *s)

@@ -94,8 +94,7 @@ static enum bead_error make(const char *outputs, const struct bead_own *own, str
     char scene[512], text[400];
     struct bead_session *session;
     struct bead_job job;
-    snprintf(text, sizeof text,
-             "chain: {beads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 100 us}\noutputs: [{%s, size: [320, 240]}]\n",
+    snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, count: 5}]}\nsimulate: {until: 100 us}\noutputs: [{%s}]\n",
              outputs);
     write_scene(text, scene);
     BEAD_DEFAULT(&job);
@@ -130,19 +129,90 @@ static void test_own_views_draw(void **state)
     const struct bead_view_type *const views[] = {&green, NULL};
     const struct bead_own own = {.views = views};
     struct bead_message msg = {""};
-    assert_int_equal(make("image: a.png, views: [green]", &own, &msg), BEAD_OK);
+    assert_int_equal(make("image: a.png, views: [green], size: [320, 240]", &own, &msg), BEAD_OK);
     assert_true(count_green("a.png") > 320 * 240 / 4);
     drawn = fed = 0;
-    assert_int_equal(make("movie: a.png, views: [beads, green], time: [0, 30 us], fps: 10, duration: 1 s", &own, &msg), BEAD_OK);
+    assert_int_equal(
+        make("movie: a.png, views: [beads, green], time: [0, 30 us], fps: 10, duration: 1 s, size: [320, 240]", &own, &msg),
+        BEAD_OK);
     assert_int_equal(drawn, 10);
     assert_true(fed >= 10);
     assert_true(count_green("a.png") > 320 * 240 / 5); /* an animated PNG's first frame */
 }
 
+/* ---- a sink that wants the outcome alone ---- */
+
+struct bead_sink {
+    int nothing;
+};
+
+static double ended, largest; /* the run's end, s; the first contact's peak, N */
+
+static enum bead_error sink_create(const struct bead_output *output, const struct bead_run_context *context,
+                                   struct bead_sink **sink, struct bead_message *msg)
+{
+    (void)output, (void)context, (void)msg;
+    *sink = calloc(1, sizeof **sink);
+    return *sink ? BEAD_OK : BEAD_ERROR_MEMORY;
+}
+
+static void sink_needs(const struct bead_sink *sink, struct bead_needs *needs)
+{
+    (void)sink;
+    needs->contact_peaks = true;
+}
+
+static enum bead_error sink_begin(struct bead_sink *sink, struct bead_range range, struct bead_message *msg)
+{
+    (void)sink, (void)range, (void)msg;
+    return BEAD_OK;
+}
+
+static enum bead_error sink_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
+{
+    (void)sink, (void)sample, (void)msg;
+    return BEAD_OK;
+}
+
+static enum bead_error sink_end(struct bead_sink *sink, const struct bead_outcome *outcomes, struct bead_message *msg)
+{
+    (void)sink, (void)msg;
+    ended = outcomes[0].end;
+    largest = outcomes[0].contact_peaks[0].value;
+    return BEAD_OK;
+}
+
+static void sink_destroy(struct bead_sink *sink)
+{
+    free(sink);
+}
+
+/* Peaks are those of the run, to its end at 100 us, although the sink names no time until which it needs them. */
+static void test_own_sinks_have_the_whole_run(void **state)
+{
+    (void)state;
+    const struct bead_sink_type mine = {.name = "mine",
+                                        .help = "keeps the outcome",
+                                        .kind = BEAD_OUTPUT_OWN,
+                                        .endings = ".txt",
+                                        .create = sink_create,
+                                        .needs = sink_needs,
+                                        .begin = sink_begin,
+                                        .sample = sink_sample,
+                                        .end = sink_end,
+                                        .destroy = sink_destroy};
+    const struct bead_sink_type *const sinks[] = {&mine, NULL};
+    struct bead_message msg = {""};
+    ended = largest = NAN;
+    assert_int_equal(make("mine: a.txt", &(struct bead_own){.sinks = sinks}, &msg), BEAD_OK);
+    assert_true(ended >= 100e-6 && ended < 101e-6);
+    assert_true(largest > 0);
+}
+
 static void expect(const struct bead_own *own, enum bead_error error, const char *says)
 {
     struct bead_message msg = {""};
-    assert_int_equal(make("image: b.png, views: [green]", own, &msg), error);
+    assert_int_equal(make("image: b.png, views: [green], size: [320, 240]", own, &msg), error);
     if (!strstr(msg.text, says))
         fail_msg("%s: not in: %s", says, msg.text);
 }
@@ -169,6 +239,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_own_views_draw),
+        cmocka_unit_test(test_own_sinks_have_the_whole_run),
         cmocka_unit_test(test_parts_that_lack_something_are_refused),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
