@@ -261,7 +261,7 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
     return bead_fail(
         msg, BEAD_ERROR_NUMBERS,
         "chain%s%s: at %.6g s the energy is off by %.3g of the energy put in: steps of %.3g s are too long for `%s`; %s",
-        *name ? " " : "", name, s->t1, error, s->h, s->method->info.name, advice);
+        *name ? " " : "", name, s->t1, error, run->stepping.variable ? s->h : run->stepping.step, s->method->info.name, advice);
 }
 
 /* Before a state leaves the run. */

@@ -131,9 +131,9 @@ YAML
     exits 1 "$beadsim" wild.yaml -o wild && [ ! -e wild/wild.csv ]
 }
 ok "energy out of bounds ends a run" wild 'chain: {' '}' '0.2 us'
-ok "... and says why" grep -qE '^beadsim: chain: at [0-9.e-]+ s the energy is off by .* too long for `rk4`' err
+ok "... and says why" grep -qE '^beadsim: chain: at [0-9.e-]+ s the energy is off by .* steps of 2e-07 s are too long for `rk8`' err
 ok "energy out of bounds in a chain with a name" wild 'chains: [{name: A, ' '}]' '0.2 us'
 ok "... which is told" grep -q '^beadsim: chain A: at ' err
 ok "damping that no step can follow ends a run" wild 'chains: [{name: A, ' '}]' auto
-ok "... and says why" grep -qE '^beadsim: chain A: at 0 s velocities decay so fast that steps of .* damping is too strong' err
+ok "... and says why" grep -qE '^beadsim: wild\.yaml:[0-9]+:[0-9]+: chain A: at 0 s velocities decay so fast that steps of .* damping is too strong' err
 finish
