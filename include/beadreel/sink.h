@@ -50,7 +50,8 @@ struct bead_needs {
     bool sensitivities;  /* of maxima of contacts: in the outcome */
     const size_t *contacts; /* those, rising; NULL: see bead_sensitive_contacts (sim/run/sensitivity.h) */
     size_t contact_count;
-    double until;    /* s: nothing after this time is needed; 0: nothing at all, or, with maxima or states of the outcome, the whole run */
+    double until;    /* s: nothing after this time is needed; 0: nothing at all, or, with maxima or states of the outcome, the whole
+                        run */
     const char *why; /* a few words for --plan: "600 frames of 1920 x 1080, every 5 us" (owned by the sink) */
 };
 
