@@ -19,6 +19,14 @@
 
 /* Largest error of a velocity from one contact that opens or closes, in units of accuracy times striker velocity. */
 static const double event_part = 0.25;
+
+/* With damping, steps are as long as the tolerance of each event allows. Each contact closes and opens at least once, and errors
+ * of n events, which have any sign, add up to sqrt(n) of one. */
+static double events_sum(const struct bead_chain *chain)
+{
+    return sqrt(2 * (double)chain->contacts);
+}
+
 /* Steps between updates of the contacts' speeds, which set the tolerance of their events: few enough that no contact turns unseen
  * in between. */
 enum { WEIGH_EVERY = 2 };
@@ -119,7 +127,8 @@ enum bead_error bead_run_create(const struct bead_run_settings *settings, struct
         return err;
     }
     if (!(settings->simulate->step > 0))
-        r->stepper->event_tolerance = event_part * r->stepping.accuracy * settings->chain->speed;
+        r->stepper->event_tolerance = event_part * r->stepping.accuracy * settings->chain->speed /
+                                      (bead_stepper_damped(r->stepper) ? events_sum(settings->chain) : 1);
     if (settings->passage && settings->target > 0 && !bead_behind_refusal(settings->chain) && r->stepping.method->tableau)
         r->behind = (struct bead_behind){.widening = settings->widening, .target = settings->target};
     r->control = bead_step_control_start(r->stepper, r->stepping.theta, r->stepping.omega);
