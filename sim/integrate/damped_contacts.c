@@ -4,6 +4,9 @@
 
 #include "sim/integrate/dense.h"
 
+/* The next four are chosen: far above rounding, far below a step. A contact that opens and closes within such a part of a step is
+ * not seen. */
+
 /* A contact this near to closing, in units of its motion in a step, counts as closed. */
 static const double touching = 1e-6;
 /* A change of the force's sign within this first part of a step counts as one at its start. */

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of the derivatives of peak forces: a row for each bead and each contact asked for. */
-#include <math.h>
-
 #include "sim/base/number.h"
 #include "sim/output/table.h"
 
