@@ -587,6 +587,8 @@ struct bead_overrides {
     const char *config;         /* file of the user's own settings, which give what is said nowhere else: bead_config. NULL: none */
     const struct bead_own *own; /* what the program adds; NULL: nothing, or what the scene that is changed has */
     const char *name;           /* of a scene that is loaded, in messages and in what it makes; NULL: its path */
+    struct bead_chain_spec *shown; /* chains that the outputs are to show, those of several runs; NULL: the scene's own */
+    size_t shown_count;
 };
 
 /* Load a scene from a file. On success *scene belongs to the caller; on failure it is NULL and the message reads

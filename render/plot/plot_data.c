@@ -6,6 +6,7 @@
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/measure/profile_times.h"
 
 /* `const struct plot_kind bead_plot_NAME`; the first is the default. */
@@ -36,6 +37,8 @@ enum bead_error bead_plot_data_create(const struct bead_output *output, const st
     d->context = *context;
     d->chain = chain;
     enum bead_error err = plot_kind_of(d)->create(d, msg);
+    if (!err && d->count == 0 && bead_show_type(output->curves.show)->of_places)
+        err = bead_output_wrong(output, msg, "beads: the chain that is shown has no sensor, or none of the places listed");
     if (err) {
         bead_plot_data_destroy(d);
         *data = NULL;

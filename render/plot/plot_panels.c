@@ -7,10 +7,14 @@
 #include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/output_kinds.h"
+#include "sim/measure/places.h"
 
 bool plot_shows(const struct bead_plot_data *data, size_t chain)
 {
-    return data->chain == SIZE_MAX || data->chain == chain;
+    const struct bead_show_type *show = bead_show_type(data->output->curves.show);
+    return (data->chain == SIZE_MAX || data->chain == chain) &&
+           !(show->of_places && bead_places_count(data->output, data->context.chains[chain]) == 0);
 }
 
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size)

@@ -78,6 +78,7 @@ size_t plot_measured_count(const struct bead_plot_data *data, const struct plot_
 BEAD_CHECK enum bead_error plot_measured_fill(struct bead_plot_data *data, size_t p, double *values, struct bead_message *msg);
 /* Adds the points of a curve, and gives the series the memory that they take. Returns what is left. */
 double *plot_curve_points(const struct bead_curves *curves, size_t k, double factor, double *at, struct bead_series *series);
+/* Does a plot, or a panel of one chain, show this chain; has the chain a place of what is shown at places? */
 bool plot_shows(const struct bead_plot_data *data, size_t chain);
 /* Name and magnetism of chain `number`, in the markup of graphs. */
 void plot_heading(const struct bead_plot_data *data, size_t number, char *text, size_t size);

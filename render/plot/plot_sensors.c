@@ -79,7 +79,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         err = plot_reserve(data, 2 * data->context.chain_count, msg);
     for (size_t c = 0; !err && c < data->context.chain_count; c++) {
         const size_t sensors = bead_places_count(output, data->context.chains[c]);
-        if (sensors == 0 || !plot_shows(data, c))
+        if (!plot_shows(data, c))
             continue;
         struct plot_panel *part = &data->parts[data->count++];
         part->chain = c;
@@ -88,9 +88,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         bead_curves_init(&part->differences, sensors, data->time);
         most = sensors > most ? sensors : most;
     }
-    if (!err && data->count == 0)
-        return bead_output_wrong(output, msg, "there is no sensor to show; give a bead one: {bead: steel, sensor: first}");
-    data->sample = err ? NULL : calloc(most, sizeof *data->sample);
+    data->sample = err ? NULL : calloc(most + 1, sizeof *data->sample);
     if (!err && !data->sample)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
     if (err)

@@ -47,7 +47,9 @@ struct bead_reader {
     struct bead_yaml *yaml;
     struct bead_yaml *scratch; /* where default values are parsed */
     struct bead_units *units;
-    struct bead_scene *scene; /* being filled, by the tables' own readers */
+    struct bead_scene *scene;      /* being filled, by the tables' own readers */
+    struct bead_chain_spec *shown; /* what outputs are checked against; NULL: the scene's chains */
+    size_t shown_count;
     struct bead_message *msg;
     struct bead_faults *faults; /* NULL: the first is the only one */
     struct bead_faults *doubts; /* numbers without a unit that can hardly be meant; NULL: they are not collected */

@@ -116,19 +116,23 @@ static BEAD_OPTION_READER(read_simulate)
     return BEAD_OK;
 }
 
-/* Outputs cannot be checked without chains. If the chains are wrong, outputs are read as if there were none. */
+/* Outputs cannot be checked without chains. If the chains are wrong, outputs are read as if there were none; if the outputs show
+ * several runs, as if the scene had the chains of all. */
 static BEAD_OPTION_READER(read_outputs)
 {
     struct bead_scene *scene = reader->scene;
+    struct bead_chain_spec *own = scene->chains;
     const size_t chains = scene->chain_count;
     reader->unsound = reader->faults && reader->faults->count > 0;
     if (reader->unsound && bead_sweep_node(at->up->node, 0))
         return BEAD_OK; /* they would show what is wrong */
     if (chains == 0 && !reader->unsound)
         return bead_wrong(reader, at->up, "`chain` is missing: %s", bead_chain_options.help);
-    scene->chain_count = reader->unsound ? 0 : chains;
+    scene->chains = reader->shown ? reader->shown : own;
+    scene->chain_count = reader->unsound ? 0 : reader->shown ? reader->shown_count : chains;
     reader->without_units = !*bead_scene_system(scene)->time_unit;
     enum bead_error err = bead_scene_read_outputs(reader, at);
+    scene->chains = own;
     scene->chain_count = chains;
     return err;
 }

@@ -151,8 +151,8 @@ static enum bead_error make_scene(const char *name, const char *text, size_t len
                                   const struct bead_own *own, const struct bead_overrides *overrides, struct bead_scene **scene,
                                   struct bead_message *msg)
 {
-    struct bead_reader reader = {.tables = &bead_scene_tables, .msg = msg};
     const struct bead_overrides none = {.count = 0}, *o = overrides ? overrides : &none;
+    struct bead_reader reader = {.tables = &bead_scene_tables, .msg = msg, .shown = o->shown, .shown_count = o->shown_count};
     *scene = NULL;
     enum bead_error err = scene_begin(&reader, name, text, length, tree);
     if (!err)

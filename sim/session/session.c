@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A session's life. Opening goes from a job to its scene, its chains and the end of the run; session_sinks.c then makes the sinks.
  */
+#include <errno.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -129,6 +130,8 @@ static enum bead_error check_job(const struct bead_job *job, struct bead_message
 static enum bead_error open_input(struct bead_session *s, struct bead_message *msg)
 {
     const bool hdf5 = bead_trajectory_is(s->job.input), trajectory = hdf5 && !s->job.configuration;
+    if (!trajectory && s->job.other_count > 0 && access(s->job.input, F_OK) != 0)
+        return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", s->job.input, strerror(errno));
     if (!trajectory && s->job.other_count > 0)
         return bead_fail(msg, BEAD_ERROR_USAGE, "one file at a time: `%s` and `%s`; only trajectories are shown together",
                          s->job.input, s->job.others[0]);

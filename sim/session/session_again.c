@@ -45,21 +45,45 @@ static enum bead_error check_time(const struct bead_session *s, const struct bea
                              ends);
 }
 
-static enum bead_error limit_to_file(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
+static enum bead_error check_span(const struct bead_trajectory *t, struct bead_span wanted, struct bead_message *msg)
 {
-    struct bead_span beads = bead_trajectory_beads(s->trajectory);
-    if (output->shown.beads.first > beads.last || output->shown.beads.last < beads.first)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s holds beads %zu to %zu only", s->job.input, beads.first, beads.last);
-    output->shown.beads.first = output->shown.beads.first < beads.first ? beads.first : output->shown.beads.first;
-    output->shown.beads.last = output->shown.beads.last > beads.last ? beads.last : output->shown.beads.last;
+    return wanted.first <= t->span.last && wanted.last >= t->span.first && wanted.first <= wanted.last
+               ? BEAD_OK
+               : bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s holds beads %zu to %zu only", t->path, t->span.first, t->span.last);
+}
+
+/* To beads that all files hold. */
+static enum bead_error limit_to_files(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
+{
+    struct bead_span *beads = &output->shown.beads;
+    const struct bead_trajectory *t;
+    for (size_t i = 0; (t = bead_session_file(s, i)); i++) {
+        BEAD_TRY(check_span(t, *beads, msg));
+        beads->first = beads->first < t->span.first ? t->span.first : beads->first;
+        beads->last = beads->last > t->span.last ? t->span.last : beads->last;
+    }
     enum bead_error err = check_time(s, output, msg);
     if (!(output->shown.time[0] >= s->native.start))
         output->shown.time[0] = s->native.start;
     return err;
 }
 
-/* All at once, so that one more run is enough. Films show beads, which need displacements; their curves and images do not. */
-static enum bead_error say_missing(const struct bead_session *s, const struct bead_made *m, unsigned missing,
+/* What an output takes of samples must be there, as far as the chains go: of other beads no file has values. */
+static enum bead_error check_beads(const struct bead_trajectory *t, const struct bead_made *m, struct bead_message *msg)
+{
+    const struct bead_span *held = &t->span, *needed = &m->needs.beads;
+    for (size_t c = 0; c < t->chain_count; c++) {
+        const size_t end = bead_chain_beads(t->chains[c]) - 1, last = needed->last < end ? needed->last : end;
+        if (m->needs.fields && needed->first <= last && (needed->first < held->first || last > held->last))
+            return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s needs beads %zu to %zu, but %s holds beads %zu to %zu only",
+                             m->output->path, needed->first, last, t->path, held->first, held->last);
+    }
+    return BEAD_OK;
+}
+
+/* All that a file lacks at once, so that one more run is enough. Films show beads, which need displacements; their curves and
+ * images do not. */
+static enum bead_error say_missing(const struct bead_trajectory *t, const struct bead_made *m, unsigned missing,
                                    struct bead_message *msg)
 {
     const bool one = (missing & (missing - 1)) == 0;
@@ -71,13 +95,13 @@ static enum bead_error say_missing(const struct bead_session *s, const struct be
     }
     return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
                      "%s needs the field%s `%s`, which %s does not hold: add %s to `fields` and run again%s", m->output->path,
-                     one ? "" : "s", names, s->job.input, one ? "it" : "them",
+                     one ? "" : "s", names, t->path, one ? "it" : "them",
                      of_beads ? ", or draw without beads: --set outputs.0.views='[profile, spacetime]'" : "");
 }
 
 static enum bead_error check_stored(const struct bead_session *s, const struct bead_made *m, struct bead_message *msg)
 {
-    unsigned missing = m->needs.fields & ~bead_session_joined_fields(s);
+    const struct bead_trajectory *t;
     if (m->needs.contact_peaks || m->needs.bead_peaks)
         return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: peaks are found while simulating, not from samples: run the scene",
                          m->output->path);
@@ -89,7 +113,11 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
                          "%s: `trust` compares two runs, and a trajectory holds one: run the scene, or draw without it: "
                          "--set outputs.0.trust=false",
                          m->output->path);
-    return missing ? say_missing(s, m, missing, msg) : BEAD_OK;
+    for (size_t i = 0; (t = bead_session_file(s, i)); i++) {
+        const unsigned missing = m->needs.fields & ~bead_trajectory_fields(t);
+        BEAD_TRY(missing ? say_missing(t, m, missing, msg) : check_beads(t, m, msg));
+    }
+    return BEAD_OK;
 }
 
 /* The stored sample at `time`, which must be one of them. */
@@ -126,6 +154,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     const enum bead_source_kind source = s->job.difference        ? BEAD_OF_DIFFERENCE
                                          : s->job.other_count > 0 ? BEAD_OF_TRAJECTORIES
                                                                   : BEAD_OF_TRAJECTORY;
+    BEAD_TRY(bead_session_open_others(s, msg));
     const struct bead_scene *stored = bead_trajectory_scene(s->trajectory);
     size_t only = SIZE_MAX;
     enum bead_error err = s->job.configuration ? bead_session_choose_chain(s, stored, source, &only, &changed, msg)
@@ -148,7 +177,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
     if (!err)
         err = bead_session_find_resolution(s, msg);
     if (!err)
-        err = limit_to_file(s, &m->changed, msg);
+        err = limit_to_files(s, &m->changed, msg);
     if (!err)
         err = bead_session_create_sink(s, m, msg);
     return err ? err : check_stored(s, m, msg);

@@ -31,9 +31,18 @@ struct bead_made {
     struct bead_range range; /* found by scouting */
 };
 
-/* Warnings, in this order: numbers that can hardly be meant; a file system without locks; a step that is too long; a model that
- * does not hold; chains without an end; peaks that could not be verified. */
-enum { SESSION_DOUBTS, SESSION_NO_LOCKS, SESSION_LONG_STEP, SESSION_INVALID, SESSION_LOST, SESSION_UNVERIFIED, SESSION_WARNINGS };
+/* Warnings, in this order: numbers that can hardly be meant; what is shown where nothing was asked for; a file system without
+ * locks; a step that is too long; a model that does not hold; chains without an end; peaks that could not be verified. */
+enum {
+    SESSION_DOUBTS,
+    SESSION_CHOSEN,
+    SESSION_NO_LOCKS,
+    SESSION_LONG_STEP,
+    SESSION_INVALID,
+    SESSION_LOST,
+    SESSION_UNVERIFIED,
+    SESSION_WARNINGS
+};
 
 struct bead_sensitivities; /* session_sensitivity.c */
 struct bead_joined;        /* session_join.c */
@@ -185,12 +194,15 @@ void bead_session_free_sensitivities(struct bead_session *session);
 /* session_again.c: a trajectory. */
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
 
-/* session_join.c: opens the other trajectories of the job, whose chains the session then has, or their difference. Errors: USAGE,
- * those of bead_trajectory_open. What a stored chain came to; the fields that all have; closes the others. */
+/* session_join.c: opens the other trajectories of the job, then gives the session the chains of all, or their difference. Errors:
+ * USAGE, those of bead_trajectory_open. Between, the chains that outputs are to show: NULL, those of the scene. The files, the
+ * session's trajectory first; NULL behind the last. That of chain `*number` of the session, and its number there. Closes the
+ * others. */
+BEAD_CHECK enum bead_error bead_session_open_others(struct bead_session *session, struct bead_message *msg);
+struct bead_chain_spec *bead_session_shown(const struct bead_session *session, size_t *count);
 BEAD_CHECK enum bead_error bead_session_join(struct bead_session *session, struct bead_message *msg);
-BEAD_CHECK enum bead_error bead_session_joined_outcome(const struct bead_session *session, size_t chain,
-                                                       struct bead_outcome *outcome, struct bead_message *msg);
-unsigned bead_session_joined_fields(const struct bead_session *session);
+const struct bead_trajectory *bead_session_file(const struct bead_session *session, size_t index);
+const struct bead_trajectory *bead_session_file_of(const struct bead_session *session, size_t *number);
 /* What the trajectories say of the errors of their samples. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_session_bound(struct bead_session *session, struct bead_message *msg);
 void bead_session_part(struct bead_session *session);

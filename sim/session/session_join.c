@@ -18,6 +18,8 @@ struct bead_joined {
     size_t other_count, chain_count;
     struct joined_chain *of; /* [chains] */
     const struct bead_chain **chains;
+    struct bead_chain_spec *shown; /* of all chains; borrowed */
+    size_t shown_count;
     double *values[2][BEAD_FIELD_COUNT]; /* [beads of the longest]: of a sample, and of that which it is compared with */
     bool difference;
     struct bead_system system; /* that of the differences */
@@ -96,12 +98,19 @@ static bool are_together(const struct bead_trajectory *a, const struct bead_traj
            fabs(a->grid.start - b->grid.start) <= near * a->grid.every;
 }
 
+const struct bead_trajectory *bead_session_file_of(const struct bead_session *s, size_t *number)
+{
+    const struct joined_chain of = s->joined ? s->joined->of[*number] : (struct joined_chain){s->trajectory, *number};
+    *number = of.number;
+    return of.trajectory;
+}
+
 /* The bound of the errors of a chain's field; NaN: unknown. */
 static double bound_of(const struct bead_session *s, size_t chain, size_t field)
 {
-    const struct joined_chain of = s->joined ? s->joined->of[chain] : (struct joined_chain){s->trajectory, chain};
-    const bool known = of.trajectory->bounds && are_together(s->trajectory, of.trajectory);
-    return known ? of.trajectory->bounds[of.number * BEAD_FIELD_COUNT + field] : NAN;
+    const struct bead_trajectory *t = bead_session_file_of(s, &chain);
+    const bool known = t->bounds && are_together(s->trajectory, t);
+    return known ? t->bounds[chain * BEAD_FIELD_COUNT + field] : NAN;
 }
 
 enum bead_error bead_session_bound(struct bead_session *s, struct bead_message *msg)
@@ -150,16 +159,46 @@ static enum bead_error name_chains(struct bead_trajectory *t, const char *path, 
 static enum bead_error open_others(struct bead_session *s, struct bead_joined *j, struct bead_message *msg)
 {
     BEAD_TRY(bead_new(&j->others, s->job.other_count, msg, "trajectories"));
-    for (; j->other_count < s->job.other_count; j->other_count++) {
-        const char *path = s->job.others[j->other_count];
-        BEAD_TRY(bead_trajectory_open(path, NULL, &j->others[j->other_count], msg));
-        if (!j->difference)
-            BEAD_TRY(name_chains(j->others[j->other_count], path, msg));
-    }
-    return j->difference ? BEAD_OK : name_chains(s->trajectory, s->job.input, msg);
+    for (; j->other_count < s->job.other_count; j->other_count++)
+        BEAD_TRY(bead_trajectory_open(s->job.others[j->other_count], NULL, &j->others[j->other_count], msg));
+    return BEAD_OK;
 }
 
-/* Its chains, as places of the joined ones; and the end and fields that all have. */
+/* Outputs are checked against the chains of all files, in whatever order these are given. */
+static enum bead_error list_shown(struct bead_session *s, struct bead_joined *j, struct bead_message *msg)
+{
+    size_t all = s->trajectory->scene->chain_count;
+    for (size_t i = 0; i < j->other_count; i++)
+        all += j->others[i]->scene->chain_count;
+    BEAD_TRY(bead_new(&j->shown, all, msg, "trajectories"));
+    for (size_t i = 0; i <= j->other_count; i++) {
+        struct bead_trajectory *t = i == 0 ? s->trajectory : j->others[i - 1];
+        BEAD_TRY(name_chains(t, i == 0 ? s->job.input : s->job.others[i - 1], msg));
+        memcpy(j->shown + j->shown_count, t->scene->chains, t->scene->chain_count * sizeof *j->shown);
+        j->shown_count += t->scene->chain_count;
+    }
+    return BEAD_OK;
+}
+
+enum bead_error bead_session_open_others(struct bead_session *s, struct bead_message *msg)
+{
+    if (s->job.other_count == 0)
+        return s->job.difference
+                   ? bead_fail(msg, BEAD_ERROR_USAGE, "--diff: needs two trajectories, as in --diff a.h5 b.h5 -o diff.png")
+                   : BEAD_OK;
+    BEAD_TRY(bead_new(&s->joined, 1, msg, "trajectories"));
+    s->joined->difference = s->job.difference;
+    BEAD_TRY(open_others(s, s->joined, msg));
+    return s->joined->difference ? BEAD_OK : list_shown(s, s->joined, msg);
+}
+
+struct bead_chain_spec *bead_session_shown(const struct bead_session *s, size_t *count)
+{
+    *count = s->joined ? s->joined->shown_count : 0;
+    return s->joined ? s->joined->shown : NULL;
+}
+
+/* Its chains, as places of the joined ones; and the times that all have. */
 static enum bead_error add_file(struct bead_session *s, struct bead_joined *j, struct bead_trajectory *t, size_t *used,
                                 struct bead_message *msg)
 {
@@ -170,6 +209,8 @@ static enum bead_error add_file(struct bead_session *s, struct bead_joined *j, s
         j->of[(*used)++] = (struct joined_chain){t, i};
     s->end = fmin(s->end, t->end);
     s->stored.last = fmin(s->stored.last, bead_trajectory_grid(t)->end);
+    if (t->grid.start > s->native.start) /* all begin with the first sample of the session's that is not before theirs */
+        s->native.start += s->native.every * ceil((t->grid.start - s->native.start) / s->native.every - 1e-6);
     return BEAD_OK;
 }
 
@@ -188,9 +229,7 @@ static enum bead_error check_alike(const struct bead_session *s, const struct be
 static enum bead_error join(struct bead_session *s, struct bead_joined *j, struct bead_message *msg)
 {
     size_t all = s->trajectory->chain_count, used = 0, longest = bead_trajectory_longest(s->trajectory);
-    BEAD_TRY(open_others(s, j, msg));
-    if (j->difference)
-        BEAD_TRY(check_alike(s, j, msg));
+    BEAD_TRY(j->difference ? check_alike(s, j, msg) : name_chains(s->trajectory, s->job.input, msg));
     for (size_t i = 0; i < j->other_count; i++) {
         all += j->others[i]->chain_count;
         longest = bead_trajectory_longest(j->others[i]) > longest ? bead_trajectory_longest(j->others[i]) : longest;
@@ -212,13 +251,9 @@ static enum bead_error join(struct bead_session *s, struct bead_joined *j, struc
 
 enum bead_error bead_session_join(struct bead_session *s, struct bead_message *msg)
 {
-    if (s->job.other_count == 0 && !s->job.difference)
-        return BEAD_OK;
-    if (s->job.other_count == 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--diff: needs two trajectories, as in --diff a.h5 b.h5 -o diff.png");
-    BEAD_TRY(bead_new(&s->joined, 1, msg, "trajectories"));
     struct bead_joined *j = s->joined;
-    j->difference = s->job.difference;
+    if (!j)
+        return BEAD_OK;
     BEAD_TRY(join(s, j, msg));
     s->stored.read = read_joined;
     s->stored.context = j;
@@ -238,19 +273,10 @@ enum bead_error bead_session_join(struct bead_session *s, struct bead_message *m
     return BEAD_OK;
 }
 
-enum bead_error bead_session_joined_outcome(const struct bead_session *s, size_t chain, struct bead_outcome *outcome,
-                                            struct bead_message *msg)
+const struct bead_trajectory *bead_session_file(const struct bead_session *s, size_t index)
 {
-    const struct joined_chain *of = &s->joined->of[chain];
-    return bead_trajectory_outcome(of->trajectory, of->number, outcome, msg);
-}
-
-unsigned bead_session_joined_fields(const struct bead_session *s)
-{
-    unsigned fields = bead_trajectory_fields(s->trajectory);
-    for (size_t i = 0; s->joined && i < s->joined->other_count; i++)
-        fields &= bead_trajectory_fields(s->joined->others[i]);
-    return fields;
+    const size_t others = s->joined ? s->joined->other_count : 0;
+    return index == 0 ? s->trajectory : index <= others ? s->joined->others[index - 1] : NULL;
 }
 
 void bead_session_part(struct bead_session *s)
@@ -267,5 +293,6 @@ void bead_session_part(struct bead_session *s)
     free(j->others);
     free(j->of);
     free(j->chains);
+    free(j->shown);
     free(j);
 }

@@ -137,9 +137,10 @@ static enum bead_error collect_outcomes(struct bead_session *s, struct bead_mess
     BEAD_TRY(bead_new(&s->outcomes, s->chain_count, msg, "outcomes"));
     enum bead_error err = BEAD_OK;
     for (size_t i = 0; !err && i < s->chain_count; i++) {
-        if (s->trajectory)
-            err = s->joined ? bead_session_joined_outcome(s, i, &s->outcomes[i], msg)
-                            : bead_trajectory_outcome(s->trajectory, i, &s->outcomes[i], msg);
+        size_t number = i;
+        const struct bead_trajectory *file = s->trajectory ? bead_session_file_of(s, &number) : NULL;
+        if (file)
+            err = bead_trajectory_outcome(file, number, &s->outcomes[i], msg);
         else
             s->outcomes[i] = s->played.outcomes[i];
     }

@@ -12,11 +12,13 @@
 #include "sim/kinds/scene_facts.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/session/session_data.h"
+#include "sim/trajectory/trajectory_data.h"
 
 /* Changes of a scene that precede the job's options and settings; begins as zeros. */
 struct changes {
-    struct bead_override all[5];
+    struct bead_override all[6];
     size_t count;
+    char place[24];        /* that a new output shows */
     struct bead_node file; /* that of a new output */
 };
 
@@ -139,22 +141,76 @@ static bool forces_follow(const struct bead_scene *scene)
     return follow;
 }
 
-/* The field that a new output shows of a stored run which does not have the usual one: its first; NULL: the usual one. */
+/* The field that a new output shows of stored runs which do not all have the usual one: the first that they have; NULL: the usual
+ * one. */
 static const char *held_field(const struct bead_session *s, const struct bead_output_type *type)
 {
-    const unsigned held = s->trajectory ? bead_trajectory_fields(s->trajectory) : 0;
-    const struct bead_scene *scene = s->trajectory ? bead_trajectory_scene(s->trajectory) : NULL;
+    const struct bead_trajectory *t;
+    unsigned held = BEAD_FIELD_BIT(BEAD_FIELD_COUNT) - 1;
+    for (size_t i = 0; s->trajectory && (t = bead_session_file(s, i)); i++) {
+        const bool follow = bead_trajectory_fields(t) & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && forces_follow(t->scene);
+        held &= bead_trajectory_fields(t) | (follow ? BEAD_FIELD_BIT(BEAD_FIELD_FORCE) : 0);
+        held = bead_scene_system(t->scene)->has_contacts ? held : 0;
+    }
     enum bead_field first = 0;
-    if (!held || held & BEAD_FIELD_BIT(BEAD_FIELD_FORCE) || !bead_options_find(type->options, "field") ||
-        !bead_scene_system(scene)->has_contacts || (held & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) && forces_follow(scene)))
+    if (!held || held & BEAD_FIELD_BIT(BEAD_FIELD_FORCE) || !bead_options_find(type->options, "field"))
         return NULL;
     while (!(held & BEAD_FIELD_BIT(first)))
         first++;
     return bead_field_info(first)->name;
 }
 
+/* Does an option or a setting say which places a plot shows, or what of them? */
+static bool says_places(const struct bead_job *job)
+{
+    static const char *const keys[] = {"beads", "contacts", "show", "outputs", "0", NULL}; /* the last two: a whole output */
+    bool says = false;
+    for (size_t i = 0; i < job->look_count + job->setting_count; i++) {
+        char key[64];
+        const char *text = i < job->look_count ? job->looks[i] + 2 : job->settings[i - job->look_count];
+        snprintf(key, sizeof key, "%.*s", (int)strcspn(text, "="), text);
+        const char *dot = strrchr(key, '.');
+        says = says || bead_is_one_of(dot ? dot + 1 : key, keys);
+    }
+    return says;
+}
+
+/* Stored runs without sensors are shown in the middle of the shortest chain, of the beads that all files hold. */
+static size_t middle(const struct bead_session *s)
+{
+    const struct bead_trajectory *t;
+    size_t first = 0, last = SIZE_MAX;
+    for (size_t i = 0; (t = bead_session_file(s, i)); i++) {
+        first = t->span.first > first ? t->span.first : first;
+        last = t->span.last < last ? t->span.last : last;
+        for (size_t c = 0; c < t->scene->chain_count; c++) {
+            const size_t end = bead_scene_last_bead(t->scene, c);
+            last = end < last ? end : last;
+        }
+    }
+    return last > first ? first + (last - first) / 2 : first;
+}
+
+/* The places that curves of a new output are of, as `key`; false: sensors, or those that the command line says. */
+static bool choose_places(struct bead_session *s, const char *field, char place[24], const char **key)
+{
+    const struct bead_trajectory *t;
+    for (size_t i = 0; (t = bead_session_file(s, i)); i++) {
+        if (bead_scene_has_sensors(t->scene, SIZE_MAX))
+            return false;
+    }
+    if (says_places(&s->job))
+        return false;
+    *key = field && strcmp(field, bead_field_info(BEAD_FIELD_CONTACT_FORCE)->name) == 0 ? "contacts" : "beads";
+    snprintf(place, 24, "[%zu]", middle(s));
+    snprintf(s->warning[SESSION_CHOSEN], sizeof s->warning[SESSION_CHOSEN],
+             "no bead has a sensor: shown is %.*s %zu, in the middle; --set outputs.0.%s='[1, 2]' shows others",
+             (int)strlen(*key) - 1, *key, middle(s), *key);
+    return true;
+}
+
 /* Leave no output but a new one: the file, of the first kind that it ends like. */
-static enum bead_error name_output(const struct bead_session *s, struct changes *changes, enum bead_source_kind source,
+static enum bead_error name_output(struct bead_session *s, struct changes *changes, enum bead_source_kind source,
                                    struct bead_message *msg)
 {
     const char *file = s->job.output;
@@ -162,7 +218,8 @@ static enum bead_error name_output(const struct bead_session *s, struct changes 
     const struct bead_sink_type *sink = kind == BEAD_OUTPUT_OWN ? bead_output_own_of(s->job.own, file) : NULL;
     if (kind == BEAD_OUTPUT_KINDS && !sink)
         return no_kind(file, source, msg);
-    const char *show = bead_output_type(kind)->shown_of[source], *field = held_field(s, bead_output_type(kind));
+    const char *show = bead_output_type(kind)->shown_of[source], *field = held_field(s, bead_output_type(kind)), *places;
+    const bool of_places = kind == BEAD_OUTPUT_PLOT || (show && strcmp(show, "sensors") == 0);
     changes->file =
         (struct bead_node){.kind = BEAD_NODE_SCALAR, .origin = "--output", .place = {1, 1}, .text = bead_session_base_name(file)};
     add(changes, (struct bead_override){.path = "outputs", .value = "[]"});
@@ -172,6 +229,8 @@ static enum bead_error name_output(const struct bead_session *s, struct changes 
         add(changes, (struct bead_override){.below = "outputs.0", .path = "show", .value = show});
     if (field)
         add(changes, (struct bead_override){.below = "outputs.0", .path = "field", .value = field});
+    if (s->trajectory && of_places && choose_places(s, field, changes->place, &places))
+        add(changes, (struct bead_override){.below = "outputs.0", .path = places, .value = changes->place});
     return BEAD_OK;
 }
 
@@ -201,8 +260,9 @@ static enum bead_error change(const struct bead_session *s, const struct bead_sc
         all[count++] = (struct bead_override){
             .origin = look, .path = look + 2, .below = below, .place = {1, 1}, .value = look + strcspn(look, "=") + 1};
     }
-    const struct bead_overrides overrides = {
+    struct bead_overrides overrides = {
         .all = all, .count = count, .settings = job->settings, .setting_count = job->setting_count, .config = job->config};
+    overrides.shown = bead_session_shown(s, &overrides.shown_count);
     return bead_scene_change(scene, &overrides, changed, msg);
 }
 

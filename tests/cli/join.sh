@@ -54,6 +54,53 @@ ok "... named by their files" eval 'grep -qF ">a" both.svg && grep -qF ">b" both
 ok "... and in one table" eval '"$beadsim" a.h5 b.h5 -o both.csv --set "outputs=[{table: both.csv, show: sensors, beads: 10}]" >"$T/out" && [ "$(head -n 1 both.csv)" = time_s,a/bead_10,b/bead_10 ]'
 ok "... each as it is alone" eval '"$beadsim" a.h5 -o alone.csv --set "outputs=[{table: alone.csv, show: sensors, beads: 10}]" >"$T/out" && cmp <(column alone.csv 2) <(column both.csv 2)'
 ok "--plan" eval '"$beadsim" --diff a.h5 b.h5 -o diff.csv --plan >"$T/out" && grep -qF "diff.csv" "$T/out"'
+# Chains of unlike lengths, and files that hold only a part of their beads, or begin later: the order of the files does not matter.
+cat >u.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 20}]}
+simulate: {until: 1 ms}
+outputs: [{trajectory: run.h5, every: 2 us, fields: [displacement, velocity, force, contact-force]}]
+YAML
+long() { "$beadsim" u.yaml -o . "${@:2}" >"$T/out" && mv run.h5 "$1"; }
+ok "runs of 20 and 40 beads, of 11 of the beads, and without the beginning" eval 'long u20.h5 && long u40.h5 --set chain.beads.0.count=40 && long part.h5 --set "outputs.0.beads=[0, 10]" &&
+    long late.h5 --set "outputs.0.time=[0.2 ms, 0.9 ms]" && long sensor.h5 --set "chain.beads=[{bead: large-steel, count: 30}, {bead: brass, sensor: far}]"'
+sorted() { head -n 1 "$1" | tr , '\n' | sort | tr '\n' ' '; }
+pair() { # WHAT A B KEYS COLUMNS: a table of A and B has these columns, and the same numbers in both orders
+    ok "$1" eval '"$beadsim" '"$2.h5 $3.h5"' -o 1.csv --set "outputs=[{table: 1.csv, '"$4"'}]" >"$T/out" && "$beadsim" '"$3.h5 $2.h5"' -o 2.csv --set "outputs=[{table: 2.csv, '"$4"'}]" >"$T/out"'
+    ok "... both are there" eval '[ "$(sorted 1.csv)" = "'"$5"'" ] && [ "$(sorted 2.csv)" = "'"$5"'" ]'
+}
+pair "a bead that both have" u20 u40 'show: sensors, beads: 10' 'time_s u20/bead_10 u40/bead_10 '
+ok "... with values" eval 'awk -F, "NR > 1 && \$2 > 1 && \$3 > 1 {found = 1} END {exit !found}" 1.csv'
+pair "a bead that one has" u20 u40 'show: sensors, beads: [10, 30]' 'time_s u20/bead_10 u40/bead_10 u40/bead_30 '
+ok "... the other's is not 0" eval 'awk -F, "NR > 1 && \$4 > 1 {found = 1} END {exit !found}" 1.csv'
+pair "a contact that one has" u20 u40 'show: sensors, contacts: 30' 'time_s u40/contact_30 '
+pair "a sensor that one has" u20 sensor 'show: sensors' 'sensor/far time_s '
+pair "a spectrum of a bead that one has" u20 u40 'show: spectrum, beads: 30' 'frequency_Hz u40/bead_30 '
+for order in "u20.h5 u40.h5" "u40.h5 u20.h5"; do
+    ok "a bead that none has, $order" eval 'fails 2 "$beadsim" '"$order"' -o no.csv --set "outputs=[{table: no.csv, show: sensors, beads: [10, 50]}]" && says "is 50, but the last bead is 40"'
+    ok "... a contact" eval 'fails 2 "$beadsim" '"$order"' -o no.csv --set "outputs=[{table: no.csv, show: sensors, contacts: 40}]" && says "is 40, but the last contact is 39"'
+    for show in sensors spectrum spectrogram; do
+        ok "... a plot of what one has: $show" eval '"$beadreel" '"$order"' -o one.svg --set "outputs=[{plot: one.svg, show: '$show', beads: 30}]" >"$T/out" && grep -qF "u40" one.svg && ! grep -qF "u20" one.svg'
+    done
+    ok "... profiles" eval '"$beadsim" '"$order"' -o p.csv --set "outputs=[{table: p.csv, show: profiles, at: [0.3 ms]}]" >"$T/out" && [ "$(wc -l <p.csv)" = 63 ]'
+    ok "... a chain by its name" eval '"$beadreel" '"$order"' -o one.svg --set "outputs=[{plot: one.svg, panels: [[{show: sensors, beads: 10, chain: u40}]]}]" >"$T/out" && grep -qF "u40" one.svg && ! grep -qF "u20" one.svg'
+    ok "... a race" exits 0 "$beadreel" $order -o race.mp4 --set 'outputs=[{movie: race.mp4, race: true, size: [320, 240], fps: 4, duration: 1 s}]'
+    ok "nothing asked for: a bead in the middle" exits 0 "$beadreel" $order -o both.svg
+    ok "... says which" eval 'says "shown is bead 10" && grep -qF "bead 10" both.svg'
+done
+ok "... not where a setting says it" eval '"$beadreel" u20.h5 u40.h5 -o both.svg --set "outputs.0.contacts=[3]" >"$T/out" 2>&1 && grep -qF "contact 3" both.svg && ! grep -qF "shown is" "$T/out" && ! grep -qF "bead 10" both.svg'
+ok "... nor where there are sensors" eval '"$beadreel" u20.h5 sensor.h5 -o both.svg >"$T/out" 2>&1 && grep -qF "far" both.svg && ! grep -qF "shown is" "$T/out"'
+ok "... of contacts where these alone are stored" eval 'long f1.h5 --set "outputs.0.fields=[contact-force]" && "$beadsim" f1.h5 u40.h5 -o c.csv >"$T/out" 2>&1 && [ "$(sorted c.csv)" = "f1/contact_10 time_s u40/contact_10 " ]'
+pair "one begins later: from there" u20 late 'show: sensors, beads: 10' 'late/bead_10 time_s u20/bead_10 '
+ok "... to where both end" eval 'awk -F, "NR == 2 && !(\$1 > 1.999e-4 && \$1 < 2.001e-4) || NR > 1 && \$1 > 9.01e-4 {bad = 1} NR > 1 && (\$2 > \$3 + 1e-3 || \$3 > \$2 + 1e-3) {bad = 1} END {exit bad || NR < 340}" 1.csv'
+for order in "part.h5 u40.h5" "u40.h5 part.h5" part.h5; do
+    ok "a bead that a file does not hold is not 0, $order" eval 'fails 1 "$beadsim" '"$order"' -o no.csv --set "outputs=[{table: no.csv, show: sensors, beads: 15}]" && says "part.h5 holds beads 0 to 10 only"'
+    ok "... a profile" eval 'fails 1 "$beadsim" '"$order"' -o no.csv --set "outputs=[{table: no.csv, show: profiles, at: [0.3 ms]}]" && says "part.h5 holds beads 0 to 10 only"'
+    ok "... an image shows those that all hold" exits 0 "$beadreel" $order -o held.svg --set 'outputs=[{image: held.svg}]'
+done
+ok "fields are missed in the file that lacks them" eval 'long v.h5 --set "outputs.0.fields=[velocity]" && fails 1 "$beadsim" u20.h5 v.h5 -o no.csv --set "outputs=[{table: no.csv, show: sensors, beads: 3}]" && says "which v.h5 does not hold"'
+for order in "u20.h5 none.h5" "none.h5 u20.h5"; do
+    ok "a file that is not there, $order" eval 'fails 1 "$beadreel" '"$order"' -o both.pdf && says "none.h5: cannot be read: No such file"'
+done
 refused() { fails "$1" "$beadsim" "${@:3}" && says "$2"; }
 ok "two scenes" refused 2 'one file at a time: `s.yaml` and `s.yaml`' s.yaml s.yaml
 ok "one trajectory" refused 2 '--diff: needs two trajectories' --diff a.h5 -o diff.csv
