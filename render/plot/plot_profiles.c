@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A field along the chain at several times: a panel for each chain. */
 #include <math.h>
+#include <string.h>
 
 #include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/chain/system.h"
 #include "sim/measure/compacton.h"
 #include "sim/measure/profile_times.h"
 
@@ -36,6 +38,23 @@ static void plot_profiles_time_words(const struct time_words *words, double time
     snprintf(text, size, "%.40s%s%s%s", number, *words->unit ? "\u00a0" : "", prefix, words->unit);
 }
 
+static bool has_fixed_ends(const struct bead_chain_spec *spec)
+{
+    return spec->system->has_masses && spec->equation.ends == BEAD_ENDS_FIXED;
+}
+
+/* Where the plot of a chain begins and ends: beads with the first and the last; strings and waves with their domain. */
+static void find_ends(const struct bead_plot_data *data, size_t c, double ends[2])
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(data->context.chains[c]);
+    const double *places = bead_profile_times_places(data->moments, c);
+    const size_t count = bead_profile_times_values(data->moments, c);
+    const bool beads = spec->system->has_contacts;
+    const size_t cells = count + has_fixed_ends(spec);
+    ends[0] = beads ? places[0] : spec->equation.low;
+    ends[1] = beads ? places[count - 1] : ends[0] + (double)cells * bead_chain_axis(data->context.chains[c], false).spacing;
+}
+
 static void plot_profiles_make_axes(struct bead_plot_data *data)
 {
     const struct bead_output *output = data->output;
@@ -43,9 +62,9 @@ static void plot_profiles_make_axes(struct bead_plot_data *data)
         const size_t c = data->parts[p].chain;
         const struct bead_field_info *field = bead_chain_field(data->context.chains[c], output->shown.field);
         const struct bead_chain_axis along = bead_chain_axis(data->context.chains[c], field->of_contacts);
-        const double *places = bead_profile_times_places(data->moments, c);
-        data->panels[p].x = (struct bead_graph_axis){
-            along.title, along.unit, places[0], places[bead_profile_times_values(data->moments, c) - 1], BEAD_SCALE_LINEAR, false};
+        double ends[2];
+        find_ends(data, c, ends);
+        data->panels[p].x = (struct bead_graph_axis){along.title, along.unit, ends[0], ends[1], BEAD_SCALE_LINEAR, false};
         data->panels[p].y = (struct bead_graph_axis){field->title,          field->unit,       output->plot.range[0],
                                                      output->plot.range[1], BEAD_SCALE_LINEAR, true};
     }
@@ -90,13 +109,51 @@ static void add_theory(struct bead_plot_data *data, struct plot_panel *part, siz
     part->series[series].dash = BEAD_DASH_DOTTED;
 }
 
+/* Room for the curves of a chain that reach the ends of its domain: places, then values at each moment. */
+static size_t whole_room(const struct bead_plot_data *data)
+{
+    size_t most = 0;
+    for (size_t c = 0; c < data->context.chain_count; c++) {
+        const size_t values = bead_profile_times_values(data->moments, c);
+        most = values > most && !bead_chain_spec(data->context.chains[c])->system->has_contacts ? values : most;
+    }
+    return most > 0 ? (most + 2) * (data->output->curves.profile_time_count + 1) : 0;
+}
+
+/* Goes on to the ends of the domain: a string's fixed ends do not move, and where ends are joined, the line from the last point to
+ * the first crosses them. The points begin at `x` and `y`, each with room for two more than there are. */
+static void reach_ends(const struct bead_plot_data *data, size_t c, double *x, double *y, struct bead_series *series)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(data->context.chains[c]);
+    const enum bead_field field = data->output->shown.field;
+    const bool fixed = has_fixed_ends(spec);
+    const size_t last = series->count - 1;
+    double ends[2];
+    find_ends(data, c, ends);
+    const double before = series->x[0] - ends[0], after = ends[1] - series->x[last],
+                 both = fixed ? 0 : (after * series->y[0] + before * series->y[last]) / (before + after);
+    const bool moves = fixed && field != BEAD_FIELD_DISPLACEMENT && field != BEAD_FIELD_VELOCITY;
+    const size_t from = before > 0 && !moves;
+    x[0] = ends[0];
+    y[0] = both;
+    memcpy(x + from, series->x, series->count * sizeof *x);
+    memcpy(y + from, series->y, series->count * sizeof *y);
+    series->count += from;
+    x[series->count] = ends[1];
+    y[series->count] = both;
+    series->count += !moves;
+    series->x = x;
+    series->y = y;
+}
+
 static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     char time[48];
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
-        err = plot_reserve_chains(data, (data->output->shown.theory ? 2 : 1) * data->output->curves.profile_time_count,
-                                  data->output->shown.theory ? 2 * POINTS * data->output->curves.profile_time_count : 0, msg);
+        err = plot_reserve_chains(
+            data, (data->output->shown.theory ? 2 : 1) * data->output->curves.profile_time_count,
+            data->output->shown.theory ? 2 * POINTS * data->output->curves.profile_time_count : whole_room(data), msg);
     const struct time_words words = words_for(data->output->curves.profile_times, data->output->curves.profile_time_count,
                                               bead_chain_time_unit(data->context.chains[0]));
     for (size_t m = 0; !err && m < data->output->curves.profile_time_count; m++) {
@@ -132,6 +189,8 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
                                                    .count = count,
                                                    .mark = BEAD_MARK_LINE,
                                                    .label = p == 0 ? part->labels[m] : NULL};
+            if (!bead_chain_spec(data->context.chains[part->chain])->system->has_contacts)
+                reach_ends(data, part->chain, part->values, part->values + (m + 1) * (count + 2), &part->series[m]);
             plot_tell_apart(&part->series[m], m);
             if (output->shown.theory)
                 add_theory(data, part, m);

@@ -104,4 +104,15 @@ ok "... or two lines end in one place" test "$(ends together.svg)" = "0 names"
 ok "contacts whose pulses are over have a legend" exits 0 "$beadreel" s.yaml -o . --only over.svg \
     --set 'outputs=[{plot: over.svg, show: sensors, contacts: [0, 1], time: [0, 30 ms]}]'
 ok "... both forces end at 0" test "$(ends over.svg)" = "0 names" -a "$(grep -c '>contact [01]</tspan>' over.svg)" -eq 2
+# Curves along strings and waves go to the ends of the domain: fixed ones do not move; joined ones have one value, here a cosine's 1, a sine's 0.
+whole() { # CHAIN FIRST LAST VALUE [KEYS]
+    exits 0 "$beadreel" --set "chain=$1" --set 'simulate.until=1' --set "outputs=[{plot: whole.svg, show: profiles, at: [0]${5:-}}]" whole.yaml -o . &&
+        python3 "$top/tests/curves.py" whole.svg - | awk -F, -v a="$2" -v b="$3" -v value="$4" 'function off(x, y) { return (x - y) ^ 2 > 1e-6 }
+            NR == 1 && (off($1, a) || off($2, value)) { bad++ } END { exit !(NR > 9 && bad == 0 && !off($1, b) && !off($2, value)) }'
+}
+echo 'chain: {}' >whole.yaml
+ok "a string with fixed ends is drawn to them" whole '{equation: fput, points: 15, alpha: 0.25, start: {mode: 1}}' 0 16 0
+ok "... a ring once around" whole '{equation: fput, points: 16, ends: periodic, alpha: 0.25, start: {mode: 1}}' 0 16 0
+ok "... a wave between points on the ends of its domain" whole '{equation: kdv, length: 2, points: 64, low: -0.5, dispersion: 1e-3, start: {cosine: 1, amplitude: 1}}' -0.5 1.5 1
+ok "... and between cells" whole '{equation: shock, length: 2, points: 64, epsilon: 0.5, start: {simple-wave: 1, amplitude: 0.5}}' 0 2 0 ', field: strain'
 finish
