@@ -204,12 +204,17 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
                            right = bead_words_style(look, look->label, look->ink, BEAD_ALIGN_BASELINE);
     bold.bold = true;
     right.across = *title ? BEAD_ALIGN_END : BEAD_ALIGN_START;
-    double y = f->line.y + look->title, taken = bead_words_width(cr, &right, moment);
-    if (bead_words_fit(cr, &bold, title, false, f->line.width - (taken > 0 ? taken + 2 * look->label : 0), markup, sizeof markup) >
-        0)
-        bead_text_draw(cr, &bold, f->line.x, y, markup);
+    const double gap = 2 * look->label;
+    const double y = f->line.y + look->title, taken = bead_words_width(cr, &right, moment);
+    double from = f->line.x, to = from + f->line.width;
+    if (bead_words_fit(cr, &bold, title, false, INFINITY, markup, sizeof markup) > to - from - (taken > 0 ? taken + gap : 0)) {
+        from = f->area.x + f->margin; /* as over plots */
+        to = f->area.x + f->area.width - f->margin;
+    }
+    if (bead_words_fit(cr, &bold, title, false, to - from - (taken > 0 ? taken + gap : 0), markup, sizeof markup) > 0)
+        bead_text_draw(cr, &bold, from, y, markup);
     if (*moment)
-        bead_text_draw(cr, &right, *title ? f->line.x + f->line.width : f->line.x, y, moment);
+        bead_text_draw(cr, &right, *title ? to : from, y, moment);
     return true;
 }
 

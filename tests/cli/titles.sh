@@ -63,6 +63,12 @@ ok "... over images of slides" heading "image: h.svg, style: slide" h.svg
 colours() { grep "^<text" "$1" | grep -E ">(two|M)</tspan>" | grep -o 'fill="[^"]*"' | sort -u; }
 ok "... in the colour of names" [ "$(colours h.svg | wc -l)" -eq 1 ]
 
+# A title longer than the axes begins at the margin of the page, over images as over plots; one longer than the page is cut.
+long() { "$beadreel" chains.yaml -q -o . --set title="$1" --set "outputs=[{image: long.svg, size: [390, 292]}]" && has long.svg "$1"; }
+ok "a title as long as the page" long "The program of Appendix 4 and Eq. 13"
+ok "... over a still" eval '"$beadreel" chains.yaml -q -o . --set title="Two short chains" --set "outputs=[{image: still.svg, size: [390, 500], views: [beads, spacetime], at: 0.1 ms}]" && has still.svg "Two short chains"'
+ok "... a longer one" eval '! long "The program of Appendix 4 and Eq. 13, side by side, as they came" && grep -q ">The program of .*…</tspan>" long.svg'
+
 # Names of axes of like views have one size, also where rows are low.
 ok "three views of two chains" exits 0 "$beadreel" chains.yaml -o . \
     --set 'outputs=[{image: low.svg, size: [1280, 720], views: [beads, profile, spacetime], at: 0.1 ms}]'
