@@ -2,12 +2,9 @@
 /* Curves of the chains of a sweep over keys, means over seeds with a band of a standard error to both sides: a panel for each
  * place. A dispersion is an image with the exact bands over it, a panel for each combination of the other keys. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "render/draw/markup.h"
-#include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
-#include "sim/base/memory.h"
 #include "sim/measure/places.h"
 #include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_lines.h"
@@ -25,10 +22,9 @@ struct lines_panel {
 };
 
 struct lines_plot {
+    struct sweep_page *page;
     struct bead_sweep_lines lines;
     struct lines_panel *panels;
-    struct bead_panel *shown;
-    size_t count;
     double *x; /* of all curves */
     char axis[120];
 };
@@ -83,16 +79,14 @@ static void add_series(struct lines_panel *p, const struct lines_plot *plot, siz
             high[i] = mean[i] + error[i];
         }
         snprintf(p->labels[p->count], sizeof *p->labels, "± standard error");
-        *band = (struct bead_series){.x = plot->x, .y = low, .upper = high, .count = n, .faint = true};
-        plot_tell_apart(band, k);
+        *band = plot_line(plot->x, low, n, k == 0 ? p->labels[p->count] : NULL, k);
+        band->upper = high;
+        band->faint = true;
         band->mark = BEAD_MARK_BAND;
-        band->label = k == 0 ? p->labels[p->count] : NULL;
         p->count++;
     }
     label(line, p->labels[p->count]);
-    *curve = (struct bead_series){.x = plot->x, .y = mean, .count = n, .mark = BEAD_MARK_LINE};
-    plot_tell_apart(curve, k);
-    curve->label = *p->labels[p->count] ? p->labels[p->count] : NULL;
+    *curve = plot_line(plot->x, mean, n, *p->labels[p->count] ? p->labels[p->count] : NULL, k);
     p->count++;
 }
 
@@ -102,7 +96,7 @@ static void set_axes(struct lines_plot *plot, size_t place, const double frequen
     const struct bead_place_shown shown = bead_place_shown(output, plot->lines.of[0].chain, place);
     const struct bead_field_info *field = bead_chain_field(plot->lines.of[0].chain, shown.field);
     const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS, transfer = show_of(plot) == BEAD_SHOW_TRANSFER;
-    struct bead_panel *panel = &plot->shown[place];
+    struct bead_panel *panel = &plot->page->panels[place];
     snprintf(plot->axis, sizeof plot->axis, "%s%s", transfer ? "transfer of " : sensors ? "" : "amplitude of ", field->title);
     panel->x =
         sensors
@@ -121,18 +115,19 @@ static enum bead_error fill_curves(struct lines_plot *plot, struct bead_message 
 {
     const struct bead_sweep_lines *lines = &plot->lines;
     const struct bead_spectral *first = &lines->of[0].mean;
+    struct plot_store *store = &plot->page->store;
     const bool sensors = show_of(plot) == BEAD_SHOW_SENSORS;
     double frequencies[2] = {NAN, NAN};
-    BEAD_TRY(bead_new(&plot->x, first->rows + 1, msg, "a plot of a sweep"));
+    BEAD_TRY(plot_new(store, &plot->x, first->rows, msg));
     for (size_t i = 0; i < first->rows; i++)
         plot->x[i] = (sensors ? first->first : 0) + (double)i * first->step;
     if (!sensors)
         BEAD_TRY(choose_frequencies(plot, frequencies, msg));
-    for (size_t p = 0; p < plot->count; p++) {
+    for (size_t p = 0; p < plot->page->count; p++) {
         struct lines_panel *panel = &plot->panels[p];
-        BEAD_TRY(bead_new(&panel->series, SERIES * lines->count, msg, "a plot of a sweep"));
-        BEAD_TRY(bead_new(&panel->labels, SERIES * lines->count, msg, "a plot of a sweep"));
-        BEAD_TRY(bead_new(&panel->numbers, NUMBERS * lines->count * first->rows + 1, msg, "a plot of a sweep"));
+        BEAD_TRY(plot_new(store, &panel->series, SERIES * lines->count, msg));
+        BEAD_TRY(plot_new(store, &panel->labels, SERIES * lines->count, msg));
+        BEAD_TRY(plot_new(store, &panel->numbers, NUMBERS * lines->count * first->rows, msg));
         for (size_t k = 0; k < lines->count; k++)
             add_series(panel, plot, k, p);
         set_axes(plot, p, frequencies);
@@ -149,73 +144,50 @@ static enum bead_error fill_images(struct lines_plot *plot, struct bead_message 
     BEAD_TRY(choose_frequencies(plot, frequencies, msg));
     snprintf(plot->axis, sizeof plot->axis, "amplitude of %s",
              bead_chain_field(plot->lines.of[0].chain, plot->lines.output.shown.field)->title);
-    for (size_t p = 0; p < plot->count; p++) {
+    for (size_t p = 0; p < plot->page->count; p++) {
         struct lines_panel *panel = &plot->panels[p];
+        struct bead_panel *shown = &plot->page->panels[p];
         struct bead_sweep_line *line = &plot->lines.of[p];
         struct bead_spectral *mean = &line->mean;
         if (mean->columns < 2 || !(most > 0))
             return bead_output_wrong(&plot->lines.output, msg, "show: there are no waves, or only one column of amplitudes");
-        plot_spectral_decibels(mean, most);
-        panel->image = (struct bead_graph_image){.x = {mean->first, mean->first + (double)(mean->columns - 1) * mean->between},
-                                                 .y = {0, (double)(mean->rows - 1) * mean->step},
-                                                 .columns = mean->columns,
-                                                 .rows = mean->rows,
-                                                 .values = mean->values,
-                                                 .low = PLOT_DEEPEST,
-                                                 .high = 0,
-                                                 .title = plot->axis,
-                                                 .unit = "dB"};
+        panel->image = plot_spectral_image(mean, most, plot->axis);
         if (line->medium) {
-            BEAD_TRY(bead_new(&panel->series, 1, msg, "a plot of a sweep"));
-            BEAD_TRY(bead_new(&panel->numbers, PLOT_BAND_VALUES * line->medium->cell.count, msg, "a plot of a sweep"));
-            panel->series[0] = plot_bands_of(line->medium, panel->numbers);
-            panel->series[0].colour = 0;
-            panel->series[0].dash = 1;
-            panel->series[0].label = "exact bands";
+            BEAD_TRY(plot_new(&plot->page->store, &panel->series, 1, msg));
+            BEAD_TRY(plot_new(&plot->page->store, &panel->numbers, PLOT_BAND_VALUES * line->medium->cell.count, msg));
+            panel->series[0] = plot_exact_bands(line->medium, panel->numbers);
             panel->count = 1;
         }
         label(line, panel->title);
-        plot->shown[p].image = &panel->image;
-        plot->shown[p].x = (struct bead_graph_axis){"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, false};
-        plot->shown[p].y = (struct bead_graph_axis){"frequency", "Hz", frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false};
+        shown->image = &panel->image;
+        shown->x = (struct bead_graph_axis){"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, false};
+        shown->y = (struct bead_graph_axis){"frequency", "Hz", frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false};
     }
     return BEAD_OK;
 }
 
 /* ---- the graph ---- */
 
-static enum bead_error make(struct lines_plot *plot, const struct bead_output *output, const struct bead_run_context *context,
-                            const char *path, uint64_t *bytes, struct bead_message *msg)
+static enum bead_error make(struct lines_plot *plot, struct bead_message *msg)
 {
-    const bool images = output->curves.show == BEAD_SHOW_DISPERSION;
-    BEAD_TRY(bead_sweep_lines_find(context->sweep, output, context->sweep_settings, &plot->lines, msg));
-    plot->count = images ? plot->lines.count : plot->lines.of[0].mean.columns;
-    BEAD_TRY(bead_new(&plot->panels, plot->count, msg, "a plot of a sweep"));
-    BEAD_TRY(bead_new(&plot->shown, plot->count, msg, "a plot of a sweep"));
+    struct sweep_page *page = plot->page;
+    const bool images = page->output->curves.show == BEAD_SHOW_DISPERSION;
+    BEAD_TRY(bead_sweep_lines_find(page->context->sweep, page->output, page->context->sweep_settings, &plot->lines, msg));
+    BEAD_TRY(sweep_page_reserve(page, images ? plot->lines.count : plot->lines.of[0].mean.columns, msg));
+    BEAD_TRY(plot_new(&page->store, &plot->panels, page->count, msg));
     BEAD_TRY(images ? fill_images(plot, msg) : fill_curves(plot, msg));
-    for (size_t p = 0; p < plot->count; p++) {
-        plot->shown[p].title = *plot->panels[p].title ? plot->panels[p].title : NULL;
-        plot->shown[p].series = plot->panels[p].series;
-        plot->shown[p].series_count = plot->panels[p].count;
+    for (size_t p = 0; p < page->count; p++) {
+        page->panels[p].title = *plot->panels[p].title ? plot->panels[p].title : NULL;
+        page->panels[p].series = plot->panels[p].series;
+        page->panels[p].series_count = plot->panels[p].count;
     }
-    const struct bead_graph graph = {
-        .panels = plot->shown, .panel_count = plot->count, .letters = true, .share_x = true, .share_y = true};
-    return bead_graph_write(&graph, output, bead_sweep_scene(context->sweep), path, bytes, msg);
+    return sweep_page_write(page, msg);
 }
 
-enum bead_error bead_lines_plot_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
-                                      uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_lines_plot_write(struct sweep_page *page, struct bead_message *msg)
 {
-    struct lines_plot plot = {.count = 0};
-    enum bead_error err = make(&plot, output, context, path, bytes, msg);
-    for (size_t p = 0; plot.panels && p < plot.count; p++) {
-        free(plot.panels[p].series);
-        free(plot.panels[p].numbers);
-        free(plot.panels[p].labels);
-    }
-    free(plot.panels);
-    free(plot.shown);
-    free(plot.x);
+    struct lines_plot plot = {.page = page};
+    enum bead_error err = make(&plot, msg);
     bead_sweep_lines_free(&plot.lines);
     return err;
 }

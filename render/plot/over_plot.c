@@ -2,13 +2,10 @@
 /* Plots of sweeps over keys: force against a key, averaged over seeds, a curve for each combination of the other keys. */
 #include <ctype.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
-#include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
-#include "sim/base/memory.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -19,7 +16,6 @@ enum { SERIES = 4, COLUMNS = 8 };
 struct over_panel {
     struct bead_sweep_curves found;
     struct bead_series *series;
-    double *numbers;
     char (*labels)[300];
     size_t count;
     char title[300], axis[200];
@@ -147,57 +143,49 @@ enum bead_error bead_over_shown_find(const struct bead_output *output, const str
 }
 
 /* Several places have a panel each. */
-static enum bead_error fill(struct over_panel *p, struct bead_panel *shown, const struct bead_output *output,
-                            const struct bead_sweep *sweep, size_t place, const struct bead_over_shown *what,
+static enum bead_error fill(struct sweep_page *page, struct over_panel *p, size_t place, const struct bead_over_shown *what,
                             struct bead_message *msg)
 {
+    const struct bead_plot_asked *asked = &page->output->plot;
+    const struct bead_sweep *sweep = page->context->sweep;
     const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, 0);
-    BEAD_TRY(bead_sweep_curves_find(sweep, 0, place, what->values, output->sweep_curves.against, &p->found, msg));
+    BEAD_TRY(bead_sweep_curves_find(sweep, 0, place, what->values, page->output->sweep_curves.against, &p->found, msg));
     const struct bead_over_key *key = &panel->spec->over.keys[p->found.key];
     const size_t curves = p->found.count;
-    BEAD_TRY(bead_new(&p->series, SERIES * curves + 1, msg, "a plot of a sweep"));
-    BEAD_TRY(bead_new(&p->labels, SERIES * curves + 1, msg, "a plot of a sweep"));
-    BEAD_TRY(bead_new(&p->numbers, curves * (COLUMNS + 2) * (key->count + 1), msg, "a plot of a sweep"));
-    double *at = p->numbers;
+    double *at = NULL;
+    BEAD_TRY(plot_new(&page->store, &p->series, SERIES * curves, msg));
+    BEAD_TRY(plot_new(&page->store, &p->labels, SERIES * curves, msg));
+    BEAD_TRY(plot_new(&page->store, &at, curves * (COLUMNS + 2) * (key->count + 1), msg));
     for (size_t i = 0; i < curves; i++)
-        add_curve(p, output, &p->found.curves[i], "", i, &at);
+        add_curve(p, page->output, &p->found.curves[i], "", i, &at);
     if (panel->places > 1 && !what->values)
         bead_markup_quote(bead_sweep_place(sweep, 0, place), p->title, sizeof p->title);
     bead_over_axis_name(key, p->axis, sizeof p->axis);
-    const bool log_axes = output->plot.scale == BEAD_SCALE_LOG;
-    *shown = (struct bead_panel){.title = *p->title ? p->title : NULL,
-                                 .x = {p->axis, key->unit, NAN, NAN, output->plot.scale, false},
-                                 .y = {what->title, what->unit, output->plot.range[0], output->plot.range[1], output->plot.scale,
-                                       isnan(output->plot.range[0]) && !log_axes},
-                                 .series = p->series,
-                                 .series_count = p->count};
+    page->panels[place] = (struct bead_panel){.title = *p->title ? p->title : NULL,
+                                              .x = {p->axis, key->unit, NAN, NAN, asked->scale, false},
+                                              .y = {what->title, what->unit, asked->range[0], asked->range[1], asked->scale,
+                                                    isnan(asked->range[0]) && asked->scale != BEAD_SCALE_LOG},
+                                              .series = p->series,
+                                              .series_count = p->count};
     return BEAD_OK;
 }
 
-enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
-                                     uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_over_plot_write(struct sweep_page *page, struct bead_message *msg)
 {
-    const struct bead_sweep *sweep = context->sweep;
-    const size_t places = *output->sweep_curves.measure ? 1 : bead_sweep_panel(sweep, 0)->places;
+    const size_t places = *page->output->sweep_curves.measure ? 1 : bead_sweep_panel(page->context->sweep, 0)->places;
     struct bead_over_shown what;
-    BEAD_FREED struct over_panel *panels = NULL;
-    BEAD_FREED struct bead_panel *shown = NULL;
-    enum bead_error err = bead_over_shown_find(output, context, &what, msg);
+    struct over_panel *panels = NULL;
+    enum bead_error err = bead_over_shown_find(page->output, page->context, &what, msg);
     if (!err)
-        err = bead_new(&panels, places, msg, "a plot of a sweep");
+        err = sweep_page_reserve(page, places, msg);
     if (!err)
-        err = bead_new(&shown, places, msg, "a plot of a sweep");
+        err = plot_new(&page->store, &panels, places, msg);
     for (size_t i = 0; i < places && !err; i++)
-        err = fill(&panels[i], &shown[i], output, sweep, i, &what, msg);
-    const struct bead_graph graph = {.panels = shown, .panel_count = places, .letters = true, .share_x = true, .share_y = true};
+        err = fill(page, &panels[i], i, &what, msg);
     if (!err)
-        err = bead_graph_write(&graph, output, bead_sweep_scene(sweep), path, bytes, msg);
-    for (size_t i = 0; panels && i < places; i++) {
+        err = sweep_page_write(page, msg);
+    for (size_t i = 0; panels && i < places; i++)
         bead_sweep_curves_free(&panels[i].found);
-        free(panels[i].series);
-        free(panels[i].labels);
-        free(panels[i].numbers);
-    }
     bead_sweep_values_free(&what.of);
     return err;
 }

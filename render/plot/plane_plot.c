@@ -7,7 +7,6 @@
 #include "render/draw/markup.h"
 #include "render/plot/plane.h"
 #include "render/plot/sweep_plot.h"
-#include "sim/base/memory.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -49,21 +48,21 @@ static void add_column(struct plane *p, const struct bead_sweep_statistics *s, d
     p->threshold[2 * sweeps + at] = isfinite(t->critical_error) ? t->critical_error : 0;
 }
 
-static enum bead_error take_spins(struct plane *p, const struct bead_output *output, const struct bead_sweep *sweep, size_t place,
-                                  struct bead_message *msg)
+static enum bead_error take_spins(struct sweep_page *page, struct plane *p, size_t place, struct bead_message *msg)
 {
+    const struct bead_sweep *sweep = page->context->sweep;
     const size_t sweeps = bead_sweep_panels(sweep);
     size_t room = 0;
     for (size_t i = 0; i < sweeps; i++)
         room += bead_sweep_panel(sweep, i)->spec->group_count + 1;
-    BEAD_TRY(bead_new(&p->points, room, msg, "a plane"));
-    BEAD_TRY(bead_new(&p->threshold, 3 * sweeps, msg, "a plane"));
+    BEAD_TRY(plot_new(&page->store, &p->points, room, msg));
+    BEAD_TRY(plot_new(&page->store, &p->threshold, 3 * sweeps, msg));
     for (size_t i = 0; i < sweeps; i++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, i);
         struct bead_sweep_statistics s;
         if (place >= panel->places)
             continue;
-        BEAD_TRY(bead_sweep_statistics(sweep, i, place, output->sweep_curves.threshold, &s, msg));
+        BEAD_TRY(bead_sweep_statistics(sweep, i, place, page->output->sweep_curves.threshold, &s, msg));
         add_column(p, &s, (double)panel->spec->cells, sweeps);
         bead_sweep_statistics_free(&s);
     }
@@ -101,15 +100,17 @@ static bool is_positive(const struct bead_over_key *key)
     return true;
 }
 
-static enum bead_error take_keys(struct plane *p, const struct bead_output *output, const struct bead_sweep *sweep, size_t place,
-                                 const struct bead_over_shown *what, struct bead_message *msg)
+static enum bead_error take_keys(struct sweep_page *page, struct plane *p, size_t place, const struct bead_over_shown *what,
+                                 struct bead_message *msg)
 {
+    const struct bead_output *output = page->output;
+    const struct bead_sweep *sweep = page->context->sweep;
     const struct bead_over *over = &bead_sweep_panel(sweep, 0)->spec->over;
     struct bead_sweep_curves found;
     enum bead_error err = bead_sweep_curves_find(sweep, 0, place, what->values, output->sweep_curves.against, &found, msg);
     const struct bead_over_key *keys[2] = {&over->keys[found.key], other_key(over, found.key)};
     if (!err)
-        err = bead_new(&p->points, keys[0]->count * keys[1]->count, msg, "a plane");
+        err = plot_new(&page->store, &p->points, keys[0]->count * keys[1]->count, msg);
     for (size_t i = 0; !err && i < found.count; i++) {
         const struct bead_sweep_curve *curve = &found.curves[i];
         for (size_t k = 0; k < curve->count; k++)
@@ -128,59 +129,53 @@ static enum bead_error take_keys(struct plane *p, const struct bead_output *outp
 
 /* ---- both ---- */
 
-static enum bead_error make_panel(struct plane *p, struct bead_panel *shown, const struct bead_output *output,
-                                  const struct bead_sweep *sweep, size_t place, struct bead_message *msg)
+static enum bead_error make_panel(struct sweep_page *page, struct plane *p, size_t place, struct bead_message *msg)
 {
     const struct bead_graph_image named = p->image;
+    const double *range = page->output->plot.range;
     if (p->count == 0)
-        return bead_output_wrong(output, msg, "show: no chain of the sweep has a value for the plane");
+        return bead_output_wrong(page->output, msg, "show: no chain of the sweep has a value for the plane");
     BEAD_TRY(bead_plane_make(p->points, p->count, p->scales, &p->image, p->ends, msg));
     p->image.title = named.title;
     p->image.unit = named.unit;
     /* Forces begin at 0, as on axes; measures only if one of them is as good as 0. */
-    const bool forces = !*output->sweep_curves.measure;
-    p->image.low = !isnan(output->plot.range[0]) ? output->plot.range[0] : forces ? fmin(0, p->image.low) : p->image.low;
-    p->image.high = !isnan(output->plot.range[1]) ? output->plot.range[1] : p->image.high;
+    const bool forces = !*page->output->sweep_curves.measure;
+    p->image.low = !isnan(range[0]) ? range[0] : forces ? fmin(0, p->image.low) : p->image.low;
+    p->image.high = !isnan(range[1]) ? range[1] : p->image.high;
     if (!(p->image.high > p->image.low))
         p->image.high = p->image.low + (p->image.low != 0 ? fabs(p->image.low) : 1);
-    if (bead_sweep_panel(sweep, 0)->places > 1)
-        bead_markup_quote(bead_sweep_place(sweep, 0, place), p->title, sizeof p->title);
-    *shown = (struct bead_panel){.title = *p->title ? p->title : NULL,
-                                 .x = {p->axes[0], p->units[0], p->ends[0][0], p->ends[0][1], p->scales[0], false},
-                                 .y = {p->axes[1], p->units[1], p->ends[1][0], p->ends[1][1], p->scales[1], false},
-                                 .series = &p->series,
-                                 .series_count = p->series.count > 0,
-                                 .image = &p->image};
+    if (bead_sweep_panel(page->context->sweep, 0)->places > 1)
+        bead_markup_quote(bead_sweep_place(page->context->sweep, 0, place), p->title, sizeof p->title);
+    page->panels[place] = (struct bead_panel){.title = *p->title ? p->title : NULL,
+                                              .x = {p->axes[0], p->units[0], p->ends[0][0], p->ends[0][1], p->scales[0], false},
+                                              .y = {p->axes[1], p->units[1], p->ends[1][0], p->ends[1][1], p->scales[1], false},
+                                              .series = &p->series,
+                                              .series_count = p->series.count > 0,
+                                              .image = &p->image};
     return BEAD_OK;
 }
 
-enum bead_error bead_plane_plot_write(const struct bead_output *output, const struct bead_run_context *context, const char *path,
-                                      uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_plane_plot_write(struct sweep_page *page, struct bead_message *msg)
 {
-    const struct bead_sweep *sweep = context->sweep;
-    const bool over = bead_sweep_panel(sweep, 0)->spec->over.key_count > 0;
-    const size_t places = *output->sweep_curves.measure ? 1 : bead_sweep_panel(sweep, 0)->places;
+    const struct bead_sweep_panel *panel = bead_sweep_panel(page->context->sweep, 0);
+    const bool over = panel->spec->over.key_count > 0;
+    const size_t places = *page->output->sweep_curves.measure ? 1 : panel->places;
     struct bead_over_shown what = {.values = NULL};
-    BEAD_FREED struct plane *planes = NULL;
-    BEAD_FREED struct bead_panel *shown = NULL;
-    enum bead_error err = over ? bead_over_shown_find(output, context, &what, msg) : BEAD_OK;
+    struct plane *planes = NULL;
+    enum bead_error err = over ? bead_over_shown_find(page->output, page->context, &what, msg) : BEAD_OK;
     if (!err)
-        err = bead_new(&planes, places, msg, "a plane");
+        err = sweep_page_reserve(page, places, msg);
     if (!err)
-        err = bead_new(&shown, places, msg, "a plane");
+        err = plot_new(&page->store, &planes, places, msg);
     for (size_t i = 0; i < places && !err; i++) {
-        err = over ? take_keys(&planes[i], output, sweep, i, &what, msg) : take_spins(&planes[i], output, sweep, i, msg);
+        err = over ? take_keys(page, &planes[i], i, &what, msg) : take_spins(page, &planes[i], i, msg);
         if (!err)
-            err = make_panel(&planes[i], &shown[i], output, sweep, i, msg);
+            err = make_panel(page, &planes[i], i, msg);
     }
-    const struct bead_graph graph = {.panels = shown, .panel_count = places, .letters = true, .share_x = true, .share_y = true};
     if (!err)
-        err = bead_graph_write(&graph, output, bead_sweep_scene(sweep), path, bytes, msg);
-    for (size_t i = 0; planes && i < places; i++) {
-        free(planes[i].points);
-        free(planes[i].threshold);
+        err = sweep_page_write(page, msg);
+    for (size_t i = 0; planes && i < places; i++)
         free((double *)planes[i].image.values);
-    }
     bead_sweep_values_free(&what.of);
     return err;
 }

@@ -10,11 +10,6 @@
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
 
-static void no_samples(const struct bead_plot_data *data, struct bead_needs *needs)
-{
-    *needs = (struct bead_needs){.why = data->why};
-}
-
 static void set_axes(struct bead_plot_data *data, struct bead_graph_axis x, struct bead_graph_axis y)
 {
     for (size_t p = 0; p < data->count; p++) {
@@ -52,19 +47,12 @@ struct bead_series plot_bands_of(const struct bead_medium *medium, double *at)
     return (struct bead_series){.x = at, .y = at + count, .count = count, .mark = BEAD_MARK_LINE};
 }
 
-static void fill_medium(const struct bead_medium *medium, size_t number, double *at, char label[256], struct bead_series *series)
-{
-    snprintf(label, 256, "beads %zu to %zu", medium->first, medium->last);
-    *series = plot_bands_of(medium, at);
-    series->label = label;
-    plot_tell_apart(series, number);
-}
-
 /* The gaps of a chain with one kind of cell. */
-static enum bead_error shade_gaps(struct plot_panel *part, struct bead_panel *panel, const struct bead_medium *medium,
-                                  struct bead_message *msg)
+static enum bead_error shade_gaps(struct bead_plot_data *data, size_t p, const struct bead_medium *medium, struct bead_message *msg)
 {
-    BEAD_TRY(bead_new(&part->rulers, medium->cell.count, msg, "a plot"));
+    struct plot_panel *part = &data->parts[p];
+    struct bead_panel *panel = &data->panels[p];
+    BEAD_TRY(plot_new(&data->store, &part->rulers, medium->cell.count, msg));
     for (size_t i = 0; i < medium->cell.count; i++) {
         double ends[2];
         if (bead_gap(medium, i, ends))
@@ -81,15 +69,16 @@ static enum bead_error fill_bands(struct bead_plot_data *data, size_t p, const s
     for (size_t i = 0; i < count; i++)
         values += PLOT_BAND_VALUES * media[i].cell.count;
     struct plot_panel *part = &data->parts[p];
-    plot_unreserve_series(part);
     BEAD_TRY(plot_reserve_series(data, p, count, values, msg));
     double *at = part->values;
     for (size_t i = 0; i < count; i++) {
-        fill_medium(&media[i], i, at, part->labels[i], &part->series[i]);
+        snprintf(part->labels[i], sizeof *part->labels, "beads %zu to %zu", media[i].first, media[i].last);
+        part->series[i] = plot_bands_of(&media[i], at);
         part->series[i].label = count > 1 ? part->labels[i] : NULL;
+        plot_tell_apart(&part->series[i], i);
         at += PLOT_BAND_VALUES * media[i].cell.count;
     }
-    return count == 1 ? shade_gaps(part, &data->panels[p], &media[0], msg) : BEAD_OK;
+    return count == 1 ? shade_gaps(data, p, &media[0], msg) : BEAD_OK;
 }
 
 static enum bead_error plot_bands_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
@@ -106,7 +95,7 @@ static enum bead_error plot_bands_finish(struct bead_plot_data *data, const stru
     return err;
 }
 
-const struct plot_kind bead_plot_bands = {BEAD_SHOW_BANDS, true, plot_bands_create, no_samples, NULL, plot_bands_finish};
+const struct plot_kind bead_plot_bands = {BEAD_SHOW_BANDS, true, plot_bands_create, NULL, NULL, plot_bands_finish};
 
 /* ---- modes ---- */
 
@@ -142,5 +131,5 @@ static enum bead_error plot_eigenmodes_finish(struct bead_plot_data *data, const
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_eigenmodes = {BEAD_SHOW_EIGENMODES, true, plot_eigenmodes_create,
-                                               no_samples,           NULL, plot_eigenmodes_finish};
+const struct plot_kind bead_plot_eigenmodes = {BEAD_SHOW_EIGENMODES,  true, plot_eigenmodes_create, NULL, NULL,
+                                               plot_eigenmodes_finish};

@@ -37,7 +37,7 @@ enum bead_error bead_plot_data_create(const struct bead_output *output, const st
     d->context = *context;
     d->chain = chain;
     enum bead_error err = plot_kind_of(d)->create(d, msg);
-    if (!err && d->count == 0 && bead_show_type(output->curves.show)->of_places)
+    if (!err && d->count == 0)
         err = bead_output_wrong(output, msg, "beads: the chain that is shown has no sensor, or none of the places listed");
     if (err) {
         bead_plot_data_destroy(d);
@@ -54,21 +54,11 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
         bead_curves_free(&data->parts[p].curves);
         bead_recorded_free(&data->parts[p].recorded);
         bead_curves_free(&data->parts[p].differences);
-        free(data->parts[p].series);
-        free(data->parts[p].values);
-        free(data->parts[p].labels);
-        free(data->parts[p].rulers);
         free(data->parts[p].spectral.values);
     }
-    free(data->overlaid);
-    free(data->overlaid_labels);
-    free(data->parts);
-    free(data->panels);
-    free(data->sample);
-    free(data->fronts);
     for (size_t p = 0; data->spreading && p < data->count; p++)
         bead_spreading_free(&data->spreading[p]);
-    free(data->spreading);
+    plot_store_free(&data->store);
     bead_profile_times_destroy(data->moments);
     bead_spectra_destroy(data->spectra);
     free(data);
@@ -76,7 +66,13 @@ void bead_plot_data_destroy(struct bead_plot_data *data)
 
 void bead_plot_data_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    plot_kind_of(data)->needs(data, needs);
+    const struct plot_kind *kind = plot_kind_of(data);
+    *needs = (struct bead_needs){.why = data->why};
+    if (!kind->needs)
+        return;
+    needs->grid = data->grid;
+    needs->until = data->grid.end;
+    kind->needs(data, needs);
 }
 
 enum bead_error bead_plot_data_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)
@@ -135,8 +131,8 @@ static enum bead_error overlay(struct bead_plot_data *data, struct bead_message 
     const char *title = common_label(data);
     for (size_t p = 0; p < data->count << data->residuals; p++)
         all += data->panels[p].series_count;
-    BEAD_TRY(bead_new(&data->overlaid, all + 1, msg, "a plot"));
-    BEAD_TRY(bead_new(&data->overlaid_labels, all + 1, msg, "a plot"));
+    BEAD_TRY(plot_new(&data->store, &data->overlaid, all, msg));
+    BEAD_TRY(plot_new(&data->store, &data->overlaid_labels, all, msg));
     overlay_row(data, 0, 0, &used);
     if (data->residuals)
         overlay_row(data, data->count, 1, &used);

@@ -10,22 +10,15 @@ static enum bead_error plot_energy_create(struct bead_plot_data *data, struct be
 {
     const double *range = data->output->plot.range;
     BEAD_TRY(plot_times_create(data, bead_energy_parts_count(data->output), "the energy budget", msg));
-    for (size_t p = 0; p < data->count; p++) {
-        const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
-        data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
-                                                     data->grid.end, BEAD_SCALE_LINEAR,           false};
+    for (size_t p = 0; p < data->count; p++)
         data->panels[p].y = (struct bead_graph_axis){"energy", "J", range[0], range[1], BEAD_SCALE_LINEAR, true};
-    }
-    return bead_new(&data->fronts, data->context.chain_count, msg, "a plot");
+    return plot_new(&data->store, &data->fronts, data->context.chain_count, msg);
 }
 
-static void plot_energy_needs(const struct bead_plot_data *data, struct bead_needs *needs)
+static void plot_energy_needs(const struct bead_plot_data *, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
-                                 .budget = true,
-                                 .grid = data->grid,
-                                 .until = data->grid.end,
-                                 .why = data->why};
+    needs->fields = BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
+    needs->budget = true;
 }
 
 static enum bead_error plot_energy_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg)

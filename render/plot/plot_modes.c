@@ -11,8 +11,6 @@ static void plot_modes_make_axes(struct bead_plot_data *data, double low)
     const struct bead_output *output = data->output;
     for (size_t p = 0; p < data->count; p++) {
         const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
-        data->panels[p].x = (struct bead_graph_axis){"time",         bead_chain_time_unit(chain), data->grid.start,
-                                                     data->grid.end, BEAD_SCALE_LINEAR,           false};
         data->panels[p].y =
             (struct bead_graph_axis){bead_chain_mode_title(chain), "", low, output->plot.range[1], output->plot.scale, true};
     }
@@ -30,7 +28,7 @@ static enum bead_error plot_modes_create(struct bead_plot_data *data, struct bea
 
 static void plot_modes_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.beads = {0, SIZE_MAX}, .grid = data->grid, .until = data->grid.end, .why = data->why};
+    needs->beads = (struct bead_span){0, SIZE_MAX};
     for (size_t p = 0; p < data->count; p++)
         needs->fields |= bead_chain_mode_fields(data->context.chains[data->parts[p].chain]);
 }
@@ -63,14 +61,9 @@ static enum bead_error plot_modes_finish(struct bead_plot_data *data, const stru
     double low = isnan(output->plot.range[0]) ? lowest(data) : output->plot.range[0];
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
-        for (size_t k = 0; k < output->curves.modes; k++) {
-            part->series[k] = (struct bead_series){.x = data->sample,
-                                                   .y = part->values + k * bead_grid_count(&data->grid),
-                                                   .count = part->taken,
-                                                   .mark = BEAD_MARK_LINE,
-                                                   .label = p == 0 ? part->labels[k] : NULL};
-            plot_tell_apart(&part->series[k], k);
-        }
+        for (size_t k = 0; k < output->curves.modes; k++)
+            part->series[k] = plot_line(data->sample, part->values + k * bead_grid_count(&data->grid), part->taken,
+                                        p == 0 ? part->labels[k] : NULL, k);
     }
     plot_modes_make_axes(data, low);
     return BEAD_OK;

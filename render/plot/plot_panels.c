@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Common to the kinds of plots: panels, their headings, and curves that can be told apart. */
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
-#include "render/plot/plot_private.h"
+#include "render/plot/sweep_plot.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/measure/places.h"
+#include "sim/sweep/sweep_internal.h"
 
 bool plot_shows(const struct bead_plot_data *data, size_t chain)
 {
@@ -43,6 +45,13 @@ void plot_tell_apart(struct bead_series *series, size_t index)
     }
 }
 
+struct bead_series plot_line(const double *x, const double *y, size_t count, const char *label, size_t index)
+{
+    struct bead_series line = {.x = x, .y = y, .count = count, .mark = BEAD_MARK_LINE, .label = label};
+    plot_tell_apart(&line, index);
+    return line;
+}
+
 /* Bars of less than this part of the value are hidden by marks. */
 static const double visible = 0.01;
 
@@ -57,10 +66,34 @@ double plot_bar_of_mean(const struct bead_summary *mean, double uncertainty)
     return hypot(isfinite(mean->standard_error) ? mean->standard_error : 0, isnan(bar) ? 0 : bar);
 }
 
+struct plot_block {
+    struct plot_block *next;
+    max_align_t memory[];
+};
+
+enum bead_error plot_allocate(struct plot_store *store, void *pointer, size_t count, size_t size, struct bead_message *msg)
+{
+    struct plot_block *block;
+    memset(pointer, 0, sizeof(void *));
+    BEAD_TRY(bead_allocate(&block, sizeof *block + count * size, 1, msg, "a plot"));
+    block->next = store->last;
+    store->last = block;
+    memcpy(pointer, &(void *){block->memory}, sizeof(void *));
+    return BEAD_OK;
+}
+
+void plot_store_free(struct plot_store *store)
+{
+    for (struct plot_block *block = store->last, *next; block; block = next) {
+        next = block->next;
+        free(block);
+    }
+}
+
 enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct bead_message *msg)
 {
-    BEAD_TRY(bead_new(&data->parts, panels + 1, msg, "a plot"));
-    BEAD_TRY(bead_new(&data->panels, panels + 1, msg, "a plot"));
+    BEAD_TRY(plot_new(&data->store, &data->parts, panels + 1, msg));
+    BEAD_TRY(plot_new(&data->store, &data->panels, panels + 1, msg));
     for (size_t p = 0; p < panels; p++)
         data->panels[p].title = data->parts[p].title;
     return BEAD_OK;
@@ -69,19 +102,12 @@ enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct 
 enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_t series, size_t values, struct bead_message *msg)
 {
     struct plot_panel *part = &data->parts[p];
-    BEAD_TRY(bead_new(&part->series, series + 1, msg, "a plot"));
-    BEAD_TRY(bead_new(&part->labels, series + 1, msg, "a plot"));
-    BEAD_TRY(bead_new(&part->values, values + 1, msg, "a plot"));
+    BEAD_TRY(plot_new(&data->store, &part->series, series, msg));
+    BEAD_TRY(plot_new(&data->store, &part->labels, series, msg));
+    BEAD_TRY(plot_new(&data->store, &part->values, values, msg));
     data->panels[p].series = part->series;
     data->panels[p].series_count = series;
     return BEAD_OK;
-}
-
-void plot_unreserve_series(struct plot_panel *part)
-{
-    free(part->series);
-    free(part->labels);
-    free(part->values);
 }
 
 enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg)
@@ -114,4 +140,17 @@ double *plot_curve_points(const struct bead_curves *curves, size_t k, double fac
     series->y = y;
     series->count = used;
     return y + 4 * curves->count;
+}
+
+enum bead_error sweep_page_reserve(struct sweep_page *page, size_t panels, struct bead_message *msg)
+{
+    page->count = panels;
+    return plot_new(&page->store, &page->panels, panels, msg);
+}
+
+enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg)
+{
+    const struct bead_graph graph = {
+        .panels = page->panels, .panel_count = page->count, .letters = true, .share_x = !page->apart, .share_y = !page->apart};
+    return bead_graph_write(&graph, page->output, bead_sweep_scene(page->context->sweep), page->path, page->bytes, msg);
 }

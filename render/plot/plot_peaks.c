@@ -41,8 +41,8 @@ static enum bead_error plot_peaks_create(struct bead_plot_data *data, struct bea
 
 static void plot_peaks_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){
-        .contact_peaks = true, .uncertainty = data->output->curves.uncertainty && !data->context.replayed, .why = data->why};
+    needs->contact_peaks = true;
+    needs->uncertainty = data->output->curves.uncertainty && !data->context.replayed;
 }
 
 /* Contacts that were never loaded have no peak. */

@@ -9,6 +9,16 @@
 #include "sim/measure/spreading.h"
 #include "sim/statistics/statistics.h"
 
+/* Memory of a plot, which is freed with it. */
+struct plot_store {
+    struct plot_block *last;
+};
+/* Makes *pointer a cleared array of `count` elements. Errors: MEMORY. */
+#define plot_new(store, pointer, count, msg) plot_allocate((store), (pointer), (count), sizeof **(pointer), (msg))
+BEAD_CHECK enum bead_error plot_allocate(struct plot_store *store, void *pointer, size_t count, size_t size,
+                                         struct bead_message *msg);
+void plot_store_free(struct plot_store *store);
+
 /* A panel's data. */
 struct plot_panel {
     size_t chain;
@@ -25,6 +35,7 @@ struct plot_panel {
 };
 
 struct bead_plot_data {
+    struct plot_store store;
     const struct bead_output *output;
     struct bead_run_context context;
     size_t chain; /* SIZE_MAX: all */
@@ -49,7 +60,7 @@ struct plot_kind {
     enum bead_show show;
     bool share_x; /* one range along x for all panels */
     enum bead_error (*create)(struct bead_plot_data *data, struct bead_message *msg);
-    void (*needs)(const struct bead_plot_data *data, struct bead_needs *needs);
+    void (*needs)(const struct bead_plot_data *data, struct bead_needs *needs); /* beside the times; NULL: no samples */
     enum bead_error (*feed)(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *msg); /* or NULL */
     enum bead_error (*finish)(struct bead_plot_data *data, const struct bead_outcome *outcomes, struct bead_message *msg);
 };
@@ -59,12 +70,10 @@ BEAD_CHECK enum bead_error plot_reserve(struct bead_plot_data *data, size_t pane
 /* Allocates series, their labels and values in panel `p`. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_t series, size_t values,
                                                struct bead_message *msg);
-/* Frees those that were reserved before their number was known. */
-void plot_unreserve_series(struct plot_panel *part);
 /* Allocates a panel, titled with the chain's name, for each chain shown. Errors: MEMORY. */
 BEAD_CHECK enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg);
-/* Numbers against time. Chooses the times, and reserves room for so many numbers and a zero at each, for twice as many series, and
- * two values more for each. Errors: SCENE, MEMORY. */
+/* Numbers against time, which is along x. Chooses the times, and reserves room for so many numbers and a zero at each, for twice as
+ * many series, and two values more for each. Errors: SCENE, MEMORY. */
 BEAD_CHECK enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, const char *what,
                                              struct bead_message *msg);
 /* The panel that wants this sample; NULL: none. Samples may come more often than asked for, for other panels of a figure. */
@@ -88,6 +97,8 @@ enum { PLOT_BAND_POINTS = 202, PLOT_BAND_VALUES = 2 * PLOT_BAND_POINTS };
 struct bead_series plot_bands_of(const struct bead_medium *medium, double *at);
 /* Sets colour, dashes and marks that distinguish curve `index` from the others, in greyscale too. */
 void plot_tell_apart(struct bead_series *series, size_t index);
+/* Line `index`, told apart from the others. */
+struct bead_series plot_line(const double *x, const double *y, size_t count, const char *label, size_t index);
 /* The bar of a value that is known to `uncertainty`; NaN: marks would hide it, or it is not known. */
 double plot_bar(double value, double uncertainty);
 /* That of a mean: its standard error, and how well the values are known if that shows; 0: none. Errors of chains may be alike, so
@@ -96,8 +107,6 @@ double plot_bar_of_mean(const struct bead_summary *mean, double uncertainty);
 
 /* ---- spectra: spectral_axes.c ---- */
 
-/* Colours reach down to this, dB of the largest amplitude. */
-#define PLOT_DEEPEST (-60.)
 /* The largest value of a spectrum. */
 double plot_spectral_largest(const struct bead_spectral *spectral);
 /* Where an automatic axis of frequencies ends for it, Hz: beyond the highest band of its medium (NULL: none), else with the last
@@ -109,5 +118,6 @@ BEAD_CHECK enum bead_error plot_spectral_frequencies(const struct bead_output *o
                                                      struct bead_message *msg);
 /* Where the axis of amplitudes begins; NaN: by what it shows. */
 double plot_spectral_low(const struct bead_output *output, double largest);
-/* Amplitudes to decibels of the largest. */
-void plot_spectral_decibels(struct bead_spectral *spectral, double largest);
+/* Amplitudes, which become decibels of the largest, as colours; the exact bands over them, as plot_bands_of has them. */
+struct bead_graph_image plot_spectral_image(struct bead_spectral *spectral, double largest, const char *title);
+struct bead_series plot_exact_bands(const struct bead_medium *medium, double *at);

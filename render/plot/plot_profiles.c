@@ -184,14 +184,10 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
         const double *places = bead_profile_times_places(data->moments, part->chain);
         size_t count = bead_profile_times_values(data->moments, part->chain);
         for (size_t m = 0; m < output->curves.profile_time_count; m++) {
-            part->series[m] = (struct bead_series){.x = places,
-                                                   .y = bead_profile_times_profile(data->moments, part->chain, m),
-                                                   .count = count,
-                                                   .mark = BEAD_MARK_LINE,
-                                                   .label = p == 0 ? part->labels[m] : NULL};
+            part->series[m] = plot_line(places, bead_profile_times_profile(data->moments, part->chain, m), count,
+                                        p == 0 ? part->labels[m] : NULL, m);
             if (!bead_chain_spec(data->context.chains[part->chain])->system->has_contacts)
                 reach_ends(data, part->chain, part->values, part->values + (m + 1) * (count + 2), &part->series[m]);
-            plot_tell_apart(&part->series[m], m);
             if (output->shown.theory)
                 add_theory(data, part, m);
         }

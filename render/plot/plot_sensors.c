@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Force of sensors against time: a panel for each chain with sensors, all with one axis of forces. */
 #include <math.h>
-#include <stdlib.h>
 
 #include "render/draw/markup.h"
 #include "render/draw/picture_times.h"
@@ -88,10 +87,9 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         bead_curves_init(&part->differences, sensors, data->time);
         most = sensors > most ? sensors : most;
     }
-    data->sample = err ? NULL : calloc(most + 1, sizeof *data->sample);
-    if (!err && !data->sample)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of sensors");
-    if (err)
+    if (!err)
+        err = plot_new(&data->store, &data->sample, most, msg);
+    if (err || data->count == 0)
         return err;
     data->residuals = output->curves.measured_count > 0;
     data->grid = bead_picture_grid(&data->context, &output->shown, data->time, moments);
@@ -103,7 +101,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
 
 static void plot_sensors_needs(const struct bead_plot_data *data, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.beads = {SIZE_MAX, 0}, .grid = data->grid, .until = data->grid.end, .why = data->why};
+    needs->beads = (struct bead_span){SIZE_MAX, 0};
     for (size_t p = 0; p < data->count; p++)
         bead_places_need(data->output, data->context.chains[data->parts[p].chain], needs);
     needs->comparison = data->output->shown.trust ? needs->fields : 0;

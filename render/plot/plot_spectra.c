@@ -67,7 +67,7 @@ static void make_images(struct bead_plot_data *data)
             data->panels[p].title = part->title;
         }
         snprintf(data->axis_title, sizeof data->axis_title, "amplitude of %s", bead_chain_field(chain, place.field)->title);
-        part->image = (struct bead_graph_image){.low = PLOT_DEEPEST, .high = 0, .title = data->axis_title, .unit = "dB"};
+        part->image = plot_spectral_image(&part->spectral, 1, data->axis_title); /* none yet: its bar needs room */
         data->panels[p].image = &part->image;
     }
 }
@@ -120,19 +120,13 @@ static enum bead_error fill_curves(struct bead_plot_data *data, size_t p, struct
 {
     struct plot_panel *part = &data->parts[p];
     const struct bead_spectral *found = &part->spectral;
-    plot_unreserve_series(part);
     BEAD_TRY(plot_reserve_series(data, p, found->columns, found->rows, msg));
     for (size_t k = 0; k < found->rows; k++)
         part->values[k] = (double)k * found->step;
     for (size_t i = 0; i < found->columns; i++) {
         const struct bead_place_shown place = bead_place_shown(data->output, data->context.chains[part->chain], i);
         bead_markup_quote(place.name, part->labels[i], sizeof part->labels[i]);
-        part->series[i] = (struct bead_series){.x = part->values,
-                                               .y = found->values + i * found->rows,
-                                               .count = found->rows,
-                                               .mark = BEAD_MARK_LINE,
-                                               .label = part->labels[i]};
-        plot_tell_apart(&part->series[i], i);
+        part->series[i] = plot_line(part->values, found->values + i * found->rows, found->rows, part->labels[i], i);
     }
     return BEAD_OK;
 }
@@ -149,37 +143,13 @@ static enum bead_error finish_curves(struct bead_plot_data *data, const struct b
 
 /* ---- images ---- */
 
-/* Amplitudes to decibels of the largest of all chains. */
-static void to_decibels(struct bead_plot_data *data)
-{
-    const double most = largest_of(data);
-    for (size_t p = 0; p < data->count; p++)
-        plot_spectral_decibels(&data->parts[p].spectral, most);
-}
-
-static void fill_image(struct plot_panel *part)
-{
-    const struct bead_spectral *found = &part->spectral;
-    part->image.x[0] = found->first;
-    part->image.x[1] = found->first + (double)(found->columns - 1) * found->between;
-    part->image.y[1] = (double)(found->rows - 1) * found->step;
-    part->image.columns = found->columns;
-    part->image.rows = found->rows;
-    part->image.values = found->values;
-}
-
 static enum bead_error add_bands(struct bead_plot_data *data, size_t p, struct bead_message *msg)
 {
     const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
-    struct plot_panel *part = &data->parts[p];
     if (!medium)
         return BEAD_OK;
-    plot_unreserve_series(part);
     BEAD_TRY(plot_reserve_series(data, p, 1, PLOT_BAND_VALUES * medium->cell.count, msg));
-    part->series[0] = plot_bands_of(medium, part->values);
-    part->series[0].colour = 0;
-    part->series[0].dash = 1;
-    part->series[0].label = "exact bands";
+    data->parts[p].series[0] = plot_exact_bands(medium, data->parts[p].values);
     return BEAD_OK;
 }
 
@@ -188,11 +158,11 @@ static enum bead_error finish_image(struct bead_plot_data *data, const struct be
     const double *asked = data->output->shown.time;
     double range[2], time[2] = {0, 0};
     BEAD_TRY(find_all(data, range, msg));
-    to_decibels(data);
+    const double most = largest_of(data);
     for (size_t p = 0; p < data->count; p++) {
         if (data->parts[p].spectral.columns < 2)
             return bead_output_wrong(data->output, msg, "show: there is only one column of amplitudes; a picture needs two");
-        fill_image(&data->parts[p]);
+        data->parts[p].image = plot_spectral_image(&data->parts[p].spectral, most, data->axis_title);
         time[0] = isnan(asked[0]) ? data->parts[p].image.x[0] : asked[0];
         time[1] = isnan(asked[1]) ? fmax(time[1], data->parts[p].image.x[1]) : asked[1];
         BEAD_TRY(add_bands(data, p, msg));

@@ -5,9 +5,7 @@
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
-#include "render/plot/plot_private.h"
 #include "render/plot/sweep_plot.h"
-#include "sim/base/memory.h"
 #include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_spreading.h"
 
@@ -27,8 +25,7 @@ static size_t add(struct bead_series *series, char (*labels)[256], int n, const 
                   const struct bead_exponent *exponent, double law[LAW])
 {
     char slope[32], off[32] = "";
-    *series = (struct bead_series){.x = time, .y = y, .count = count, .mark = BEAD_MARK_LINE, .label = labels[0]};
-    plot_tell_apart(series, (size_t)n);
+    *series = plot_line(time, y, count, labels[0], (size_t)n);
     snprintf(labels[0], sizeof *labels, "%s", names[n]);
     if (n == BEAD_FRONT || count == 0 || !isfinite(exponent->slope))
         return 1;
@@ -40,13 +37,8 @@ static size_t add(struct bead_series *series, char (*labels)[256], int n, const 
     if (isfinite(exponent->error))
         bead_number(exponent->error, 3, off, sizeof off);
     snprintf(labels[1], sizeof *labels, "exponent %s%s%s", slope, *off ? " ± " : "", off);
-    series[1] = (struct bead_series){.x = law,
-                                     .y = law + 2,
-                                     .count = 2,
-                                     .mark = BEAD_MARK_LINE,
-                                     .colour = series->colour,
-                                     .dash = BEAD_DASH_DOTTED,
-                                     .label = labels[1]};
+    series[1] = plot_line(law, law + 2, 2, labels[1], (size_t)n);
+    series[1].dash = BEAD_DASH_DOTTED;
     return 2;
 }
 
@@ -64,8 +56,7 @@ static size_t add_theory(struct bead_series *series, const double *fit, double (
         double *law = laws[i], ratio = fit[1] / fit[0];
         memcpy(law, fit, 3 * sizeof *law);
         law[3] = fit[2] * (theories[i].power == 2 ? ratio * ratio : ratio);
-        series[i] = (struct bead_series){.x = law, .y = law + 2, .count = 2, .mark = BEAD_MARK_LINE, .label = theories[i].name};
-        plot_tell_apart(&series[i], (size_t)(BEAD_SPREADING_NUMBERS + i));
+        series[i] = plot_line(law, law + 2, 2, theories[i].name, (size_t)(BEAD_SPREADING_NUMBERS + i));
     }
     return LAWS - 2;
 }
@@ -75,7 +66,7 @@ static size_t add_theory(struct bead_series *series, const double *fit, double (
 static enum bead_error plot_spreading_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     BEAD_TRY(plot_times_create(data, BEAD_SPREADING_NUMBERS, "the energy of every bead", msg));
-    BEAD_TRY(bead_new(&data->spreading, data->count, msg, "a plot"));
+    BEAD_TRY(plot_new(&data->store, &data->spreading, data->count, msg));
     for (size_t p = 0; p < data->count; p++) {
         const struct bead_chain *chain = data->context.chains[data->parts[p].chain];
         BEAD_TRY(bead_spreading_begin(&data->spreading[p], chain, bead_grid_count(&data->grid), msg));
@@ -84,13 +75,10 @@ static enum bead_error plot_spreading_create(struct bead_plot_data *data, struct
     return BEAD_OK;
 }
 
-static void plot_spreading_needs(const struct bead_plot_data *data, struct bead_needs *needs)
+static void plot_spreading_needs(const struct bead_plot_data *, struct bead_needs *needs)
 {
-    *needs = (struct bead_needs){.fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY),
-                                 .beads = {0, SIZE_MAX},
-                                 .grid = data->grid,
-                                 .until = data->grid.end,
-                                 .why = data->why};
+    needs->fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
+    needs->beads = (struct bead_span){0, SIZE_MAX};
 }
 
 static enum bead_error plot_spreading_feed(struct bead_plot_data *data, const struct bead_sample *sample, struct bead_message *)
@@ -154,23 +142,19 @@ static void fill(const struct bead_sweep_spreads *spreads, size_t k, const struc
     set_axes(panel, "s", output->plot.range);
 }
 
-enum bead_error bead_spreading_plot_write(const struct bead_output *output, const struct bead_run_context *context,
-                                          const char *path, uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_spreading_plot_write(struct sweep_page *page, struct bead_message *msg)
 {
     struct bead_sweep_spreads spreads;
-    BEAD_FREED struct means *means = NULL;
-    BEAD_FREED struct bead_panel *panels = NULL;
-    enum bead_error err = bead_sweep_spreads_find(context->sweep, context->sweep_settings, false, &spreads, msg);
+    struct means *means = NULL;
+    enum bead_error err = bead_sweep_spreads_find(page->context->sweep, page->context->sweep_settings, false, &spreads, msg);
     if (!err)
-        err = bead_new(&means, spreads.count, msg, "a plot of a sweep");
+        err = sweep_page_reserve(page, spreads.count, msg);
     if (!err)
-        err = bead_new(&panels, spreads.count, msg, "a plot of a sweep");
+        err = plot_new(&page->store, &means, spreads.count, msg);
     for (size_t k = 0; k < spreads.count && !err; k++)
-        fill(&spreads, k, output, &means[k], &panels[k]);
-    const struct bead_graph graph = {
-        .panels = panels, .panel_count = spreads.count, .letters = true, .share_x = true, .share_y = true};
+        fill(&spreads, k, page->output, &means[k], &page->panels[k]);
     if (!err)
-        err = bead_graph_write(&graph, output, bead_sweep_scene(context->sweep), path, bytes, msg);
+        err = sweep_page_write(page, msg);
     bead_sweep_spreads_free(&spreads);
     return err;
 }

@@ -7,6 +7,8 @@
 
 /* Automatic axes leave out what is less than this part of the largest, and go this far beyond the highest band. */
 static const double least_log = 1e-6, beyond = 1.15;
+/* Colours reach down to this, dB of the largest amplitude. */
+static const double deepest = -60;
 
 double plot_spectral_largest(const struct bead_spectral *spectral)
 {
@@ -46,8 +48,26 @@ double plot_spectral_low(const struct bead_output *output, double largest)
     return isnan(low) && output->plot.scale == BEAD_SCALE_LOG && largest > 0 ? least_log * largest : low;
 }
 
-void plot_spectral_decibels(struct bead_spectral *spectral, double largest)
+struct bead_graph_image plot_spectral_image(struct bead_spectral *spectral, double largest, const char *title)
 {
     for (size_t i = 0; i < spectral->columns * spectral->rows; i++)
-        spectral->values[i] = fmax(2 * PLOT_DEEPEST, 20 * log10(spectral->values[i] / largest));
+        spectral->values[i] = fmax(2 * deepest, 20 * log10(spectral->values[i] / largest));
+    return (struct bead_graph_image){.x = {spectral->first, spectral->first + (double)(spectral->columns - 1) * spectral->between},
+                                     .y = {0, (double)(spectral->rows - 1) * spectral->step},
+                                     .columns = spectral->columns,
+                                     .rows = spectral->rows,
+                                     .values = spectral->values,
+                                     .low = deepest,
+                                     .high = 0,
+                                     .title = title,
+                                     .unit = "dB"};
+}
+
+struct bead_series plot_exact_bands(const struct bead_medium *medium, double *at)
+{
+    struct bead_series bands = plot_bands_of(medium, at);
+    bands.colour = 0;
+    bands.dash = 1;
+    bands.label = "exact bands";
+    return bands;
 }

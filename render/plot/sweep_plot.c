@@ -15,6 +15,11 @@
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
  * means of a magnetism and their two fits. */
 enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
+/* Numbers of the series of a place for each magnetism, x and others, beside those of configurations: marks or a band, two curves.
+ */
+enum { NUMBERS_OF_ROW = 2 * MARKS + 2 * 3 };
+/* Points of the line of a fit. */
+enum { POINTS = 65 };
 
 /* A panel's data. */
 struct panel {
@@ -23,42 +28,33 @@ struct panel {
     struct bead_sweep_statistics *statistics; /* [places] */
     struct bead_sweep_decay *decays;
     size_t decay_count, places, series_count, ruler_count, lines;
-    bool full;        /* out of memory */
-    double **numbers; /* [series]: x and y of series with data of their own */
+    double *numbers; /* room for those of series to come */
     char (*words)[96];
     char ruler_words[RULERS][96];
 };
 
 struct plot {
+    struct sweep_page *page;
     const struct bead_output *output;
     const struct bead_sweep *sweep;
     struct panel *panels;
-    struct bead_panel *shown;
-    size_t count;
 };
 
-static enum bead_error out_of_memory(struct bead_message *msg)
+static enum bead_error sweep_plot_reserve(struct plot *plot, struct panel *p, size_t series, size_t numbers,
+                                          struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a plot of a sweep");
+    BEAD_TRY(plot_new(&plot->page->store, &p->series, series, msg));
+    BEAD_TRY(plot_new(&plot->page->store, &p->numbers, numbers, msg));
+    return plot_new(&plot->page->store, &p->words, series, msg);
 }
 
-static enum bead_error sweep_plot_reserve(struct panel *p, size_t series, struct bead_message *msg)
-{
-    p->series = calloc(series + 1, sizeof *p->series);
-    p->numbers = calloc(series + 1, sizeof *p->numbers);
-    p->words = calloc(series + 1, sizeof *p->words);
-    return p->series && p->numbers && p->words ? BEAD_OK : out_of_memory(msg);
-}
-
-/* Adds a series of `count` points and returns `columns` arrays for its numbers: x, y unless given, and others; NULL: out of memory.
- */
+/* Adds a series of `count` points and returns `columns` arrays for its numbers: x, y unless given, and others. */
 static double *add_series(struct panel *p, struct bead_series series, size_t count, size_t columns)
 {
-    double *x = calloc(count * columns + 1, sizeof *x);
-    p->full = p->full || !x;
-    p->numbers[p->series_count] = x;
+    double *x = p->numbers;
+    p->numbers += count * columns;
     series.x = x;
-    series.y = series.y || !x ? series.y : x + count;
+    series.y = series.y ? series.y : x + count;
     series.count = count;
     p->series[p->series_count++] = series;
     return x;
@@ -74,15 +70,21 @@ static const char *name_series(struct panel *p, const char *place, const char *s
 
 /* ---- force against magnetism ---- */
 
-static void add_points(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+/* Of all magnetisms. */
+static size_t configurations(const struct bead_sweep_statistics *s)
 {
     size_t count = 0;
     for (size_t i = 0; i < s->row_count; i++)
         count += s->rows[i].count;
+    return count;
+}
+
+static void add_points(struct panel *p, const struct bead_sweep_statistics *s, size_t colour)
+{
     const struct bead_series points = {
         .y = s->values, .mark = BEAD_MARK_POINTS, .colour = colour, .shape = colour, .faint = true, .jitter = true};
-    double *x = add_series(p, points, count, 1);
-    for (size_t i = 0; x && i < s->row_count; i++) {
+    double *x = add_series(p, points, configurations(s), 1);
+    for (size_t i = 0; i < s->row_count; i++) {
         for (size_t k = 0; k < s->rows[i].count; k++)
             x[s->rows[i].first + k] = s->rows[i].magnetism;
     }
@@ -98,12 +100,12 @@ static void add_band(struct panel *p, const struct bead_sweep_statistics *s, siz
                                      .faint = true,
                                      .label = name_series(p, place, "quartiles")};
     double *x = add_series(p, band, n, 3);
-    for (size_t i = 0; x && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         x[i] = s->rows[i].magnetism;
         x[n + i] = s->rows[i].summary.quartile[0];
         x[2 * n + i] = s->rows[i].summary.quartile[1];
     }
-    p->series[p->series_count - 1].upper = x ? x + 2 * n : NULL;
+    p->series[p->series_count - 1].upper = x + 2 * n;
 }
 
 static size_t sweep_plot_most_configurations(const struct bead_sweep_statistics *s)
@@ -124,7 +126,7 @@ static void add_marks(struct panel *p, const struct bead_sweep_statistics *s, si
                                       .label = number == 0 ? name_series(p, place, "each configuration") : NULL};
     double *x = add_series(p, marks, s->row_count, 2);
     size_t count = 0;
-    for (size_t i = 0; x && i < s->row_count; i++) {
+    for (size_t i = 0; i < s->row_count; i++) {
         if (number >= s->rows[i].count)
             continue;
         x[count] = s->rows[i].magnetism;
@@ -156,13 +158,13 @@ static void add_curve(struct panel *p, const struct bead_sweep_statistics *s, do
                                       .dash = p->lines++ % BEAD_DASHES,
                                       .label = name_series(p, place, median ? "median" : "mean")};
     double *x = add_series(p, curve, n, 3);
-    for (size_t i = 0; x && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         const struct bead_summary *m = &s->rows[i].summary;
         x[i] = s->rows[i].magnetism;
         x[n + i] = median ? m->median : m->mean;
         x[2 * n + i] = plot_bar_of_mean(m, uncertain * m->mean);
     }
-    p->series[p->series_count - 1].error = x && !median ? x + 2 * n : NULL;
+    p->series[p->series_count - 1].error = !median ? x + 2 * n : NULL;
 }
 
 static void add_rulers(struct panel *p, const struct bead_sweep_statistics *s)
@@ -188,7 +190,7 @@ static enum bead_error find_statistics(struct plot *plot, size_t index, struct b
     struct panel *p = &plot->panels[index];
     const size_t places = bead_sweep_panel(plot->sweep, index)->places;
     enum bead_error err = BEAD_OK;
-    BEAD_TRY(bead_new(&p->statistics, places + 1, msg, "a plot of a sweep"));
+    BEAD_TRY(plot_new(&plot->page->store, &p->statistics, places, msg));
     for (; !err && p->places < places; p->places += !err)
         err = bead_sweep_statistics(plot->sweep, index, p->places, plot->output->sweep_curves.threshold, &p->statistics[p->places],
                                     msg);
@@ -199,7 +201,7 @@ static enum bead_error find_statistics(struct plot *plot, size_t index, struct b
 static bool is_crowded(const struct plot *plot)
 {
     enum { APART = 40 };
-    for (size_t i = 0; i < plot->count; i++) {
+    for (size_t i = 0; i < plot->page->count; i++) {
         for (size_t k = 0; k < plot->panels[i].places; k++) {
             if (plot->panels[i].statistics[k].row_count > APART)
                 return true;
@@ -227,16 +229,14 @@ static void add_orders(const struct plot *plot, size_t index, size_t place, cons
     struct panel *p = &plot->panels[index];
     const struct bead_sweep_statistics *s = &p->statistics[place];
     struct bead_sweep_configuration c;
-    size_t count = 0;
-    for (size_t i = 0; i < s->row_count; i++)
-        count += s->rows[i].count;
+    const size_t count = configurations(s);
     const struct bead_series points = {.y = s->values,
                                        .mark = BEAD_MARK_POINTS,
                                        .colour = place,
                                        .shape = place,
                                        .label = *name ? name_series(p, name, "each") : NULL};
     double *x = add_series(p, points, count, 1);
-    for (size_t i = 0; x && i < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         x[i] = NAN;
         if (bead_sweep_configuration(plot->sweep, index, s->indices[i], &c))
             x[i] = bead_spins_order(c.spins, bead_sweep_panel(plot->sweep, index)->spec->cells, order);
@@ -249,16 +249,18 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
     const struct bead_plot_asked *asked = &plot->output->plot;
     const enum bead_sweep_show show = plot->output->sweep_curves.show;
     const char *against = plot->output->sweep_curves.against;
-    enum bead_error err = sweep_plot_reserve(p, SERIES_OF_PLACE * p->places, msg);
-    for (size_t place = 0; !err && place < p->places; place++) {
+    size_t numbers = 0;
+    for (size_t place = 0; place < p->places; place++)
+        numbers += configurations(&p->statistics[place]) + NUMBERS_OF_ROW * p->statistics[place].row_count;
+    BEAD_TRY(sweep_plot_reserve(plot, p, SERIES_OF_PLACE * p->places, numbers, msg));
+    for (size_t place = 0; place < p->places; place++) {
         const char *name = p->places > 1 ? bead_sweep_place(plot->sweep, index, place) : "";
         if (*against)
             add_orders(plot, index, place, name, bead_order_named(against));
         else
             add_place(p, place, bead_sweep_uncertainty(plot->sweep, index, place), name, show, is_crowded(plot));
-        err = p->full ? out_of_memory(msg) : BEAD_OK;
     }
-    struct bead_panel *shown = &plot->shown[index];
+    struct bead_panel *shown = &plot->page->panels[index];
     shown->x = (struct bead_graph_axis){.title = "magnetism *M*", .unit = "", .low = -0.02, .high = 1.02};
     if (*against)
         shown->x = (struct bead_graph_axis){.title = against,
@@ -271,7 +273,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
                                         .low = isnan(asked->range[0]) ? 0 : asked->range[0],
                                         .high = asked->range[1],
                                         .zero = isnan(asked->range[0])};
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- decay ---- */
@@ -279,10 +281,9 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
 /* The line of a fit from place `first` to `last`: exponential or power law. All have one look: each lies on its curve. */
 static void add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power)
 {
-    enum { POINTS = 65 };
     const struct bead_series line = {.mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED};
     double *x = add_series(p, line, POINTS, 2);
-    for (size_t i = 0; x && i < POINTS; i++) {
+    for (size_t i = 0; i < POINTS; i++) {
         double place = (double)first * pow((double)last / (double)first, (double)i / (POINTS - 1));
         x[i] = place + half;
         x[POINTS + i] = exp(power ? fit->exponent_offset + fit->exponent * log(place) : fit->length_offset - place / fit->length);
@@ -321,7 +322,7 @@ static void add_profile(struct panel *p, const struct plot *plot, size_t index, 
     double *x = add_series(p, (struct bead_series){.mark = BEAD_MARK_LINE_POINTS, .label = word}, beads, 2);
     struct bead_series *series = &p->series[p->series_count - 1];
     struct bead_sweep_configuration clean;
-    if (!x || !bead_sweep_configuration(plot->sweep, index, BEAD_SWEEP_CLEAN, &clean))
+    if (!bead_sweep_configuration(plot->sweep, index, BEAD_SWEEP_CLEAN, &clean))
         return;
     for (size_t i = 0; i < beads; i++)
         x[i] = energy ? d->energy[i] / clean.bead_energy[i] : d->force[i] / clean.bead_force[i];
@@ -346,19 +347,17 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
     const size_t index = place / DECAY_PANELS;
     const bool energy = place % DECAY_PANELS;
     struct panel *p = &plot->panels[place];
-    enum bead_error err = bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg);
-    if (!err)
-        err = sweep_plot_reserve(p, SERIES_OF_DECAY * p->decay_count, msg);
     int decimals = 0;
-    for (size_t i = 0; i < p->decay_count && !err; i++) {
+    BEAD_TRY(bead_sweep_decays(plot->sweep, index, &p->decays, &p->decay_count, msg));
+    const size_t numbers = 2 * bead_sweep_panel(plot->sweep, index)->beads + 2 * 2 * POINTS; /* a profile and two fits */
+    BEAD_TRY(sweep_plot_reserve(plot, p, SERIES_OF_DECAY * p->decay_count, p->decay_count * numbers, msg));
+    for (size_t i = 0; i < p->decay_count; i++) {
         const int digits = bead_magnetism_digits(p->decays[i].magnetism);
         decimals = digits > decimals ? digits : decimals;
     }
-    for (size_t i = 0; i < p->decay_count && !err; i++) {
+    for (size_t i = 0; i < p->decay_count; i++)
         add_profile(p, plot, index, &p->decays[i], energy, i, decimals);
-        err = p->full ? out_of_memory(msg) : BEAD_OK;
-    }
-    struct bead_panel *shown = &plot->shown[place];
+    struct bead_panel *shown = &plot->page->panels[place];
     const double last = (double)bead_sweep_panel(plot->sweep, index)->spec->last;
     shown->x = (struct bead_graph_axis){.title = "bead", .unit = "1", .low = 0, .high = last};
     shown->y = (struct bead_graph_axis){.title = energy ? "energy of the front *E*/\u2060*E*(*M*\u00a0=\u00a01)"
@@ -367,62 +366,60 @@ static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_m
                                         .low = plot->output->plot.range[0],
                                         .high = plot->output->plot.range[1],
                                         .scale = BEAD_SCALE_LOG};
-    return err;
+    return BEAD_OK;
 }
 
 /* ---- the graph ---- */
 
-static void free_plot(struct plot *plot)
+static enum bead_error fill(struct plot *plot, bool decay, struct bead_message *msg)
 {
-    for (size_t i = 0; plot->panels && i < plot->count; i++) {
+    struct sweep_page *page = plot->page;
+    BEAD_TRY(sweep_page_reserve(page, bead_sweep_panels(plot->sweep) * (decay ? DECAY_PANELS : 1), msg));
+    BEAD_TRY(plot_new(&page->store, &plot->panels, page->count, msg));
+    for (size_t i = 0; i < page->count && !decay; i++)
+        BEAD_TRY(find_statistics(plot, i, msg));
+    for (size_t i = 0; i < page->count; i++) {
         struct panel *p = &plot->panels[i];
-        for (size_t k = 0; p->numbers && k < p->series_count; k++)
-            free(p->numbers[k]);
-        for (size_t k = 0; p->statistics && k < p->places; k++)
-            bead_sweep_statistics_free(&p->statistics[k]);
-        bead_sweep_decays_free(p->decays, p->decay_count);
-        free(p->statistics);
-        free(p->numbers);
-        free(p->series);
-        free(p->words);
+        BEAD_TRY(decay ? fill_decay(plot, i, msg) : fill_magnetism(plot, i, msg));
+        const char *name = bead_sweep_panel(plot->sweep, decay ? i / DECAY_PANELS : i)->spec->title;
+        page->panels[i].title = *name ? name : NULL;
+        page->panels[i].series = p->series;
+        page->panels[i].series_count = p->series_count;
+        page->panels[i].rulers = p->rulers;
+        page->panels[i].ruler_count = p->ruler_count;
     }
-    free(plot->panels);
-    free(plot->shown);
+    page->apart = decay;
+    return sweep_page_write(page, msg);
+}
+
+static enum bead_error write_spins(struct sweep_page *page, struct bead_message *msg)
+{
+    struct plot plot = {.page = page, .output = page->output, .sweep = page->context->sweep};
+    enum bead_error err = fill(&plot, page->output->sweep_curves.show == BEAD_SWEEP_DECAY, msg);
+    for (size_t i = 0; plot.panels && i < page->count; i++) {
+        for (size_t k = 0; k < plot.panels[i].places; k++)
+            bead_sweep_statistics_free(&plot.panels[i].statistics[k]);
+        bead_sweep_decays_free(plot.panels[i].decays, plot.panels[i].decay_count);
+    }
+    return err;
+}
+
+static sweep_plot *plot_of(const struct bead_output *output, const struct bead_sweep *sweep)
+{
+    const enum bead_sweep_show show = output->sweep_curves.show;
+    return show == BEAD_SWEEP_SPREADING                           ? bead_spreading_plot_write
+           : bead_sweep_lines(show) != BEAD_SHOW_COUNT            ? bead_lines_plot_write
+           : show == BEAD_SWEEP_PLANE                             ? bead_plane_plot_write
+           : bead_sweep_panel(sweep, 0)->spec->over.key_count > 0 ? bead_over_plot_write
+                                                                  : write_spins;
 }
 
 static enum bead_error write_plot(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                                   uint64_t *bytes, struct bead_message *msg)
 {
-    const struct bead_sweep *sweep = context->sweep;
-    const bool decay = output->sweep_curves.show == BEAD_SWEEP_DECAY;
-    if (output->sweep_curves.show == BEAD_SWEEP_SPREADING)
-        return bead_spreading_plot_write(output, context, path, bytes, msg);
-    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
-        return bead_lines_plot_write(output, context, path, bytes, msg);
-    if (output->sweep_curves.show == BEAD_SWEEP_PLANE)
-        return bead_plane_plot_write(output, context, path, bytes, msg);
-    if (bead_sweep_panel(sweep, 0)->spec->over.key_count > 0)
-        return bead_over_plot_write(output, context, path, bytes, msg);
-    struct plot plot = {.output = output, .sweep = sweep, .count = bead_sweep_panels(sweep) * (decay ? DECAY_PANELS : 1)};
-    plot.panels = calloc(plot.count, sizeof *plot.panels);
-    plot.shown = calloc(plot.count, sizeof *plot.shown);
-    enum bead_error err = plot.panels && plot.shown ? BEAD_OK : out_of_memory(msg);
-    for (size_t i = 0; i < plot.count && !decay && !err; i++)
-        err = find_statistics(&plot, i, msg);
-    for (size_t i = 0; i < plot.count && !err; i++) {
-        err = decay ? fill_decay(&plot, i, msg) : fill_magnetism(&plot, i, msg);
-        const char *name = bead_sweep_panel(sweep, decay ? i / DECAY_PANELS : i)->spec->title;
-        plot.shown[i].title = *name ? name : NULL;
-        plot.shown[i].series = plot.panels[i].series;
-        plot.shown[i].series_count = plot.panels[i].series_count;
-        plot.shown[i].rulers = plot.panels[i].rulers;
-        plot.shown[i].ruler_count = plot.panels[i].ruler_count;
-    }
-    const struct bead_graph graph = {
-        .panels = plot.shown, .panel_count = plot.count, .letters = true, .share_x = !decay, .share_y = !decay};
-    if (!err)
-        err = bead_graph_write(&graph, output, bead_sweep_scene(sweep), path, bytes, msg);
-    free_plot(&plot);
+    struct sweep_page page = {.output = output, .context = context, .path = path, .bytes = bytes};
+    enum bead_error err = plot_of(output, context->sweep)(&page, msg);
+    plot_store_free(&page.store);
     return err;
 }
 

@@ -3,21 +3,30 @@
 #pragma once
 
 #include "beadreel/sweep.h"
+#include "render/plot/plot_private.h"
 #include "sim/sweep/sweep_curves.h"
 
-/* The plot of a sweep over keys. Errors: USAGE, MEMORY, those of bead_graph_write. */
-BEAD_CHECK enum bead_error bead_over_plot_write(const struct bead_output *output, const struct bead_run_context *context,
-                                                const char *path, uint64_t *bytes, struct bead_message *msg);
-/* The spread of energy in the chains of a sweep, which are run. Errors: those of bead_sweep_spreads_find and bead_graph_write. */
-BEAD_CHECK enum bead_error bead_spreading_plot_write(const struct bead_output *output, const struct bead_run_context *context,
-                                                     const char *path, uint64_t *bytes, struct bead_message *msg);
-/* A plane of two quantities. Errors: as above. */
-BEAD_CHECK enum bead_error bead_plane_plot_write(const struct bead_output *output, const struct bead_run_context *context,
-                                                 const char *path, uint64_t *bytes, struct bead_message *msg);
+/* A plot that is being made. */
+struct sweep_page {
+    const struct bead_output *output;
+    const struct bead_run_context *context;
+    const char *path;
+    uint64_t *bytes;
+    struct plot_store store;
+    struct bead_panel *panels;
+    size_t count;
+    bool apart; /* each panel has axes of its own */
+};
 
-/* Curves of the chains of a sweep, which are run. Errors: those of bead_sweep_lines_find and bead_graph_write. */
-BEAD_CHECK enum bead_error bead_lines_plot_write(const struct bead_output *output, const struct bead_run_context *context,
-                                                 const char *path, uint64_t *bytes, struct bead_message *msg);
+/* Allocates panels. Errors: MEMORY. */
+BEAD_CHECK enum bead_error sweep_page_reserve(struct sweep_page *page, size_t panels, struct bead_message *msg);
+/* Writes them. Errors: those of bead_graph_write. */
+BEAD_CHECK enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg);
+
+/* What fills and writes a page: a plot over keys; the spread of energy, or curves, of chains, which are run; a plane of two
+ * quantities. Errors: USAGE, MEMORY, those of bead_sweep_spreads_find, bead_sweep_lines_find and bead_graph_write. */
+typedef enum bead_error sweep_plot(struct sweep_page *page, struct bead_message *msg);
+sweep_plot bead_over_plot_write, bead_spreading_plot_write, bead_lines_plot_write, bead_plane_plot_write;
 
 /* The quantity on the axis of values of plots of sweeps over keys. */
 struct bead_over_shown {

@@ -168,6 +168,10 @@ ok "a spectrogram chooses the segments that make a chirp's line narrow" narrowes
 step() { spread >/dev/null && awk -F, 'NR > 2 && $2 > f {print $2 - f; exit} {f = $2}' wide/chirp.csv; }
 ok "... of 2 ms, of samples whose number has small factors" near "$(step)" 500 0.05
 
+ok "panels of a figure: images and curves over frequency beside those over time" exits 0 "$beadreel" gap.yaml -o . --set \
+    'outputs=[{plot: parts.svg, panels: [[{show: dispersion}, {show: spectrogram, beads: 9}], [{show: spectrum, beads: 9}, {show: bands}], [{show: sensors, beads: 9}]]}]'
+ok "... each with its axis" eval 'grep -qF "(dB)" parts.svg && grep -qF "wave number" parts.svg && grep -qF ">gap<" parts.svg'
+
 ok "a segment must fit" fails "1 2" "$beadsim" gap.yaml -o . --set 'outputs.0.segment=1 s'
 ok "... and be said" says "segment: has 50000 of 2001 samples"
 ok "spectrograms have one curve" fails "1 2" "$beadsim" --plan chirp.yaml --set outputs.0.beads='[0, 1]'
