@@ -182,7 +182,9 @@ static void place_standing_bar(const struct bead_movie_wants *w, const struct fr
     int pad = bead_cells_whole(0.6 * w->look->tick), x = w->width - f->margin - f->right + f->bar_gap;
     struct bead_insets in = bead_layout_insets(cells->grid, (struct bead_rect){0, 0, w->width, w->height});
     int top = (int)in.top, bottom = w->height - (int)in.bottom;
-    layout->bar_title = (struct bead_rect){x, cells->area.y, w->width - f->margin - x, bead_cells_whole(1.35 * w->look->label)};
+    const struct bead_lane *first = cells->grid->rows.lane;
+    layout->bar_title = (struct bead_rect){x, (int)(first->at - first->reach[0]), w->width - f->margin - x,
+                                           bead_cells_whole(1.35 * w->look->label)};
     if (w->headings && cells->headings) /* on one line with these */
         layout->bar_title.height = bead_cells_whole(1.45 * w->look->title);
     int least = layout->bar_title.y + layout->bar_title.height;
@@ -216,15 +218,23 @@ static void place_lying_bar(const struct bead_movie_wants *w, const struct frame
 
 /* ---- the choice ---- */
 
+/* Rows of beads alone, which use no more height, are the larger the fewer columns there are; others have a best shape. */
+static double shape_cost(const struct bead_cells *c)
+{
+    const double width = (double)c->area.width / (double)c->columns, height = (double)c->area.height / (double)c->rows;
+    bool beads = true;
+    for (size_t v = 0; v < c->wants->view_count; v++)
+        beads = beads && bead_view_has(c->wants->views[v], BEAD_SHOWS_BEADS);
+    return beads ? log((double)c->columns) : bead_layout_misfit(width, height, best_shape);
+}
+
 /* The distance of an arrangement of cells from the ideal. */
 static double cost_of(const struct bead_cells *c)
 {
-    double width = (double)c->area.width / (double)c->columns, height = (double)c->area.height / (double)c->rows;
     double holes = (double)(c->rows * c->columns - c->wants->chain_count) / (double)c->wants->chain_count;
     double names = c->label_lines && c->level->roomy ? level_costs : 0; /* two lines of names leave less room, too */
     names += c->level->titles ? 0 : never;
-    return names + level_costs * (double)(c->level - bead_levels) + bead_layout_misfit(width, height, best_shape) +
-           hole_costs * holes;
+    return names + level_costs * (double)(c->level - bead_levels) + shape_cost(c) + hole_costs * holes;
 }
 
 static bool fits(struct bead_cells *c, struct bead_movie_layout *to)

@@ -424,6 +424,31 @@ static void test_curves_fill_phones(void **state)
 }
 
 /* The title ends where the panels end, and both have air to the frame's edge. */
+/* Rows of beads alone are as wide as the frame allows, and their bar has its title beside the first of them. */
+static void test_beads_alone(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 4 * 3; i++) {
+        const int *size = shapes[i % 3];
+        struct bead_look look;
+        bead_look_film(&look, size[0], size[1], true, false);
+        struct bead_movie_wants w = wants_of(&look, size[0], size[1]);
+        w.chain_count = 1 + i / 3;
+        w.views[w.view_count++] = bead_view_find(BEAD_VIEW_BEADS);
+        struct bead_movie_layout layout;
+        struct bead_message msg = {""};
+        assert_int_equal(bead_movie_arrange(&w, &layout, &msg), BEAD_OK);
+        check(&w, &layout);
+        const struct bead_rect row = layout.chains[0].plot[0], title = layout.bar_title, bar = layout.bar;
+        if (row.width < 0.75 * size[0])
+            fail_msg("%d x %d, %zu chains: beads on %d px", size[0], size[1], w.chain_count, row.width);
+        if (3 * size[1] < 2 * size[0] && (bar.y - (title.y + title.height) > 3 * look.label || title.y + 5 * look.label < row.y))
+            fail_msg("%d x %d, %zu chains: the bar begins at %d, its title ends at %d, beads begin at %d", size[0], size[1],
+                     w.chain_count, bar.y, title.y + title.height, row.y);
+        bead_movie_layout_free(&layout);
+    }
+}
+
 static void test_titles_end_with_panels(void **state)
 {
     (void)state;
@@ -491,6 +516,7 @@ int main(void)
         cmocka_unit_test(test_bars_are_for_colours),
         cmocka_unit_test(test_bars_on_phones),
         cmocka_unit_test(test_curves_fill_phones),
+        cmocka_unit_test(test_beads_alone),
         cmocka_unit_test(test_titles_end_with_panels),
         cmocka_unit_test(test_too_small),
         cmocka_unit_test(test_levels_leave_out_more_and_more),
