@@ -112,7 +112,8 @@ static enum bead_error card_chains(struct card *c, const struct bead_facts *fact
             return BEAD_OK;
         }
         struct bead_rect rect = {(int)c->left, (int)c->y, (int)c->width, each.heading};
-        struct bead_heading heading = {facts->chains[i], look->ink, false};
+        struct bead_heading heading = {facts->chains[i], look->ink, false, false, 1};
+        heading.size = headed ? bead_heading_name(look, &heading, rect) : 1;
         if (headed)
             bead_heading_draw(c->cr, look, &heading, bead_heading_label(look, &heading, rect), rect);
         if (each.beads > 0) {

@@ -136,8 +136,9 @@ static bool needs_label_line(const struct bead_movie_wants *w, double room, bool
 static void complete(struct bead_cells *c, const struct frame *f)
 {
     const struct bead_movie_wants *w = c->wants;
-    bool beside = c->layout == BEAD_LAYOUT_BESIDE;
-    double room = (w->width - 2 * f->margin - f->right - (beside ? 2 : 1) * w->left) / (double)c->columns;
+    bool beside = c->layout == BEAD_LAYOUT_BESIDE, overlay = c->layout == BEAD_LAYOUT_OVERLAY && w->view_count == 1;
+    double room = (w->width - 2 * f->margin - f->right - (beside ? 2 : 1) * w->left) /
+                  (double)(overlay ? w->chain_count : c->columns); /* names are in a line above the one plot */
     c->rows = (w->chain_count + c->columns - 1) / c->columns;
     c->axes = w->axes && c->level->axes;
     c->headings = w->axes && w->headings && c->level->headings;

@@ -158,8 +158,8 @@ static void measure_words(struct bead_composer *c)
     w->time_width = ceil(bead_words_width(NULL, &style, text) + 0.5 * c->look.gap);
     for (size_t i = 0; i < w->chain_count; i++) {
         w->heading_width = fmax(w->heading_width, bead_heading_width(&c->look, c->setup.chains[i]));
-        w->heading_least = fmax(w->heading_least, bead_heading_least(&c->look, c->setup.chains[i]));
-        w->keyed_heading = fmax(w->keyed_heading, bead_heading_least(&c->look, c->setup.chains[i]) + bead_composer_key(c, i));
+        w->heading_least = fmax(w->heading_least, bead_heading_least(&c->look, c->setup.chains[i], true));
+        w->keyed_heading = fmax(w->keyed_heading, bead_heading_least(&c->look, c->setup.chains[i], true) + bead_composer_key(c, i));
     }
     if (bead_views_any(&c->setup.output->views, BEAD_ACTS)) {
         const double size = c->look.tick;

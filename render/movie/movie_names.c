@@ -14,14 +14,6 @@ bool bead_composer_shares_curves(const struct bead_composer *c)
     return stage ? c->wants.chain_count > 1 && c->layout.overlay < c->wants.view_count : c->layout.layout == BEAD_LAYOUT_OVERLAY;
 }
 
-/* The line of a chain's curve before its heading, which says whose it is without colours; its label gives way. Returns the room
- * that it takes; 0: there is none. */
-static int sample_room(const struct bead_composer *c, size_t chain, struct bead_rect rect)
-{
-    const int room = (int)ceil((sample_length + 0.5) * c->look.label);
-    return bead_composer_shares_curves(c) && bead_heading_least(&c->look, c->setup.chains[chain]) + room <= rect.width ? room : 0;
-}
-
 static void draw_sample(const struct bead_composer *c, size_t chain, struct bead_rgb colour, cairo_t *cr, struct bead_rect rect)
 {
     const struct bead_look *look = &c->look;
@@ -52,28 +44,57 @@ static struct bead_rect heading_rect(const struct bead_composer *c, size_t chain
     return rect;
 }
 
-static struct bead_rect after_sample(const struct bead_composer *c, size_t chain, struct bead_rect rect)
+/* The lines of curves before the headings of their chains, which say whose they are without colours; labels give way to them, and M
+ * where it has a line of its own. Returns the room that one takes; 0: there is none, for some chain. */
+static int sample_room(const struct bead_composer *c)
 {
-    const int room = sample_room(c, chain, rect);
+    const int room = (int)ceil((sample_length + 0.5) * c->look.label);
+    bool fits = bead_composer_shares_curves(c);
+    for (size_t i = 0; fits && i < c->layout.chain_count; i++) {
+        const struct bead_rect rect = heading_rect(c, i);
+        fits = rect.width == 0 || bead_heading_least(&c->look, c->setup.chains[i], !c->layout.label_lines) + room <= rect.width;
+    }
+    return fits ? room : 0;
+}
+
+static struct bead_rect after_sample(const struct bead_composer *c, struct bead_rect rect)
+{
+    const int room = sample_room(c);
     return (struct bead_rect){rect.x + room, rect.y, rect.width - room, rect.height};
 }
 
 static struct bead_heading heading_of(const struct bead_composer *c, size_t chain)
 {
     const struct bead_rgb colour = bead_composer_shares_curves(c) ? bead_look_curve(&c->look, chain) : c->look.ink;
-    return (struct bead_heading){c->setup.chains[chain], colour, c->layout.label_lines};
+    return (struct bead_heading){c->setup.chains[chain], colour, c->layout.label_lines, false, 1};
 }
 
-/* The labels beside names are all as small as one of them has to be. */
-static double size_of_labels(const struct bead_composer *c)
+/* The room that layouts leave beside name and M, in units of the ticks' font size. */
+static const double slack = 1.3;
+
+/* The names of chains are all as small as one of them has to be, and so are the labels beside them; the M of all are below, where
+ * one must be. */
+static void size_headings(const struct bead_composer *c, bool *below, double *name, double *label)
 {
-    double size = 1;
+    *name = *label = 1;
+    *below = false;
     for (size_t i = 0; i < c->layout.chain_count; i++) {
-        const struct bead_heading heading = heading_of(c, i);
+        const double least = bead_heading_least(&c->look, c->setup.chains[i], true);
         const struct bead_rect rect = heading_rect(c, i);
-        size = rect.width > 0 ? fmin(size, bead_heading_label(&c->look, &heading, after_sample(c, i, rect))) : size;
+        *below = *below || (rect.width > 0 && least > after_sample(c, rect).width - slack * c->look.tick);
     }
-    return size;
+    for (int pass = 0; pass < 2; pass++) { /* labels are placed by names */
+        for (size_t i = 0; i < c->layout.chain_count; i++) {
+            struct bead_heading heading = heading_of(c, i);
+            const struct bead_rect rect = heading_rect(c, i);
+            heading.below = *below;
+            heading.size = *name;
+            if (rect.width > 0 && pass == 0)
+                *name = fmin(*name, bead_heading_name(&c->look, &heading, after_sample(c, rect)));
+            else if (rect.width > 0)
+                *label = fmin(*label, bead_heading_label(&c->look, &heading, after_sample(c, rect)));
+        }
+    }
 }
 
 /* The names above images are all as small as one of them has to be. */
@@ -89,12 +110,14 @@ static double size_of_names(const struct bead_composer *c)
 
 void bead_composer_draw_names(const struct bead_composer *c, size_t chain, cairo_t *cr)
 {
-    const struct bead_heading heading = heading_of(c, chain);
+    struct bead_heading heading = heading_of(c, chain);
     const struct bead_rect rect = heading_rect(c, chain), name = c->layout.chains[chain].name;
-    if (rect.width > 0 && sample_room(c, chain, rect) > 0)
+    if (rect.width > 0 && sample_room(c) > 0)
         draw_sample(c, chain, heading.colour, cr, rect);
+    double label;
+    size_headings(c, &heading.below, &heading.size, &label);
     if (rect.width > 0)
-        bead_heading_draw(cr, &c->look, &heading, size_of_labels(c), after_sample(c, chain, rect));
+        bead_heading_draw(cr, &c->look, &heading, label, after_sample(c, rect));
     if (name.width > 0)
         bead_name_draw(cr, &c->look, &heading, size_of_names(c), name);
 }

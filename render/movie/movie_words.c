@@ -300,7 +300,7 @@ static void label_markup(const struct bead_chain *chain, char *markup, size_t si
     bead_markup(marked, markup, size);
 }
 
-/* px of name and M in one line, with the gap after each. */
+/* px of name and M in one line, with the gap after each; M of size 0 is elsewhere. */
 static double name_width(const struct bead_look *look, const struct bead_chain *chain, double size, double m_size)
 {
     struct bead_text_style style = bead_words_style(look, size, look->ink, BEAD_ALIGN_BASELINE);
@@ -312,7 +312,7 @@ static double name_width(const struct bead_look *look, const struct bead_chain *
     style.bold = false;
     style.size = m_size;
     bead_text_magnetism(bead_chain_magnetism(chain), markup, sizeof markup);
-    return all + (bead_chain_spins(chain)[0] ? bead_words_width(NULL, &style, markup) + gap : 0);
+    return all + (bead_chain_spins(chain)[0] && m_size > 0 ? bead_words_width(NULL, &style, markup) + gap : 0);
 }
 
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
@@ -324,10 +324,10 @@ double bead_heading_width(const struct bead_look *look, const struct bead_chain 
     return label[0] ? 1 + name_width(look, chain, size, size) + bead_words_width(NULL, &style, label) : 0;
 }
 
-double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain)
+double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain, bool m)
 {
     const double size = heading_size * look->title;
-    return name_width(look, chain, smallest_name * size, size);
+    return name_width(look, chain, smallest_name * size, m ? size : 0);
 }
 
 /* Long names are set smaller before they are cut. */
@@ -373,6 +373,7 @@ struct heading {
     struct bead_text_style name, m, label;
     char name_markup[HEADING_MARKUP], m_markup[256], label_markup[HEADING_MARKUP];
     double x, m_x, label_x, y, m_y, label_y;
+    double room, width; /* px: for the name; that it takes in its usual size */
 };
 
 static void place_heading(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect,
@@ -381,23 +382,23 @@ static void place_heading(cairo_t *cr, const struct bead_look *look, const struc
     const struct bead_chain *chain = heading->chain;
     const double under = heading->lines ? heading_line * look->label : 0, line = rect.height - under;
     const double size = fmin(heading_size * look->title, 0.75 * line), part = size / (heading_size * look->title);
-    const bool has_m = bead_chain_spins(chain)[0], below = has_m && heading->lines && bead_heading_least(look, chain) > rect.width;
+    const bool has_m = bead_chain_spins(chain)[0], below = has_m && heading->lines && heading->below;
     const double gap = heading_gap * look->gap;
     *h = (struct heading){.x = rect.x, .y = rect.y + 0.5 * line + 0.36 * size};
     h->m = bead_words_style(look, size, look->accent, BEAD_ALIGN_BASELINE);
     if (has_m)
         bead_text_magnetism(bead_chain_magnetism(chain), h->m_markup, sizeof h->m_markup);
-    const double m_width = has_m ? bead_words_width(cr, &h->m, h->m_markup) : 0,
-                 room = rect.width - (has_m && !below ? m_width + gap : 0);
+    const double m_width = has_m ? bead_words_width(cr, &h->m, h->m_markup) : 0;
     double x = rect.x;
-    if (bead_chain_title(chain)[0]) { /* long names are set smaller before they are cut */
+    h->room = rect.width - (has_m && !below ? m_width + gap : 0);
+    if (bead_chain_title(chain)[0]) {
         h->name = h->m;
         h->name.bold = true;
         h->name.colour = heading->colour;
         bead_text_escape(bead_chain_title(chain), h->name_markup, sizeof h->name_markup);
-        double fits = 0.98 * room / fmax(1, bead_words_width(cr, &h->name, h->name_markup));
-        h->name.size *= fmin(1, fmax(smallest_name, fits));
-        x += bead_words_fit(cr, &h->name, bead_chain_title(chain), false, room, h->name_markup, sizeof h->name_markup) + gap;
+        h->width = bead_words_width(cr, &h->name, h->name_markup);
+        h->name.size *= heading->size;
+        x += bead_words_fit(cr, &h->name, bead_chain_title(chain), false, h->room, h->name_markup, sizeof h->name_markup) + gap;
     }
     h->m.size = below ? part * look->label : size;
     h->m_x = below ? rect.x : x;
@@ -406,6 +407,14 @@ static void place_heading(cairo_t *cr, const struct bead_look *look, const struc
     h->label_y = h->y + under;
     h->label = bead_words_style(look, part * look->label, look->faint, BEAD_ALIGN_BASELINE);
     label_markup(chain, h->label_markup, sizeof h->label_markup);
+}
+
+/* Long names are set smaller before they are cut. */
+double bead_heading_name(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect)
+{
+    struct heading h;
+    place_heading(NULL, look, heading, rect, &h);
+    return fmin(1, fmax(smallest_name, 0.98 * h.room / fmax(1, h.width)));
 }
 
 /* Does the label fit, if it is so much smaller? */

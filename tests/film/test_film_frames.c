@@ -646,6 +646,50 @@ static void test_labels_of_chains_have_one_size(void **state)
     assert_true(least < most); /* there were frames where they had to be smaller */
 }
 
+static const struct text *written(const struct texts *seen, const char *part)
+{
+    for (size_t i = 0; i < seen->count; i++) {
+        if (strstr(seen->text[i].markup, part))
+            return &seen->text[i];
+    }
+    fail_msg("'%s' is not written", part);
+    return NULL;
+}
+
+/* Where one name has to be smaller, or to have its M below, those of the others do, too; and all are whole. */
+static void test_names_of_chains_have_one_size(void **state)
+{
+    (void)state;
+    bool small[2] = {false}, below[2] = {false};
+    for (int i = 0; i < 2 * 16; i++) {
+        static struct stage s;
+        static const int sizes[2][2] = {{1080, 1920}, {720, 480}};
+        static const char name[] = "Orderly no more but at random like any others";
+        const int *size = sizes[i % 2];
+        char text[1024], what[80];
+        snprintf(text, sizeof text,
+                 "chains:\n"
+                 "  - {name: Orderly, beads: [{cell: [large-steel, aluminium], count: 8, spins: \"11111111\"}]}\n"
+                 "  - {name: %.*s, beads: [{cell: [large-steel, aluminium], count: 8, spins: \"11110000\"}]}\n"
+                 "outputs: [{movie: m.mp4, size: [%d, %d], type: large%s}]\n",
+                 14 + i, name, size[0], size[1], i % 2 ? ", views: [profile]" : "");
+        snprintf(what, sizeof what, "chains-%dx%d-%d", size[0], size[1], i / 2);
+        open_stage(&s, text, size);
+        show(&s, what);
+        const struct text *one = written(&s.seen, "Orderly"), *two = written(&s.seen, "no mo"),
+                          *m[2] = {written(&s.seen, "> = 1"), written(&s.seen, "> = 0")};
+        if (fabs(one->height - two->height) > 0.01)
+            fail_msg("%s: names are %g and %g px high", what, one->height, two->height);
+        const bool under[2] = {m[0]->y > one->y + 0.9 * one->height, m[1]->y > two->y + 0.9 * two->height};
+        if (under[0] != under[1])
+            fail_msg("%s: M is below one name, but not the other", what);
+        small[i % 2] = small[i % 2] || one->height < 0.9 * s.composer->look.title;
+        below[i % 2] = below[i % 2] || under[0];
+        close_stage(&s);
+    }
+    assert_true(small[0] && small[1] && below[0] && below[1]);
+}
+
 /* Numbers at the end of a chain do not touch the edge of a phone, below its stage or its curve, with images or without. */
 static void test_numbers_at_the_end_have_air(void **state)
 {
@@ -788,6 +832,7 @@ int main(void)
         cmocka_unit_test(test_numbers_at_the_end_have_air),
         cmocka_unit_test(test_names_of_images_have_one_size),
         cmocka_unit_test(test_labels_of_chains_have_one_size),
+        cmocka_unit_test(test_names_of_chains_have_one_size),
         cmocka_unit_test(test_tips_meet_their_beads),
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_cells_in_the_picture),
