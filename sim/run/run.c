@@ -39,7 +39,8 @@ static const double energy_limit = 1e-2;
 static const double drift_part = 2;
 /* A step that would miss the end of the run by no more than this part of itself ends there. */
 static const double last_sliver = 1e-6;
-/* If damping requires steps below this part of the usual length, the run would take unreasonably long. */
+/* If damping requires steps below this part of the usual length, even where they are as long as is stable, the run would take
+ * unreasonably long. */
 static const double shortest = 1e-3;
 
 struct bead_run {
@@ -259,19 +260,23 @@ static enum bead_error check_energy(struct bead_run *run, double error, struct b
     run->checked = s->steps;
     if (error <= energy_limit)
         return BEAD_OK;
+    const struct bead_chain *c = s->chain;
+    const char *name = bead_chain_name(c), *space = *name ? " " : "";
     const size_t gone = collapsed(run);
-    if (gone < s->chain->contacts)
+    char at[128];
+    if (gone < c->contacts)
         return bead_fail(
             msg, BEAD_ERROR_NUMBERS,
-            "chain%s%s: by %.6g s the spring of contact %zu has collapsed: beyond a compression of 1 / alpha the force of "
+            "%schain%s%s: by %.6g s the spring of contact %zu has collapsed: beyond a compression of 1 / alpha the force of "
             "`%s` attracts more and more; give a smaller alpha or a slower striker (a smaller accuracy does not help)",
-            *bead_chain_name(s->chain) ? " " : "", bead_chain_name(s->chain), s->t1, gone, s->chain->law->name);
-    const char *name = bead_chain_name(s->chain), *advice = run->stepping.variable ? "give a smaller simulate.accuracy"
-                                                                                   : "give a shorter simulate.step or leave it out";
+            bead_chain_place(c, "chain", at, sizeof at), space, name, s->t1, gone, c->law->name);
+    const char *advice =
+        run->stepping.variable ? "give a smaller simulate.accuracy" : "give a shorter simulate.step or leave it out";
     return bead_fail(
         msg, BEAD_ERROR_NUMBERS,
-        "chain%s%s: at %.6g s the energy is off by %.3g of the energy put in: steps of %.3g s are too long for `%s`; %s",
-        *name ? " " : "", name, s->t1, error, run->stepping.variable ? s->h : run->stepping.step, s->method->info.name, advice);
+        "%schain%s%s: at %.6g s the energy is off by %.3g of the energy put in: steps of %.3g s are too long for `%s`; %s",
+        bead_chain_place(c, "chain", at, sizeof at), space, name, s->t1, error, run->stepping.variable ? s->h : run->stepping.step,
+        s->method->info.name, advice);
 }
 
 /* Before a state leaves the run. */
@@ -321,7 +326,7 @@ static enum bead_error advance(struct bead_run *run, struct bead_message *msg)
     double h = next_step(run);
     if (bead_stepper_damped(s) && run->stepping.variable) {
         char at[128];
-        if (h < shortest * run->stepping.step)
+        if (h * s->method->info.theta_max < shortest * run->stepping.step * run->control.theta)
             return bead_fail(msg, BEAD_ERROR_NUMBERS,
                              "%schain%s%s: at %.6g s velocities decay so fast that steps of %.2g s would be needed: the damping is "
                              "too strong for these masses; give a smaller chain.damping.coefficient",

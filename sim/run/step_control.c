@@ -263,11 +263,45 @@ double bead_step_control_graded(const struct bead_step_control *control, const s
     return h;
 }
 
+/* What decays with the rate lambda and the amplitude A changes a velocity over a step of length z / lambda by more than the
+ * accelerations at both ends say, by A times this: the error of the trapezoidal rule for exp(-z). */
+static double trapezoidal_error(double z)
+{
+    const double left = exp(-z);
+    return left - 1 + 0.5 * z * (1 + left);
+}
+
+/* The amplitude of what decays with the bound `rate`, in units of the largest velocity between neighbours, as the last step shows
+ * it. All that decays more slowly shows more of itself there than of its error, which is of a higher power of z. 1: not known, as
+ * the forces have jumped since. */
+static double stiff_amplitude(const struct bead_stepper *s, double rate)
+{
+    const size_t n = bead_stepper_contacts(s);
+    double off = 0, most = 0;
+    if (s->steps == 0 || s->last_a != s->end.a)
+        return 1;
+    for (size_t k = 0; k < n; k++) {
+        const double before = s->start.v[k] - s->start.v[k + 1], after = s->end.v[k] - s->end.v[k + 1],
+                     turning = s->start.a[k] - s->start.a[k + 1] + (s->end.a[k] - s->end.a[k + 1]);
+        off = fmax(off, fabs(after - before - 0.5 * s->h * turning));
+        most = fmax(most, fabs(after));
+    }
+    return most > 0 ? fmin(off / (most * trapezoidal_error(rate * s->h)), 1) : 1;
+}
+
+/* The longest step in units of 1/rate. theta is for motions that decay at this rate from their full height. The error of a method
+ * of order p is A z^(p+1); where the fastest motions have decayed and the others are slow, z grows, up to what is stable. */
+static double stiff_theta(const struct bead_step_control *control, const struct bead_stepper *s, double rate)
+{
+    const double z = control->theta * pow(stiff_amplitude(s, rate), -1.0 / (s->method->quadrature.order + 1));
+    return fmin(z, s->method->info.theta_max);
+}
+
 double bead_step_control_damped(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
     /* Below the exponent 1 the rate has no bound where a contact turns; steps are graded there. */
     const double rate = s->table.damping_exponent < 1 ? 0 : damping_rate(s);
-    return rate * h > control->theta ? control->theta / rate : h;
+    return rate * h > control->theta ? fmin(h, stiff_theta(control, s, rate) / rate) : h;
 }
 
 /* Reduces the drift of a method of order 8 by a factor of 25. */

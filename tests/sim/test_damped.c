@@ -276,6 +276,48 @@ static void budgets_take_few_steps(void **state)
     }
 }
 
+/* Velocity of bead j of `count` alike, of which the first had the velocity 1. Springs, of k / m = `stiffness`, and dashpots, of c /
+ * m = `damping`, have modes cos((2 j + 1) q pi / 2 count), damped oscillators s^2 + damping K s + stiffness K = 0 with K = 4
+ * sin^2(q pi / 2 count). Where all are overdamped, momentum spreads like heat. */
+static double spread_velocity(size_t j, size_t count, double damping, double stiffness, double time)
+{
+    double sum = 1;
+    for (size_t q = 1; q < count; q++) {
+        const double angle = (double)q * M_PI / (2 * (double)count), s = sin(angle), k = 4 * s * s,
+                     fast = -0.5 * damping * k * (1 + sqrt(1 - 4 * stiffness / (damping * damping * k))),
+                     slow = stiffness * k / fast, decay = (fast * exp(fast * time) - slow * exp(slow * time)) / (fast - slow);
+        sum += 2 * cos(angle) * cos((double)(2 * j + 1) * angle) * decay;
+    }
+    return sum / (double)count;
+}
+
+/* Neighbours would have the same velocity in a small part of the time. When they nearly do, steps may be longer than that. */
+static void momentum_spreads_like_heat(void **state)
+{
+    (void)state;
+    enum { COUNT = 40 };
+    static const double asked[] = {1e-4, 1e-6, 1e-8};
+    const double damping = 10 / 2e-3, stiffness = 1 / 2e-3, end = 50e-3;
+    for (size_t a = 0; a < 3; a++) {
+        char simulate[64];
+        snprintf(simulate, sizeof simulate, "until: 60 ms, accuracy: %g", asked[a]);
+        struct built built = build(BALLS "chain: {striker: {bead: ball, velocity: 1}, beads: [{bead: ball, count: 39}], law: "
+                                         "{fpu-alpha: 1e-9, stiffness: 1}, damping: {coefficient: 10, exponent: 1}}\n",
+                                   simulate);
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 60e-3});
+        for (double t = end / 16; t <= end; t *= 2) {
+            run_until(run, t);
+            const double *v = sample_at(run, t).field[BEAD_FIELD_VELOCITY];
+            for (size_t j = 0; j < COUNT; j++)
+                assert_near(v[j], spread_velocity(j, COUNT, damping, stiffness, t),
+                            asked[a] * spread_velocity(0, COUNT, damping, stiffness, t));
+        }
+        assert_true((double)bead_run_work(run).steps < 2 * 4 * damping * end);
+        bead_run_destroy(run);
+        release(&built);
+    }
+}
+
 /* Steps follow the state, but only as far as beads have moved; what they are computed from moves none ahead of these. */
 static void the_window_changes_no_bit(void **state)
 {
@@ -342,11 +384,17 @@ static void restitution_follows_the_expansion(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(linear_contacts_have_their_closed_form), cmocka_unit_test(a_contact_closes_within_a_step),
-        cmocka_unit_test(contacts_close_one_after_the_other),     cmocka_unit_test(the_front_counts_the_impact),
-        cmocka_unit_test(strong_damping_is_as_accurate_as_asked), cmocka_unit_test(steep_damping_is_as_accurate_as_asked),
-        cmocka_unit_test(steep_damping_takes_few_steps),          cmocka_unit_test(the_window_changes_no_bit),
-        cmocka_unit_test(restitution_follows_the_expansion),      cmocka_unit_test(budgets_take_few_steps),
+        cmocka_unit_test(linear_contacts_have_their_closed_form),
+        cmocka_unit_test(a_contact_closes_within_a_step),
+        cmocka_unit_test(contacts_close_one_after_the_other),
+        cmocka_unit_test(the_front_counts_the_impact),
+        cmocka_unit_test(strong_damping_is_as_accurate_as_asked),
+        cmocka_unit_test(steep_damping_is_as_accurate_as_asked),
+        cmocka_unit_test(steep_damping_takes_few_steps),
+        cmocka_unit_test(the_window_changes_no_bit),
+        cmocka_unit_test(restitution_follows_the_expansion),
+        cmocka_unit_test(budgets_take_few_steps),
+        cmocka_unit_test(momentum_spreads_like_heat),
     };
     return cmocka_run_group_tests_name("damped", tests, NULL, NULL);
 }
