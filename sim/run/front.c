@@ -119,6 +119,43 @@ static double energy_behind(const struct bead_stepper *s)
     return c->spec->wall == BEAD_WALL_NONE && !c->spec->absorbs ? energy - 0.5 * momentum * momentum / mass : energy;
 }
 
+/* The last contact's force, N, if it stores this energy, or its beads meet with it: then damping adds to it. */
+static double last_force(const struct bead_stepper *s, double energy, bool meeting)
+{
+    const struct bead_chain *c = s->chain;
+    const size_t last = c->contacts - 1;
+    const double compression = c->law->energy_compression(c->stiffness[last], s->table.law, energy),
+                 force = c->law->force(c->stiffness[last], s->table.law, compression);
+    if (!meeting || !(s->table.damping > 0))
+        return force;
+    const double weight = c->inverse_mass[last] + (last + 1 < c->beads ? c->inverse_mass[last + 1] : 0);
+    return force + bead_damping_force(&s->table, compression, sqrt(2 * energy * weight));
+}
+
+/* A bead hands over up to four times the energy of its motion with a lighter one: that then moves on twice as fast. So do the first
+ * beads of a broad pulse that breaks into narrow ones. A rigid wall doubles the force. */
+static const double handed_over = 4, doubled = 2;
+
+/* With damping, the largest force of the last contact, N, that can come of what contacts store or their beads meet with now.
+ * Damping forces alone spread as heat does, so that none is ever larger than the largest; pulses of elastic forces keep their
+ * energies at most. */
+static double largest_to_come(const struct bead_stepper *s)
+{
+    const struct bead_chain *c = s->chain;
+    const size_t n = bead_stepper_contacts(s);
+    double most = 0;
+    for (size_t k = s->first; k < n; k++) {
+        const double force = s->end.f[k], meeting = fmax(s->end.v[k] - s->end.v[k + 1], 0),
+                     weight = c->inverse_mass[k] + (k + 1 < c->beads ? c->inverse_mass[k + 1] : 0),
+                     stored =
+                         c->law->energy(c->stiffness[k], s->table.law, c->law->compression(c->stiffness[k], s->table.law, force));
+        most = fmax(most, fmax(force, last_force(s, handed_over * stored, false)));
+        if (meeting > 0 && weight > 0)
+            most = fmax(most, last_force(s, handed_over * 0.5 * meeting * meeting / weight, true));
+    }
+    return doubled * most;
+}
+
 bool bead_front_is_lost(const struct bead_front *front, const struct bead_stepper *s)
 {
     const struct bead_chain *c = s->chain;
@@ -126,13 +163,8 @@ bool bead_front_is_lost(const struct bead_front *front, const struct bead_steppe
     if (!isnan(front->arrival) || !c->law->one_sided || c->striker_force != 0 || c->spring || c->static_force[0] != 0 ||
         c->static_force[last] != 0)
         return false;
-    const double energy = energy_behind(s), weight = c->inverse_mass[last] + (last + 1 < c->beads ? c->inverse_mass[last + 1] : 0);
-    double force =
-        c->law->force(c->stiffness[last], s->table.law, c->law->energy_compression(c->stiffness[last], s->table.law, energy));
-    if (bead_stepper_damped(s)) /* two beads meet at this speed at most */
-        force += s->table.damping * bead_pow(sqrt(2 * energy * weight), s->table.damping_exponent) *
-                 bead_pow(c->law->energy_compression(c->stiffness[last], s->table.law, energy), s->table.damping_compression);
-    return !(force > part * front->largest_force);
+    const double level = part * front->largest_force;
+    return !(last_force(s, energy_behind(s), true) > level) || (s->table.damping > 0 && !(largest_to_come(s) > level));
 }
 
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)

@@ -32,7 +32,9 @@ enum bead_error bead_play_run(const struct bead_runner *runner, const struct bea
     const struct bead_run_kind *kind = runner->kind;
     const struct bead_chain *chain = runner->chain;
     const bool passage = way->patience > 0;
-    const double give_up = passage ? way->patience * bead_chain_passage(chain, bead_chain_energy(chain)) : INFINITY;
+    const double one =
+        passage ? bead_chain_passage(chain, bead_chain_energy(chain)) : 0; /* 0: not known, as of springs that collapse */
+    const double give_up = one > 0 ? way->patience * one : INFINITY;
     for (double time; (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
         BEAD_TRY(bead_play_look_for_stop(way->stop, time, msg));
         if (passage && (time > give_up || kind->is_lost(runner->run))) {

@@ -267,6 +267,14 @@ size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t ind
     return index % over->keys[key].count;
 }
 
+/* Where the file, or what was laid over it, has this value of a key. */
+static const struct bead_node *node_of_value(const struct bead_sweep *sweep, size_t panel, const char *path, size_t value)
+{
+    const struct bead_node *over = bead_node_get(bead_sweep_node(bead_yaml_root(sweep->scene->tree), panel), "over", NULL),
+                           *values = over ? bead_node_get(over, path, NULL) : NULL;
+    return values && values->kind == BEAD_NODE_LIST ? values->items[value] : values;
+}
+
 /* The overrides that turn the plain scene into that of a configuration. */
 static void lay_values(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_override *all)
 {
@@ -274,7 +282,11 @@ static void lay_values(const struct bead_sweep *sweep, size_t panel, size_t inde
     for (size_t k = 0; k < over->key_count; k++) {
         const struct bead_over_key *key = &over->keys[k];
         const size_t value = bead_sweep_value(sweep, panel, index, k);
-        all[k] = (struct bead_override){.origin = "over", .path = key->path, .place = {value + 1, 1}, .value = key->text[value]};
+        const struct bead_node *node = node_of_value(sweep, panel, key->path, value);
+        all[k] = (struct bead_override){.origin = bead_yaml_name(sweep->scene->tree, node),
+                                        .path = key->path,
+                                        .place = node ? node->place : (struct bead_place){1, 1},
+                                        .value = key->text[value]};
     }
 }
 

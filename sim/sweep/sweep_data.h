@@ -40,7 +40,7 @@ struct bead_sweep {
     size_t panel_count;
     size_t jobs;
     unsigned char *known;    /* [jobs] */
-    size_t lost, first_lost; /* chains that their front did not pass, which have no results; the job of the first */
+    size_t lost, first_lost; /* chains without results: not passed by their fronts, or diverged; the job of the first */
     struct bead_message why; /* what is to be said of it */
     size_t part, parts;      /* 1, 1: the whole sweep */
     char *version;

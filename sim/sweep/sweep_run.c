@@ -23,7 +23,7 @@ struct measure {
     size_t row;
     const struct bead_chain *chain;
     struct bead_span span; /* beads whose peak forces are measured */
-    bool lost;             /* its front never arrives */
+    bool lost;             /* it has no results: its front never arrives, or its numbers cannot be trusted */
     double *profiles;      /* [PROFILES_OF_RUN][beads] of its run; NULL: not measured */
     double *seen;          /* [beads] s: times of the peaks whose energy is known */
 };
@@ -212,15 +212,17 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
         BEAD_TRY(watch_profiles(m, m->panel->profiles + PROFILES * m->row * m->panel->shown.beads, &consumer, msg));
     play.target = whole ? 0 : m->span.first;
     enum bead_error err = bead_play_cut(&play, try, &played, msg);
+    m->lost = err == BEAD_ERROR_NUMBERS;
     if (!err && !whole && m->row % ALSO_WHOLE == 0)
         err = check_whole(m, &play, played.outcomes[0].bead_peaks, msg);
     if (!err)
         collect(m, played.outcomes[0].bead_peaks);
-    m->lost = err == BEAD_ERROR_NUMBERS && played.runs && bead_run_is_lost(played.runs[0].run);
     if (!err && m->profiles)
         err = keep_profiles(m, &played, msg);
-    if (!err && is_measured(m))
+    if (!err && is_measured(m)) {
         err = measure_errors(m, &play, *try, msg);
+        m->lost = err == BEAD_ERROR_NUMBERS;
+    }
     free(m->seen);
     bead_played_free(&played);
     return err;

@@ -224,7 +224,19 @@ ok "... and not each other" eval 'quartile upper 10 && [ "$(pixels lower/q.png)"
 refused() { # SETTING MESSAGE
     fails 2 "$beadsim" v.yaml --plan --set "$1" && says "$2"
 }
-ok "a key that no scene has" refused 'sweep.over={chain.strike.velocity: [1]}' 'over:1:1: chain.strike'
+ok "a key that no scene has" refused 'sweep.over={chain.strike.velocity: [1]}' '--set:1:21: chain.strike'
+cat >wrong.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 12}]}
+sweep:
+  over:
+    chain.striker.velocity: [0.1 m/s, 1e6 m/s, 1 m/s]
+  measure: {beads: [6, 6]}
+outputs: [{table: all.csv, show: configurations}]
+YAML
+value_is_shown() {
+    fails 2 "$beadsim" wrong.yaml && says 'wrong.yaml:4:39: chain.striker.velocity: `1e6 m/s` is out of range'
+}
+ok "a value that no scene may have is shown in the file" value_is_shown
 ok "a range to another unit" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 N, count: 3}}' 'over.chain.striker.velocity.to: is `2 N`; must be a number with a unit of m/s'
 ok "a range of ratios from 0" refused 'sweep.over={chain.striker.velocity: {from: 0 m/s, to: 2 m/s, count: 3, spacing: log}}' 'must be above 0'
 ok "a range of one" refused 'sweep.over={chain.striker.velocity: {from: 1 m/s, to: 2 m/s, count: 1}}' 'from 2 to'
