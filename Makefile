@@ -263,9 +263,11 @@ findings: $(BUILD)/beadsim ## claims of the thesis beside what comes out, from r
 fast_linker = $(if $(findstring -flto,$(CFLAGS)),,$(call once,fast_linker_found,$(firstword $(foreach l,lld gold,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l))))))
 # Tests fill structures that own their strings with literals.
 compile_test = $(CC) $(FLAGS) -Wno-write-strings -Itests $(sim_cflags) $(render_cflags)
+# What tests themselves compute takes no time beside what they ask of the libraries; optimizing them takes longer than running them.
+unoptimized = -O0 -U_FORTIFY_SOURCE
 $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,CC,$<) $(run) $(compile_test) -c $< -o $@
+	$(call say,CC,$<) $(run) $(compile_test) $(unoptimized) -c $< -o $@
 # Tests whose allocations fail have an allocator of their own.
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
 # Its locks fail where it says so.
@@ -276,7 +278,7 @@ with_test_ready_figures = -Wl,--wrap=graph_layout_make
 define test_room
 $(patsubst $(1)/%.c,$(BUILD)/tests/%.o,$(wildcard $(1)/test_*.c)): $(BUILD)/tests/%.o: $(1)/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $$(@D)
-	$$(call say,CC,$$<) $$(run) $$(compile_test) $$(filter -f%,$$(with_$$(*F))) -c $$< -o $$@
+	$$(call say,CC,$$<) $$(run) $$(compile_test) $$(unoptimized) $$(filter -f%,$$(with_$$(*F))) -c $$< -o $$@
 endef
 $(foreach room,$(TEST_ROOMS),$(eval $(call test_room,$(room))))
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(TEST_SUPPORT) $(STATIC)

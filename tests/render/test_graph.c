@@ -397,7 +397,7 @@ static void test_long_names_leave_room_for_plots(void **state)
             bead_look_paper(&look, 300);
             struct bead_panel panel = make_panel(&d, CURVES);
             struct bead_graph graph = {.panels = &panel, .panel_count = 1};
-            snprintf(what, sizeof what, "names of %zu characters on %g x %g mm", length, sizes[s][0], sizes[s][1]);
+            snprintf(what, sizeof what, "names of %d characters on %g x %g mm", (int)length, sizes[s][0], sizes[s][1]);
             assert_readable(&graph, &look, width, height, what);
             struct graph_layout layout = lay_out(&graph, &look, width, height);
             if (layout.cells[0].plot.height < 0.2 * height || layout.cells[0].plot.width < 0.3 * width)
