@@ -29,7 +29,8 @@ struct bead_mode {
     double frequency;     /* Hz */
     double participation; /* (sum e)^2 / sum e^2 of the kinetic energies e of the beads: N of N equal ones */
     double length; /* of localisation, in beads: amplitudes fall as exp(-n / length); see D. J. Thouless, J. Phys. C 5, 77 (1972).
-                    * As long as the chain or longer: extended */
+                    * From the ends of the mode in a chain of N beads: a mode that extends over all of it has about N / ln(N / 2),
+                    * and less near the edges of bands, as its ends have less than their part of it */
     double centre; /* bead: mean number, weighted by e */
 };
 /* All modes, rising; [beads of the chain], the caller's. A wall is one; ends without are free. Errors: SCENE (too many beads),
