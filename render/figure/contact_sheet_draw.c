@@ -138,11 +138,11 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
 static void name_values(const struct contact_sheet *s, size_t index, char *text, size_t size)
 {
     const struct bead_over *over = over_of(s);
-    char value[150], escaped[200];
+    char name[100], value[150], escaped[200];
     *text = '\0';
     for (size_t k = s->by_key && over->key_count > 0 ? over->key_count - 1 : 0; k < over->key_count; k++) {
-        snprintf(value, sizeof value, "%s %s", strrchr(over->keys[k].path, '.') + 1, /* paths have a point */
-                 over->keys[k].text[bead_sweep_value(s->sweep, 0, index, k)]);
+        bead_over_key_name(over, k, false, name, sizeof name);
+        snprintf(value, sizeof value, "%s %s", name, over->keys[k].text[bead_sweep_value(s->sweep, 0, index, k)]);
         bead_text_escape(value, escaped, sizeof escaped);
         snprintf(text + strlen(text), size - strlen(text), "  %s", escaped);
     }

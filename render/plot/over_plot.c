@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plots of sweeps over keys: force against a key, averaged over seeds, a curve for each combination of the other keys. */
-#include <ctype.h>
 #include <math.h>
 
 #include "render/draw/markup.h"
@@ -21,16 +20,10 @@ struct over_panel {
     char title[300], axis[200];
 };
 
-void bead_over_axis_name(const struct bead_over_key *key, char *text, size_t size)
+void bead_over_axis_name(const struct bead_over *over, size_t key, char *text, size_t size)
 {
-    const char *last = strrchr(key->path, '.') + 1, *part = last - 1; /* a path has a point */
     char words[150];
-    while (part > key->path && part[-1] != '.')
-        part--;
-    part = isdigit((unsigned char)*part) || part == key->path ? last : part;
-    snprintf(words, sizeof words, "%s", part);
-    for (char *c = words; *c; c++)
-        *c = *c == '.' ? ' ' : *c;
+    bead_over_key_name(over, key, true, words, sizeof words);
     bead_markup_quote(words, text, size);
 }
 
@@ -160,7 +153,7 @@ static enum bead_error fill(struct sweep_page *page, struct over_panel *p, size_
         add_curve(p, page->output, &p->found.curves[i], "", i, &at);
     if (panel->places > 1 && !what->values)
         bead_markup_quote(bead_sweep_place(sweep, 0, place), p->title, sizeof p->title);
-    bead_over_axis_name(key, p->axis, sizeof p->axis);
+    bead_over_axis_name(&panel->spec->over, p->found.key, p->axis, sizeof p->axis);
     page->panels[place] = (struct bead_panel){.title = *p->title ? p->title : NULL,
                                               .x = {p->axis, key->unit, NAN, NAN, asked->scale, false},
                                               .y = {what->title, what->unit, asked->range[0], asked->range[1], asked->scale,

@@ -118,7 +118,7 @@ static enum bead_error take_keys(struct sweep_page *page, struct plane *p, size_
     }
     bead_sweep_curves_free(&found);
     for (size_t k = 0; k < 2; k++) {
-        bead_over_axis_name(keys[k], p->axes[k], sizeof p->axes[k]);
+        bead_over_axis_name(over, (size_t)(keys[k] - over->keys), p->axes[k], sizeof p->axes[k]);
         p->units[k] = keys[k]->unit;
         p->scales[k] = output->plot.scale == BEAD_SCALE_LOG && is_positive(keys[k]) ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
     }

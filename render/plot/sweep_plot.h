@@ -39,4 +39,4 @@ struct bead_over_shown {
 BEAD_CHECK enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
                                                 struct bead_over_shown *what, struct bead_message *msg);
 /* "striker velocity" of chain.striker.velocity; "magnetism" of chain.beads.0.magnetism. */
-void bead_over_axis_name(const struct bead_over_key *key, char *text, size_t size);
+void bead_over_axis_name(const struct bead_over *over, size_t key, char *text, size_t size);

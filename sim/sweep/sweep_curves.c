@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the curves of a sweep over keys: see sweep_curves.h. */
 #include "sim/sweep/sweep_curves.h"
+#include <ctype.h>
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,19 +35,57 @@ size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t 
     return number;
 }
 
+/* Where the part of a path before this one begins; a number goes with what it counts. */
+static const char *part_before(const char *path, const char *part)
+{
+    do {
+        for (part--; part > path && part[-1] != '.'; part--)
+            ;
+    } while (part > path && isdigit((unsigned char)*part));
+    return part;
+}
+
+/* Does no path of another key end so? */
+static bool is_own(const struct bead_over *over, size_t key, const char *end)
+{
+    const size_t length = strlen(end);
+    bool own = true;
+    for (size_t k = 0; k < over->key_count; k++) {
+        const char *path = over->keys[k].path;
+        const size_t all = strlen(path);
+        own = own && (k == key || all <= length || path[all - length - 1] != '.' || strcmp(path + all - length, end) != 0);
+    }
+    return own;
+}
+
+void bead_over_key_name(const struct bead_over *over, size_t key, bool whose, char *text, size_t size)
+{
+    const char *path = over->keys[key].path, *dot = strrchr(path, '.'), *from = dot ? dot + 1 : path, *part = from;
+    for (part = from > path ? part - 1 : part; part > path && part[-1] != '.'; part--)
+        ;
+    if (whose && part > path && !isdigit((unsigned char)*part))
+        from = part;
+    while (from > path && !is_own(over, key, from))
+        from = part_before(path, from);
+    snprintf(text, size, "%s", from);
+    for (char *c = text; *c; c++)
+        *c = *c == '.' ? ' ' : *c;
+}
+
 void bead_sweep_curve_name(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key, char name[200])
 {
     const struct bead_over *over = &bead_sweep_panel(sweep, panel)->spec->over;
     for (size_t k = 0; k < over->key_count && over->combine == BEAD_COMBINE_GRID; k++) {
         const struct bead_over_key *of = &over->keys[k];
         const size_t used = strlen(name), value = bead_sweep_value(sweep, panel, index, k);
-        const char *dot = strrchr(of->path, '.');
+        char key_name[150];
         if (k == key || of->seed)
             continue;
+        bead_over_key_name(over, k, false, key_name, sizeof key_name);
         char *unit = of->text[value], number[32] = "";
         if (of->digits > 0 && value > 0 && value + 1 < of->count) /* the ends are as they are written */
             snprintf(number, sizeof number, "%.*g", of->digits, strtod(of->text[value], &unit));
-        snprintf(name + used, 200 - used, "%s%s %s%s", used ? ", " : "", dot ? dot + 1 : of->path, number, unit);
+        snprintf(name + used, 200 - used, "%s%s %s%s", used ? ", " : "", key_name, number, unit);
     }
 }
 

@@ -13,7 +13,7 @@ struct bead_sweep_point {
     double uncertainty;          /* of the mean, the same: that of its values, whose errors may be alike; NaN: unknown */
 };
 struct bead_sweep_curve {
-    char name[200];                  /* "chain.beads.0.count 20": the values of the other keys; "" where there are none */
+    char name[200];                  /* "count 20": the values of the other keys; "" where there are none */
     struct bead_sweep_point *points; /* by rising x */
     size_t count;
     double slope, slope_error; /* of ln y against ln x, by least squares; NaN with fewer than three points, or not above 0 */
@@ -24,6 +24,9 @@ struct bead_sweep_curves {
     struct bead_sweep_curve *curves;
     size_t count;
 };
+/* A key in words, the end of its path: its last part, `whose` with what it is one of, "striker velocity", and as many more as tell
+ * it from the other keys. */
+BEAD_INTERNAL void bead_over_key_name(const struct bead_over *over, size_t key, bool whose, char *text, size_t size);
 /* A number for the values that configuration `index` has of all keys that are neither seeds nor `key`, the one along the axis
  * (SIZE_MAX: none): that of its curve; and these values in words. */
 BEAD_INTERNAL size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t index, size_t key);

@@ -254,4 +254,14 @@ names() {
 ok "names of values are short" is "$(names 'chain.striker.velocity: {from: 0.1 m/s, to: 2 m/s, count: 4, spacing: log}')" "0.1 0.2714 0.7368 2 "
 ok "... but differ" is "$(names 'chain.striker.velocity: {from: 1 m/s, to: 1.0001 m/s, count: 3}')" "1 1.00005 1.0001 "
 ok "... and whole numbers are whole" is "$(names 'materials.my.modulus: {from: 100000 MPa, to: 200000 MPa, count: 3}')" "100000 150000000000 200000 "
+# Keys whose paths end alike are told apart, in curves, on axes and in sheets.
+cat >alike.yaml <<'YAML'
+chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 8}, {bead: large-steel, count: 8}]}
+sweep: {over: {chain.beads.0.bead: [brass, aluminium], chain.beads.1.bead: [brass, aluminium], chain.striker.bead: [brass, aluminium], chain.striker.velocity: [1 m/s, 2 m/s]}, measure: {beads: last}}
+outputs: [{table: alike.csv, against: chain.striker.velocity}, {sheet: alike.svg, size: [1280, 900]}, {plot: alike-plot.svg, against: chain.striker.velocity}]
+YAML
+ok "three keys that end alike" exits 0 "$beadreel" alike.yaml -o .
+ok "... are told apart in tables" grep -qF '"beads 0 bead brass, beads 1 bead brass, striker bead aluminium"' alike.csv
+ok "... and in plots" eval 'grep -qF "striker bead" alike-plot.svg && grep -qF "striker velocity" alike-plot.svg'
+ok "... and on both axes of a plane" eval '"$beadreel" alike.yaml -o . --set "sweep.over={chain.beads.0.count: [4, 6, 8], chain.beads.1.count: [4, 6]}" --set "outputs=[{plot: alike-plane.svg, show: plane}]" >"$T/out" && grep -qF "beads 0 count" alike-plane.svg && grep -qF "beads 1 count" alike-plane.svg'
 finish
