@@ -373,7 +373,7 @@ struct bead_panel_asked {
 
 /* Numbers of beads or contacts, rising. */
 struct bead_listed {
-    size_t *all; /* NULL: none are listed; BEAD_LAST in sweeps over keys */
+    size_t *all; /* NULL: none are listed; BEAD_LAST: of each chain, where these differ */
     size_t count;
 };
 

@@ -72,6 +72,7 @@ struct bead_show_type {
     bool of_field;                /* the output's `field` */
     bool vibrations;              /* of the chain at rest, whose contacts must be closed; nothing is run */
     bool of_places;               /* of the beads and contacts listed, or of sensors */
+    bool of_run;                  /* kept by a run: no trajectory has it */
     bool of_motion;               /* its field is velocity by default */
     bool own_times;               /* no samples but its own are close enough */
     bool of_powers;               /* powers of time are found in it: its times widen */

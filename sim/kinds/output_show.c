@@ -26,8 +26,12 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
     [BEAD_SHOW_PEAKS] = {.keys = KEYS("scale", "contacts", "overlay"),
                          .why_not = whole_passage,
                          .without_contacts = no_contacts,
-                         .ends = PLOT},
-    [BEAD_SHOW_BEAD_PEAKS] = {.keys = KEYS("scale", "beads"), .why_not = whole_passage, .without_contacts = no_contacts},
+                         .ends = PLOT,
+                         .of_run = true},
+    [BEAD_SHOW_BEAD_PEAKS] = {.keys = KEYS("scale", "beads"),
+                              .why_not = whole_passage,
+                              .without_contacts = no_contacts,
+                              .of_run = true},
     [BEAD_SHOW_MEASURES] = {.keys = KEYS("every"), .why_not = "measures describe the whole run", .ends = TABLE, .own_times = true},
     [BEAD_SHOW_MODES] = {.keys = KEYS("every", "time", "modes", "scale"),
                          .why_not = "modes have energies over time",
@@ -42,10 +46,12 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
     [BEAD_SHOW_ENERGY] = {.keys = KEYS("every", "time", "parts", "beads"),
                           .why_not = "the energy budget is one of the whole chain over time",
                           .without_contacts = "is the budget of beads and contacts, which equations do not have",
-                          .ends = PLOT | TABLE},
+                          .ends = PLOT | TABLE,
+                          .of_run = true},
     [BEAD_SHOW_SENSITIVITIES] = {.keys = KEYS("contacts"),
                                  .why_not = "sensitivities are those of peaks",
-                                 .without_contacts = "has the derivatives of peaks of contacts, which equations do not have"},
+                                 .without_contacts = "has the derivatives of peaks of contacts, which equations do not have",
+                                 .of_run = true},
     [BEAD_SHOW_EXTREMES] = {.keys = KEYS("every", "time", "field"),
                             .why_not = "extremes are those of all beads over time",
                             .ends = TABLE,
@@ -87,7 +93,7 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                               .ends = PLOT | TABLE,
                               .of_field = true,
                               .of_motion = true},
-    [BEAD_SHOW_FIT] = {.keys = KEYS(NULL), .why_not = "a fit has numbers, not curves"},
+    [BEAD_SHOW_FIT] = {.keys = KEYS(NULL), .why_not = "a fit has numbers, not curves", .of_run = true},
     [BEAD_SHOW_SETUP] = {.drawing = true},
     [BEAD_SHOW_CONTACT] = {.drawing = true},
     [BEAD_SHOW_CELL] = {.drawing = true},
@@ -144,6 +150,12 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
     if (curves->show == BEAD_SHOW_SPECTROGRAM && curves->beads.count + curves->contacts.count > 1)
         return BEAD_WRONG_KEY(reader, at, "beads", "are several places; a spectrogram is that of one");
+    for (size_t i = 0; i < 2 && !show->of_places; i++) {
+        const struct bead_listed *listed = i ? &curves->contacts : &curves->beads;
+        if (listed->count > 0 && listed->all[listed->count - 1] == BEAD_LAST)
+            return BEAD_WRONG_KEY(reader, at, i ? "contacts" : "beads",
+                                  "has last, which is not the same in all chains; must be numbers here");
+    }
     if (!show->of_places)
         return BEAD_OK;
     if (curves->contacts.count > 0 && !bead_scene_system(scene)->has_contacts)

@@ -109,7 +109,9 @@ BEAD_OPTION_READER(bead_output_read_views)
     return err;
 }
 
-enum bead_error bead_output_read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, size_t *index)
+/* `each`: in chains of unlike lengths `last` is the last one of each. */
+static enum bead_error read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, bool each,
+                                  size_t *index)
 {
     const struct bead_scene *scene = reader->scene;
     const bool any = scene->sweep_count == 1 && scene->sweeps[0].over.key_count > 0; /* chains may be of any length */
@@ -122,16 +124,22 @@ enum bead_error bead_output_read_place(const struct bead_reader *reader, const s
     const struct bead_option row = {
         .type = BEAD_OPTION_COUNT, .low = 0, .high = BEAD_SCENE_BEADS, .word = "last", .word_value = (double)last[1]};
     BEAD_TRY(bead_read_count(reader, at, &row, index));
-    if (any) {
-        *index = at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "last") == 0 ? BEAD_LAST : *index;
+    const bool word = at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "last") == 0;
+    if (word && (any || (each && last[0] < last[1])))
+        *index = BEAD_LAST;
+    if (any || *index == BEAD_LAST)
         return BEAD_OK;
-    }
-    if (last[0] < last[1] && at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "last") == 0)
+    if (last[0] < last[1] && word)
         return bead_wrong(reader, at, "is last, which is %zu in one chain and %zu in another; must be a number here", last[0],
                           last[1]);
     if (*index > last[1] && !reader->unsound)
         return bead_wrong(reader, at, "is %zu, but the last %s is %zu", *index, contact ? "contact" : "bead", last[1]);
     return BEAD_OK;
+}
+
+enum bead_error bead_output_read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, size_t *index)
+{
+    return read_place(reader, at, contact, false, index);
 }
 
 static enum bead_error read_bead(const struct bead_reader *reader, const struct bead_at *at, size_t *bead)
@@ -156,8 +164,8 @@ BEAD_OPTION_READER(bead_output_read_listed)
         return bead_no_memory(reader);
     for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        BEAD_TRY(bead_output_read_place(reader, at->node->kind == BEAD_NODE_SCALAR ? at : &element,
-                                        strcmp(option->key, "contacts") == 0, &all[i]));
+        BEAD_TRY(read_place(reader, at->node->kind == BEAD_NODE_SCALAR ? at : &element, strcmp(option->key, "contacts") == 0, true,
+                            &all[i]));
     }
     qsort(all, count, sizeof *all, ascending);
     for (size_t i = 0; i < count; i++) {

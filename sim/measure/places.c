@@ -8,10 +8,21 @@ static size_t index_of(size_t listed, size_t limit)
     return listed == BEAD_LAST ? limit - 1 : listed;
 }
 
+/* The `k`-th of those listed that there is: its place in the list, or the number of them if there are fewer. */
+static size_t find(const struct bead_listed *listed, size_t limit, size_t k)
+{
+    size_t i = 0;
+    for (; i < listed->count; i++) {
+        if (index_of(listed->all[i], limit) < limit && k-- == 0)
+            break;
+    }
+    return i;
+}
+
 static size_t below(const struct bead_listed *listed, size_t limit)
 {
     size_t count = 0;
-    while (count < listed->count && index_of(listed->all[count], limit) < limit) /* they rise */
+    while (find(listed, limit, count) < listed->count)
         count++;
     return count;
 }
@@ -41,9 +52,11 @@ struct bead_place_shown bead_place_shown(const struct bead_output *output, const
         snprintf(place.name, sizeof place.name, "%s", sensor->name);
         return place;
     }
-    const size_t listed = k < beads ? output->curves.beads.all[k] : output->curves.contacts.all[k - beads];
+    const struct bead_listed *of = k < beads ? &output->curves.beads : &output->curves.contacts;
+    const size_t limit = k < beads ? bead_chain_beads(chain) : bead_chain_contacts(chain);
+    const size_t listed = of->all[find(of, limit, k < beads ? k : k - beads)];
     const char *kind = k < beads ? "bead" : "contact";
-    place.index = index_of(listed, k < beads ? bead_chain_beads(chain) : bead_chain_contacts(chain));
+    place.index = index_of(listed, limit);
     if (k >= beads && !bead_field_info(place.field)->of_contacts)
         place.field = BEAD_FIELD_CONTACT_FORCE;
     if (listed == BEAD_LAST)
@@ -56,10 +69,12 @@ struct bead_place_shown bead_place_shown(const struct bead_output *output, const
 static enum bead_error check(const struct bead_output *output, const struct bead_listed *listed, const char *kind, size_t limit,
                              struct bead_message *msg)
 {
-    const size_t count = below(listed, limit);
-    return count == listed->count ? BEAD_OK
-                                  : bead_output_wrong(output, msg, "%ss: a chain has no %s %zu: its last is %zu", kind, kind,
-                                                      listed->all[count], limit - 1);
+    for (size_t i = 0; i < listed->count; i++) {
+        if (index_of(listed->all[i], limit) >= limit)
+            return bead_output_wrong(output, msg, "%ss: a chain has no %s %zu: its last is %zu", kind, kind, listed->all[i],
+                                     limit - 1);
+    }
+    return BEAD_OK;
 }
 
 enum bead_error bead_places_check(const struct bead_output *output, const struct bead_chain *chain, struct bead_message *msg)

@@ -84,7 +84,9 @@ static int rank(const struct bead_output *output, const struct bead_job *job, en
     if (strcmp(bead_session_base_name(output->path), bead_session_base_name(job->output)) == 0)
         return 4;
     const bool same = strcasecmp(extension(output->path), extension(job->output)) == 0;
-    if (!bead_output_ending_means(output->kind, source) || !takes_looks(job, output, sweep))
+    const struct bead_show_type *show = bead_output_show(output);
+    const bool stored = source == BEAD_OF_TRAJECTORY || source == BEAD_OF_TRAJECTORIES || source == BEAD_OF_DIFFERENCE;
+    if (!bead_output_ending_means(output->kind, source) || !takes_looks(job, output, sweep) || (stored && show && show->of_run))
         return 0;
     if (!same)
         return converts(output, job->output, source);

@@ -101,6 +101,25 @@ ok "fields are missed in the file that lacks them" eval 'long v.h5 --set "output
 for order in "u20.h5 none.h5" "none.h5 u20.h5"; do
     ok "a file that is not there, $order" eval 'fails 1 "$beadreel" '"$order"' -o both.pdf && says "none.h5: cannot be read: No such file"'
 done
+# What a trajectory cannot have is not drawn by an ending alone; `last` is that of each chain.
+cat >v.yaml <<'YAML'
+chains:
+  - {name: short, beads: [{bead: large-steel, count: 12}], start: [{bead: 0, velocity: 0.4 m/s}]}
+  - {name: long, beads: [{bead: large-steel, count: 20}], start: [{bead: 0, velocity: 0.4 m/s}]}
+simulate: {until: 0.6 ms}
+outputs:
+  - {plot: energy.svg, show: energy}
+  - {plot: peaks.svg, show: peaks}
+  - {table: last.csv, show: sensors, beads: [15, last], contacts: last, uncertainty: false}
+  - {trajectory: v.h5, every: 2 us, fields: [displacement, velocity, force, contact-force]}
+YAML
+ok "the last bead of each of two unlike chains" exits 0 "$beadreel" v.yaml -o .
+ok "... has a column each" eval '[ "$(head -n 1 last.csv)" = time_s,short/last_bead,short/last_contact,long/bead_15,long/last_bead,long/last_contact ]'
+ok "... that of the bead by its number" eval '"$beadsim" v.yaml -o . --set "outputs=[{table: number.csv, show: sensors, beads: [12, 20], uncertainty: false, every: 2 us}]" --set simulate.until="0.6 ms" >"$T/out" &&
+    "$beadsim" v.yaml -o . --set "outputs=[{table: word.csv, show: sensors, beads: last, uncertainty: false, every: 2 us}]" >"$T/out" && cmp <(column word.csv 2) <(column number.csv 2) && cmp <(column word.csv 3) <(column number.csv 4)'
+ok "... and no peaks or energies, which are those of numbers" eval 'fails 2 "$beadsim" v.yaml -o . --set "outputs=[{table: no.csv, show: peaks, contacts: last}]" && says "contacts: has last, which is not the same in all chains"'
+ok "stored runs: another plot than those that need a run" exits 0 "$beadreel" v.h5 -o own.svg
+ok "... but not under their names" eval 'fails 1 "$beadreel" v.h5 -o energy.svg && says "the energy budget is kept by a run"'
 refused() { fails "$1" "$beadsim" "${@:3}" && says "$2"; }
 ok "two scenes" refused 2 'one file at a time: `s.yaml` and `s.yaml`' s.yaml s.yaml
 ok "one trajectory" refused 2 '--diff: needs two trajectories' --diff a.h5 -o diff.csv

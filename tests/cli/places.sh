@@ -58,8 +58,10 @@ ok "panels need no sensor" exits 0 "$beadreel" two.yaml -o panels.svg --set 'out
 ok "... where they say which beads or contacts" grep -qF '>contact 8</tspan>' panels.svg
 ok "... but else they do" fails 2 "$beadreel" two.yaml --plan --set 'outputs=[{image: p.svg, panels: [[{show: sensors, chain: steel}]]}]'
 ok "... as they say" says "no bead of the chain has a \`sensor\`; give one, or say which \`beads\`"
-ok "the last bead of chains of two lengths" fails 2 "$beadreel" two.yaml --plan --set chains.1.beads.0.count=12 --set 'outputs=[{plot: p.svg, beads: [3, last]}]'
-ok "... is none" says 'outputs.0.beads.1: is last, which is 9 in one chain and 12 in another'
+ok "the last bead of chains of two lengths" exits 0 "$beadreel" two.yaml --plan --set chains.1.beads.0.count=12 --set 'outputs=[{plot: p.svg, beads: [3, last]}]'
+ok "... is that of each" prints 'samples: force of beads 3 to 12'
+ok "... and none of a range" fails 2 "$beadreel" two.yaml --plan --set chains.1.beads.0.count=12 --set 'outputs=[{image: p.svg, beads: [3, last]}]'
+ok "... of which it would be the end" says 'outputs.0.beads.1: is last, which is 9 in one chain and 12 in another'
 ok "an overlay" exits 0 "$beadreel" two.yaml -o .
 ok "... names the chains in its legend" grep -qF '>brass</tspan>' over.svg
 ok "... has one panel" eval '! grep -qF "(b)" over.svg && grep -qF "(b)" apart.svg'
