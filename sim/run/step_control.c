@@ -2,6 +2,7 @@
 /* Chooses the length of the next step from the stiffest contacts: see step_control.h. */
 #include "sim/run/step_control.h"
 
+#include "sim/base/wide.h"
 #include "sim/chain/drive.h"
 #include "sim/chain/law_beginning.h"
 
@@ -267,7 +268,7 @@ double bead_step_control_graded(const struct bead_step_control *control, const s
  * accelerations at both ends say, by A times this: the error of the trapezoidal rule for exp(-z). */
 static double trapezoidal_error(double z)
 {
-    const double left = exp(-z);
+    const double left = bead_exp(-z);
     return left - 1 + 0.5 * z * (1 + left);
 }
 
