@@ -204,7 +204,8 @@ static enum bead_error add_file(struct bead_session *s, struct bead_joined *j, s
 {
     const bool units = *bead_chain_time_unit(t->chains[0]) != '\0', first = *bead_chain_time_unit(s->trajectory->chains[0]) != '\0';
     if (units != first)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of an equation, and the other of beads; their axes differ", t->path);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of %s, and %s of %s; their axes differ", t->path,
+                         units ? "beads" : "an equation", s->trajectory->path, units ? "an equation" : "beads");
     for (size_t i = 0; i < t->chain_count; i++)
         j->of[(*used)++] = (struct joined_chain){t, i};
     s->end = fmin(s->end, t->end);

@@ -122,6 +122,9 @@ ok "stored runs: another plot than those that need a run" exits 0 "$beadreel" v.
 ok "... but not under their names" eval 'fails 1 "$beadreel" v.h5 -o energy.svg && says "the energy budget is kept by a run"'
 refused() { fails "$1" "$beadsim" "${@:3}" && says "$2"; }
 ok "two scenes" refused 2 'one file at a time: `s.yaml` and `s.yaml`' s.yaml s.yaml
+"$beadsim" fput --set simulate.until=20 --set 'outputs=[{trajectory: string.h5}]' -o . >"$T/out"
+ok "a string and beads" refused 2 'string.h5: is of an equation, and a.h5 of beads' a.h5 string.h5 -o no.csv --set outputs.0.beads=3
+ok "... whatever the order" refused 2 'a.h5: is of beads, and string.h5 of an equation' string.h5 a.h5 -o no.csv --set outputs.0.beads=3
 ok "one trajectory" refused 2 '--diff: needs two trajectories' --diff a.h5 -o diff.csv
 ok "three" refused 2 '--diff: needs two trajectories' --diff a.h5 b.h5 c.h5 -o diff.csv
 ok "a scene" refused 1 'not an HDF5 file' --diff a.h5 s.yaml -o diff.csv
