@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
+#include "sim/kinds/scene_facts.h"
 #include "sim/session/session_data.h"
 #include "sim/trajectory/trajectory_data.h"
 
@@ -156,11 +157,22 @@ static enum bead_error name_chains(struct bead_trajectory *t, const char *path, 
     return BEAD_OK;
 }
 
+static enum bead_error check_kind(const struct bead_trajectory *t, const struct bead_trajectory *first, struct bead_message *msg)
+{
+    const bool beads = !bead_scene_system(t->scene)->equation;
+    if (beads == !bead_scene_system(first->scene)->equation)
+        return BEAD_OK;
+    return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of %s, and %s of %s; their axes differ", t->path,
+                     beads ? "beads" : "an equation", first->path, beads ? "an equation" : "beads");
+}
+
 static enum bead_error open_others(struct bead_session *s, struct bead_joined *j, struct bead_message *msg)
 {
     BEAD_TRY(bead_new(&j->others, s->job.other_count, msg, "trajectories"));
     for (; j->other_count < s->job.other_count; j->other_count++)
         BEAD_TRY(bead_trajectory_open(s->job.others[j->other_count], NULL, &j->others[j->other_count], msg));
+    for (size_t i = 0; i < j->other_count; i++)
+        BEAD_TRY(check_kind(j->others[i], s->trajectory, msg));
     return BEAD_OK;
 }
 
@@ -199,20 +211,14 @@ struct bead_chain_spec *bead_session_shown(const struct bead_session *s, size_t 
 }
 
 /* Its chains, as places of the joined ones; and the times that all have. */
-static enum bead_error add_file(struct bead_session *s, struct bead_joined *j, struct bead_trajectory *t, size_t *used,
-                                struct bead_message *msg)
+static void add_file(struct bead_session *s, struct bead_joined *j, struct bead_trajectory *t, size_t *used)
 {
-    const bool units = *bead_chain_time_unit(t->chains[0]) != '\0', first = *bead_chain_time_unit(s->trajectory->chains[0]) != '\0';
-    if (units != first)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: is of %s, and %s of %s; their axes differ", t->path,
-                         units ? "beads" : "an equation", s->trajectory->path, units ? "an equation" : "beads");
     for (size_t i = 0; i < t->chain_count; i++)
         j->of[(*used)++] = (struct joined_chain){t, i};
     s->end = fmin(s->end, t->end);
     s->stored.last = fmin(s->stored.last, bead_trajectory_grid(t)->end);
     if (t->grid.start > s->native.start) /* all begin with the first sample of the session's that is not before theirs */
         s->native.start += s->native.every * ceil((t->grid.start - s->native.start) / s->native.every - 1e-6);
-    return BEAD_OK;
 }
 
 /* A difference is one of chains that are alike. */
@@ -241,9 +247,9 @@ static enum bead_error join(struct bead_session *s, struct bead_joined *j, struc
         for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
             BEAD_TRY(bead_new(&j->values[side][f], longest, msg, "samples of trajectories"));
     }
-    BEAD_TRY(add_file(s, j, s->trajectory, &used, msg));
+    add_file(s, j, s->trajectory, &used);
     for (size_t i = 0; i < j->other_count; i++)
-        BEAD_TRY(add_file(s, j, j->others[i], &used, msg));
+        add_file(s, j, j->others[i], &used);
     for (size_t i = 0; i < all; i++)
         j->chains[i] = j->of[i].trajectory->chains[j->of[i].number];
     j->chain_count = j->difference ? s->trajectory->chain_count : all;
