@@ -91,8 +91,8 @@ static const struct clear_format {
     const char *codec;
     double alpha, colour; /* mean differences allowed; colours count as much as they cover */
 } formats[] = {{"a.apng", BEAD_QUALITY_STANDARD, "apng", 0, 0.33}, {"a.mov", BEAD_QUALITY_LOSSLESS, "png", 0, 0.33},
-               {"a.mov", BEAD_QUALITY_DRAFT, "prores", 0.06, 0.7}, {"a.mov", BEAD_QUALITY_STANDARD, "prores", 0.06, 0.5},
-               {"a.mov", BEAD_QUALITY_HIGH, "prores", 0.06, 0.4},  {"a.webm", BEAD_QUALITY_DRAFT, "vp9", 0.8, 2},
+               {"a.mov", BEAD_QUALITY_DRAFT, "prores", 0.02, 0.7}, {"a.mov", BEAD_QUALITY_STANDARD, "prores", 0.02, 0.5},
+               {"a.mov", BEAD_QUALITY_HIGH, "prores", 0.02, 0.4},  {"a.webm", BEAD_QUALITY_DRAFT, "vp9", 0.8, 2},
                {"a.webm", BEAD_QUALITY_STANDARD, "vp9", 0.4, 1.7}, {"a.webm", BEAD_QUALITY_HIGH, "vp9", 0.25, 1.7}};
 
 static void alpha_is_read_back(void **state)
