@@ -335,7 +335,7 @@ static size_t place_from(const struct bead_movie_wants *w, struct bead_rect area
 /* Would labels have room below names, if not beside them? Dashes before names, and the key where that is on the stage, stay. */
 static bool labels_below(const struct bead_movie_wants *w, double room)
 {
-    return !bead_stage_keyed(w) && needs_label_line(w, room, true) && w->heading_width - w->heading_least <= label_part * room;
+    return !bead_stage_keyed(w) && needs_label_line(w, room, true) && BEAD_SMALLER_LABEL * w->label_width <= label_part * room;
 }
 
 /* A stage with all words. On upright frames labels that have no room beside names are below them, where no image gives way. */

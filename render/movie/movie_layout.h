@@ -32,6 +32,7 @@ struct bead_movie_wants {
     bool axes;            /* false: nothing but the views */
     bool headings;        /* some chain has one */
     double heading_width; /* of the widest with its label beside the name; where cells are narrower, it goes below. 0: no labels */
+    double label_width;   /* of the widest label */
     double heading_least; /* of the widest without label, as small as may be; where cells are narrower, M goes below */
     bool trust;           /* a line about the horizon, left out after the other words */
     int caption_lines;    /* reserved at the bottom */

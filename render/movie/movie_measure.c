@@ -158,6 +158,7 @@ static void measure_words(struct bead_composer *c)
     w->time_width = ceil(bead_words_width(NULL, &style, text) + 0.5 * c->look.gap);
     for (size_t i = 0; i < w->chain_count; i++) {
         w->heading_width = fmax(w->heading_width, bead_heading_width(&c->look, c->setup.chains[i]));
+        w->label_width = fmax(w->label_width, bead_label_width(&c->look, c->setup.chains[i]));
         w->heading_least = fmax(w->heading_least, bead_heading_least(&c->look, c->setup.chains[i], true));
         w->keyed_heading = fmax(w->keyed_heading, bead_heading_least(&c->look, c->setup.chains[i], true) + bead_composer_key(c, i));
     }

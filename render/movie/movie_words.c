@@ -16,7 +16,7 @@ static const double heading_line = 1.35;
 /* Its first line, in units of the title's font size; the gap between its parts, in those of the look's gap. */
 /* No letters are smaller, px. */
 static const double least_letters = 11;
-static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smallest_image_name = 0.8, smaller_label = 0.85;
+static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smallest_image_name = 0.8;
 
 struct bead_clock bead_clock_make(double end, double step, const char *unit)
 {
@@ -315,13 +315,18 @@ static double name_width(const struct bead_look *look, const struct bead_chain *
     return all + (bead_chain_spins(chain)[0] && m_size > 0 ? bead_words_width(NULL, &style, markup) + gap : 0);
 }
 
-double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
+double bead_label_width(const struct bead_look *look, const struct bead_chain *chain)
 {
     struct bead_text_style style = bead_words_style(look, look->label, look->ink, BEAD_ALIGN_BASELINE);
-    const double size = heading_size * look->title;
     char label[HEADING_MARKUP];
     label_markup(chain, label, sizeof label);
-    return label[0] ? 1 + name_width(look, chain, size, size) + bead_words_width(NULL, &style, label) : 0;
+    return bead_words_width(NULL, &style, label);
+}
+
+double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain)
+{
+    const double size = heading_size * look->title, label = bead_label_width(look, chain);
+    return label > 0 ? 1 + name_width(look, chain, size, size) + label : 0;
 }
 
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain, bool m)
@@ -429,9 +434,9 @@ double bead_heading_label(const struct bead_look *look, const struct bead_headin
 {
     struct heading h;
     place_heading(NULL, look, heading, rect, &h);
-    const bool shrinks = h.label_markup[0] && smaller_label * h.label.size >= least_letters && !label_fits(NULL, &h, rect, 1) &&
-                         label_fits(NULL, &h, rect, smaller_label);
-    return shrinks ? smaller_label : 1;
+    const bool shrinks = h.label_markup[0] && BEAD_SMALLER_LABEL * h.label.size >= least_letters &&
+                         !label_fits(NULL, &h, rect, 1) && label_fits(NULL, &h, rect, BEAD_SMALLER_LABEL);
+    return shrinks ? BEAD_SMALLER_LABEL : 1;
 }
 
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double label,

@@ -59,12 +59,15 @@ struct bead_heading {
     double size;            /* of the name, a part of the usual one */
 };
 bool bead_heading_has(const struct bead_chain *chain);
-/* px, of one line; 0: no label. */
+/* px, of the label alone, and of one line with the name; 0: no label. */
+double bead_label_width(const struct bead_look *look, const struct bead_chain *chain);
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
 /* px, of the name as small as it may be, and M unless that is below it. */
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain, bool m);
 /* The part of its usual size in which its name fits, or the smallest; whatever the heading's own. */
 double bead_heading_name(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
+/* So much smaller are labels that else have no room. */
+#define BEAD_SMALLER_LABEL 0.85
 /* The part of its usual size in which its label fits; 1: in full, or not at all. */
 double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 /* M stands beside the name or, in the second line, before the label. A label that does not fit in such a part of its size is left
