@@ -43,14 +43,22 @@ static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *l
 /* In units of the ticks' size: beside a lying bar, for its outer numbers; its least length. */
 static const double bar_pad = 1.2, least_bar = 4;
 
-/* The place of a horizontal bar: beside clock and badge, else in a line of its own, until images give way. */
+static bool coloured_beads(const struct bead_movie_wants *w)
+{
+    bool beads = false;
+    for (size_t v = 0; v < w->view_count; v++)
+        beads = beads || bead_view_has(w->views[v], BEAD_SHOWS_BEADS);
+    return beads;
+}
+
+/* The place of a horizontal bar: beside clock and badge, else in a line of its own, until nothing coloured is left. */
 static void place_for_bar(const struct bead_movie_wants *w, const struct bead_level *level, double room, double beside,
                           struct frame *f)
 {
     const struct bead_look *look = w->look;
     const double most = room - w->bar_title - 2 * bar_pad * look->tick, least = least_bar * look->tick;
     f->bar_beside = f->lying && most - (room - beside) - 1.5 * look->gap >= least;
-    f->bar_below = f->lying && !f->bar_beside && level->images && most >= least;
+    f->bar_below = f->lying && !f->bar_beside && (level->images || coloured_beads(w)) && most >= least;
 }
 
 /* Images of several chains need all the room that there is. */

@@ -316,6 +316,31 @@ static void test_colours_have_a_scale(void **state)
     assert_true(bars > 0 && axes > 0);
 }
 
+/* Rows of coloured beads have a scale, also where images gave way. */
+static void test_coloured_beads_have_a_scale(void **state)
+{
+    (void)state;
+    static const int shapes[][2] = {{1280, 720}, {1024, 768}, {1080, 1080}, {1080, 1920}, {390, 844}};
+    bool without_images = false;
+    for (unsigned i = 0; i < 5 * 3 * 2 * 3; i++) {
+        static struct stage s;
+        char text[4096], what[80];
+        struct wish w = {
+            .chains = 1 + i / 5 % 3, .large = i / 15 % 2, .layout = 1 + i / 30, .size = {shapes[i % 5][0], shapes[i % 5][1]}};
+        describe(&w, text, sizeof text);
+        open_stage(&s, text, w.size);
+        snprintf(what, sizeof what, "coloured-%s-%zu-%dx%d%s", layouts[w.layout], w.chains, w.size[0], w.size[1],
+                 w.large ? "-large" : "");
+        show(&s, what);
+        const bool tall = w.chains > 2 && w.size[1] > w.size[0]; /* three columns on a phone have no room for any words */
+        if (s.composer->layout.bar.width == 0 && !(tall && strcmp(layouts[w.layout], "columns") == 0))
+            fail_msg("%s: no scale", what);
+        without_images = without_images || image_share(&s) == 0;
+        close_stage(&s);
+    }
+    assert_true(without_images);
+}
+
 /* What chains share is said once: their materials at the first, the scale of the light at the last, and labels have the room left.
  */
 static void test_keys_leave_room_for_labels(void **state)
@@ -837,6 +862,7 @@ int main(void)
         cmocka_unit_test(test_notes_stay_on_the_stage),
         cmocka_unit_test(test_cells_in_the_picture),
         cmocka_unit_test(test_colours_have_a_scale),
+        cmocka_unit_test(test_coloured_beads_have_a_scale),
         cmocka_unit_test(test_keys_leave_room_for_labels),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
