@@ -11,7 +11,9 @@
 #include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
 
-/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks answer. */
+/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks answer. Not where
+ * forces jump as contacts close: errors of contacts that hardly touch fall more slowly than the tolerance, and an answer to so
+ * much more of it says too little. */
 static const double coarser = 30;
 /* If a run knows its energy no better than the coarser one, errors are as large as the whole difference. */
 static const double least_factor = 2;
@@ -41,9 +43,17 @@ double bead_compare_apart(const struct bead_play *p, size_t chain)
     return bead_compare_peaks(p) ? pi / bead_chain_omega(c, bead_chain_energy(c)) : 0;
 }
 
+static bool forces_jump(const struct bead_play *p)
+{
+    bool any = false;
+    for (size_t i = 0; i < p->chain_count; i++)
+        any = any || p->chains[i]->spec->damping_coefficient > 0;
+    return any;
+}
+
 double bead_play_comparison_factor(const struct bead_play *p, bool samples)
 {
-    const bool free = !samples && !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
+    const bool free = !samples && !forces_jump(p) && !(p->simulate->step > 0) && p->tolerance_factor > p->refinement;
     return free ? coarser * p->tolerance_factor : p->tolerance_factor;
 }
 

@@ -46,6 +46,13 @@ ok "rivals" judge rivals-1e-6/p.csv rivals-1e-12/p.csv 1e-6 4
 "$beadsim" "$top/tests/errors/damped.yaml" -o damped --quiet --set simulate.accuracy=1e-6 --set outputs.0.uncertainty=false >quiet
 ok "damped" awk -F, '$1 == 52 {off = $2 / 0.104169168438 - 1; found = off * off < 1e-12} END {exit !found}' damped/p.csv
 
+# ... and where contacts hardly touch they do more than that: it is said.
+for accuracy in 1e-6 1e-8; do
+    "$beadsim" "$top/tests/errors/grazing.yaml" -o grazing-$accuracy --quiet --set simulate.accuracy=$accuracy \
+        --set outputs.0.uncertainty="$([ $accuracy = 1e-6 ] && echo true || echo false)" >quiet
+done
+ok "grazing" judge grazing-1e-6/p.csv grazing-1e-8/p.csv 1e-6 1
+
 # columns TABLE REFERENCE : each number of a table with a row for each time is off by no more than its column of uncertainties says, and
 # the last of these is at most ten times the largest error. Rounding is a part of the largest value.
 columns() {
