@@ -14,6 +14,7 @@
 #include "render/draw/vector.h"
 #include "render/origin/origin.h"
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 
 struct format {
     const char *extension;
@@ -156,6 +157,10 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
 {
     const struct bead_picture_notes *notes = page->notes;
     double scale = 72 / notes->dpi;
+    /* Cairo falls where there is no memory for what PDF and SVG cannot say, which it holds twice as pixels; the rest is small. */
+    const uint64_t bytes = (uint64_t)page->width * (uint64_t)page->height * 4 * 2 + (32 << 20);
+    if (!bead_memory_room(bytes))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: needs %.2g GB of free addresses (ulimit -v)", part, 1e-9 * (double)bytes);
     cairo_surface_t *surface = page->format->create(write_bytes, file, page->width * scale, page->height * scale);
     cairo_surface_set_fallback_resolution(surface, notes->dpi, notes->dpi);
     page->format->describe(surface, notes);

@@ -111,8 +111,8 @@ static enum bead_error check_encoders(const char *path, const struct bead_codec 
     enum bead_error err = bead_av_open(&why);
     if (err)
         return bead_fail(msg, err, "%s: %s", path, why.text);
-    const char *const names[] = {bead_codec_encoder(codec, settings)->encoder,
-                                 settings->channels > 0 ? codec->sound->encoder : NULL, codec->gif ? "gif" : NULL};
+    const char *const video = bead_codec_encoder(codec, settings)->encoder;
+    const char *const names[] = {video, settings->channels > 0 ? codec->sound->encoder : NULL, codec->gif ? "gif" : NULL};
     const char *const muxers[] = {codec->muxer, codec->plain_muxer};
     for (size_t i = 0; i < sizeof muxers / sizeof muxers[0]; i++) {
         if (muxers[i] && !av_guess_format(muxers[i], NULL, NULL))
@@ -122,6 +122,9 @@ static enum bead_error check_encoders(const char *path, const struct bead_codec 
         if (names[i] && !avcodec_find_encoder_by_name(names[i]))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, names[i]);
     }
+    /* SVT-AV1 waits for ever for threads that it could not start; libaom falls. */
+    if (strstr(video, "av1") && !bead_memory_ample())
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: AV1 needs 4 GiB of free addresses (ulimit -v); other codecs need less", path);
     return BEAD_OK;
 }
 

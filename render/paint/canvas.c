@@ -56,6 +56,9 @@ static enum bead_error open_driver(const struct bead_canvas_driver *driver, int 
                                    struct bead_message *msg)
 {
     struct bead_canvas *c;
+    if (driver->context && !bead_memory_ample())
+        return bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s needs 4 GiB of free addresses (ulimit -v); --canvas plain does without",
+                         driver->title);
     BEAD_TRY(bead_new(&c, 1, msg, "a canvas"));
     c->driver = driver;
     c->width = width;

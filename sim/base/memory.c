@@ -60,6 +60,12 @@ enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_
                      1e-9 * (double)left);
 }
 
+bool bead_memory_room(uint64_t bytes)
+{
+    void *room = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    return room != MAP_FAILED && munmap(room, bytes) == 0;
+}
+
 enum bead_error bead_allocate(void *pointer, size_t count, size_t size, struct bead_message *msg, const char *what, ...)
 {
     char words[200];

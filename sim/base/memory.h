@@ -21,6 +21,14 @@ enum { BEAD_MEMORY_SMALL = 64 << 20 };
 uint64_t bead_memory_left(void);
 /* `what` begins the message: "chain.yaml:3:1: chain: 100 beads". Up to BEAD_MEMORY_SMALL bytes pass unchecked. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_message *msg);
+/* Are that many bytes of addresses free? The kernel is asked, so all its limits count (ulimit -v, -d, strict overcommit); nothing
+ * is kept. For libraries that fall or hang where an allocation of their own fails. */
+BEAD_INTERNAL bool bead_memory_room(uint64_t bytes);
+/* For Mesa and AV1: 4 GiB, more than any film of 3840 x 2160 takes in all (3.6 GB with AV1, 1 GB with H.264). */
+static inline bool bead_memory_ample(void)
+{
+    return bead_memory_room((uint64_t)4 << 30);
+}
 /* Make *pointer a cleared array of `count` elements. Where there is no memory it is NULL, and the message says so:
  * bead_new(&s->rows, rows, msg, "a table of %zu rows", rows): "out of memory for a table of 12 rows". Errors: MEMORY. */
 #define bead_new(pointer, count, msg, ...) bead_allocate((pointer), (count), sizeof **(pointer), (msg), __VA_ARGS__)

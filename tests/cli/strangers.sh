@@ -82,10 +82,21 @@ for file in map.csv drive.csv seen.csv .config/beadreel/own.csv hard.csv soft.cs
     ok "... and is as before" cmp "$file" before
 done
 scene '{image: a.png, colormap: map.csv}' >map.yaml
+mkdir over && cp drive.csv over/one.csv && cp drive.csv over/two.csv
+printf '%s\n' 'chain: {drive: {displacement: {file: one.csv}, amplitude: 1 um}, beads: [{bead: large-steel, count: 5}]}' \
+    'simulate: {until: 50 us}' 'outputs: [{table: a.csv}]' \
+    'sweep: {over: {chain.drive.displacement: [{file: one.csv}, {file: two.csv}]}, measure: {beads: [2, 4]}}' >over/over.yaml
+ok "a file that only a sweep's values name" fails 2 "$beadsim" over/over.yaml -o over/two.csv
+ok "..." says "over/two.csv: would replace what it is made of"
+ok "... is as before" cmp over/two.csv drive.csv
+ok "... and are beside the scene" exits 0 "$beadsim" over/over.yaml -o overs
 ok "a crate" exits 0 "$beadsim" plain.yaml -o crate --crate
 cp crate/ro-crate-scene.yaml before && echo '# mine' | tee -a before >>crate/ro-crate-scene.yaml
 ok "... does not replace the scene that it is made of" fails 2 "$beadsim" crate/ro-crate-scene.yaml -o crate --crate
 ok "..." cmp crate/ro-crate-scene.yaml before
+rm crate/*.csv
+ok "... and is refused before it is run" fails 2 "$beadsim" crate/ro-crate-scene.yaml -o crate --crate
+ok "..." test "$(ls crate)" = "$(printf 'ro-crate-metadata.json\nro-crate-scene.yaml')"
 rm -r .config
 
 mkfifo seen.png && mkdir folder.csv && ln -s plain.yaml here.png
@@ -253,6 +264,30 @@ else
         [ "$few" -gt 50 ] && [ $((all - few)) -ge 128 ] || { echo "$all MiB, $few MiB"; return 1; }
     }
     ok "where addresses are limited, threads share one heap" spared
+    scene '{movie: a.mp4, duration: 1 s, size: [320, 240]}' >frames.yaml
+    scene '{trajectory: read.h5, every: 5 us}' >read.yaml && "$beadsim" read.yaml -o . -q
+    few() { # MEGABYTES PROGRAM OPTIONS... : it may succeed or fail, but no signal ends it
+        rm -rf few
+        run bash -c 'ulimit -c 0; ulimit -v $(($1 * 1000)) && exec timeout 60 "${@:2}"' - "$@" --progress none
+        [ $status -le 2 ] && ! compgen -G 'few/*.part' >/dev/null || { echo "$*: status $status"; cat err; return 1; }
+    }
+    few_of_all() {
+        local size file
+        for size in 60 150 240 330 420 440 450 460 470 480 490 510 600 750 900; do
+            few "$size" "$beadreel" frames.yaml -o few && few "$size" "$beadreel" frames.yaml -o few/a.png || return 1
+        done
+        for size in 40 60 90 125 150 300; do
+            few "$size" "$beadsim" read.yaml -o few && few "$size" "$beadreel" read.h5 -o few/a.pdf || return 1
+            for file in read.yaml read.h5; do few "$size" "$beadsim" --info "$file" || return 1; done
+        done
+    }
+    ok "few addresses end no film, picture, run or description by a signal" few_of_all
+    ok "... beads are painted without Mesa, which would fall" few 480 "$beadreel" frames.yaml -o few
+    ok "... as it says" prints "painted by the plain canvas"
+    ok "... Mesa asked for by name" few 480 "$beadreel" frames.yaml -o few --canvas osmesa
+    ok "... is refused" says "needs 4 GiB of free addresses (ulimit -v); --canvas plain does without"
+    ok "... so is AV1" few 900 "$beadreel" frames.yaml --set outputs.0.codec=av1 -o few
+    ok "..." says "a.mp4: AV1 needs 4 GiB of free addresses (ulimit -v); other codecs need less"
     echo 'int png_write_end(void *png, void *info) { volatile char some[4096]; some[0] = 1; return png_write_end(png, info) + some[0]; }' >deep.c
     ${CC:-cc} -w -O0 -shared -fPIC deep.c -o deep.so
     deep() {
