@@ -175,25 +175,44 @@ static enum bead_error fill_scene(void *context, FILE *file, const char *, struc
     return BEAD_OK;
 }
 
-/* The directory of the one file that -o names, or else that of -o: the path of a result without its name in the scene. */
+/* The directory of the one file that -o names, or else that of -o: the path of an output without its name in the scene. */
 static void find_folder(struct crate *crate, const char *output)
 {
-    const struct bead_result *results = NULL;
-    if (bead_session_results(crate->session, &results) == 0)
+    struct bead_planned made = {.made = false};
+    for (size_t i = 0; !made.made && bead_session_planned(crate->session, i, &made); i++) {
+    }
+    if (!made.made || !made.path)
         return;
-    const char *path = results[0].path, *slash = strrchr(path, '/');
-    const size_t length = strlen(path), name = strlen(results[0].name);
+    const char *path = made.path, *slash = strrchr(path, '/');
+    const size_t length = strlen(path), name = strlen(made.name);
     const bool single = output && strcmp(output, path) == 0;
     const size_t folder = single ? (slash ? (size_t)(slash + 1 - path) : 0) : length - (name < length ? name : length);
     snprintf(crate->folder, sizeof crate->folder, "%.*s", (int)folder, path);
+}
+
+static void find_path(const struct crate *crate, const char *name, char path[PATH_MAX + 32])
+{
+    snprintf(path, PATH_MAX + 32, "%s%s", crate->folder, name);
+}
+
+enum bead_error command_crate_spare(const struct command *command, const struct bead_session *session, struct bead_message *msg)
+{
+    static const char *const names[] = {scene_file, metadata};
+    struct crate crate = {.session = session};
+    char path[PATH_MAX + 32];
+    find_folder(&crate, command->job.output);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        find_path(&crate, names[i], path);
+        BEAD_TRY(bead_session_spare_inputs(session, path, msg));
+    }
+    return BEAD_OK;
 }
 
 static enum bead_error write_one(struct crate *crate, const char *name, bead_file_fill fill, struct bead_message *msg)
 {
     char path[PATH_MAX + 32];
     uint64_t bytes = 0;
-    snprintf(path, sizeof path, "%s%s", crate->folder, name);
-    BEAD_TRY(bead_session_spare_inputs(crate->session, path, msg));
+    find_path(crate, name, path);
     return bead_file_write(path, fill, crate, &bytes, msg);
 }
 

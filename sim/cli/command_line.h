@@ -123,6 +123,8 @@ enum bead_error command_merge(const struct command *command, struct bead_message
 /* Makes the file `job.input` again from the scene stored in it, in a new directory or in -o, and says whether all bytes agree.
  * Errors: those of command_run; NUMBERS: they do not; FORMAT: the file has no scene. */
 enum bead_error command_reproduce(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
+/* Refuses a --crate whose files the run reads: before it begins. Errors: USAGE. */
+enum bead_error command_crate_spare(const struct command *command, const struct bead_session *session, struct bead_message *msg);
 /* --crate: writes ro-crate-metadata.json beside the results of a run, and the scene as it was run, ro-crate-scene.yaml. The crate
  * is a Process Run Crate (https://w3id.org/ro/wfrun/process/0.5). `began`: when the run did. Errors: IO, MEMORY. */
 enum bead_error command_crate(const struct command *command, const struct bead_session *session, time_t began,

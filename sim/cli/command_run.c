@@ -272,6 +272,8 @@ static enum bead_error open_and_play(const struct command *command, const volati
     command_guard(session);
     if (!err && command->piped)
         err = check_piped(session, msg);
+    if (!err && command->crate)
+        err = command_crate_spare(command, session, msg);
     if (!err)
         err = play(command, session, &meter, began, msg);
     if (!err && command->crate)

@@ -182,17 +182,13 @@ static enum bead_error points_text(const struct bead_reader *reader, const struc
 static enum bead_error file_points(const struct bead_reader *reader, const struct bead_at *at, const struct wave_file *file,
                                    char **points)
 {
-    const char *scene = bead_yaml_name(reader->yaml, NULL), *slash = strrchr(scene, '/');
     struct bead_message why = {""};
-    BEAD_FREED char *path = NULL, *text = NULL;
-    size_t length = 0;
     if (!file->name)
         return BEAD_WRONG_KEY(reader, at, "file", "is missing");
-    const bool beside = !at->node->origin && *file->name != '/' && slash;
-    if (asprintf(&path, "%.*s%s", beside ? (int)(slash - scene) + 1 : 0, scene, file->name) < 0) {
-        path = NULL;
+    BEAD_FREED char *path = bead_yaml_beside(reader->yaml, at->node, file->name), *text = NULL;
+    size_t length = 0;
+    if (!path)
         return bead_no_memory(reader);
-    }
     enum bead_error err = bead_yaml_read_part(reader->yaml, path, MOST_BYTES, &text, &length, &why);
     if (err)
         return err == BEAD_ERROR_MEMORY ? bead_no_memory(reader) : bead_wrong(reader, at, "%s", why.text);

@@ -180,19 +180,13 @@ static char *read_colours(const char *text, const char *turned, char *why, size_
     return colours;
 }
 
-/* Names of files in scenes are relative to the scene, those in options to the working directory. */
 static char *colours_path(const struct own *own, const struct bead_node *node, const char *name)
 {
-    const char *scene = bead_yaml_name(own->reader->yaml, NULL), *slash = strrchr(scene, '/');
-    char *path = NULL;
     for (size_t i = 0; own->config && i < own->config->colormap_count; i++) {
         if (strcmp(own->config->colormaps[i].name, name) == 0)
             return strdup(own->config->colormaps[i].file);
     }
-    if (!bead_colours_are_file(name))
-        return strdup("");
-    const bool beside = !node->origin && *name != '/' && slash;
-    return asprintf(&path, "%.*s%s", beside ? (int)(slash - scene) + 1 : 0, scene, name) < 0 ? NULL : path;
+    return bead_colours_are_file(name) ? bead_yaml_beside(own->reader->yaml, node, name) : strdup("");
 }
 
 /* The file of a map, or of that which NAME_r turns round; "": it has none. */

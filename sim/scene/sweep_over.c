@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "sim/base/memory.h"
 #include "sim/scene/scene_private.h"
@@ -146,6 +147,20 @@ static bool read_run(const char *text, long *first, long *last)
     return *end == '\0' && *first <= *last && *last - *first < MOST_VALUES;
 }
 
+/* Files that chains of the sweep will read: any text among the values, or within one, that is the name of a file. */
+static enum bead_error note_files(struct bead_reader *reader, const struct bead_node *node)
+{
+    if (node->kind != BEAD_NODE_SCALAR) {
+        for (size_t i = 0; i < node->count; i++)
+            BEAD_TRY(note_files(reader, node->items[i]));
+        return BEAD_OK;
+    }
+    BEAD_FREED char *path = bead_yaml_beside(reader->yaml, node, node->text);
+    if (!path)
+        return bead_no_memory(reader);
+    return access(path, F_OK) == 0 ? bead_yaml_note_part(reader->yaml, path, reader->msg) : BEAD_OK;
+}
+
 static enum bead_error read_values(struct bead_reader *reader, const struct bead_at *at, struct bead_over_key *key)
 {
     static const char shape[] =
@@ -159,6 +174,7 @@ static enum bead_error read_values(struct bead_reader *reader, const struct bead
     const size_t count = run ? (size_t)(last - first) + 1 : at->node->count;
     BEAD_TRY(bead_new(&key->text, count, reader->msg, "a sweep"));
     BEAD_TRY(bead_new(&key->value, count, reader->msg, "a sweep"));
+    BEAD_TRY(note_files(reader, at->node));
     for (size_t i = 0; i < count; i++) {
         char *text = NULL;
         if (run && asprintf(&text, "%ld", first + (long)i) < 0)

@@ -55,6 +55,9 @@ BEAD_CHECK enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct be
  * Errors: as above. */
 BEAD_CHECK enum bead_error bead_yaml_find(struct bead_yaml *yaml, const char *path, const char *const *naming,
                                           const struct bead_node **node, struct bead_message *msg);
+/* The path of a file that `node` names, to be freed: names in a document are relative to it, those in options
+ * (--set, --output) to the working directory. NULL: no memory. */
+char *bead_yaml_beside(const struct bead_yaml *yaml, const struct bead_node *node, const char *file);
 /* Note the name of a file of which the document has parts, or what is made of it. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_note_part(struct bead_yaml *yaml, const char *path, struct bead_message *msg);
 /* Note the name, and read the file as bead_file_read does. */

@@ -156,6 +156,14 @@ struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node 
     return made;
 }
 
+char *bead_yaml_beside(const struct bead_yaml *yaml, const struct bead_node *node, const char *file)
+{
+    const char *name = bead_yaml_name(yaml, NULL), *slash = strrchr(name, '/');
+    const bool option = node->origin && *node->origin == '-', beside = !option && *file != '/' && slash;
+    char *path = NULL;
+    return asprintf(&path, "%.*s%s", beside ? (int)(slash - name) + 1 : 0, name, file) < 0 ? NULL : path;
+}
+
 const char *bead_yaml_part(const struct bead_yaml *yaml, size_t index)
 {
     return yaml->files && index < yaml->files->count ? yaml->files->items[index]->text : NULL;
