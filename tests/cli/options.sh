@@ -89,7 +89,10 @@ ok "... names it" says stpe
 ok "--set with a wrong unit" fails 2 "$beadreel" clean-vs-delocalised --set simulate.until=3kg
 ok "--only of no output" fails 2 "$beadreel" clean-vs-delocalised --only nothing.png
 ok "... names it" says nothing.png
-ok "two scenes" fails 2 "$beadreel" one.yaml two.yaml
+ok "two scenes" fails 2 "$beadreel" "$top/assets/scenes/kdv.yaml" "$top/assets/scenes/fput.yaml"
+ok "... are one too many" says "one file at a time"
+ok "files that are not there" fails 1 "$beadreel" one.yaml two.yaml
+ok "... are named" says "one.yaml: cannot be read"
 ok "a ready scene nearly named" fails 2 "$beadreel" clean-vs-delocalized
 ok "... suggests" says clean-vs-delocalised
 ok "--info of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised

@@ -122,18 +122,20 @@ ok "stdout to a full device" fails 1 bash -c "'$beadsim' scene.yaml -o slow --on
 ok "a closed pipe ends in order" bash -c "'$beadsim' scene.yaml -o slow --only peaks.csv 2>err2 | true; [ \${PIPESTATUS[0]} -eq 141 ]"
 
 # Where the numbers mean nothing any more there is a message and no file.
-wild() { # START END: of the chain; STEP
+wild() { # START END: of the chain; STEP [DAMPING]
     cat >wild.yaml <<YAML
-$1damping: {coefficient: 1e6, exponent: 1}, beads: [{bead: large-steel, count: 100}]$2
+$1damping: {coefficient: ${4:-1e6}, exponent: 1}, beads: [{bead: large-steel, count: 100}]$2
 simulate: {step: $3}
 outputs: [{table: wild.csv, show: peaks}]
 YAML
     exits 1 "$beadsim" wild.yaml -o wild && [ ! -e wild/wild.csv ]
 }
 ok "energy out of bounds ends a run" wild 'chain: {' '}' '0.2 us'
-ok "... and says why" grep -qE '^beadsim: chain: at [0-9.e-]+ s the energy is off by .* steps of 2e-07 s are too long for `rk8`' err
+ok "... and says why" grep -qE '^beadsim: wild\.yaml:1:8: chain: at [0-9.e-]+ s the energy is off by .* steps of 2e-07 s are too long for `rk8`' err
 ok "energy out of bounds in a chain with a name" wild 'chains: [{name: A, ' '}]' '0.2 us'
-ok "... which is told" grep -q '^beadsim: chain A: at ' err
-ok "damping that no step can follow ends a run" wild 'chains: [{name: A, ' '}]' auto
+ok "... which is told" grep -q '^beadsim: wild\.yaml:1:10: chain A: at ' err
+ok "a front that damping spreads out ends a run" wild 'chains: [{name: A, ' '}]' auto
+ok "... and says why" grep -qE '^beadsim: wild\.yaml:1:10: chain A: after [0-9.e-]+ s the front has not reached the end: .* or less damping' err
+ok "damping that no step can follow ends a run" wild 'chains: [{name: A, ' '}]' auto 1e9
 ok "... and says why" grep -qE '^beadsim: wild\.yaml:[0-9]+:[0-9]+: chain A: at 0 s velocities decay so fast that steps of .* damping is too strong' err
 finish
