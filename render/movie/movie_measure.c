@@ -106,6 +106,9 @@ static void measure_bar(struct bead_composer *c)
     w->bar_title = ceil(bead_words_width(NULL, &style, markup) + 1);
 }
 
+/* Between a heading and the key beside it, in units of the labels' size. */
+static const double air_before_key = 0.5;
+
 static struct bead_view_setup key_setup(const struct bead_composer *c, size_t chain)
 {
     const struct bead_output *output = c->setup.output;
@@ -123,7 +126,9 @@ double bead_composer_key(const struct bead_composer *c, size_t chain)
 {
     struct bead_view_setup setup = key_setup(c, chain);
     setup.elsewhere = bead_stage_key_elsewhere(c->setup.chains, c->setup.chain_count, chain);
-    return bead_views_any(&c->setup.output->views, BEAD_ACTS) && c->layout.key.width == 0 ? bead_stage_key_room(&setup) : 0;
+    const bool here = bead_views_any(&c->setup.output->views, BEAD_ACTS) && c->layout.key.width == 0;
+    const double key = here ? bead_stage_key_room(&setup) : 0;
+    return key > 0 ? key + air_before_key * c->look.label : 0;
 }
 
 /* A line of the key of all chains, without the parts elsewhere; with `cr` NULL it is measured only. Returns its width. */

@@ -366,6 +366,38 @@ static void test_keys_leave_room_for_labels(void **state)
     }
 }
 
+/* On small frames names become smaller, but do not touch the key beside them. */
+static void test_keys_are_apart_from_headings(void **state)
+{
+    (void)state;
+    size_t beside = 0;
+    for (int width = 300; width <= 640; width += 20) {
+        static struct stage s;
+        const int size[2] = {width, 2 * (width * 9 / 32)};
+        open_stage(&s,
+                   "chains:\n"
+                   "  - {name: Clean, beads: [{cell: [large-steel, aluminium], count: 40}]}\n"
+                   "  - {name: Delocalised, beads: [{cell: [large-steel, aluminium], count: 40, spins: random}]}\n"
+                   "simulate: {until: 0.3 ms}\noutputs: [{movie: m.mp4}]\n",
+                   size);
+        for (size_t k = 0; k < s.seen.count; k++) {
+            const struct text *key = &s.seen.text[k];
+            for (size_t t = 0; strncmp(key->markup, "light", 5) == 0 && t < s.seen.count; t++) {
+                const struct text *text = &s.seen.text[t];
+                const bool line = fabs(text->y + 0.5 * text->height - key->y - 0.5 * key->height) < 0.5 * key->height;
+                if (!line || text->x >= key->x)
+                    continue;
+                beside++;
+                if (text->x + text->width + 0.4 * s.composer->look.label > key->x)
+                    fail_msg("%d x %d: '%s' ends %.1f px before the key", size[0], size[1], text->markup,
+                             key->x - text->x - text->width);
+            }
+        }
+        close_stage(&s);
+    }
+    assert_true(beside >= 18);
+}
+
 /* Names for people, not the scene's identifiers. */
 static void test_names_are_words(void **state)
 {
@@ -864,6 +896,7 @@ int main(void)
         cmocka_unit_test(test_colours_have_a_scale),
         cmocka_unit_test(test_coloured_beads_have_a_scale),
         cmocka_unit_test(test_keys_leave_room_for_labels),
+        cmocka_unit_test(test_keys_are_apart_from_headings),
         cmocka_unit_test(test_names_are_words),
         cmocka_unit_test(test_differences_count),
         cmocka_unit_test(test_headings_show_equations),
