@@ -43,12 +43,13 @@ static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *l
 /* In units of the ticks' size: beside a lying bar, for its outer numbers; its least length. */
 static const double bar_pad = 1.2, least_bar = 4;
 
-static bool coloured_beads(const struct bead_movie_wants *w)
+/* The number of views that are rows of coloured beads. */
+static size_t rows_of_beads(const struct bead_movie_wants *w)
 {
-    bool beads = false;
+    size_t count = 0;
     for (size_t v = 0; v < w->view_count; v++)
-        beads = beads || bead_view_has(w->views[v], BEAD_SHOWS_BEADS);
-    return beads;
+        count += bead_view_has(w->views[v], BEAD_SHOWS_BEADS);
+    return count;
 }
 
 /* The place of a horizontal bar: beside clock and badge, else in a line of its own, until nothing coloured is left. */
@@ -58,7 +59,7 @@ static void place_for_bar(const struct bead_movie_wants *w, const struct bead_le
     const struct bead_look *look = w->look;
     const double most = room - w->bar_title - 2 * bar_pad * look->tick, least = least_bar * look->tick;
     f->bar_beside = f->lying && most - (room - beside) - 1.5 * look->gap >= least;
-    f->bar_below = f->lying && !f->bar_beside && (level->images || coloured_beads(w)) && most >= least;
+    f->bar_below = f->lying && !f->bar_beside && (level->images || rows_of_beads(w) > 0) && most >= least;
 }
 
 /* Images of several chains need all the room that there is. */
@@ -231,10 +232,8 @@ static void place_lying_bar(const struct bead_movie_wants *w, const struct frame
 static double shape_cost(const struct bead_cells *c)
 {
     const double width = (double)c->area.width / (double)c->columns, height = (double)c->area.height / (double)c->rows;
-    bool beads = true;
-    for (size_t v = 0; v < c->wants->view_count; v++)
-        beads = beads && bead_view_has(c->wants->views[v], BEAD_SHOWS_BEADS);
-    return beads ? log((double)c->columns) : bead_layout_misfit(width, height, best_shape);
+    return rows_of_beads(c->wants) == c->wants->view_count ? log((double)c->columns)
+                                                           : bead_layout_misfit(width, height, best_shape);
 }
 
 /* The distance of an arrangement of cells from the ideal. */

@@ -22,8 +22,8 @@ static size_t find(const struct bead_listed *listed, size_t limit, size_t k)
 static size_t below(const struct bead_listed *listed, size_t limit)
 {
     size_t count = 0;
-    while (find(listed, limit, count) < listed->count)
-        count++;
+    for (size_t i = 0; i < listed->count; i++)
+        count += index_of(listed->all[i], limit) < limit;
     return count;
 }
 

@@ -133,27 +133,28 @@ static double last_force(const struct bead_stepper *s, double energy, bool meeti
 }
 
 /* A bead hands over up to four times the energy of its motion with a lighter one: that then moves on twice as fast. So do the first
- * beads of a broad pulse that breaks into narrow ones. A rigid wall doubles the force. */
+ * beads of a broad pulse that breaks into narrow ones. A rigid wall doubles the force. Both are margins, not bounds: of 70 random
+ * damped chains 17 were given up, in none of which, run five times as long, more than .82 of the level arrived. A chain that
+ * gathers the energy of many contacts in one would break them. */
 static const double handed_over = 4, doubled = 2;
 
-/* With damping, the largest force of the last contact, N, that can come of what contacts store or their beads meet with now.
- * Damping forces alone spread as heat does, so that none is ever larger than the largest; pulses of elastic forces keep their
- * energies at most. */
-static double largest_to_come(const struct bead_stepper *s)
+/* With damping: can a force of the last contact above `level`, N, come of what contacts store or their beads meet with now? Damping
+ * forces alone spread as heat does, so that none is ever larger than the largest; pulses of elastic forces keep their energies at
+ * most. The strongest contacts are at the front, and one is enough. */
+static bool is_enough(const struct bead_stepper *s, double level)
 {
     const struct bead_chain *c = s->chain;
-    const size_t n = bead_stepper_contacts(s);
-    double most = 0;
-    for (size_t k = s->first; k < n; k++) {
+    bool enough = false;
+    for (size_t k = bead_stepper_contacts(s); k-- > s->first && !enough;) {
         const double force = s->end.f[k], meeting = fmax(s->end.v[k] - s->end.v[k + 1], 0),
                      weight = c->inverse_mass[k] + (k + 1 < c->beads ? c->inverse_mass[k + 1] : 0),
                      stored =
                          c->law->energy(c->stiffness[k], s->table.law, c->law->compression(c->stiffness[k], s->table.law, force));
-        most = fmax(most, fmax(force, last_force(s, handed_over * stored, false)));
-        if (meeting > 0 && weight > 0)
-            most = fmax(most, last_force(s, handed_over * 0.5 * meeting * meeting / weight, true));
+        enough =
+            doubled * force > level || doubled * last_force(s, handed_over * stored, false) > level ||
+            (meeting > 0 && weight > 0 && doubled * last_force(s, handed_over * 0.5 * meeting * meeting / weight, true) > level);
     }
-    return doubled * most;
+    return enough;
 }
 
 bool bead_front_is_lost(const struct bead_front *front, const struct bead_stepper *s)
@@ -164,7 +165,7 @@ bool bead_front_is_lost(const struct bead_front *front, const struct bead_steppe
         c->static_force[last] != 0)
         return false;
     const double level = part * front->largest_force;
-    return !(last_force(s, energy_behind(s), true) > level) || (s->table.damping > 0 && !(largest_to_come(s) > level));
+    return !(last_force(s, energy_behind(s), true) > level) || (s->table.damping > 0 && !is_enough(s, level));
 }
 
 enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *s, struct bead_message *msg)
