@@ -137,7 +137,7 @@ static struct bead_rect row_of(const struct frame *f, size_t row, int left, int 
 /* Does the label, or M, need a line below the name in `room` px? */
 static bool needs_label_line(const struct bead_movie_wants *w, double room, bool roomy)
 {
-    room -= 1.3 * w->look->tick;
+    room -= BEAD_HEADING_AIR * w->look->tick;
     return w->heading_least > room || (roomy && w->heading_width > room);
 }
 

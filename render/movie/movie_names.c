@@ -69,9 +69,6 @@ static struct bead_heading heading_of(const struct bead_composer *c, size_t chai
     return (struct bead_heading){c->setup.chains[chain], colour, c->layout.label_lines, false, 1};
 }
 
-/* The room that layouts leave beside name and M, in units of the ticks' font size. */
-static const double slack = 1.3;
-
 /* The names of chains are all as small as one of them has to be, and so are the labels beside them; the M of all are below, where
  * one must be. */
 static void size_headings(const struct bead_composer *c, bool *below, double *name, double *label)
@@ -81,7 +78,7 @@ static void size_headings(const struct bead_composer *c, bool *below, double *na
     for (size_t i = 0; i < c->layout.chain_count; i++) {
         const double least = bead_heading_least(&c->look, c->setup.chains[i], true);
         const struct bead_rect rect = heading_rect(c, i);
-        *below = *below || (rect.width > 0 && least > after_sample(c, rect).width - slack * c->look.tick);
+        *below = *below || (rect.width > 0 && least > after_sample(c, rect).width - BEAD_HEADING_AIR * c->look.tick);
     }
     for (int pass = 0; pass < 2; pass++) { /* labels are placed by names */
         for (size_t i = 0; i < c->layout.chain_count; i++) {
