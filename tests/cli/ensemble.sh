@@ -60,21 +60,11 @@ ok "... on one thread the same bytes" eval '"$beadreel" m.yaml -q -o single --th
 wide() { "$beadreel" m.yaml -q -o . --set "outputs=[{plot: paper.svg, show: sensors, beads: $1, style: paper}]" && grep -qE "width=\"$2" paper.svg; }
 ok "on paper, the curves of one place have one column" wide 3 24
 ok "... those of two both" wide "[3, 12]" 50
-awk -F, 'NR == 1 {print "time_s,bead_12"} $2 == "magnetism 0" {print $1 "," $6}' m.csv >curve.csv
-ok "the plot has their curve" python3 "$top/tests/curves.py" m.svg curve.csv 1e-6 1e-3 6
 ok "... and says how many there are" grep -q "mean of 5 chains" m.svg
 ok "means of spectra" exits 0 "$beadsim" m.yaml -o . --set 'outputs=[{table: s.csv, show: spectrum, beads: [3, 12], field: velocity, every: 2 us}]'
 ok "... beside the chains alone" alone 5 m.yaml '{table: one.csv, show: spectrum, beads: [3, 12], field: velocity, every: 2 us, uncertainty: false}'
 ok "... are means of amplitudes" means s.csv 0 "magnetism 0" 2
 
-awk -F, 'NR == 1 {print "x,y"} $2 == "magnetism 0" {print $1 "," $6}' s.csv >curve.csv
-# Lines of 2.5 kHz, to half a mm/s: points on a straight line are left out.
-along() {
-    "$beadreel" m.yaml -q -o . --set "outputs=[{plot: s.svg, show: spectrum, beads: 12, field: velocity, every: 2 us, frequencies: [0 Hz, 240 kHz]}]" &&
-        python3 "$top/tests/curves.py" s.svg - 1 1 6 | awk -F, 'NR == FNR {if (FNR > 1) wanted[sprintf("%.0f", $1 / 2500)] = 1e3 * $2; next}
-            {d = $2 - wanted[sprintf("%.0f", $1 / 2.5)]; bad = bad || d * d > 0.25; n++} END {exit bad || n < 30}' curve.csv -
-}
-ok "... its spectrum has the curve of the table" along
 { dimers 60; cat; } >d.yaml <<'YAML'
   drive: {displacement: noise, amplitude: 10 pm, frequency: 12 kHz, seed: 1}
 simulate: {until: 20 ms}
