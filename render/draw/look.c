@@ -70,6 +70,9 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
     snprintf(look->family, sizeof look->family, "Lato");
 }
 
+/* px: of type that can be read. */
+static const double least_label = 11, least_title = 13;
+
 /* Labels, ticks and the facts have one size; titles and captions are larger. Upright frames are seen on phones, a third as wide as
  * a screen. Floors keep type readable in small frames. */
 void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large)
@@ -77,11 +80,22 @@ void bead_look_film(struct bead_look *look, int width, int height, bool dark, bo
     const bool phone = height >= 1.25 * width;
     double side = fmin(height, width), part = phone ? (large ? 0.06 : 0.05) : large ? 0.04 : 0.03;
     bead_look_screen(look, width, height, dark);
-    look->label = look->tick = fmax(11, part * side);
-    look->title = fmax(13, 1.15 * part * side);
+    look->label = look->tick = fmax(least_label, part * side);
+    look->title = fmax(least_title, 1.15 * part * side);
     look->line = whole(side / 800);
     look->gap = fmax(5, 0.012 * side);
     look->margin = round(look->gap);
+}
+
+void bead_look_type(struct bead_look *look, double part)
+{
+    look->label = look->tick = fmax(least_label, part * look->label);
+    look->title = fmax(least_title, part * look->title);
+}
+
+double bead_look_least_type(const struct bead_look *look)
+{
+    return least_label / look->label;
 }
 
 /* Legible from the back of a room: type 1/28 of the height. */

@@ -10,6 +10,10 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark);
 /* Screen look for films: type in parts of the shorter side of the frame, 3 % for labels, `large` 4 %; on phones, whose frames are
  * upright, 5 and 6 %. */
 void bead_look_film(struct bead_look *look, int width, int height, bool dark, bool large);
+/* The type of a film's look in this part of its size, but no smaller than can be read. */
+void bead_look_type(struct bead_look *look, double part);
+/* The part of its type that can just be read. */
+double bead_look_least_type(const struct bead_look *look);
 /* Screen look for a projector: larger type, thicker lines. */
 void bead_look_slide(struct bead_look *look, int width, int height, bool dark);
 /* Patterns by which lines are told apart without their colours: 0 is whole; the last is for plateaus and fits. */

@@ -119,10 +119,7 @@ static enum bead_error create_views(struct bead_composer *c, struct bead_message
 static enum bead_error composer_fill(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
-    bead_look_film(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT,
-                   output->movie.type == BEAD_TYPE_LARGE);
-    bead_look_font(&c->look, output->paper.font);
-    c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
+    bead_composer_dress(c, 1);
     BEAD_TRY(bead_colour_range_map(output, c->setup.chains[0], c->look.dark, &c->map, msg));
     c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
@@ -143,9 +140,7 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
     if (!err && c->setup.held)
         err = bead_composer_hold(c, msg);
     if (!err)
-        err = bead_composer_measure(c, msg);
-    if (!err)
-        err = bead_movie_arrange(&c->wants, &c->layout, msg);
+        err = bead_composer_arrange(c, msg);
     if (!err)
         err = bead_inset_check(c, msg);
     if (!err && c->wants.follow)

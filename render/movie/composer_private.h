@@ -46,8 +46,10 @@ struct bead_composer {
 struct bead_span bead_composer_beads(const struct bead_composer *composer, size_t chain);
 /* Values that are shown. */
 struct bead_span bead_composer_span(const struct bead_composer *composer, size_t chain);
-/* Fills in the wants of the layout. Errors: SCENE, UNSUPPORTED (views). */
-BEAD_CHECK enum bead_error bead_composer_measure(struct bead_composer *composer, struct bead_message *msg);
+/* Chooses the look, with type in this part of its usual size. */
+void bead_composer_dress(struct bead_composer *composer, double type);
+/* The layout, and the look where type gives way. Errors: SCENE, UNSUPPORTED (views). */
+BEAD_CHECK enum bead_error bead_composer_arrange(struct bead_composer *composer, struct bead_message *msg);
 /* px: room of the key of a chain's stage; 0: there is none. */
 double bead_composer_key(const struct bead_composer *composer, size_t chain);
 /* Are the curves of several chains on one axis, told apart by colours? */

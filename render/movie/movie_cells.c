@@ -18,9 +18,9 @@ enum { PROMISED = 4 };
 const struct bead_level bead_levels[BEAD_LEVELS] = {
     {0.35, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
     {0.25, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
-    {0.15, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
-    {0, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
-    {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 1.6, 1.8}, 12},
+    {0.15, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
+    {0, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
+    {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
     {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0}, 8},
     {0, false, false, true, true, false, false, true, true, 0.5, 0.54, 1.25, {0}, 8},
     {0, false, false, false, false, false, false, true, true, 0.5, 0.54, 1.25, {0}, 8},
@@ -322,11 +322,21 @@ static void add_view(const struct bead_cells *c, const struct column *column, si
 
 /* ---- an overlay above the cells ---- */
 
+/* Has no view below the overlay, in the same column, the numbers of beads? */
+static bool labels_own(const struct bead_cells *c)
+{
+    const struct column column = column_of(c, 0);
+    bool axis = false;
+    for (size_t i = 0; i < column.count; i++)
+        axis = axis || has_bead_axis(c, column.view[i]);
+    return c->axes && (c->columns > 1 || !axis);
+}
+
 /* One profile for all chains, in the first row; headings in a line above it where there are no cells for them. */
 static void add_overlay(const struct bead_cells *c, bool alone, struct bead_movie_layout *layout)
 {
     size_t view = bead_cells_overlay(c);
-    bool labels = c->axes && (alone || c->columns > 1);
+    bool labels = labels_own(c);
     struct bead_insets reach = {.top = above(c, view) + (alone ? heading_height(c) : 0),
                                 .bottom = (labels ? bead_cells_whole(c->wants->below_beads) : 0) +
                                           (alone ? 0 : bead_cells_whole(between_rows * c->wants->look->tick))};

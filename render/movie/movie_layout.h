@@ -5,8 +5,8 @@
  * the right of its other views. Cells have a colour bar at the right or, in frames that are not wide, beside the clock.
  *
  * Images have a share of the frame's area, counted in their pixels, without axes and margins. Where room is short they give way
- * first, then air, then numbers of vertical axes; headings, axes with their names, title, facts and clock only in frames that are
- * too small for any of it. Rectangles never overlap and never leave the frame. */
+ * first, then air, then some numbers of vertical axes; headings, axes with their names, title, facts and clock only in frames that
+ * are too small for any of it. Rectangles never overlap and never leave the frame. */
 #pragma once
 
 #include <stdbool.h>
@@ -71,18 +71,22 @@ struct bead_movie_chain {
     bool values[BEAD_MOST_VIEWS];           /* and its vertical one */
 };
 
+/* What a frame may lack: numbers on vertical axes, some or all; names, titles, facts, a scale of its colours. */
+enum bead_lack { BEAD_LACKS_NOTHING, BEAD_LACKS_NUMBERS, BEAD_LACKS_WORDS };
+
 struct bead_movie_layout {
     enum bead_layout layout; /* never AUTO */
     bool axes;
-    bool titles;      /* of vertical axes are shown */
-    bool against;     /* images have one title for both axes */
-    bool label_lines; /* headings have two lines */
-    int head;         /* px at the top of a stage for its heading; 0: that is above it */
-    bool curve;       /* of a stage: it has not given way */
-    bool grid;        /* stages are side by side, too, with one key for all */
-    int beyond[2];    /* px that panels reach beyond the plots along chains, left and right */
-    int colours;      /* px: the colours of images, along the axis of the curve; 0: they have a bar, or none */
-    size_t overlay;   /* the view that shows all chains in the plot of the first; view_count: none */
+    bool titles;          /* of vertical axes are shown */
+    enum bead_lack lacks; /* besides images, curves and air */
+    bool against;         /* images have one title for both axes */
+    bool label_lines;     /* headings have two lines */
+    int head;             /* px at the top of a stage for its heading; 0: that is above it */
+    bool curve;           /* of a stage: it has not given way */
+    bool grid;            /* stages are side by side, too, with one key for all */
+    int beyond[2];        /* px that panels reach beyond the plots along chains, left and right */
+    int colours;          /* px: the colours of images, along the axis of the curve; 0: they have a bar, or none */
+    size_t overlay;       /* the view that shows all chains in the plot of the first; view_count: none */
     struct bead_rect time, badge, title, facts, key, trust, caption;
     struct bead_rect inset;          /* a drawing beside the curve of a stage */
     struct bead_rect bar, bar_title; /* a bar that is wider than high lies, with its low end at the left */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/draw/looks.h"
 #include "render/draw/words.h"
 #include "render/movie/composer_private.h"
 #include "render/movie/movie_stage.h"
@@ -302,14 +303,13 @@ static enum bead_orientation orientation_of(const struct bead_output *output)
     return bead_orientation_of(output);
 }
 
-enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_message *msg)
+static enum bead_error measure(struct bead_composer *c, struct bead_message *msg)
 {
     const struct bead_output *output = c->setup.output;
     struct bead_movie_wants *w = &c->wants;
     *w = (struct bead_movie_wants){.width = c->setup.width,
                                    .height = c->setup.height,
                                    .look = &c->look,
-                                   .layout = output->movie.layout,
                                    .orientation = orientation_of(output),
                                    .chain_count = c->setup.chain_count,
                                    .axes = output->views.axes,
@@ -332,6 +332,73 @@ enum bead_error bead_composer_measure(struct bead_composer *c, struct bead_messa
     measure_bar(c);
     measure_words(c);
     return BEAD_OK;
+}
+
+/* ---- the size of type ---- */
+
+/* Type of the next try, in parts of that before. */
+static const double smaller = 0.93;
+
+void bead_composer_dress(struct bead_composer *c, double type)
+{
+    const struct bead_output *output = c->setup.output;
+    bead_look_film(&c->look, c->setup.width, c->setup.height, output->paper.theme != BEAD_THEME_LIGHT,
+                   output->movie.type == BEAD_TYPE_LARGE);
+    bead_look_type(&c->look, type);
+    bead_look_font(&c->look, output->paper.font);
+    c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
+}
+
+/* With names that would be cut. */
+static enum bead_lack lacks(const struct bead_composer *c)
+{
+    bool named = true;
+    for (size_t i = 0; i < c->layout.chain_count; i++) {
+        const double room = c->layout.chains[i].heading.width;
+        named = named && (room == 0 || bead_heading_least(&c->look, c->setup.chains[i], false) <= room);
+    }
+    return named || !c->wants.axes ? c->layout.lacks : BEAD_LACKS_WORDS;
+}
+
+static enum bead_error arrange(struct bead_composer *c, enum bead_layout layout, double type, struct bead_message *msg)
+{
+    bead_movie_layout_free(&c->layout);
+    bead_composer_dress(c, type);
+    BEAD_TRY(measure(c, msg));
+    c->wants.layout = layout;
+    return bead_movie_arrange(&c->wants, &c->layout, msg);
+}
+
+/* A layout that the scene names, where another one would have room for all words. */
+static enum bead_error refuse_layout(const struct bead_composer *c, struct bead_message *msg)
+{
+    return bead_output_wrong(
+        c->setup.output, msg,
+        "layout: %d x %d pixels have no room for the names and axes of %zu chains in this layout; leave it out, "
+        "or use a larger size",
+        c->setup.width, c->setup.height, c->wants.chain_count);
+}
+
+/* Where words have no room even without images, as in many columns on a phone, type becomes smaller, as long as it can be read.
+ * Frames that are too small for all words in any layout have fewer. */
+enum bead_error bead_composer_arrange(struct bead_composer *c, struct bead_message *msg)
+{
+    const enum bead_layout asked = c->setup.output->movie.layout;
+    const double least = fmin(1, bead_look_least_type(&c->look));
+    double type = 1;
+    BEAD_TRY(arrange(c, asked, type, msg));
+    while (lacks(c) && type > least) {
+        type = fmax(least, smaller * type);
+        BEAD_TRY(arrange(c, asked, type, msg));
+    }
+    if (lacks(c) < BEAD_LACKS_WORDS)
+        return BEAD_OK;
+    if (asked != BEAD_LAYOUT_AUTO) {
+        BEAD_TRY(arrange(c, BEAD_LAYOUT_AUTO, least, msg));
+        if (lacks(c) < BEAD_LACKS_WORDS)
+            return refuse_layout(c, msg);
+    }
+    return arrange(c, asked, 1, msg);
 }
 
 /* ---- cameras ---- */

@@ -100,7 +100,8 @@ static const struct bead_option movie_rows[] = {
      .help = "arrangement of the chains. stage: large beads of each, below them one profile for all, in their colours, and small "
              "space-time images, whose future is dimmed; images: large space-time images below each other, side by side or both, "
              "whatever leaves most to see in a frame of this shape; of these stacked: below each other; columns: side by side; "
-             "grid: both; overlay: one axis for the profiles of all chains; beside: the space-time images at the right of the "
+             "grid: both (type becomes smaller where they need it, and what has no room for names is refused); overlay: one axis "
+             "for the profiles of all chains; beside: the space-time images at the right of the "
              "other views; auto: stage where `views` has it, which is the default of one to four chains, else images, and overlay "
              "where `views` is profile alone"},
     {"type", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.type), .initial = "normal", .choices = types,

@@ -92,21 +92,22 @@ static void describe(const struct wish *w, char *text, size_t size)
              w->follow ? ", follow: front" : "", w->right ? ", orientation: time-right" : "", w->inset ? ", inset: cell" : "");
 }
 
+enum { MANY = 12 }; /* chains */
+
 struct stage {
     struct bead_scene *scene;
-    struct bead_chain *chains[4];
+    struct bead_chain *chains[MANY];
     struct bead_composer *composer;
     struct texts seen;
     struct bead_text_watch watch;
 };
 
-static void open_stage(struct stage *s, const char *text, const int size[2])
+static enum bead_error create_stage(struct stage *s, const char *text, const int size[2], struct bead_message *msg)
 {
-    struct bead_message msg = {""};
-    if (bead_scene_parse("test", text, strlen(text), NULL, &s->scene, &msg))
-        fail_msg("%s\n%s", msg.text, text);
+    if (bead_scene_parse("test", text, strlen(text), NULL, &s->scene, msg))
+        fail_msg("%s\n%s", msg->text, text);
     for (size_t i = 0; i < s->scene->chain_count; i++)
-        assert_int_equal(bead_chain_create(s->scene, i, &s->chains[i], &msg), BEAD_OK);
+        assert_int_equal(bead_chain_create(s->scene, i, &s->chains[i], msg), BEAD_OK);
     s->watch = (struct bead_text_watch){texts_note, &s->seen};
     s->seen.count = 0;
     struct bead_composer_setup setup = {.output = &s->scene->outputs[0],
@@ -124,16 +125,22 @@ static void open_stage(struct stage *s, const char *text, const int size[2])
                                         .tolerance_factor = 1,
                                         .interest = true,
                                         .watch = &s->watch};
-    if (bead_composer_create(&setup, &s->composer, &msg) || bead_composer_open(s->composer, &msg))
-        fail_msg("%s\n%s", msg.text, text);
+    return bead_composer_create(&setup, &s->composer, msg);
+}
+
+static void open_stage(struct stage *s, const char *text, const int size[2])
+{
+    struct bead_message msg = {""};
     struct bead_changes changes = {0};
-    if (bead_composer_draw(s->composer, 1e-3, &changes, &msg))
+    if (create_stage(s, text, size, &msg) || bead_composer_open(s->composer, &msg) ||
+        bead_composer_draw(s->composer, 1e-3, &changes, &msg))
         fail_msg("%s\n%s", msg.text, text);
 }
 
 static void close_stage(struct stage *s)
 {
-    bead_composer_close(s->composer);
+    if (s->composer)
+        bead_composer_close(s->composer);
     bead_composer_destroy(s->composer);
     for (size_t i = 0; i < s->scene->chain_count; i++)
         bead_chain_destroy(s->chains[i]);
@@ -205,9 +212,14 @@ static void check(const struct wish *w)
     assert_legible(&s.seen, w->size, what);
     if (image_share(&s) > (w->layout == 0 ? 0.26 : 0.7))
         fail_msg("%s: images have %.1f %%", what, 100 * image_share(&s));
-    const bool crowded = w->layout > 0 && w->size[1] > w->size[0] && w->chains > 2; /* columns on a phone */
-    if (!crowded && (!wrote(&s.seen, "ms</span>") || !wrote(&s.seen, "times")))
-        fail_msg("%s: there is no clock or badge", what);
+    const char *always[] = {"ms</span>", "times", "A story in a frame", "displacements", "bead",
+                            "force (N)", "Clean", "Delocalised",        "Steel",         "Glass"};
+    for (size_t i = 0; i < 6 + w->chains; i++) {
+        if (!wrote(&s.seen, always[i]) && (w->layout > 0 || i < 2))
+            fail_msg("%s: nothing says '%s'", what, always[i]);
+    }
+    if (w->layout > 0 && s.composer->layout.lacks)
+        fail_msg("%s: there is no scale of colours, or another word is missing", what);
     if (w->layout == 0)
         check_words(&s, w, what);
     close_stage(&s);
@@ -228,6 +240,45 @@ static void test_every_frame(void **state)
         w.large = w.light; /* what is light has the places of what is dark */
         check(&w);
     }
+}
+
+/* Words never give way to many chains: images do, then type does, and a layout that has no room for words is refused. */
+static void test_many_chains(void **state)
+{
+    (void)state;
+    static struct stage s;
+    static const int shapes[][2] = {{1280, 720}, {720, 720}, {1080, 1920}, {390, 844}};
+    size_t refused = 0;
+    for (unsigned i = 0; i < 4 * LAYOUTS; i++) {
+        const unsigned chains = MANY - i % 2 * 4, layout = i / 4 % LAYOUTS;
+        char text[4096] = "title: A story in a frame\nchains:\n", what[120], name[20];
+        for (unsigned k = 0; k < chains; k++)
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     "  - {name: Dimers %c, beads: [{cell: [large-steel, aluminium], count: 20, spins: random, seed: %u}]}\n",
+                     'A' + k, k);
+        snprintf(text + strlen(text), sizeof text - strlen(text), "outputs: [{movie: m.mp4, size: [%d, %d], layout: %s}]\n",
+                 shapes[i % 4][0], shapes[i % 4][1], layouts[layout]);
+        snprintf(what, sizeof what, "%dx%d-%s-%u", shapes[i % 4][0], shapes[i % 4][1], layouts[layout], chains);
+        struct bead_message msg = {""};
+        if (create_stage(&s, text, shapes[i % 4], &msg)) {
+            assert_true(layout > 0 && strstr(msg.text, "test:") && strstr(msg.text, "layout: "));
+            refused++;
+        } else {
+            assert_int_equal(bead_composer_open(s.composer, &msg), BEAD_OK);
+            show(&s, what);
+            assert_legible(&s.seen, shapes[i % 4], what);
+            for (unsigned k = 0; k < chains; k++) {
+                snprintf(name, sizeof name, "Dimers %c", 'A' + k);
+                if (!wrote(&s.seen, name))
+                    fail_msg("%s: nothing says '%s'", what, name);
+            }
+            if (times_written(&s.seen, "M</") != chains || !wrote(&s.seen, "bead") || !wrote(&s.seen, "force (N)") ||
+                !wrote(&s.seen, "A story") || !wrote(&s.seen, "displacements"))
+                fail_msg("%s: a word is missing", what);
+        }
+        close_stage(&s);
+    }
+    assert_in_range(refused, 1, 12); /* eight columns or twelve rows, or more, in small frames */
 }
 
 static void test_windows_that_move(void **state)
@@ -885,6 +936,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_frame),
+        cmocka_unit_test(test_many_chains),
         cmocka_unit_test(test_windows_that_move),
         cmocka_unit_test(test_numbers_at_the_end_have_air),
         cmocka_unit_test(test_names_of_images_have_one_size),
