@@ -7,13 +7,15 @@
 #define TEXT(x)                TEXT_OF(x)
 #define TEXT_OF(x)             #x
 #define FILE_OF(name, version) "lib" name ".so." TEXT(version)
+/* Debian names packages of libraries after their files; this one depends on the others. */
+#define PACKAGE "libavformat" TEXT(LIBAVFORMAT_VERSION_MAJOR)
 
 /* libav's structures change with the major versions, which must be those of the build. */
 const struct bead_library_info bead_av_libraries[] = {
-    {{FILE_OF("avutil", LIBAVUTIL_VERSION_MAJOR)}, "movies; impossible without it"},
-    {{FILE_OF("avcodec", LIBAVCODEC_VERSION_MAJOR)}, "encodes movies, with libx264 and libvpx; impossible without it"},
-    {{FILE_OF("avformat", LIBAVFORMAT_VERSION_MAJOR)}, "writes movies; impossible without it"},
-    {{NULL}, NULL},
+    {{FILE_OF("avutil", LIBAVUTIL_VERSION_MAJOR)}, "movies; impossible without it", PACKAGE},
+    {{FILE_OF("avcodec", LIBAVCODEC_VERSION_MAJOR)}, "encodes movies, with libx264 and libvpx; impossible without it", PACKAGE},
+    {{FILE_OF("avformat", LIBAVFORMAT_VERSION_MAJOR)}, "writes movies; impossible without it", PACKAGE},
+    {{NULL}, NULL, NULL},
 };
 
 /* Not constant: set once for the process. */
@@ -24,9 +26,7 @@ enum bead_error bead_av_open(struct bead_message *msg)
     struct bead_message why;
     if (!bead_library_load(bead_av_libraries, BEAD_LATE, &bead_libav, &why))
         return setenv("SVT_LOG", "0", false) == 0 ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for an encoder");
-    /* Debian names library packages after their files; that of libavformat depends on the others. */
-    return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries (install libavformat%s): %s",
-                     TEXT(LIBAVFORMAT_VERSION_MAJOR), why.text);
+    return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "movies need FFmpeg's libraries: %s", why.text);
 }
 
 void bead_av_silence(void)

@@ -7,8 +7,10 @@
 #include "render/paint/gl_context.h"
 
 static const struct bead_library_info libraries[] = {
-    {{"libEGL.so.1", "libEGL.so"}, "paints beads with Mesa's software renderer; without it the program paints them itself"},
-    {{NULL}, NULL},
+    {{"libEGL.so.1", "libEGL.so"},
+     "paints beads with Mesa's software renderer; without it the program paints them itself",
+     "libegl1"},
+    {{NULL}, NULL, NULL},
 };
 
 /* Not constant: set once for the process. Calls of EGL go through this table (late.awk). */

@@ -8,8 +8,8 @@
 enum { IDLE_SIZE = 16 };
 
 static const struct bead_library_info libraries[] = {
-    {{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, "paints beads; without it EGL is used"},
-    {{NULL}, NULL},
+    {{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, "paints beads; without it EGL is used", "libosmesa6"},
+    {{NULL}, NULL, NULL},
 };
 
 /* Not constant: set once for the process. Calls of OSMesa go through this table (late.awk). */

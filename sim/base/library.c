@@ -4,15 +4,35 @@
 #include "sim/base/memory.h"
 
 #include <dlfcn.h>
+#include <errno.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-static void *open_first(const char *const *files)
+/* It, or a library that it needs, is not on this machine. The loader has no code for this, only words, in the language of strerror.
+ */
+static bool is_absent(const char *why)
 {
-    void *library = NULL;
-    for (; *files && !library; files++)
-        library = dlopen(*files, RTLD_NOW | RTLD_LOCAL);
-    return library;
+    return strstr(why, strerror(ENOENT)) != NULL;
+}
+
+/* Of several failures, the one to tell is of a library that is there. */
+static enum bead_error open_first(const struct bead_library_info *info, void **library, struct bead_message *msg)
+{
+    char why[512] = "";
+    *library = NULL;
+    for (const char *const *file = info->files; *file && !*library; file++) {
+        *library = dlopen(*file, RTLD_NOW | RTLD_LOCAL);
+        const char *said = *library ? NULL : dlerror();
+        if (said && (!*why || is_absent(why)))
+            snprintf(why, sizeof why, "%s", said);
+    }
+    if (*library)
+        return BEAD_OK;
+    const bool absent = is_absent(why);
+    return bead_fail(msg, BEAD_ERROR_GRAPHICS, "cannot open a library: %s%s%s%s", why, absent ? " (install " : "",
+                     absent ? info->package : "", absent ? ")" : "");
 }
 
 static size_t count_names(const char *names)
@@ -24,12 +44,13 @@ static size_t count_names(const char *names)
 }
 
 /* dlsym also finds the functions of libraries that `library` needs. */
-static enum bead_error find_all(void *library, const char *file, const char *names, void **table, struct bead_message *msg)
+static enum bead_error find_all(void *library, const struct bead_library_info *info, const char *names, void **table,
+                                struct bead_message *msg)
 {
     for (const char *name = names; *name; name += strlen(name) + 1) {
         *table = dlsym(library, name);
         if (!*table++)
-            return bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s has no function %s", file, name);
+            return bead_fail(msg, BEAD_ERROR_GRAPHICS, "%s has no function %s (install %s)", info->files[0], name, info->package);
     }
     return BEAD_OK;
 }
@@ -37,17 +58,14 @@ static enum bead_error find_all(void *library, const char *file, const char *nam
 static enum bead_error load(const struct bead_library_info *libraries, const char *names, void **found, struct bead_message *msg)
 {
     void *library = NULL;
-    const char *file = NULL;
+    const struct bead_library_info *last = libraries;
     for (; libraries->purpose; libraries++) {
-        file = libraries->files[0];
-        library = open_first(libraries->files);
-        const char *why = library ? NULL : dlerror();
-        if (!library)
-            return bead_fail(msg, BEAD_ERROR_GRAPHICS, "cannot open a library: %s", why ? why : file);
+        last = libraries;
+        BEAD_TRY(open_first(last, &library, msg));
     }
     void **table;
-    BEAD_TRY(bead_new(&table, count_names(names), msg, "the functions of %s", file));
-    enum bead_error err = find_all(library, file, names, table, msg);
+    BEAD_TRY(bead_new(&table, count_names(names), msg, "the functions of %s", last->files[0]));
+    enum bead_error err = find_all(library, last, names, table, msg);
     if (err)
         free(table);
     else

@@ -9,6 +9,7 @@
 struct bead_library_info {
     const char *files[4]; /* names for the loader, the first that can be opened is taken; NULL-terminated */
     const char *purpose;  /* one line, with what happens without it */
+    const char *package;  /* what to install where it is absent */
 };
 
 /* Open the libraries, up to one without a purpose, of which the last needs the others, and make *table the addresses of `names`,

@@ -187,29 +187,33 @@ static void reset_signals(void)
         (void)signal(faults[i], SIG_DFL);
 }
 
-/* Locks of files that are being written are those of who asks. */
-static void keep_descriptors(int *const descriptors[], size_t count)
+static bool is_among(int descriptor, const int *descriptors, size_t count)
 {
-    const int first = STDERR_FILENO + 1, end = first + (int)count;
-    for (size_t i = 0; i < count; i++) {
-        if ((*descriptors[i] = fcntl(*descriptors[i], F_DUPFD, end)) < 0)
-            _exit(1);
-    }
-    for (size_t i = 0; i < count; i++) {
-        if ((*descriptors[i] = dup2(*descriptors[i], first + (int)i)) < 0)
-            _exit(1);
-    }
-    closefrom(end);
-    close(STDIN_FILENO);
-    close(STDOUT_FILENO);
+    size_t i = 0;
+    while (i < count && descriptors[i] != descriptor)
+        i++;
+    return i < count;
 }
 
-pid_t bead_sandbox_fork(int *const descriptors[], size_t count)
+/* Beside stderr. Locks of files that are being written are those of who asks. */
+static void close_others(const int *descriptors, size_t count)
+{
+    int last = STDERR_FILENO;
+    for (size_t i = 0; i < count; i++)
+        last = descriptors[i] > last ? descriptors[i] : last;
+    for (int at = 0; at < last; at++) {
+        if (at != STDERR_FILENO && !is_among(at, descriptors, count))
+            close(at);
+    }
+    closefrom(last + 1);
+}
+
+pid_t bead_sandbox_fork(const int *descriptors, size_t count)
 {
     const pid_t process = fork();
     if (process == 0) {
         reset_signals();
-        keep_descriptors(descriptors, count);
+        close_others(descriptors, count);
         bead_sandbox_enter();
     }
     return process;
@@ -252,7 +256,7 @@ enum bead_error bead_sandbox_ask(const char *path, bead_sandbox_work *work, cons
     *answer = NULL;
     if (pipe2(ends, O_CLOEXEC) != 0)
         return bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", path, strerror(errno));
-    const pid_t process = bead_sandbox_fork((int *const[]){&ends[1]}, 1);
+    const pid_t process = bead_sandbox_fork(&ends[1], 1);
     const int error = errno;
     if (process == 0)
         work_and_end(work, context, ends[1]);

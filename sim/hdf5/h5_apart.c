@@ -152,8 +152,8 @@ static bool start(struct bead_h5 *h5, struct bead_h5_apart *apart, bead_h5_answe
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, turns) != 0)
         return false;
     apart->turn = turns[0];
-    int file = h5->check.file;
-    apart->process = bead_sandbox_fork((int *const[]){&file, &turns[1]}, 2);
+    const int file = h5->check.file;
+    apart->process = bead_sandbox_fork((const int[]){file, turns[1]}, 2);
     const int error = errno;
     if (apart->process == 0)
         live(h5, file, turns[1], apart->shared, answer);

@@ -89,7 +89,7 @@ static enum bead_error look_through(struct bead_h5 *h5)
     h5->bytes = (uint64_t)found.st_size;
     BEAD_TRY(find_seal(h5));
     const struct bead_seal *seal = &h5->check.seal;
-    if (!seal->covered && !bead_h5_is(h5->path))
+    if (!seal->covered && !bead_h5_is_open(h5->check.file))
         return bead_h5_fail(
             h5, false,
             "not an HDF5 file: only trajectories and the files of sweeps have digests; --reproduce makes tables and "
@@ -146,11 +146,10 @@ void bead_h5_open_here(struct bead_h5 *h5)
 }
 
 /* Like H5Fis_hdf5, but without opening the library: the signature is at the beginning, or at 512 bytes times a power of two. */
-bool bead_h5_is(const char *path)
+bool bead_h5_is_open(int file)
 {
     static const char signature[8] = "\211HDF\r\n\032\n";
     char bytes[sizeof signature];
-    int file = bead_h5_look(path);
     off_t at = 0;
     bool found = false, more = file >= 0;
     while (!found && more) {
@@ -158,6 +157,13 @@ bool bead_h5_is(const char *path)
         found = more && memcmp(bytes, signature, sizeof bytes) == 0;
         more = more && __builtin_mul_overflow(at ? at : 256, 2, &at) == 0;
     }
+    return found;
+}
+
+bool bead_h5_is(const char *path)
+{
+    const int file = bead_h5_look(path);
+    const bool found = bead_h5_is_open(file);
     if (file >= 0)
         close(file);
     return found;

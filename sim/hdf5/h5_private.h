@@ -38,6 +38,8 @@ bool bead_h5_stays_in_process(void);
 /* Opens a file for reading as bead_file_look does. An unfinished one that was made a moment ago has its head then, and one that has
  * been finished meanwhile is found under its name. */
 int bead_h5_look(const char *path);
+/* bead_h5_is of an open file; -1: no. */
+bool bead_h5_is_open(int file);
 /* Report a failed write, which the driver hides from HDF5. */
 void bead_h5_check_disk(struct bead_h5 *h5);
 /* The type of numbers in memory. */

@@ -87,7 +87,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct
         h5->code = error == EISDIR || error == ENXIO ? BEAD_ERROR_FORMAT : BEAD_ERROR_IO;
         bead_h5_fail_by(h5, "read", error);
         h5->code = BEAD_ERROR_FORMAT;
-    } else if (!bead_h5_is(path))
+    } else if (!bead_h5_is_open(h5->check.file))
         bead_h5_fail(h5, false, "not an HDF5 file");
     else if (bead_h5_load_for(h5))
         open_somewhere(h5, (uint64_t)found.st_size);

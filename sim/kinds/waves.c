@@ -185,7 +185,7 @@ static enum bead_error file_points(const struct bead_reader *reader, const struc
     struct bead_message why = {""};
     if (!file->name)
         return BEAD_WRONG_KEY(reader, at, "file", "is missing");
-    BEAD_FREED char *path = bead_yaml_beside(reader->yaml, at->node, file->name), *text = NULL;
+    BEAD_FREED char *path = bead_yaml_beside(reader->yaml, bead_node_get(at->node, "file", NULL), file->name), *text = NULL;
     size_t length = 0;
     if (!path)
         return bead_no_memory(reader);
@@ -211,10 +211,18 @@ static enum bead_error take_points(struct bead_reader *reader, const struct bead
     return err;
 }
 
+/* Settings, which may be laid over a scene once more, name another file, or read the file in another way. */
+static enum bead_error keep(const struct bead_reader *reader, struct bead_node *node)
+{
+    node->was = bead_yaml_copy(reader->yaml, node, node->place, NULL);
+    return node->was ? BEAD_OK : bead_no_memory(reader);
+}
+
 /* The map becomes its points. */
 static enum bead_error take_wave(struct bead_reader *reader, const struct bead_at *at)
 {
     struct bead_node *node = (struct bead_node *)(uintptr_t)at->node; /* of the document that is changed here */
+    BEAD_TRY(keep(reader, node));
     BEAD_TRY(take_points(reader, at, &bead_drive_file_options, &node->text));
     node->kind = BEAD_NODE_SCALAR;
     node->count = 0;
@@ -233,11 +241,13 @@ static enum bead_error take_measured(struct bead_reader *reader, const struct be
     if (node->kind == BEAD_NODE_SCALAR) {
         struct bead_node *name = bead_yaml_scalar(reader->yaml, node->text, strlen(node->text), node->place);
         node->kind = BEAD_NODE_MAP;
-        if (!bead_yaml_put(reader->yaml, node, "file", 4, name))
+        if (!name || !bead_yaml_put(reader->yaml, node, "file", 4, name))
             return bead_no_memory(reader);
+        name->origin = node->origin;
     }
     if (node->kind == BEAD_NODE_LIST || bead_given(at, "points"))
         return BEAD_OK;
+    BEAD_TRY(keep(reader, node));
     BEAD_TRY(take_points(reader, at, &bead_measured_options, &points));
     for (size_t i = 0; i < node->count; i += 2) {
         if (bead_options_find(&bead_drive_file_options, node->items[i]->text))

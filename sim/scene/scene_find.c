@@ -219,6 +219,7 @@ enum bead_error bead_scene_find(const char *name, char *path, size_t size, struc
     char asset[1100];
     struct stat status;
     const bool standard = strcmp(name, "-") == 0, exists = standard || stat(name, &status) == 0;
+    const int error = errno;
     if (standard || (exists && !S_ISDIR(status.st_mode))) {
         if (is_unfinished(name))
             return bead_fail(
@@ -238,5 +239,5 @@ enum bead_error bead_scene_find(const char *name, char *path, size_t size, struc
     }
     if (exists)
         return bead_fail(msg, BEAD_ERROR_IO, "%s: is a directory, not a scene", name);
-    return not_found(name, msg);
+    return error == ENOENT ? not_found(name, msg) : bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: %s", name, strerror(error));
 }

@@ -197,7 +197,7 @@ enum bead_error bead_scene_load(const char *path, const struct bead_overrides *o
     BEAD_FREED char *text = NULL;
     size_t length = 0;
     *scene = NULL;
-    if (access(path, F_OK) == 0)
+    if (access(path, R_OK) == 0)
         BEAD_TRY(check_ending(path, msg));
     BEAD_TRY(bead_file_read_input(path, BEAD_YAML_BYTES, &text, &length, msg));
     return bead_scene_parse(overrides && overrides->name ? overrides->name : path, text, length, overrides, scene, msg);

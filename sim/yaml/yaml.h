@@ -30,6 +30,7 @@ struct bead_node {
     const char *text;         /* scalar, without NUL bytes */
     struct bead_node **items; /* list: elements; map: key, value, key, value, ... */
     size_t count;             /* of items: two a pair */
+    struct bead_node *was;    /* before what it names took its place: settings change that; NULL: as it was */
 };
 
 struct bead_yaml;

@@ -148,6 +148,8 @@ struct bead_node *bead_yaml_copy(struct bead_yaml *yaml, const struct bead_node 
     made->origin = origin || !node->origin ? origin : bead_yaml_text(yaml, node->origin, strlen(node->origin));
     if (node->origin && !made->origin)
         return NULL;
+    if (node->was && !(made->was = bead_yaml_copy(yaml, node->was, node->was->place, origin)))
+        return NULL;
     for (size_t i = 0; i < node->count; i++) {
         struct bead_node *item = bead_yaml_copy(yaml, node->items[i], node->items[i]->place, origin);
         if (!item || !bead_yaml_append(yaml, made, item))

@@ -73,7 +73,7 @@ library=$("$BUILD/beadreel" --list libraries | grep -o '^libavformat[^ ]*')
 mkdir "$T/no-movies" && cp "$T/none/libOSMesa.so.8" "$T/no-movies/$library"
 no_movie() {
     fails 1 env LD_LIBRARY_PATH="$T/no-movies" "$BUILD/beadreel" "$T/scene.yaml" -o "$T/films" --only beads.mp4 &&
-        says "movies need FFmpeg's libraries (install ${library/.so./})" && says "$library" && empty "$T/films"
+        says "movies need FFmpeg's libraries: " && says "$library" && says "(install ${library/.so./})" && empty "$T/films"
 }
 ok "a movie says which library it lacks, and what to install" no_movie
 ok "pictures need none" env LD_LIBRARY_PATH="$T/no-movies" "$BUILD/beadreel" "$T/scene.yaml" -o "$T/stills" --only beads.png

@@ -32,6 +32,13 @@ whole_or_nothing() { # DESCRIPTORS [--only NAME]
 }
 for n in 5 6 7 8 9 10 12 14 16 18 20; do ok "$n descriptors" whole_or_nothing $n; done
 for n in 5 6 7 8 9; do ok "$n descriptors for one plot" whole_or_nothing $n --only sensors.pdf; done
+cp "$T/whole/run.h5" "$T/run.h5"
+"$beadreel" --info "$T/run.h5" >"$T/described"
+described() { # DESCRIPTORS : whole, or it says that they are too few
+    run bash -c 'ulimit -n "$1" && exec "${@:2}"' - "$1" "$beadreel" --info "$T/run.h5"
+    if [ $status -eq 0 ]; then cmp "$T/out" "$T/described"; else [ $status -eq 1 ] && says "Too many open files" && ! says install >/dev/null; fi
+}
+for n in 4 5 6 7 8; do ok "$n descriptors for a description" described $n; done
 no_fonts() {
     echo '<?xml version="1.0"?><fontconfig></fontconfig>' >"$T/fonts.conf"
     rm -rf "$T/few"

@@ -25,6 +25,21 @@ ok "a run keeps the wave" exits 0 "$beadsim" in/s.yaml -o . --set 'outputs=[{tra
 rm in/scope.csv
 ok "... without the file" exits 0 "$beadsim" run.h5 -o d.csv --set 'outputs=[{table: d.csv, show: sensors, contacts: [0, 4], every: 1 us}]'
 ok "... to the last digit" cmp a/t.csv d.csv
+echo 'chain: {beads: [{bead: small-steel, count: 3}], drive: {force: {file: a.csv}, amplitude: 1 N}}
+simulate: {until: 100 us}
+sweep: {over: {chain.drive.force.file: [a.csv, b.csv]}, measure: {beads: [1, 1]}}
+outputs: [{table: all.csv, show: configurations}]' >in/sweep.yaml
+printf '0,0\n5e-5,1\n1e-4,0\n' >in/a.csv
+sed 's/,1$/,2/' in/a.csv >in/b.csv
+ok "a sweep over files" exits 0 "$beadsim" in/sweep.yaml -o .
+sed -e '/^sweep/d' -e 's/: all.csv.*/: one.csv, show: bead-peaks}]/' in/sweep.yaml >in/one.yaml
+ok "... another file in an option, beside the one output" exits 0 "$beadsim" in/one.yaml -o one.csv --set chain.drive.force.file=in/b.csv
+own=$(sed -n 's/^1,b.csv,\([^,]*\),.*/\1/p' all.csv)
+ok "... each chain has its own" test -n "$own" -a "$own" = "$(sed -n 's/^1,\([^,]*\),.*/\1/p' one.csv)"
+echo 'chain: {beads: [{bead: small-steel, sensor: first}]}
+outputs: [{plot: p.svg, show: sensors, measured: {file: a.csv}}]' >in/measured.yaml
+ok "another file of what was measured" exits 0 "$beadreel" in/measured.yaml -o b.svg --set outputs.0.measured.file=in/b.csv
+ok "... which is drawn" eval '"$beadreel" in/measured.yaml -q -o c.svg --set "outputs.0.measured={file: in/b.csv}" && cmp b.svg c.svg && "$beadreel" in/measured.yaml -q -o d.svg && ! cmp -s b.svg d.svg'
 refused() { fails "1 2" "$beadsim" --plan in/s.yaml "${@:2}" && says "$1"; }
 wrong() { # FILE TEXT SETTING...
     printf '%b' "$1" >in/scope.csv
@@ -36,5 +51,6 @@ ok "a line without numbers" wrong 'us,volts\n0,1\n1,x\n' 'scope.csv: line 3 has 
 ok "times that do not rise" wrong 'us,volts\n0,1\n0,2\n' 'point 2, at 0 s, is not later'
 ok "one point" wrong 'us,volts\n0,1\n' 'has 1 points'
 ok "a frequency besides" wrong 'us,volts\n0,1\n1,2\n' 'belongs to waves that are not from a file' --set chain.drive.frequency=1kHz
+ok "a part of what a run holds" fails "1 2" "$beadsim" run.h5 -o e.csv --set chain.drive.force.file=in/b.csv
 ok "a wave that is none" refused 'must be sine, chirp, noise' --set chain.drive.force=square
 finish

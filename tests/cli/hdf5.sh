@@ -41,7 +41,7 @@ mkdir "$T/none"
 while read -r missing; do echo 'int nothing;' | cc -shared -fPIC -x c - -o "$T/none/$missing"; done <"$T/opened"
 missing=$(tail -n 1 "$T/opened")
 not_there() { env LD_LIBRARY_PATH="$T/none" "$@"; }
-said() { says "need HDF5 (install " && says "$missing"; }
+said() { says "need HDF5: " && says "$missing" && says "(install lib"; }
 ok "without HDF5, a table is made" exits 0 not_there "$beadsim" "$T/scene.yaml" -o "$T/table" --only peaks.csv
 ok "... the same" cmp "$T/there/peaks.csv" "$T/table/peaks.csv"
 ok "a trajectory is not" fails 1 not_there "$beadsim" "$T/scene.yaml" -o "$T/trajectory"
@@ -58,6 +58,13 @@ for file in run.h5 sweep.h5; do
     ok "no chain of $file is run" fails 1 not_there "$beadreel" "$T/there/$file" --configuration 1 -o "$T/wave.png"
     ok "... and the message says what to install" said
 done
+
+# It is installed, but cannot be opened: the loader's reason is told, and there is nothing to install.
+mkdir "$T/short"
+while read -r short; do : >"$T/short/$short"; done <"$T/opened"
+reason() { says "$1" && ! says "install" >/dev/null; }
+ok "a library that is cut off" fails 1 env LD_LIBRARY_PATH="$T/short" "$beadsim" "$T/scene.yaml" -o "$T/trajectory"
+ok "... is told as such" reason "file too short"
 ok "parts are not merged" fails 1 not_there "$beadsim" --merge "$T/there/sweep.h5" -o "$T/whole.h5"
 ok "... and the message says what to install" said
 finish

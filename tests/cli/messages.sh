@@ -77,6 +77,11 @@ ok "... each once" test "$(grep -o '\.png' err | wc -l)" -eq 1
 cp good.yaml waves.yaml
 ok "a scene of nearly this name" fails 2 "$beadreel" waves.yml
 ok "... is named" says 'waves.yml: no such file, and no ready scene; did you mean `waves.yaml`?'
+ln -s loop loop
+ok "a link to itself" fails 1 "$beadreel" loop
+ok "... is told by the system's reason" says 'loop: cannot be read: Too many levels of symbolic links'
+ok "a file taken for a folder" fails 1 "$beadreel" scene.yaml/waves.yaml
+ok "... likewise" says 'waves.yaml: cannot be read: Not a directory'
 cp good.yaml "$(printf 'nigh\e[31mt.yaml')"
 ok "... without its control characters" eval 'fails 2 "$beadreel" "$(printf "nigh\e[31m.yaml")" && says "did you mean" && ! grep -q "$(printf "\e")" err'
 "$beadreel" good.yaml -q -o . --set 'outputs=[{trajectory: run.h5}]' >/dev/null
