@@ -48,7 +48,7 @@ static double find_hidden(const struct bead_colours_asked *asked, const struct b
 {
     double size = fmax(fabs(values->least), fabs(values->largest));
     bool given = !isnan(asked->range[0]) || !isnan(asked->range[1]);
-    return !given && values->typical > 0 && values->typical < hides * size ? size : 0;
+    return !given && values->typical > 0 && values->typical < hides * size ? fmax(size, values->peak) : 0;
 }
 
 struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed,

@@ -19,6 +19,7 @@ struct bead_colour_range {
  * the strike; INFINITY: unknown. */
 struct bead_shown_values {
     double least, largest, typical;
+    double peak; /* the largest magnitude of a sample, which means over pixels and times do not reach; 0: unknown */
 };
 
 /* An automatic range leaves out an event that would take more than half of the colours and so hide the wave. */

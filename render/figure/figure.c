@@ -330,12 +330,24 @@ static enum bead_error keep_moment(struct bead_figure *f, struct bead_cell *cell
     return BEAD_OK;
 }
 
+static void keep_peak(struct bead_figure *f, const struct bead_cell *cell, const struct bead_sample *sample)
+{
+    const struct bead_span *span = &cell->panel[0].setup.beads;
+    const double *values = sample->field[f->output->shown.field];
+    const bool within = values && sample->time >= f->time[0] && sample->time <= f->time[1];
+    double peak = f->peak;
+    for (size_t i = span->first; within && i <= span->last; i++)
+        peak = fabs(values[i]) > peak ? fabs(values[i]) : peak;
+    f->peak = peak;
+}
+
 enum bead_error bead_figure_feed(struct bead_figure *f, const struct bead_sample *sample, struct bead_message *msg)
 {
     for (size_t c = 0; c < f->cell_count; c++) {
         struct bead_cell *cell = &f->cells[c];
         if (cell->chain != sample->chain)
             continue;
+        keep_peak(f, cell, sample);
         for (size_t v = 0; v < f->view_count; v++) {
             if (cell->panel[v].view)
                 BEAD_TRY(cell->panel[v].type->feed(cell->panel[v].view, sample, msg));

@@ -63,6 +63,7 @@ struct bead_figure {
     struct bead_colormap map;
     struct bead_colours colours;
     struct bead_colour_range range;
+    double peak; /* the largest magnitude of a sample of the field */
     struct bead_cell *cells;
     struct bead_tile *tiles; /* [tile_count]: all views of the first cell, then those of the next */
     size_t cell_count, tile_count, view_count, columns, rows;

@@ -198,7 +198,8 @@ static enum bead_error measure_all(void *user, struct bead_message *msg)
     return err;
 }
 
-/* Arranges chains in columns and rows so that plots get the best shape. */
+/* Arranges chains in columns and rows so that plots get the best shape; a quarter of the page left empty is as bad as plots twice
+ * as wide, or half as wide, as the best. */
 static void figure_choose_columns(struct bead_figure *f)
 {
     double em = f->look.label;
@@ -207,7 +208,7 @@ static void figure_choose_columns(struct bead_figure *f)
                                                   .height = f->area.height - 5 * em,
                                                   .around = {2 * em, 2.5 * em},
                                                   .shape = f->view_count > 1 ? 1.9 : f->cells[0].panel[0].type->info->shape,
-                                                  .empty = 2});
+                                                  .empty = 3});
     f->rows = (f->cell_count + f->columns - 1) / f->columns;
     for (size_t c = 0; c < f->cell_count; c++) {
         f->cells[c].column = c % f->columns;

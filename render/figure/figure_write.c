@@ -18,6 +18,7 @@ void bead_figure_extremes(const struct bead_figure *f, struct bead_shown_values 
     double low, high;
     struct bead_shown_values moment = BEAD_NOTHING_SHOWN;
     bool images = false;
+    colours->peak = fmax(colours->peak, f->peak);
     for (size_t t = 0; t < f->tile_count; t++) {
         const struct bead_tile *panel = &f->tiles[t];
         bool coloured = bead_view_has(panel->type, BEAD_SHOWS_COLOURS);

@@ -80,4 +80,13 @@ outputs: [{plot: setup.svg, show: setup, size: [800, 300]}]
 YAML
 ok "a drawing" exits 0 "$beadreel" drawing.yaml -o .
 ok "... says how many beads, once" [ "$(grep -oF '>20 beads</tspan>' setup.svg | wc -l)" -eq 1 ]
+
+# The peak that a range of colours leaves out, where two waves meet, is that of the forces, however coarse the pixels are.
+meet='{striker: {bead: large-steel, velocity: 0.4 m/s}, start: [{bead: last, velocity: -0.4 m/s}], beads: [{bead: large-steel, count: 79}]}'
+echo "{chain: $meet, simulate: {until: 1.3 ms}}" >meet.yaml
+"$beadreel" meet.yaml -q -o . --set 'outputs=[{image: small.svg, size: [390, 219]}, {image: large.svg, size: [1600, 900]}, {table: force.csv, show: extremes, field: force, every: 0.1 us}]'
+peak=$(awk -F, 'NR > 1 && $2 > most {most = $2} END {printf "%.0f", most}' force.csv)
+for size in small large; do
+    ok "a $size image names the peak of forces, $peak N" grep -q "; peak $peak" $size.svg
+done
 finish

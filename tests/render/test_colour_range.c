@@ -27,6 +27,8 @@ static void test_ranges(void **state)
         {{0, 40, 39}, false, {0, 40, false, false, 0}},
         {{0, 40, 20.1}, false, {0, 40, false, false, 0}}, /* more than half: seen */
         {{0, 40, 10}, false, {0, 10.5, true, false, 40}},
+        {{0, 40, 10, 41}, false, {0, 10.5, true, false, 41}}, /* pixels do not reach the peak of samples */
+        {{0, 40, 39, 41}, false, {0, 40, false, false, 0}},
         {{-3, 40, 10}, true, {-10.5, 10.5, true, false, 40}},
         {{-40, 8, 10}, true, {-10.5, 10.5, false, true, 40}},
         {{0, 0, 0}, false, {0, 1, false, false, 0}},

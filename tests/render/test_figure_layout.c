@@ -296,9 +296,29 @@ static void layouts_move_with_their_area(void **state)
     }
 }
 
+/* Three chains leave no quarter of a screen empty, nor of a column of a paper; of more chains at most a sixth of the cells is. */
+static void pages_are_full(void **state)
+{
+    (void)state;
+    for (size_t chains = 2; chains <= MOST_CHAINS; chains++) {
+        for (size_t s = 0; s < STYLES; s++) {
+            static struct laid l;
+            char output[200];
+            snprintf(output, sizeof output, "field: force, %s", styles[s]);
+            lay_out(&l, chains, output, NULL);
+            const size_t empty = l.figure->rows * l.figure->columns - chains;
+            if (6 * empty > l.figure->rows * l.figure->columns)
+                fail_msg("%s: %zu chains leave %zu of %zu x %zu cells empty", output, chains, empty, l.figure->columns,
+                         l.figure->rows);
+            clear(&l);
+        }
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(parts_stand_in_a_grid), cmocka_unit_test(texts_are_apart_and_fill_the_page),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pages_are_full), cmocka_unit_test(parts_stand_in_a_grid),
+                                       cmocka_unit_test(texts_are_apart_and_fill_the_page),
                                        cmocka_unit_test(layouts_move_with_their_area)};
     return cmocka_run_group_tests_name("layout of figures", tests, NULL, NULL);
 }
