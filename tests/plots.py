@@ -42,7 +42,7 @@ class Curve:
         """Lines in pt, interrupted where there is no value."""
         parts = [[]]
         for point in self.points:
-            if math.isnan(point[k]) or any(axis.scale is math.log and v <= 0 for axis, v in zip(panel.axes, (point[0], point[k]))):
+            if math.isnan(point[k]) or any(axis.kind == "log" and v <= 0 for axis, v in zip(panel.axes, (point[0], point[k]))):
                 parts.append([])
             else:
                 parts[-1].append(panel.place(point[0] / per[0], point[k] / per[1]))
@@ -119,8 +119,8 @@ def differences(panel, curves, legend, units):
     return found
 
 
-def check(what, file, panels, units, titles):
-    """The panels of a plot are these: [(title, [Curve])], their axes have these titles, their numbers are in these units."""
+def check(what, file, panels, units, titles, scales=("linear", "linear")):
+    """The panels of a plot are these: [(title, [Curve])], their axes have these titles and scales, their numbers are in these units."""
     try:
         there = read(file)
         wrong = [] if len(there) == len(panels) else [f"{len(there)} panels"]
@@ -132,6 +132,8 @@ def check(what, file, panels, units, titles):
             names = re.sub(r"^\([a-z]\)\s?", "", panel.title), [a.title for a in panel.axes]
             if names != (title, own[0] if own else titles):
                 wrong.append(f"titles are {names}")
+            if tuple(a.kind for a in panel.axes) != scales:
+                wrong.append(f"axes are {[a.kind for a in panel.axes]}")
     except SystemExit as stopped:
         wrong = [str(stopped)]
     tap.ok(not wrong, what, *wrong)
@@ -296,18 +298,42 @@ outputs:
                                                             per=lambda columns, _: max(columns[places[0]])))
     check("... and of each", *alike("largest", places, "time", f"{force} F/Fmax", units=("s", ""), per=lambda columns, p: max(columns[p])))
     check("peaks", *peaks("peaks"))
-    check("... on an axis of their roots", *peaks("root"))
+    check("... on an axis of their roots", *peaks("root"), ("linear", "sqrt"))
     check("velocities along the chain", *profiles("profiles", "velocity", "m/s", "bead", ["5.0", "10.0", "12.5"]))
     check("forces of contacts along it", *profiles("forces", "contact-force", "N", "contact", ["5", "10"]))
     check("bands", *bands())
     check("modes of the chain at rest", *eigenmodes())
     check("energies, stacked", *energy("energy", ["kinetic", "contacts", "wall", "gravity", "springs", "dissipated"], ["past_bead_5"]))
     check("... by place", *energy("place", ["front", "behind", "reflected", "dissipated"]))
-    check("spreading", *spreading())
+    check("spreading", *spreading(), ("log", "log"))
     check("a spectrum", *alike("spectrum", ["contact 0", "contact 3"], "frequency", f"amplitude of {force}", units=("Hz", "N"),
-                               x="frequency_Hz"))
+                               x="frequency_Hz"), ("linear", "log"))
     check("a transfer", *alike("transfer", ["bead 3 velocity", "bead 5 velocity"], "frequency", "transfer of velocity", units=("Hz", ""),
                                x="frequency_Hz"))
+
+
+def theory():
+    """Nesterenko's solitary wave, cos^6 of sqrt(2/5) beads, through the largest force and as high as its neighbours have it."""
+    run("theory.yaml", """chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 40}]}
+outputs:
+  - {plot: theory.svg, show: profiles, field: contact-force, at: [0.2 ms], theory: true}
+  - {table: wave.csv, show: profiles, field: contact-force, at: [0.2 ms]}
+  - {table: even.csv, show: spreading, every: 5 us, uncertainty: false}
+""")
+    panel, table, times = read("theory.svg")[0], rows("wave.csv"), rows("even.csv")["time_s"]
+    label = next((words for words in panel.legend if words.startswith("long waves, ")), "long waves")
+    profile = Curve("t = 200 µs", table["contact"], table["contact-force_N"])
+    top = max(range(1, len(table["contact"]) - 1), key=lambda i: table["contact-force_N"][i])
+    # Sixth roots of forces lie on a cosine; those of three neighbours tell where its middle is.
+    place, rate = table["contact"], math.sqrt(2 / 5)
+    roots = [table["contact-force_N"][i] ** (1 / 6) for i in (top - 1, top, top + 1)]
+    phase = math.atan2(roots[2] - roots[0], 2 * math.sin(rate) * roots[1])
+    height = table["contact-force_N"][top] / math.cos(phase) ** 6
+    middle = place[top] + phase / rate
+    x = [middle + 6 * i / 400 - 3 for i in range(401)]
+    wave = Curve(label, x, [height * max(0, math.cos(rate * (v - middle))) ** 6 if abs(rate * (v - middle)) < math.pi / 2 else 0 for v in x])
+    check("Nesterenko's wave over the pulse", "theory.svg", [("", [profile, wave])], ("", "N"), ["contact", "contact force"])
+    tap.ok(max(abs(b - a - 5e-6) for a, b in zip(times, times[1:])) < 1e-12, "spreading has the times asked for")
 
 
 # ---- strings ----
@@ -325,7 +351,8 @@ outputs:
     names = {"one": "one", "two": "two"}
     for name in ("modes", "powers"):
         check(f"energies of modes: {name}", f"{name}.svg",
-              *alike("modes", [f"mode {i}" for i in (1, 2, 3, 4)], "time", "energy of the mode", units=("", ""), x="time", names=names)[1:])
+              *alike("modes", [f"mode {i}" for i in (1, 2, 3, 4)], "time", "energy of the mode", units=("", ""), x="time", names=names)[1:],
+              ("linear", "linear" if name == "modes" else "log"))
 
 
 # ---- sweeps ----
@@ -385,7 +412,7 @@ outputs:
                 curves.append(Curve(f"exponent {slope:.3f} ± {own[exponent + '_error'][-1]:.3f}", ends, sloping(ends, slope, 1), anywhere=True))
         curves += [Curve(f"theory: {words}", ends, sloping(ends, power, 1), anywhere=True) for words, power in THEORIES]
         panels.append((curve, curves))
-    check("spreading, means over seeds", "spreads.svg", panels, ("s", ""), ["time", "beads"])
+    check("spreading, means over seeds", "spreads.svg", panels, ("s", ""), ["time", "beads"], ("log", "log"))
     for name, file, unit, quantity in (("both", "results", "N", "peak bead force"), ("mean", "results", "N", "peak bead force"),
                                        ("median", "results", "N", "peak bead force"), ("measured", "measured", "m/s", "front speed")):
         table = rows(f"{file}.csv")
@@ -420,7 +447,7 @@ outputs:
         words = [line["spins"] for line in csv.DictReader(table)]
     domains = [len(w) / (1 + sum(a != b for a, b in zip(w, w[1:]))) for w in words]
     points = Curve(None, domains, each["normalised"], line=False, marks=True)
-    check("... by the length of their domains", "orders.svg", [("", [points])], ("", ""), ["domain length", force])
+    check("... by the length of their domains", "orders.svg", [("", [points])], ("", ""), ["domain length", force], ("log", "linear"))
     table, panels = rows("decay.csv"), []
     clean = where(table, magnetism=1.0)
     for quantity, title in (("force_N", force), ("energy_J", "energy of the front E/E(M = 1)")):
@@ -439,10 +466,11 @@ outputs:
                 ends = fitted[0], len(shown_part) - 1
                 lines.append(Curve(None, [x + 0.5 for x in ends], [math.exp(height - (x - middle) / length) for x in ends]))
         panels.append(("", curves + lines, ["bead", title]))
-    check("decay along the chain", "decay.svg", panels, ("", ""), None)
+    check("decay along the chain", "decay.svg", panels, ("", ""), None, ("linear", "log"))
 
 
 chains()
+theory()
 strings()
 keys()
 spins()

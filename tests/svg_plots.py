@@ -68,6 +68,9 @@ class Text:
             self.number = float(plain)
 
 
+SCALES = {"linear": lambda v: v, "log": math.log, "sqrt": lambda v: math.copysign(math.sqrt(abs(v)), v)}
+
+
 class Axis:
     """Along x (k = 0) or y (1): places of ticks with their numbers, which lie evenly as they are, by their roots or by their
     logarithms."""
@@ -78,8 +81,8 @@ class Axis:
         found = re.fullmatch(r"(.*) \(([^()]*)\)", title)
         if found:
             self.title, self.unit = found.groups()
-        for self.scale in (lambda v: v, math.log, lambda v: math.copysign(math.sqrt(abs(v)), v)):
-            if self.scale is math.log and ticks[0][1] <= 0:
+        for self.kind, self.scale in SCALES.items():
+            if self.kind == "log" and ticks[0][1] <= 0:
                 continue
             values = [self.scale(v) for _, v in ticks]
             if values[-1] == values[0]:

@@ -129,6 +129,20 @@ ok "... says that images are run" prints "nothing is simulated but what a sheet 
 ok "the file of a sweep becomes a report" exits 0 "$beadreel" sweep.h5 -o read.html
 same_data() { diff <(grep -A9999 'id="data"' sweep.html) <(grep -A9999 'id="data"' read.html) >/dev/null; }
 ok "... the same" same_data
+# Without `until` all images end as the last front arrives: the first is not the slowest here.
+arrived() {
+    /usr/bin/python3 - auto.html <<'PYTHON'
+import base64, json, re, sys
+page = re.search(r'id="data">(.*?)</script>', open(sys.argv[1], encoding="utf-8").read(), re.DOTALL)
+for image in json.loads(page[1])["panels"][0]["images"]:
+    data, at, reached = base64.b64decode(image["data"]), 0, []
+    while at < len(data):
+        reached.append(data[at] | data[at + 1] << 8)
+        at += 2 + reached[-1]
+    assert reached[-1] == image["places"] and reached[0] < 9, (image["index"], reached)
+PYTHON
+}
+ok "images of a sweep end as the last front arrives" eval '"$beadreel" sweep.yaml -q -o . --set simulate.until=auto --set sweep.seed=6 --set "outputs=[{report: auto.html}]" && arrived'
 no_peaks() { fails 2 "$beadreel" sweep.yaml -o made --set 'outputs=[{report: r.html}]' --set 'sweep.measure={peak: none, decay: true}' && says 'measures none'; }
 ok "peaks that are not measured are missed" no_peaks
 

@@ -138,6 +138,12 @@ static void rows_leave_room_for_names(void **state)
         const double diameter = bead_view_find(BEAD_VIEW_BEADS)->most_width(&setup, height) / 4;
         assert_true(diameter + look.tick < height && diameter > 0.75 * (height - 2 * look.tick));
     }
+    for (int width = 200; width < 1200; width += 100) { /* and no higher than beads of all the width need, with their names */
+        const struct bead_view_type *type = bead_view_find(BEAD_VIEW_BEADS);
+        const double height = type->most_height(&setup, width);
+        assert_true(type->most_width(&setup, height) >= width && height > 0.25 * width + look.tick);
+        assert_true(height < 0.5 * width + 2 * look.tick);
+    }
     bead_chain_destroy(m.chain);
     bead_scene_free(m.scene);
 }
