@@ -89,6 +89,35 @@ static void equal_striker(void **state)
     near("striker's velocity", -0.0711, 5e-5);
 }
 
+/* Cells of one to eight beads, of which the last is heavier by a billionth, are measured bead by bead; all have the wave of equal
+ * beads, whose maxima and widths are those of any bead. */
+static void cells_of_like_beads(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"peak contact force", "peak bead force",     "peak velocity",       "peak compression",
+                                        "pulse energy",       "pulse momentum",      "kinetic / potential", "force width",
+                                        "velocity width",     "front speed in beads"};
+    enum { NAMES = sizeof names / sizeof *names, BEADS = 8 };
+    double like[NAMES];
+    for (int cell = 1; cell <= BEADS; cell++) {
+        char scene[600], beads[60] = "like";
+        if (cell > 1)
+            snprintf(beads, sizeof beads, "%d unit, like", cell - 1);
+        snprintf(
+            scene, sizeof scene,
+            UNIT_OF(
+                "  like: {mass: 1.000000001 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}\n") "  striker: {bead: unit, velocity: "
+                                                                                               "1 m/s}\n  beads: [{cell: [%s], "
+                                                                                               "count: %d}]\n" TABLE,
+            beads, 72 / cell);
+        measure(scene);
+        for (int n = 0; n < NAMES; n++) {
+            like[n] = cell == 1 ? value_of(names[n]) : like[n];
+            equal(value_of(names[n]) / like[n], 1, 2e-4);
+        }
+    }
+}
+
 static void steel(void **state)
 {
     (void)state;
@@ -249,10 +278,18 @@ static void tiny_chains(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(travelling_wave), cmocka_unit_test(width_at_the_foot), /* of the table before */
-        cmocka_unit_test(scaling),         cmocka_unit_test(equal_striker),       cmocka_unit_test(steel),
-        cmocka_unit_test(trains),          cmocka_unit_test(trains_before_walls), cmocka_unit_test(walls),
-        cmocka_unit_test(two_beads),       cmocka_unit_test(two_chains),          cmocka_unit_test(every_measure_is_described),
+        cmocka_unit_test(travelling_wave),
+        cmocka_unit_test(width_at_the_foot), /* of the table before */
+        cmocka_unit_test(scaling),
+        cmocka_unit_test(equal_striker),
+        cmocka_unit_test(cells_of_like_beads),
+        cmocka_unit_test(steel),
+        cmocka_unit_test(trains),
+        cmocka_unit_test(trains_before_walls),
+        cmocka_unit_test(walls),
+        cmocka_unit_test(two_beads),
+        cmocka_unit_test(two_chains),
+        cmocka_unit_test(every_measure_is_described),
         cmocka_unit_test(tiny_chains),
     };
     return cmocka_run_group_tests_name("measure", tests, make_directory, remove_directory);
