@@ -13,6 +13,7 @@
 
 #include "render/movie/composer_private.h"
 #include "render/stage/camera.h"
+#include "render/stage/camera_steps.h"
 #include "render/stage/magnify.h"
 
 static void require(enum bead_error err, const struct bead_message *msg)
@@ -46,6 +47,119 @@ static void followers_do_not_lag(void **state)
     for (int i = 0; i <= 600; i++)
         place = bead_follower_advance(&f, 1000 * i / 600.0, i / 600.0);
     assert_true(fabs(place - 1000) < 0.5);
+}
+
+/* ---- the head of the wave, by the loads of contacts and the ways they go ---- */
+
+enum { CONTACTS = 100 };
+
+struct waves {
+    double load[CONTACTS];
+    signed char way[CONTACTS];
+};
+
+/* Contact k has this load, and goes this way. */
+static void put(struct waves *w, size_t k, double load, int way)
+{
+    w->load[k] = load;
+    w->way[k] = (signed char)way;
+}
+
+static double find(struct bead_step_camera *c, const struct waves *w)
+{
+    return bead_step_camera_find(c, (struct bead_loads){w->load, w->way, CONTACTS});
+}
+
+/* Three contacts, half as strong beside the middle. */
+static struct waves pulse(size_t middle, int way)
+{
+    struct waves w = {0};
+    for (size_t k = middle - 1; k <= middle + 1; k++)
+        put(&w, k, k == middle ? 1 : 0.5, way);
+    return w;
+}
+
+static void heads_are_centres_of_what_is_foremost(void **state)
+{
+    (void)state;
+    struct bead_step_camera c = {0};
+    struct waves w = pulse(30, 1);
+    put(&w, 15, 1, 1);    /* a tail, ten and more behind the foremost contact */
+    put(&w, 22, 1, 1);    /* nine behind: no more */
+    put(&w, 40, 0.04, 1); /* weaker than a twentieth */
+    put(&w, 35, 1, -1);   /* another way */
+    assert_true(find(&c, &w) == 30 && c.front == 31 && !c.arrived);
+    put(&w, 23, 1, 1); /* eight behind: squares 1, 1/4, 1, 1/4 at 23, 29, 30, 31 */
+    c = (struct bead_step_camera){0};
+    assert_true(fabs(find(&c, &w) - (23 + 0.25 * 29 + 30 + 0.25 * 31) / 2.5) < 1e-12);
+    put(&w, 33, 0.051, 1); /* stronger than a twentieth: the foremost */
+    assert_true(find(&c, &w) > 29 && c.front == 33);
+}
+
+/* The head does not go back before the wave has been at the end, and what it has passed does not come to meet it. */
+static void heads_do_not_go_back(void **state)
+{
+    (void)state;
+    struct bead_step_camera c = {0};
+    struct waves w = pulse(30, 1);
+    (void)find(&c, &w);
+    w = pulse(25, 1);
+    put(&w, 29, 0.9, -1);
+    assert_true(find(&c, &w) == 30 && c.front == 31 && !c.meets && c.other == 30);
+    put(&w, 32, 0.9, -1);
+    assert_true(find(&c, &w) == 30 && c.meets && c.other == 32); /* its own middle is ahead of the front */
+}
+
+/* A wave meets it within forty contacts, if it is half as strong or more. */
+static void waves_are_seen_coming(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t at[2];
+        double load;
+        bool comes;
+        double other;
+    } cases[] = {{{60, 60}, 0.6, true, 60},
+                 {{60, 60}, 0.49, false, 20},
+                 {{61, 61}, 0.6, false, 20},
+                 {{22, 24}, 0.6, true, 23},
+                 {{59, 61}, 0.6, true, 59}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct bead_step_camera c = {0};
+        struct waves w = pulse(20, 1);
+        for (int k = 0; k < 2; k++)
+            put(&w, cases[i].at[k], cases[i].load, -1);
+        assert_true(find(&c, &w) == 20 && c.meets == cases[i].comes);
+        assert_true(fabs(c.other - cases[i].other) < 1e-12);
+    }
+}
+
+/* At the last contact it has arrived, and is then followed back; at the ends all loads are its own. One that only goes to the left
+ * has been there. */
+static void heads_come_back(void **state)
+{
+    (void)state;
+    struct bead_step_camera c = {0};
+    struct waves w = pulse(CONTACTS - 2, 1);
+    assert_true(find(&c, &w) == CONTACTS - 2 && c.arrived && c.front == CONTACTS - 1);
+    for (int k = CONTACTS - 2; k >= 1; k -= 6) {
+        w = pulse((size_t)k, -1);
+        if (k < 60)
+            put(&w, (size_t)k + 30, 1, -1); /* too far behind */
+        if (k + 15 < CONTACTS && k > 15)
+            put(&w, (size_t)k + 4, 1, 1); /* passes it */
+        assert_true(find(&c, &w) == k && c.arrived && !c.meets);
+    }
+    assert_int_equal(c.way, 1); /* it has turned round at the first contact, too */
+    w = pulse(12, 1);
+    assert_true(find(&c, &w) == 11); /* of what is within nine contacts of where it was */
+    assert_true(find(&c, &w) == 12);
+    struct bead_step_camera left = {0};
+    w = pulse(70, -1);
+    assert_true(find(&left, &w) == 70 && left.arrived && left.front == 0);
+    struct bead_step_camera rest = {0};
+    const struct waves none = {0};
+    assert_true(find(&rest, &none) == 0 && !rest.arrived);
 }
 
 /* A step of compression that runs from bead to bead at constant speed and takes `part` of the picture's time. */
@@ -181,6 +295,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(windows_start_and_stop_softly),
         cmocka_unit_test(followers_do_not_lag),
+        cmocka_unit_test(heads_are_centres_of_what_is_foremost),
+        cmocka_unit_test(heads_do_not_go_back),
+        cmocka_unit_test(waves_are_seen_coming),
+        cmocka_unit_test(heads_come_back),
         cmocka_unit_test(windows_hold_the_front),
         cmocka_unit_test(windows_show_as_many_beads_as_asked_for),
     };
