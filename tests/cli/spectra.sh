@@ -112,6 +112,14 @@ ok "a dimer driven by a sine in its gap" exits 0 "$beadsim" gap.yaml -o . --set 
 cells() { awk -v n="$1" 'BEGIN {f = 5100; x = 2 * f ^ 2 * (9372.22 ^ 2 - f ^ 2) / (4710.94 * 8102.20) ^ 2 - 1; printf "%.15g", exp(-n * log(x + sqrt(x * x - 1)))}'; }
 ok "waves in the gap fade by the closed form" near "$(awk -F, '$1 == 5100 {print $2}' cell.csv)" "$(cells 1)" 1e-4
 ok "... ten cells on" near "$(awk -F, '$1 == 5100 {print $3}' cell.csv)" "$(cells 10)" 1e-3
+# The driven bead's own contact, on its left where it is the last bead, has the ratio 1 to itself.
+cat >own.yaml <<'YAML'
+chain: {precompression: 10 N, drive: {bead: 6, displacement: noise, amplitude: 10 pm, frequency: 12 kHz}, beads: [{bead: large-steel, count: 6}]}
+simulate: {until: 4 ms}
+outputs: [{table: own.csv, show: transfer, contacts: [4, last], every: 20 us, uncertainty: false}]
+YAML
+ok "a transfer from the last bead" exits 0 "$beadsim" own.yaml -o .
+ok "... is 1 at its own contact" awk -F, 'NR > 1 {all++; bad += $3 != 1 || $2 == 1} END {exit !(all > 50 && bad == 0)}' own.csv
 between() { awk -F, -v a="$1" -v b="$2" '$1 > a && $1 < b && $2 > most {most = $2} END {print most}' gap.csv; }
 ok "a dimer driven by noise" exits 0 "$beadreel" gap.yaml -o .
 ok "a plot has the transfer of the table" python3 "$top/tests/curves.py" gap.svg gap.csv 1e3 1

@@ -179,6 +179,11 @@ static void cards_come_first_and_take_their_time(void **state)
     assert_int_equal(with.count, without.count + frames);
     assert_true(fabs(with.time[frames - 1] - (double)(frames - 1) / 20) < 0.002);
     size_t bytes = (size_t)with.frame[0]->linesize[0];
+    int corners[2][3]; /* on the same page */
+    decoded_rgb(with.frame[0], 1, 1, corners[0]);
+    decoded_rgb(without.frame[0], 1, 1, corners[1]);
+    assert_memory_equal(corners[0], corners[1], sizeof corners[0]);
+    assert_true(corners[0][0] + corners[0][1] + corners[0][2] > 0);
     assert_true(memcmp(with.frame[0]->data[0] + 20 * bytes, without.frame[0]->data[0] + 20 * bytes, 100 * bytes) != 0);
     for (size_t i = 0; i < without.count; i++) {
         assert_true(fabs(with.time[i + frames] - without.time[i] - 2) < 0.002);
