@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 import tap
-from svg_plots import NEAR, PREFIX, Outline, read, some
+from svg_plots import NEAR, PREFIX, Outline, bar_of, read, some
 
 
 def rows(file):
@@ -319,7 +319,12 @@ outputs:
   - {plot: theory.svg, show: profiles, field: contact-force, at: [0.2 ms], theory: true}
   - {table: wave.csv, show: profiles, field: contact-force, at: [0.2 ms]}
   - {table: even.csv, show: spreading, every: 5 us, uncertainty: false}
+  - {image: image.svg, field: velocity, beads: [5, 40]}
+  - {table: most.csv, show: extremes, field: velocity, uncertainty: false}
 """)
+    most = rows("most.csv")
+    most, (bar, title) = max(v for v, bead in zip(most["largest_m/s"], most["bead"]) if bead >= 5), bar_of("image.svg")
+    tap.ok(title == "velocity (mm/s)" and 0.7 * most < max(bar) / 1e3 < 1.01 * most, "colours reach to the largest value", bar, title, most)
     panel, table, times = read("theory.svg")[0], rows("wave.csv"), rows("even.csv")["time_s"]
     label = next((words for words in panel.legend if words.startswith("long waves, ")), "long waves")
     profile = Curve("t = 200 µs", table["contact"], table["contact-force_N"])

@@ -153,6 +153,19 @@ class Panel:
         return self.axes[0].at(x), self.axes[1].at(y)
 
 
+def texts_of(svg):
+    return [Text(*found) for found in re.findall(r'<text transform="matrix\(([^)]*)\)" fill="#(\w{6})"[^>]*>(.*?)</text>', svg)]
+
+
+def bar_of(file):
+    """The numbers at the bar of colours of an image, and its title, which are at the right."""
+    with open(file, encoding="utf-8") as svg:
+        texts = texts_of(svg.read())
+    title = max((t for t in texts if t.upright), key=lambda t: t.left)
+    column = max(t.left for t in texts if t.number is not None and t.left < title.left)
+    return [t.number for t in texts if t.number is not None and abs(t.left - column) < 1 and t.middle < max(u.middle for u in texts) - 12], title.words
+
+
 def read(file):
     with open(file, encoding="utf-8") as svg:
         body = re.sub(r"<(metadata|defs)>.*?</\1>", "", svg.read(), flags=re.DOTALL)
@@ -164,7 +177,7 @@ def read(file):
             panels.append(Panel(path))
         elif panels:
             panels[-1].take(path)
-    texts = [Text(*found) for found in re.findall(r'<text transform="matrix\(([^)]*)\)" fill="#(\w{6})"[^>]*>(.*?)</text>', body)]
+    texts = texts_of(body)
     for i, panel in enumerate(panels):
         panel.read_axes(texts, panels[:i])
         panel.read_legend(texts)
