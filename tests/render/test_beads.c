@@ -375,9 +375,17 @@ static void test_what_the_lens_shows_is_marked(void **state)
     /* As paths, too, without a frame before, the lens is full of beads. */
     cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 900, 200);
     cairo_t *cr = cairo_create(paper);
+    const struct bead_view *v = p.full;
+    require(bead_view_beads_type.decorate(p.full, cr, &msg), &msg);
+    cairo_surface_flush(paper);
+    const uint8_t *ground = cairo_image_surface_get_data(paper) +
+                            (size_t)(v->area.y + v->lens.rect.y) * (size_t)cairo_image_surface_get_stride(paper) +
+                            4 * (size_t)(v->area.x + v->lens.rect.x);
+    const double panel[] = {p.look.panel.b, p.look.panel.g, p.look.panel.r};
+    for (int c = 0; c < 3; c++)
+        assert_true(fabs(ground[c] - 255 * panel[c]) < 1);
     require(bead_view_beads_type.vector(p.full, 0.8e-3, cr, &msg), &msg);
     cairo_surface_flush(paper);
-    const struct bead_view *v = p.full;
     const uint8_t *row = cairo_image_surface_get_data(paper) +
                          (size_t)(v->area.y + (int)v->lens.middle) * (size_t)cairo_image_surface_get_stride(paper);
     int inked = 0;
