@@ -52,33 +52,43 @@ static void values_have_their_colours_at_their_places(void **)
     check(true);
 }
 
-/* Of many values in a pixel, the largest is seen. */
+/* Of many values in a pixel, along either axis, the largest is seen. */
 static void lines_thinner_than_pixels_are_seen(void **)
 {
-    enum { MANY = 5000 };
+    enum { MANY = 5000, LINE = 2500 };
     static double values[2 * MANY];
-    struct bead_message msg = {""};
-    struct bead_colormap map;
-    struct bead_look look;
-    for (int i = 0; i < 2 * MANY; i++)
-        values[i] = i % MANY == 2500 ? 0 : -60;
-    const struct bead_graph_image image = {{0.5, 1.5}, {0, 4999}, 2, MANY, values, -60, 0, "amplitude", "dB"};
-    const struct bead_panel panel = {.x = {"time", "s", 0, 2, BEAD_SCALE_LINEAR, false},
-                                     .y = {"frequency", "Hz", 0, 4999, BEAD_SCALE_LINEAR, false},
-                                     .image = &image};
-    const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
-    bead_look_screen(&look, 600, 400, false);
-    assert_int_equal(bead_colormap_load("ember", &map, &msg), BEAD_OK);
-    struct canvas c = make_canvas(600, 400);
-    struct graph_layout layout = lay_out(&graph, &look, c.width, c.height);
-    draw(&graph, &look, &c);
-    const struct bead_rect plot = layout.cells[0].plot;
-    int dark = 0;
-    for (int y = plot.y; y < plot.y + plot.height; y++)
-        dark += near(pixel(&c, plot.x + plot.width / 4, y), colour_of(&map, 1));
-    assert_int_equal(dark, 1);
-    graph_layout_free(&layout);
-    free_canvas(&c);
+    for (int across = 0; across < 2; across++) {
+        struct bead_message msg = {""};
+        struct bead_colormap map;
+        struct bead_look look;
+        for (int i = 0; i < 2 * MANY; i++)
+            values[i] = (across ? i / 2 : i % MANY) == LINE ? 0 : -60;
+        const struct bead_graph_image along = {{0.5, 1.5}, {0, MANY - 1}, 2, MANY, values, -60, 0, "amplitude", "dB"},
+                                      level = {{0, MANY - 1}, {0.5, 1.5}, MANY, 2, values, -60, 0, "amplitude", "dB"};
+        const struct bead_graph_axis few = {"time", "s", 0, 2, BEAD_SCALE_LINEAR, false},
+                                     many = {"frequency", "Hz", 0, MANY - 1, BEAD_SCALE_LINEAR, false};
+        const struct bead_panel panel = {.x = across ? many : few, .y = across ? few : many, .image = across ? &level : &along};
+        const struct bead_graph graph = {.panels = &panel, .panel_count = 1};
+        bead_look_screen(&look, 600, 400, false);
+        assert_int_equal(bead_colormap_load("ember", &map, &msg), BEAD_OK);
+        struct canvas c = make_canvas(600, 400);
+        struct graph_layout layout = lay_out(&graph, &look, c.width, c.height);
+        draw(&graph, &look, &c);
+        const struct bead_rect plot = layout.cells[0].plot;
+        const int length = across ? plot.width : plot.height;
+        int dark = 0, place = 0;
+        for (int i = 0; i < length; i++) {
+            const int x = across ? plot.x + i : plot.x + plot.width / 4,
+                      y = across ? plot.y + plot.height / 4 : plot.y + plot.height - 1 - i;
+            if (near(pixel(&c, x, y), colour_of(&map, 1))) {
+                dark++;
+                place = i;
+            }
+        }
+        assert_true(dark == 1 && place == (int)((double)LINE / (MANY - 1) * length));
+        graph_layout_free(&layout);
+        free_canvas(&c);
+    }
 }
 
 int main(void)
