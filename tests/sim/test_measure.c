@@ -98,7 +98,7 @@ static void cells_of_like_beads(void **state)
                                         "pulse energy",       "pulse momentum",      "kinetic / potential", "force width",
                                         "velocity width",     "front speed in beads"};
     enum { NAMES = sizeof names / sizeof *names, BEADS = 8 };
-    double like[NAMES];
+    double like[NAMES] = {0};
     for (int cell = 1; cell <= BEADS; cell++) {
         char scene[600], beads[60] = "like";
         if (cell > 1)
