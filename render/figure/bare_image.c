@@ -121,7 +121,7 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
         high = fmax(high, one[1]);
     }
     return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field),
-                                  &(struct bead_shown_values){low, high, INFINITY}); /* no bar could mark values beyond */
+                                  &(struct bead_shown_values){low, high, INFINITY, 0}); /* no bar could mark values beyond */
 }
 
 /* The place of a chain's pixels. */

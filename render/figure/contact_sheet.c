@@ -102,7 +102,7 @@ static void find_colours(struct contact_sheet *s)
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    s->range = bead_colour_range_find(&s->output->colours, s->is_signed, &(struct bead_shown_values){low, high, INFINITY});
+    s->range = bead_colour_range_find(&s->output->colours, s->is_signed, &(struct bead_shown_values){low, high, INFINITY, 0});
     s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
 }
 

@@ -205,7 +205,7 @@ static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message
         return err;
     /* the widest labels; the real range is known at the end */
     f->range =
-        bead_colour_range_find(&output->colours, is_signed, &(struct bead_shown_values){is_signed ? -888 : 0, 888, INFINITY});
+        bead_colour_range_find(&output->colours, is_signed, &(struct bead_shown_values){is_signed ? -888 : 0, 888, INFINITY, 0});
     f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
     return make_cells(f, msg);
 }

@@ -92,9 +92,9 @@ BEAD_CHECK enum bead_error bead_figure_start(struct bead_figure *figure, struct 
 void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
 BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
 /* Widens the ranges of the colours and of the sensors' axis; both start as BEAD_NOTHING_SHOWN. */
-#define BEAD_NOTHING_SHOWN             \
-    {                                  \
-        INFINITY, -INFINITY, -INFINITY \
+#define BEAD_NOTHING_SHOWN                \
+    {                                     \
+        INFINITY, -INFINITY, -INFINITY, 0 \
     }
 void bead_figure_extremes(const struct bead_figure *figure, struct bead_shown_values *colours, struct bead_shown_values *sensors);
 void bead_figure_set_range(struct bead_figure *figure, const struct bead_shown_values *colours,

@@ -23,20 +23,20 @@ static void test_ranges(void **state)
         bool signs;
         struct bead_colour_range range;
     } cases[] = {
-        {{0, 40, INFINITY}, false, {0, 40, false, false, 0}}, /* nothing is known of events */
-        {{0, 40, 39}, false, {0, 40, false, false, 0}},
-        {{0, 40, 20.1}, false, {0, 40, false, false, 0}}, /* more than half: seen */
-        {{0, 40, 10}, false, {0, 10.5, true, false, 40}},
+        {{0, 40, INFINITY, 0}, false, {0, 40, false, false, 0}}, /* nothing is known of events */
+        {{0, 40, 39, 0}, false, {0, 40, false, false, 0}},
+        {{0, 40, 20.1, 0}, false, {0, 40, false, false, 0}}, /* more than half: seen */
+        {{0, 40, 10, 0}, false, {0, 10.5, true, false, 40}},
         {{0, 40, 10, 41}, false, {0, 10.5, true, false, 41}}, /* pixels do not reach the peak of samples */
         {{0, 40, 39, 41}, false, {0, 40, false, false, 0}},
-        {{-3, 40, 10}, true, {-10.5, 10.5, true, false, 40}},
-        {{-40, 8, 10}, true, {-10.5, 10.5, false, true, 40}},
-        {{0, 0, 0}, false, {0, 1, false, false, 0}},
+        {{-3, 40, 10, 0}, true, {-10.5, 10.5, true, false, 40}},
+        {{-40, 8, 10, 0}, true, {-10.5, 10.5, false, true, 40}},
+        {{0, 0, 0, 0}, false, {0, 1, false, false, 0}},
         /* nearly a round number */
-        {{0, 7.97, 7}, false, {0, 8, false, false, 0}},
-        {{0, 7.9, 7}, false, {0, 7.9, false, false, 0}},
-        {{-0.9996, 0.9995, 0.9}, true, {-1, 1, false, false, 0}},
-        {{-49.8, 0, 40}, false, {-50, 0, false, false, 0}},
+        {{0, 7.97, 7, 0}, false, {0, 8, false, false, 0}},
+        {{0, 7.9, 7, 0}, false, {0, 7.9, false, false, 0}},
+        {{-0.9996, 0.9995, 0.9, 0}, true, {-1, 1, false, false, 0}},
+        {{-49.8, 0, 40, 0}, false, {-50, 0, false, false, 0}},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct bead_colour_range found = bead_colour_range_find(&automatic, cases[i].signs, &cases[i].values);
@@ -52,7 +52,7 @@ static void test_given_ranges_stay(void **state)
     (void)state;
     const struct bead_colours_asked given = {.scale = BEAD_SCALE_LINEAR, .range = {0, 30}},
                                     half = {.scale = BEAD_SCALE_LINEAR, .range = {1, NAN}};
-    const struct bead_shown_values values = {0, 40, 10};
+    const struct bead_shown_values values = {0, 40, 10, 0};
     struct bead_colour_range range = bead_colour_range_find(&given, false, &values);
     assert_true(range.low == 0 && range.high == 30 && range.over && range.hidden == 0);
     range = bead_colour_range_find(&half, false, &values);
