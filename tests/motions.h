@@ -16,7 +16,7 @@ static inline struct bead_motion *start_motion(const struct bead_system *system,
     const char *key = "", *wrong = system->equation->check(spec, &key);
     if (wrong)
         fail_msg("%s %s", key, wrong);
-    struct bead_motion_settings settings = {spec, system->count(&chain, accuracy), "auto", accuracy, step, end};
+    struct bead_motion_settings settings = {spec, system->count(&chain, accuracy), "auto", accuracy, step, end, 0, 0};
     if (system->equation->create(&settings, &motion, &msg))
         fail_msg("%s", msg.text);
     return motion;

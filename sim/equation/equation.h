@@ -25,6 +25,8 @@ struct bead_motion_settings {
     double accuracy;    /* relative error allowed in the unknown at the end of the run */
     double step;        /* 0: by the accuracy */
     double end;         /* of the run: the last step ends there; INFINITY: unknown */
+    size_t shown;       /* points of samples, half of all, where the errors are decided by the grid; 0: all */
+    double part;        /* of the longest step that other bounds than the accuracy allow, for a check run; 0: 1 */
 };
 
 /* Method and steps of a motion. */
@@ -38,7 +40,7 @@ struct bead_pace {
 
 struct bead_equation {
     const char *const *methods; /* allowed in `simulate.method` besides auto, NULL-terminated; NULL: none */
-    bool by_grid;               /* steps follow from the grid, which decides the errors */
+    bool by_grid;               /* steps follow from the grid, which decides the errors: samples may have half its points */
     /* An error of the settings as a whole, and the key to blame; NULL: none. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
     /* Errors: MEMORY, NUMBERS. On failure *motion is NULL, or what `destroy` frees. */
@@ -48,7 +50,7 @@ struct bead_equation {
     double (*time)(const struct bead_motion *motion); /* end of the last step */
     /* One step, not beyond settings.end. Errors: NUMBERS. */
     enum bead_error (*step)(struct bead_motion *motion, struct bead_message *msg);
-    /* Fields (BEAD_FIELD_BITs) of all points at time t within the last step into value[field][points]. */
+    /* Fields (BEAD_FIELD_BITs) of all points shown at time t within the last step into value[field][shown]. */
     enum bead_error (*sample)(struct bead_motion *motion, double t, unsigned fields, double *const value[BEAD_FIELD_COUNT],
                               struct bead_message *msg);
     uint64_t (*evaluations)(const struct bead_motion *motion); /* of the right-hand side at a point; NULL: not counted */

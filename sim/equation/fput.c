@@ -230,7 +230,7 @@ static enum bead_error choose_step(struct bead_motion *m, struct bead_message *m
     while (strcmp(law->method, info->name) != 0)
         law++;
     /* Polynomials of degree 7 interpolate between steps. */
-    double longest = fmin(law->longest, bead_pow(s->accuracy * 40320 * 256, 1. / 8)),
+    double longest = (s->part > 0 ? s->part : 1) * fmin(law->longest, bead_pow(s->accuracy * 40320 * 256, 1. / 8)),
            turns = omega * (isfinite(s->end) ? s->end : 1e4);
     m->h = s->step > 0 ? s->step : fmin(bead_pow(s->accuracy / (law->error * turns), 1.0 / info->order), longest) / omega;
     if (m->h * 2 > info->theta_max)

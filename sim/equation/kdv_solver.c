@@ -267,7 +267,8 @@ static void choose_step(struct bead_kdv *kdv, const struct bead_motion_settings 
     double speed = fabs(spec->nonlinearity) * bead_kdv_highest(spec), run = settings->end;
     double crossing = spec->length / (speed > 0 ? speed : 1), top = kdv->wave_number[kdv->spectral.modes];
     kdv->tolerance = margin * settings->accuracy / (isfinite(run) ? run : 10 * crossing);
-    kdv->longest = fmin(1 / (top * (speed > 0 ? speed : 1)), isfinite(run) ? run : INFINITY);
+    kdv->longest =
+        fmin((settings->part > 0 ? settings->part : 1) / (top * (speed > 0 ? speed : 1)), isfinite(run) ? run : INFINITY);
     kdv->fixed = settings->step > 0;
     kdv->end_of_run = settings->end;
     use_step(kdv, kdv->fixed ? settings->step : kdv->longest);

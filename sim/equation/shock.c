@@ -13,7 +13,7 @@
 
 struct bead_motion {
     struct bead_motion_settings settings;
-    size_t cells;
+    size_t cells, shown;  /* shown: cells of samples */
     double dx, smooth, h; /* h: the last step */
     struct bead_shock_state start, end, stage;
     struct bead_shock_watch watch;
@@ -147,19 +147,27 @@ static double longest(const struct bead_motion *m, const struct bead_shock_state
     return m->settings.step > 0 ? m->settings.step : courant * m->dx / fastest(m, s);
 }
 
-/* Find the displacements of the faces, up to a constant; returns their mean. */
+/* The cells shown have the means of those that they consist of. */
+static void merge_cells(const struct bead_motion *m, double *means)
+{
+    for (size_t i = 0; m->shown < m->cells && i < m->shown; i++)
+        means[i] = 0.5 * (means[2 * i] + means[2 * i + 1]);
+}
+
+/* Find the displacements of the faces of the cells shown, up to a constant; returns their mean. */
 static double find_faces(const struct bead_motion *m, const double *r)
 {
+    const double dx = m->settings.spec->length / (double)m->shown;
     double u = 0, sum = 0;
-    for (size_t i = 0; i < m->cells; i++) {
+    for (size_t i = 0; i < m->shown; i++) {
         m->faces[i + 1] = u;
-        sum += u + 0.5 * m->dx * r[i];
-        u += m->dx * r[i];
+        sum += u + 0.5 * dx * r[i];
+        u += dx * r[i];
     }
-    m->faces[m->cells + 1] = u;
-    m->faces[0] = -m->dx * r[m->cells - 1];
-    m->faces[m->cells + 2] = u + m->dx * r[0];
-    return sum / (double)m->cells;
+    m->faces[m->shown + 1] = u;
+    m->faces[0] = -dx * r[m->shown - 1];
+    m->faces[m->shown + 2] = u + dx * r[0];
+    return sum / (double)m->shown;
 }
 
 static enum bead_error shock_create(const struct bead_motion_settings *settings, struct bead_motion **motion,
@@ -169,13 +177,16 @@ static enum bead_error shock_create(const struct bead_motion_settings *settings,
     struct bead_motion *m = *motion;
     m->settings = *settings;
     m->cells = settings->points;
+    m->shown = settings->shown > 0 ? settings->shown : m->cells;
     m->dx = settings->spec->length / (double)m->cells;
     m->smooth = bead_shock_smooth(settings->spec, m->dx);
     BEAD_TRY(allocate(m, msg));
     double *scratch = m->work + 4 * (m->cells + 2 * BEAD_SHOCK_GHOSTS);
     bead_shock_start(settings->spec, m->cells, m->end.r, m->end.v);
     bead_shock_watch_begin(&m->watch, settings->spec, m->cells, scratch, &m->end);
-    m->mean_displacement = find_faces(m, m->end.r);
+    memcpy(m->stage.r, m->end.r, m->cells * sizeof *m->stage.r);
+    merge_cells(m, m->stage.r);
+    m->mean_displacement = find_faces(m, m->stage.r);
     m->mean_velocity = m->watch.start.momentum / settings->spec->length;
     m->h = longest(m, &m->end);
     find_rates(m, &m->end);
@@ -245,13 +256,15 @@ static void between(struct bead_motion *m, double t)
         m->stage.r[i] = va * a->r[i] + vb * b->r[i] + ra * a->r_rate[i] + rb * b->r_rate[i];
         m->stage.v[i] = va * a->v[i] + vb * b->v[i] + ra * a->v_rate[i] + rb * b->v_rate[i];
     }
+    merge_cells(m, m->stage.r);
+    merge_cells(m, m->stage.v);
 }
 
 /* Displacements of the centres of cells, from those of faces; their mean moves with the mean velocity, which is conserved. */
 static void displacements(const struct bead_motion *m, double t, double *u)
 {
     double shift = m->mean_displacement + m->mean_velocity * t - find_faces(m, m->stage.r);
-    for (size_t i = 0; i < m->cells; i++) {
+    for (size_t i = 0; i < m->shown; i++) {
         const double *f = m->faces + i;
         u[i] = shift + (9 * (f[1] + f[2]) - f[0] - f[3]) / 16;
     }
@@ -260,7 +273,7 @@ static void displacements(const struct bead_motion *m, double t, double *u)
 static enum bead_error shock_sample(struct bead_motion *m, double t, unsigned wanted, double *const value[BEAD_FIELD_COUNT],
                                     struct bead_message *)
 {
-    size_t bytes = m->cells * sizeof(double);
+    size_t bytes = m->shown * sizeof(double);
     between(m, t);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_STRAIN))
         memcpy(value[BEAD_FIELD_STRAIN], m->stage.r, bytes);
@@ -269,7 +282,7 @@ static enum bead_error shock_sample(struct bead_motion *m, double t, unsigned wa
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
         displacements(m, t, value[BEAD_FIELD_DISPLACEMENT]);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY)) {
-        for (size_t i = 0; i < m->cells; i++)
+        for (size_t i = 0; i < m->shown; i++)
             value[BEAD_FIELD_ENERGY][i] = bead_shock_energy(m->settings.spec, m->stage.r[i], m->stage.v[i]);
     }
     return BEAD_OK;

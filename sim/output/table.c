@@ -5,8 +5,6 @@
 
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
-#include "sim/chain/system.h"
-#include "sim/equation/equation.h"
 #include "sim/measure/spectra.h"
 #include "sim/output/table.h"
 
@@ -63,16 +61,6 @@ static enum bead_error create_table(const struct bead_output *output, const stru
     return sink->table->prepare ? sink->table->prepare(sink, msg) : BEAD_OK;
 }
 
-static bool can_check(const struct bead_sink *sink)
-{
-    bool other_grid = false;
-    for (size_t c = 0; c < sink->context.chain_count; c++) {
-        const struct bead_equation *equation = bead_chain_spec(sink->context.chains[c])->system->equation;
-        other_grid = other_grid || (equation && equation->by_grid);
-    }
-    return sink->table->checked == TABLE_CHECKED || (sink->table->checked == TABLE_CHECKED_SAMPLES && !other_grid);
-}
-
 static enum bead_error table_create(const struct bead_output *output, const struct bead_run_context *context,
                                     struct bead_sink **made, struct bead_message *msg)
 {
@@ -82,7 +70,7 @@ static enum bead_error table_create(const struct bead_output *output, const stru
         return bead_output_wrong(output, msg, "show: tables cannot show this");
     BEAD_TRY(create_table(output, context, made, msg));
     sink = *made;
-    if (can_check(sink) && output->curves.uncertainty && !context->replayed)
+    if (sink->table->checked && output->curves.uncertainty && !context->replayed)
         BEAD_TRY(create_table(output, context, &sink->check, msg));
     sink->bounds = sink->table->of_fields && output->curves.uncertainty ? context->bounds : NULL;
     BEAD_TRY(bead_file_join(context->directory, output->path, &sink->path, msg));

@@ -10,10 +10,6 @@
 #include "sim/measure/places.h"
 #include "sim/measure/profile_times.h"
 
-/* Columns of `uncertainty` that a check run can give, if asked for: nothing, numbers from samples, or also from outcomes. Samples
- * on the other grid of an equation are none of the run's. */
-enum table_check { TABLE_UNCHECKED, TABLE_CHECKED_SAMPLES, TABLE_CHECKED };
-
 struct column {
     size_t chain, bead;    /* or contact */
     enum bead_field field; /* of sensors and extremes */
@@ -58,7 +54,7 @@ struct table {
     enum bead_error (*finish)(struct bead_sink *sink, struct bead_message *msg); /* instead of `end`, where it can fail */
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
-    enum table_check checked;
+    bool checked;   /* a check run gives columns of `uncertainty`, if asked for */
     bool of_fields; /* its numbers are values of fields, which are as uncertain as a trajectory says of these */
 };
 

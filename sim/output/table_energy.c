@@ -47,5 +47,5 @@ const struct table bead_table_energy = {.accuracy = 1e-11,
                                         .prepare = energy_prepare,
                                         .needs = energy_needs,
                                         .header = bead_table_columns_header,
-                                        .checked = TABLE_CHECKED_SAMPLES,
+                                        .checked = true,
                                         .sample = energy_sample};

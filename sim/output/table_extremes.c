@@ -79,6 +79,6 @@ const struct table bead_table_extremes = {.why = "the largest value of a field o
                                           .prepare = extremes_prepare,
                                           .needs = extremes_needs,
                                           .header = extremes_header,
-                                          .checked = TABLE_CHECKED_SAMPLES,
+                                          .checked = true,
                                           .of_fields = true,
                                           .sample = extremes_sample};

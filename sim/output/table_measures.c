@@ -127,5 +127,5 @@ const struct table bead_table_measures = {.why = "measures of the run",
                                           .header = measures_header,
                                           .sample = measures_sample,
                                           .end = measures_end,
-                                          .checked = TABLE_CHECKED,
+                                          .checked = true,
                                           .begin = measures_begin};

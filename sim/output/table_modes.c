@@ -39,5 +39,5 @@ const struct table bead_table_modes = {.why = "energies of modes",
                                        .prepare = modes_prepare,
                                        .needs = modes_needs,
                                        .header = bead_table_columns_header,
-                                       .checked = TABLE_CHECKED_SAMPLES,
+                                       .checked = true,
                                        .sample = modes_sample};

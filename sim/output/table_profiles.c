@@ -71,6 +71,6 @@ const struct table bead_table_profiles = {.why = "a field at some times",
                                           .needs = profiles_needs,
                                           .header = profiles_header,
                                           .sample = profiles_sample,
-                                          .checked = TABLE_CHECKED_SAMPLES,
+                                          .checked = true,
                                           .of_fields = true,
                                           .end = profiles_end};

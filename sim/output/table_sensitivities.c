@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of the derivatives of peak forces: a row for each bead and each contact asked for. */
+#include <math.h>
+
 #include "sim/base/number.h"
 #include "sim/output/table.h"
 
@@ -14,13 +16,34 @@ static void sensitivities_header(struct bead_sink *sink)
 {
     fprintf(sink->file,
             "%scontact,peak_force_N,time_s,bead,by_mass_N_per_kg,by_radius_N_per_m,by_modulus_N_per_Pa,"
-            "by_striker_velocity_N_s_per_m\n",
-            sink->context.chain_count > 1 ? "chain," : "");
+            "by_striker_velocity_N_s_per_m%s\n",
+            sink->context.chain_count > 1 ? "chain," : "",
+            sink->check ? ",by_mass_N_per_kg_uncertainty,by_radius_N_per_m_uncertainty,by_modulus_N_per_Pa_uncertainty,"
+                          "by_striker_velocity_N_s_per_m_uncertainty"
+                        : "");
+}
+
+/* By those of the check run: of the worst bead, since errors cross zero along a chain. NaN: unknown. */
+static void find_uncertainties(const struct bead_sink *sink, size_t chain, const struct bead_sensitivity *s,
+                               const struct bead_sensitivity *check, double uncertainty[4])
+{
+    const size_t beads = bead_chain_beads(sink->context.chains[chain]);
+    for (size_t i = 0; i < 4; i++)
+        uncertainty[i] = NAN;
+    if (!check)
+        return;
+    uncertainty[0] = bead_table_worst(sink, s->mass, check->mass, beads);
+    uncertainty[1] = bead_table_worst(sink, s->radius, check->radius, beads);
+    uncertainty[2] = bead_table_worst(sink, s->modulus, check->modulus, beads);
+    uncertainty[3] = bead_table_worst(sink, &s->velocity, &check->velocity, 1);
 }
 
 /* The derivative by the striker's velocity is in the row of bead 0. */
-static void write_contact(struct bead_sink *sink, size_t chain, const struct bead_peak *peak, const struct bead_sensitivity *s)
+static void write_contact(struct bead_sink *sink, size_t chain, const struct bead_peak *peak, const struct bead_sensitivity *s,
+                          const struct bead_sensitivity *check)
 {
+    double uncertainty[4];
+    find_uncertainties(sink, chain, s, check, uncertainty);
     char force[BEAD_NUMBER_ROOM], time[BEAD_NUMBER_ROOM]; /* the same in all rows: converting numbers is slow */
     bead_number_text(force, peak->value);
     bead_number_text(time, peak->time);
@@ -31,6 +54,12 @@ static void write_contact(struct bead_sink *sink, size_t chain, const struct bea
         if (j == 0)
             bead_table_numbers(sink->file, 1, &s->velocity);
         else
+            fputc(',', sink->file);
+        if (sink->check)
+            bead_table_numbers(sink->file, 3, uncertainty);
+        if (sink->check && j == 0)
+            bead_table_numbers(sink->file, 1, &uncertainty[3]);
+        else if (sink->check)
             fputc(',', sink->file);
         bead_table_end_row(sink);
     }
@@ -48,10 +77,11 @@ static bool is_asked(const struct bead_sink *sink, const struct bead_sensitivity
 static void sensitivities_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
+        const struct bead_sensitivity *check = outcomes[c].check ? outcomes[c].check->sensitivities : NULL;
         for (size_t i = 0; i < outcomes[c].sensitivity_count; i++) {
             const struct bead_sensitivity *s = &outcomes[c].sensitivities[i];
             if (is_asked(sink, s))
-                write_contact(sink, c, &outcomes[c].contact_peaks[s->index], s);
+                write_contact(sink, c, &outcomes[c].contact_peaks[s->index], s, check ? &check[i] : NULL);
         }
     }
 }
@@ -59,4 +89,5 @@ static void sensitivities_end(struct bead_sink *sink, const struct bead_outcome 
 const struct table bead_table_sensitivities = {.why = "derivatives of peaks by masses, radii, moduli and the striker's velocity",
                                                .needs = sensitivities_needs,
                                                .header = sensitivities_header,
+                                               .checked = true,
                                                .end = sensitivities_end};

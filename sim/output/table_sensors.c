@@ -61,6 +61,6 @@ const struct table bead_table_sensors = {.why = "curves of sensors, or of the be
                                          .prepare = sensors_prepare,
                                          .needs = sensors_needs,
                                          .header = bead_table_columns_header,
-                                         .checked = TABLE_CHECKED_SAMPLES,
+                                         .checked = true,
                                          .of_fields = true,
                                          .sample = sensors_sample};

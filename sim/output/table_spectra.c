@@ -129,7 +129,7 @@ const struct table bead_table_spectrum = {.why = "spectra",
                                           .needs = spectra_needs,
                                           .header = spectrum_header,
                                           .sample = spectra_sample,
-                                          .checked = TABLE_CHECKED_SAMPLES,
+                                          .checked = true,
                                           .finish = spectrum_finish};
 
 /* ---- blocks of chains ---- */
@@ -186,7 +186,7 @@ const struct table bead_table_spectrogram = {.why = "spectra over time",
                                              .needs = spectra_needs,
                                              .header = spectrogram_header,
                                              .sample = spectra_sample,
-                                             .checked = TABLE_CHECKED_SAMPLES,
+                                             .checked = true,
                                              .finish = spectrogram_finish};
 
 static void dispersion_header(struct bead_sink *sink)
@@ -236,5 +236,5 @@ const struct table bead_table_dispersion = {.why = "amplitudes over wave number 
                                             .needs = spectra_needs,
                                             .header = dispersion_header,
                                             .sample = spectra_sample,
-                                            .checked = TABLE_CHECKED_SAMPLES,
+                                            .checked = true,
                                             .finish = dispersion_finish};

@@ -99,5 +99,5 @@ const struct table bead_table_spreading = {.why = "how far energy has spread",
                                            .needs = spreading_needs,
                                            .begin = spreading_begin,
                                            .header = spreading_header,
-                                           .checked = TABLE_CHECKED_SAMPLES,
+                                           .checked = true,
                                            .sample = spreading_sample};

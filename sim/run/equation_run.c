@@ -26,23 +26,26 @@ static const struct bead_equation *equation_of(const struct bead_chain *chain)
     return chain->spec->system->equation;
 }
 
-/* Points of a run. */
+/* Points of a run; its samples have those of the chain. */
 static size_t points_of(const struct bead_run_settings *settings)
 {
     const size_t points = settings->chain->beads;
-    return settings->other_grid && equation_of(settings->chain)->by_grid ? (points + 1) / 2 : points;
+    return settings->other_grid && equation_of(settings->chain)->by_grid ? 2 * points : points;
 }
 
 static struct bead_motion_settings settings_of(const struct bead_chain *chain, size_t points, const struct bead_simulate *asked,
                                                double tolerance_factor)
 {
     tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
+    const double half = 0.5; /* steps that are not bound by the accuracy differ, too */
     return (struct bead_motion_settings){.spec = &chain->spec->equation,
                                          .points = points,
+                                         .shown = chain->beads,
                                          .method = asked->method,
                                          .accuracy = asked->step > 0 ? asked->accuracy : tolerance_factor * asked->accuracy,
                                          .step = tolerance_factor * asked->step,
-                                         .end = asked->until};
+                                         .end = asked->until,
+                                         .part = tolerance_factor < 1 ? half : 1};
 }
 
 /* Error messages name the file and the chain. */
@@ -167,8 +170,6 @@ static enum bead_error equation_run_sample(struct bead_run *run, double t, unsig
     fields &= bead_chain_fields(run->settings.chain);
     sample->time = t;
     sample->active = run->settings.chain->beads;
-    if (points_of(&run->settings) != sample->active)
-        return BEAD_OK; /* values of other places are none of these */
     enum bead_error err = run->equation->sample(run->motion, t, fields, run->value, msg);
     for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
         sample->field[f] = fields & BEAD_FIELD_BIT(f) ? run->value[f] : NULL;

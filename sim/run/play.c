@@ -136,13 +136,9 @@ static enum bead_error add_check(struct pass *pass, double time, const struct be
     BEAD_TRY(advance(pass, runner, time, msg));
     if (!runner->kind)
         return BEAD_OK;
-    bool any = false;
     *check = (struct bead_sample){.chain = sample->chain};
-    BEAD_TRY(runner->kind->sample(runner->run, time, due->fields, due->span, check, msg));
-    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++)
-        any = any || check->field[f];
-    sample->check = any ? check : NULL;
-    return BEAD_OK;
+    sample->check = check;
+    return runner->kind->sample(runner->run, time, due->fields, due->span, check, msg);
 }
 
 /* Computes a sample, and that of the check run, unless the run is over before: *over. */

@@ -129,7 +129,9 @@ struct receiver {
 static enum bead_error find_all(const struct bead_sensitivity_run *with, const struct bead_sensitive *peaks, size_t count,
                                 const struct receiver *receiver, struct bead_message *msg)
 {
-    const double accuracy = fmin(with->accuracy, receiver->care->accuracy);
+    const double refinement = with->refinement > 0 ? with->refinement : 1;
+    const double accuracy = fmin(with->accuracy, receiver->care->accuracy) * refinement;
+    const struct bead_adjoint_care care = {receiver->care->back.negligible, receiver->care->back.heavy * refinement};
     struct bead_record record = {0};
     double until = 0;
     for (size_t i = 0; i < count; i++)
@@ -141,7 +143,7 @@ static enum bead_error find_all(const struct bead_sensitivity_run *with, const s
         if (bead_stop_is_asked(with->stop))
             err = bead_fail(msg, BEAD_ERROR_STOPPED, "stopped before the sensitivities were found");
         else
-            err = find_block(with, &receiver->care->back, &record, peaks + i, block, found, msg);
+            err = find_block(with, &care, &record, peaks + i, block, found, msg);
         if (!err)
             receiver->take(receiver, i, block, found);
         for (size_t b = 0; b < block; b++)

@@ -29,6 +29,7 @@ struct bead_sensitivity_run {
     const struct bead_kernels *kernels;
     const volatile sig_atomic_t *stop; /* NULL: never stopped */
     double accuracy;                   /* requested; derivatives may need a smaller one */
+    double refinement;                 /* of a check run: times the accuracy that they need, and times `heavy`; 0: 1 */
     bool passage;                      /* the passage ended the run */
 };
 

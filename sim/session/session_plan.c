@@ -4,6 +4,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_data.h"
+#include "sim/equation/equation.h"
 #include "sim/session/session_data.h"
 
 /* Times as people write them: of beads in microseconds or milliseconds, of equations without a unit. */
@@ -161,12 +162,15 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
 static void plan_checks(const struct bead_session *s, FILE *out)
 {
     const struct bead_play play = bead_session_play(s, "planning");
+    const struct bead_equation *equation = bead_chain_spec(s->chains[0])->system->equation;
     size_t count = 0;
     for (size_t i = 0; i < s->made_count; i++) {
         if (s->made[i].sink && s->made[i].needs.checked)
             fprintf(out, "%s%s", count++ ? ", " : "check run: uncertainties of ", s->made[i].path);
     }
-    if (count > 0)
+    if (count > 0 && equation && equation->by_grid)
+        fprintf(out, ": all chains once more, on twice as many cells\n");
+    else if (count > 0)
         fprintf(out, ": all chains once more, with %g of the %s\n", bead_play_check_factor(&play),
                 s->source->simulate.step > 0 ? "step" : "tolerance");
 }

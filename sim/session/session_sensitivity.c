@@ -6,22 +6,28 @@
 #include "sim/base/memory.h"
 #include "sim/base/thread_pool.h"
 #include "sim/run/sensitivity.h"
+#include "sim/run/uncertainty.h"
 #include "sim/session/session_data.h"
 
 struct bead_sensitivities {
     size_t count;
-    struct bead_sensitivity *found; /* [count], rising */
-    double *deviation[2];           /* [contacts], [beads]; NULL: not asked */
-    bool *rivalled[2];              /* the same */
+    struct bead_sensitivity *found;  /* [count], rising */
+    struct bead_sensitivity *checks; /* the same, of the check run; NULL: there is none */
+    double *deviation[2];            /* [contacts], [beads]; NULL: not asked */
+    bool *rivalled[2];               /* the same */
 };
 
 void bead_session_free_sensitivities(struct bead_session *s)
 {
     for (size_t c = 0; s->sensitivities && c < s->chain_count; c++) {
         struct bead_sensitivities *own = &s->sensitivities[c];
-        for (size_t i = 0; i < own->count; i++)
+        for (size_t i = 0; i < own->count; i++) {
             bead_sensitivity_free(&own->found[i]);
+            if (own->checks)
+                bead_sensitivity_free(&own->checks[i]);
+        }
         free(own->found);
+        free(own->checks);
         free(own->deviation[0]);
         free(own->deviation[1]);
         free(own->rivalled[0]);
@@ -75,6 +81,22 @@ static size_t list_peaks(const struct bead_peak *peaks, size_t count, bool of_be
     return listed;
 }
 
+/* Those of the check run, at its own peaks. */
+static enum bead_error check_sensitivities(struct bead_session *s, size_t chain, struct bead_sensitive *list,
+                                           const unsigned char *mark, struct bead_message *msg)
+{
+    struct bead_sensitivities *own = &s->sensitivities[chain];
+    struct bead_outcome *check = &s->played.checks[chain];
+    struct bead_sensitivity_run run = run_of(s, chain);
+    run.refinement = BEAD_UNCERTAINTY_FINER;
+    list_peaks(check->contact_peaks, bead_chain_contacts(s->chains[chain]), false, mark, list);
+    BEAD_TRY(bead_new(&own->checks, own->count + 1, msg, "a session"));
+    BEAD_TRY(bead_sensitivities_find(&run, list, own->count, own->checks, msg));
+    check->sensitivities = own->checks;
+    check->sensitivity_count = own->count;
+    return BEAD_OK;
+}
+
 static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, struct bead_sensitive *list, unsigned char *mark,
                                           struct bead_message *msg)
 {
@@ -90,7 +112,7 @@ static enum bead_error find_sensitivities(struct bead_session *s, size_t chain, 
         own->found[i].of_default = mark[own->found[i].index] & 2;
     o->sensitivities = own->found;
     o->sensitivity_count = err ? 0 : count;
-    return err;
+    return !err && o->check && o->check->contact_peaks ? check_sensitivities(s, chain, list, mark, msg) : err;
 }
 
 static enum bead_error find_deviations(struct bead_session *s, size_t chain, bool of_beads, struct bead_sensitive *list,

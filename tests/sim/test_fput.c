@@ -18,7 +18,7 @@ static const struct bead_system *const fput = &bead_system_fput;
 static struct bead_motion *begin(const struct bead_equation_spec *spec, const char *method, double accuracy, double step,
                                  double end)
 {
-    struct bead_motion_settings settings = {spec, spec->points, method, accuracy, step, end};
+    struct bead_motion_settings settings = {spec, spec->points, method, accuracy, step, end, 0, 0};
     struct bead_motion *motion = NULL;
     struct bead_message msg = {""};
     if (fput->equation->create(&settings, &motion, &msg))
@@ -224,7 +224,7 @@ static void a_pulse_is_a_soliton_of_its_kdv_limit(void **state)
 static void strain_after(const struct bead_system *system, const struct bead_equation_spec *spec, size_t points, double end,
                          double *strain)
 {
-    struct bead_motion_settings settings = {spec, points, "auto", 1e-8, 0, end};
+    struct bead_motion_settings settings = {spec, points, "auto", 1e-8, 0, end, 0, 0};
     struct bead_motion *m = NULL;
     struct bead_message msg = {""};
     double *const to[BEAD_FIELD_COUNT] = {[BEAD_FIELD_STRAIN] = strain};

@@ -329,7 +329,7 @@ static void a_grid_too_coarse_for_the_start_is_told(void **state)
     (void)state;
     struct bead_message msg = {""};
     struct bead_motion *motion = NULL;
-    struct bead_motion_settings settings = {&one_soliton, 40, "auto", 1e-6, 0, 1};
+    struct bead_motion_settings settings = {&one_soliton, 40, "auto", 1e-6, 0, 1, 0, 0};
     assert_int_equal(kdv->equation->create(&settings, &motion, &msg), BEAD_ERROR_NUMBERS);
     kdv->equation->destroy(motion);
     assert_non_null(strstr(msg.text, "too coarse for the start"));

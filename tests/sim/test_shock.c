@@ -347,7 +347,7 @@ static void steps_too_long_are_told(void **state)
     (void)state;
     struct bead_message msg = {""};
     struct bead_motion *motion = NULL;
-    struct bead_motion_settings settings = {&simple_wave, 100, "auto", 1e-6, 0.1, 1};
+    struct bead_motion_settings settings = {&simple_wave, 100, "auto", 1e-6, 0.1, 1, 0, 0};
     assert_int_equal(shock->equation->create(&settings, &motion, &msg), BEAD_ERROR_SCENE);
     shock->equation->destroy(motion);
     assert_non_null(strstr(msg.text, "too long"));

@@ -1,0 +1,215 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every number that a table says knows its error: each word of `show`, of beads and equations, has a column of uncertainties for each
+column of numbers but those named below, with the reason; what these say is at least the error against a run that is far more exact,
+and hardly ever more than ten times the larger of error and request. `known.py BEADSIM SCHEMA`; for known.sh."""
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import tap
+
+ASKED = 1e-4
+ROUNDING, TINY = 1e-11, 1e-14  # of the largest number in a column, that of the references; of the sums of an equation
+
+# What is given, counted, or chosen by the table: columns of any table, and of some.
+PLAIN = {
+    "time_s", "time", "x", "bead", "contact", "mode", "material", "sensor", "state", "note", "unit", "name", "kind", "frequency_Hz",
+    "frequency", "band", "wave_number_cell_pi", "first_bead", "last_bead", "number",
+}
+WITHOUT = {
+    "chain": "what was given, and what follows from it in closed form",
+    "bands": "eigenvalues of what was given, to rounding",
+    "eigenmodes": "eigenvalues of what was given, to rounding",
+    "fit": "of another kind: its standard errors are those of what was measured",
+    "sensitivities": {"peak_force_N": "the table of peaks says it"},
+    "dispersion": {"exact_Hz": "an eigenvalue, to rounding", "found_Hz": "a line of the spectrum: as far apart as these are"},
+    "spreading": {"gamma_error": "a standard error", "eta_error": "a standard error"},
+}
+PLACES = (3, 5, 8)
+FINER = 4  # cells of the reference of the equation whose errors are the grid's
+# Keys that a word needs beside `show`.
+KEYS = {
+    "profiles": "at: [{half:.9g}, {end:.9g}]{strain}",
+    "sensors": "beads: [{places}], every: {every:.9g}{field}",
+    "spectrum": "beads: [3, 5, 8], every: {every:.9g}{field}",
+    "spectrogram": "beads: 5, every: {every:.9g}{field}",
+    "transfer": "beads: [5, 8], every: {every:.9g}{field}",
+    "sensitivities": "contacts: [3, 5, 8]",
+    "dispersion": "every: {every:.9g}{field}",
+    "energy": "every: {every:.9g}",
+    "extremes": "every: {every:.9g}{strain}",
+}
+
+BEADS = """materials:
+  a: {{density: 7800, modulus: 200 GPa, poisson: 0.3, radius: 5 mm}}
+  b: {{density: 2700, modulus: 70 GPa, poisson: 0.33, radius: 4 mm}}
+chain: {{striker: {{bead: a, velocity: 0.3}}, wall: {wall}, beads: [{{cell: [a, b], count: 10, disorder: {{mass: normal 8 %, seed: {seed}}}}}]{more}}}
+simulate: {{until: 0.6 ms}}
+"""
+END = 0.6e-3
+# Scene, end of the run, accuracy of the reference, its other settings.
+SYSTEMS = {
+    "beads": (BEADS.format(wall="a", more="", seed=1), END, "1e-11", ()),
+    "pressed": (BEADS.format(wall="rigid", more=", precompression: 10 N", seed=2), END, "1e-11", ()),
+    "equal cells": (BEADS.format(wall="rigid", more=", precompression: 10 N", seed=2).replace(", disorder: {mass: normal 8 %, seed: 2}", ""),
+                    END, "1e-11", ()),
+    "driven": (BEADS.format(wall="rigid", more=", precompression: 10 N, drive: {displacement: sine, amplitude: 0.1 um, frequency: 8 kHz}", seed=3)
+               .replace("striker: {bead: a, velocity: 0.3}, ", "striker: {bead: a, velocity: 0}, "), END, "1e-11", ()),
+    "damped": (BEADS.format(wall="none", more=", damping: {coefficient: 2, exponent: 1.3}", seed=4), END, "1e-9", ()),
+    "fput": ("chain: {equation: fput, points: 32, alpha: 0.25, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 60}\n", 60, "1e-12", ()),
+    "kdv": ("chain: {equation: kdv, low: -12, length: 24, points: 160, start: {solitons: [{speed: 9, at: -6}, {speed: 4, at: 0}]}}\n"
+            "simulate: {until: 0.5}\n", 0.5, "1e-8", ()),
+    "shock": ("chain: {equation: shock, epsilon: 0.5, points: 96, length: 6.283185307179586, start: {simple-wave: 1, amplitude: 1}}\n"
+              "simulate: {until: 6}\n", 6, "1e-4", ("--set", f"chain.points={96 * FINER}")),
+}
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+def nothing(*_):
+    return 0.0
+
+
+# What the columns do not say, by the row of the reference: polynomials through samples, which all runs share (assets/accuracy.md); the
+# reference of derivatives is hardly more accurate.
+SLACK = {"measures": lambda right, c, u: 1e-6 * abs(number(right[c])), "sensitivities": lambda right, c, u: number(right[u])}
+
+
+def keys_of(show, system, end, finer=1):
+    """`finer`: of a grid of so many times as many cells."""
+    fields = {"fput": ", field: displacement", "kdv": ", field: displacement", "shock": ", field: strain"}
+    words = {"end": end, "half": end / 2, "every": end / 300, "field": fields.get(system, ", field: velocity"),
+             "strain": ", field: strain" if system == "shock" else "",
+             "places": ", ".join(str(i) for place in PLACES for i in range(finer * place, finer * (place + 1)))}
+    return KEYS.get(show, "").format(**words)
+
+
+def table(beadsim, scene, accuracy, show, keys, *options):
+    """The rows, or the message with which the table was refused."""
+    output = f"{{table: t.csv, show: {show}{', ' * bool(keys)}{keys}}}"
+    done = subprocess.run([beadsim, scene, "-o", "out", "--quiet", "--set", f"simulate.accuracy={accuracy}", "--set", f"outputs=[{output}]",
+                           *options], capture_output=True, text=True, check=False)
+    if done.returncode:
+        return done.stderr
+    with open("out/t.csv", encoding="utf-8", newline="") as file:
+        return list(csv.reader(file))
+
+
+def pairs(show, header):
+    """Columns with those of their uncertainties; columns that have none."""
+    without = WITHOUT.get(show, {})
+    found, missing = [], []
+    for c, name in enumerate(header):
+        if isinstance(without, str) or name in PLAIN or name in without or "uncertainty" in name:
+            continue
+        of_all = [u for u, other in enumerate(header) if other in (name + "_uncertainty", "uncertainty", "uncertainty_N")]
+        if of_all:
+            found.append((c, of_all[0]))
+        else:
+            missing.append(name)
+    return found, missing
+
+
+def mean(texts):
+    return repr(sum(number(x) for x in texts) / len(texts))
+
+
+def merge_cells(show, rows):
+    """Of a finer grid, means of cells: along profiles, or of the columns of sensors. Other tables have numbers of single cells: None."""
+    if show == "profiles":
+        return rows[:1] + [[mean(column) for column in zip(*rows[i : i + FINER])] for i in range(1, len(rows), FINER)]
+    if show == "sensors":
+        return rows[:1] + [[row[0]] + [mean(row[1 + FINER * i : 1 + FINER * (i + 1)]) for i in range(len(PLACES))] for row in rows[1:]]
+    return rows if show == "measures" else None
+
+
+class Count:
+    def __init__(self):
+        self.numbers = self.missed = self.columns = self.much = self.unknown = 0
+        self.told = []
+
+    def judge(self, show, system, rows, exact, c, u):
+        """A column of numbers, and what is said of them."""
+        scale = max((abs(number(row[c])) for row in exact if not math.isnan(number(row[c]))), default=0)
+        worst = said = 0.0
+        for row, right in zip(rows, exact):
+            value, true, bound = number(row[c]), number(right[c]), number(row[u])
+            if math.isnan(value) or math.isnan(true) or "unpredictable" in row:
+                continue
+            self.numbers += 1
+            self.unknown += math.isnan(bound)
+            error = abs(value - true)
+            if error > bound + SLACK.get(show, nothing)(right, c, u) + ROUNDING * scale + TINY:
+                self.missed += 1
+                self.told.append(f"{show} of {system}: {row}: off by {error:.3g} from {true!r}")
+            worst, said = max(worst, error), max(said, bound)
+        if scale > 0:
+            self.columns += 1
+            self.much += said > 10 * max(worst, ASKED * scale)
+
+
+def try_table(beadsim, system, show, count):
+    """True: the system has the table."""
+    text, end, finest, options = SYSTEMS[system]
+    with open("scene.yaml", "w", encoding="utf-8") as file:
+        file.write(text)
+    keys = keys_of(show, system, end)
+    rows = table(beadsim, "scene.yaml", ASKED, show, keys)
+    if isinstance(rows, str):
+        known = (" has the derivatives", " lists beads", " has the bands", " has the modes", "is the budget", "are those of", "is one of",
+                 "do not exist", "are not known", "has small vibrations", "is that of", "must be", "spreads", "stores", "needs", "no bead", "`fit`")
+        tap.ok(any(word in rows for word in known), f"{show} of {system} is refused with a reason", rows)
+        return False
+    found, missing = pairs(show, rows[0])
+    tap.ok(not missing, f"{show} of {system}: every column of numbers knows its error", ", ".join(missing))
+    if not found:
+        return True
+    finer = FINER if options else 1
+    exact = table(beadsim, "scene.yaml", finest, show, keys_of(show, system, end, finer), *options)
+    exact = merge_cells(show, exact) if options else exact
+    if not exact:
+        return True
+    by_name = {tuple(row[:1]): row for row in exact[1:]} if show == "measures" else None
+    body = rows[1:]
+    right = [by_name[tuple(row[:1])] for row in body if tuple(row[:1]) in by_name] if by_name else exact[1:]
+    if by_name:
+        body = [row for row in body if tuple(row[:1]) in by_name]
+    for c, u in found:
+        if by_name: # each is a column of its own
+            for row, other in zip(body, right):
+                count.judge(show, system, [row], [other], c, u)
+        else:
+            count.judge(show, system, body, right, c, u)
+    return True
+
+
+def main():
+    beadsim, schema = os.path.abspath(sys.argv[1]), json.load(open(sys.argv[2], encoding="utf-8"))
+    shows = schema["definitions"]["outputs:table"]["properties"]["show"]["enum"]
+    with tempfile.TemporaryDirectory() as work:
+        os.chdir(work)
+        for show in shows:
+            if show == "fit":  # needs a measured curve
+                continue
+            count = Count()
+            of = [system for system in SYSTEMS if try_table(beadsim, system, show, count)]
+            tap.ok(of, f"{show} is a table of something")
+            if count.numbers:
+                tap.ok(count.missed == 0, f"{show}: none of {count.numbers} numbers is off by more than is said", *count.told[:8])
+                tap.ok(10 * count.much <= count.columns, f"{show}: at most a tenth of {count.columns} columns says ten times too much", count.much)
+            print("#", show, count.numbers, count.missed, count.columns, count.much, count.unknown, flush=True)
+    tap.finish()
+
+
+if __name__ == "__main__":
+    main()
