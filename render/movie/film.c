@@ -93,7 +93,7 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
     const bool struck = bead_chain_spec(first)->system->has_striker && !film->times.held;
     const double typical = film->preview && struck ? bead_preview_typical(film->preview) : INFINITY;
     const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),
-                                                                    &(struct bead_shown_values){range.low, range.high, typical});
+                                                                    &(struct bead_shown_values){range.low, range.high, typical, 0});
     struct bead_composer_setup setup = {.output = output,
                                         .chains = film->context.chains,
                                         .chain_count = film->context.chain_count,

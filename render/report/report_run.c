@@ -225,7 +225,7 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
 /* Finds one range of colours for all chains, without the strike, as in stills. */
 static void find_range(struct bead_sink *s)
 {
-    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
+    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY, 0};
     for (size_t i = 0; i < s->chain_count; i++) {
         const struct report_chain *c = &s->chains[i];
         for (size_t k = 0; k < c->kept * c->values; k++) {

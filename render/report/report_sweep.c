@@ -147,7 +147,7 @@ static enum bead_error run_images(struct sweep_report *r, const struct bead_swee
 
 static void find_range(struct sweep_report *r)
 {
-    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY};
+    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY, 0};
     for (size_t i = 0; i < r->count; i++) {
         double low, high;
         bead_area_extremes(r->images[i].area, &low, &high);
