@@ -44,7 +44,7 @@ BUILD_DEPS = gcc libc6-dev pkg-config libhdf5-dev libyaml-dev libudunits2-dev li
 TEST_DEPS  = g++ libegl1 libegl-mesa0 libgl1-mesa-dri libcmocka-dev binutils hdf5-tools parallel poppler-utils ffmpeg python3-h5py python3-hypothesis man-db mandoc zsh fish
 # Left out where a release has them no more: OSMesa went with Mesa 25.1.
 WISHED_DEPS = libosmesa6
-CI_DEPS    = ccache clang lld libclang-rt-dev clang-format cppcheck shellcheck debootstrap dpkg-dev debhelper dh-python lintian pandoc chromium \
+CI_DEPS    = ccache clang lld libclang-rt-dev clang-format cppcheck shellcheck mmdebstrap dpkg-dev debhelper dh-python lintian pandoc chromium \
              patchelf python3-pip python3-venv
 # Programs of others that read trajectories; tests of what is missing are skipped and counted. Their readers in JavaScript come with npm.
 READER_DEPS = octave gnuplot-nox python3-paraview python3-mdanalysis python3-xarray python3-h5netcdf python3-silx python3-nbconvert python3-ipykernel \
@@ -57,7 +57,7 @@ NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
 NPM_H5WEB   = @h5web/app@16.0.1 @h5web/h5wasm@16.0.1 react@18.3.1 react-dom@18.3.1 esbuild@0.28.2
 # What `make peers` compares with: large, and left out where missing.
 PEER_DEPS  = lammps python3-scipy
-ARM64_DEPS = debootstrap gcc-aarch64-linux-gnu qemu-user-static
+ARM64_DEPS = mmdebstrap gcc-aarch64-linux-gnu qemu-user-static
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
 once              = $(eval $(1) := $(2))$($(1))
@@ -305,7 +305,7 @@ check: test ## the same
 
 compile: all $(TESTS:=.o) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everything, tests and benchmarks too, without running it or linking the tests
 
-fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, debootstrap; minutes)
+fresh: ## README's commands on a bare Debian: make fresh SUITE=bookworm|trixie (root, mmdebstrap; minutes)
 	@tests/fresh.sh $(SUITE)
 
 release-check: ## what stands between this commit and the release TAG=vVERSION
@@ -316,7 +316,7 @@ deb: ## the Debian packages of the last commit, into build/deb (make deps deps-c
 	@rm -rf $(BUILD)/deb/beadreel && ls $(BUILD)/deb/*.deb
 # Of the host's release, or SUITE's, built there.
 asked_suite = $(if $(findstring command line,$(origin SUITE)),$(SUITE))
-deb-test: $(if $(asked_suite),,deb) ## these packages pass lintian, install on a bare Debian and work there; SUITE=trixie (root, debootstrap; minutes)
+deb-test: $(if $(asked_suite),,deb) ## these packages pass lintian, install on a bare Debian and work there; SUITE=trixie (root, mmdebstrap; minutes)
 	@mkdir -p $(BUILD)/deb && tests/packages.sh $(BUILD)/deb $(asked_suite)
 
 wheel: all ## the programs and the Python module for pip, into build/wheel (python3-pip, patchelf)
@@ -329,14 +329,14 @@ tarball: all ## programs with all they need, to unpack anywhere, and what is in 
 	@assets/package/tarball.sh $(BUILD) $(bundle)
 image: tarball ## an image for containers (OCI), of the tarball and Debian's C library: build/image (root, mmdebstrap, umoci)
 	@assets/package/image.sh $(BUILD)/$(bundle).tar.gz $(BUILD)/image $(VERSION)
-bare-test: image ## the demo from the image, and from the tarball on bare Debian 12, 13 and Ubuntu 24.04 (root, debootstrap; by hand, minutes)
+bare-test: image ## the demo from the image, and from the tarball on bare Debian 12, 13 and Ubuntu 24.04 (root, mmdebstrap; by hand, minutes)
 	@tests/bare.sh image $(BUILD)/image $(VERSION)
 	@for suite in bookworm trixie noble; do tests/bare.sh tarball $(BUILD)/$(bundle).tar.gz $$suite || exit 1; done
 
 twice: ## the programs and libraries, built in two directories: same bytes? (by hand; two builds)
 	@rm -rf $(BUILD)/twice && tests/twice.sh $(BUILD)/twice $(notdir $(PROGRAMS) $(LIBRARIES))
 
-arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, debootstrap; make deps-arm64; 8 minutes of CPU)
+arm64-test: | $(WAIT) ## all results on arm64, in QEMU, have the bits of x86-64 (root, mmdebstrap; make deps-arm64; 8 minutes of CPU)
 	@tests/arm64.sh $(filter-out gcc pkg-config,$(BUILD_DEPS))
 
 metadata: ## the owner (OWNER above), the version and the citation in all files that repeat them: codemeta.json, .zenodo.json, debian/ (python3-yaml)

@@ -15,10 +15,7 @@ done
 
 # The packages are unpacked, but not set up: nothing runs in there. Links are made to lead to what they mean seen from outside.
 packages=("$@")
-make_root "$suite" --arch=arm64 --foreign --include="$(IFS=,; echo "${packages[*]}")"
-for package in "$root"/var/cache/apt/archives/*.deb; do
-    dpkg-deb --fsys-tarfile "$package" | tar -x --keep-directory-symlink -C "$root" || { say "$package cannot be unpacked" >&2; exit 1; }
-done
+make_root "$suite" --variant=extract --arch=arm64 --aptopt='APT::Install-Recommends false' --include="$(IFS=,; echo "${packages[*]}")"
 find "$root/usr" -type l -lname '/*' -printf '%l %p\n' | while read -r to at; do ln -sfn "$root$to" "$at"; done
 
 say "compiling"

@@ -3,7 +3,7 @@
 # Archives for other machines, where nothing else is: the demo runs there, and all its files come.
 #   tests/bare.sh tarball FILE SUITE       (make tarball) on a minimal Debian (bookworm, trixie) or Ubuntu (noble)
 #   tests/bare.sh image LAYOUT VERSION     (make image) unpacked by umoci, in a chroot
-# As root, with debootstrap or umoci. Ends with `N passed, M failed`; exit status 77: it cannot be tried here.
+# As root, with mmdebstrap or umoci. Ends with `N passed, M failed`; exit status 77: it cannot be tried here.
 set -u
 kind=$1 file=$(realpath "$2") suite=$3
 source "$(dirname "$0")/debian.bash"
@@ -15,7 +15,8 @@ check() { # WHAT COMMAND...
 }
 case $kind in
 tarball)
-    [ "$suite" != noble ] || MIRROR=${MIRROR:-http://archive.ubuntu.com/ubuntu}
+    # Debian has no keys of Ubuntu's to look its packages up by.
+    [ "$suite" != noble ] || MIRROR="deb [trusted=yes] ${MIRROR:-http://archive.ubuntu.com/ubuntu} noble main"
     make_root "$suite"
     mkdir -p "$root/some place" "$root/demo" && tar -xf "$file" -C "$root/some place" || exit 1
     program=/$(cd "$root" && echo "some place"/*/bin/beadreel)

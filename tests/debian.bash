@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by the scripts that make a Debian system of their own (fresh.sh, arm64.sh, packages.sh): as root, with debootstrap, in a temporary
+# Sourced by the scripts that make a Debian system of their own (fresh.sh, arm64.sh, packages.sh): as root, with mmdebstrap, in a temporary
 # directory that goes when they end. MIRROR=URL names another mirror than the host's.
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 me=$(basename "$0" .sh)${suite:+ $suite}
@@ -34,12 +34,12 @@ find_mirror() {
     done
 }
 
-# make_root SUITE [OPTION of debootstrap]... : a minimal system in $root.
+# make_root SUITE [OPTION of mmdebstrap]... : a minimal system in $root.
 make_root() {
     local suite=$1
     shift
     [ "$(id -u)" = 0 ] || cannot "only root can do this"
-    command -v debootstrap >/dev/null || cannot "debootstrap is not installed"
+    command -v mmdebstrap >/dev/null || cannot "mmdebstrap is not installed"
     unshare --mount-proc --pid --fork true 2>/dev/null || cannot "no name spaces to be had here"
     find_mirror
     root=$(mktemp -d "${TMPDIR:-/tmp}/beadreel-${me%% *}.XXXXXX") || exit 1
@@ -48,12 +48,13 @@ make_root() {
     trap 'exit 130' INT
     trap 'exit 143' TERM HUP
     say "minimal system from $mirror"
-    # A release of Ubuntu that is newer than this debootstrap is made as its others are.
-    local script=/usr/share/debootstrap/scripts/$suite
-    [ -e "$script" ] || script=gutsy
-    alone debootstrap --variant=minbase "$@" "$suite" "$root" "$mirror" "${script##*/}" >"$root.log" 2>&1 ||
-        { tail -n 20 "$root.log"; say "debootstrap failed" >&2; exit 1; }
+    alone mmdebstrap --quiet --variant=minbase --skip=cleanup/apt/lists --aptopt='Acquire::Languages none' "$@" "$suite" "$root" "$mirror" \
+        >"$root.log" 2>&1 || { tail -n 20 "$root.log"; say "mmdebstrap failed" >&2; exit 1; }
+    mkdir -p "$root"/etc/{apt/apt.conf.d,dpkg/dpkg.cfg.d}
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/temporary" # nothing here outlives a power cut
+    # Its apt is told what the host's is.
+    cp /etc/resolv.conf /etc/hosts "$root/etc/"
+    apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
 }
 
 # within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it.
@@ -65,11 +66,4 @@ within() {
         exec chroot "$root" env -i "$@"' - "$root" PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
         DEBIAN_FRONTEND=noninteractive ${CFLAGS:+CFLAGS="$CFLAGS"} ${WERROR:+WERROR="$WERROR"} ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
         ${no_proxy:+no_proxy="$no_proxy"} "$@"
-}
-
-# The new system's apt is told what the host's is.
-connect() {
-    cp /etc/resolv.conf /etc/hosts "$root/etc/"
-    apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
-    within apt-get -q update
 }

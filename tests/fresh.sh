@@ -11,9 +11,7 @@ source "$(dirname "$0")/debian.bash"
 [[ -n $suite && " $suites " == *" $suite "* ]] || { say "the suite is one of: $suites" >&2; exit 1; }
 mapfile -t commands < <(grep -xE 'make deps [a-z]+' README.md)
 [ ${#commands[@]} -eq 2 ] || { say "README.md has ${#commands[@]} commands 'make deps ...', not 2" >&2; exit 1; }
-make_root "$suite"
-tools=(make git ca-certificates)
-connect && within apt-get -q -y install --no-install-recommends "${tools[@]}" || { say "${tools[*]} cannot be installed" >&2; exit 1; }
+make_root "$suite" --include=make,git,ca-certificates
 git clone -q --no-hardlinks . "$root/root/beadreel" || exit 1
 [ -z "$(git status --porcelain)" ] || say "what is not committed is left out"
 say "commit $(git -C "$root/root/beadreel" log -1 --format='%h %s')"
