@@ -53,10 +53,10 @@ READER_DEPS = octave gnuplot-nox python3-paraview python3-mdanalysis python3-xar
 # The daemons of a cluster, for one test.
 CLUSTER_DEPS = slurm-wlm munge
 NPM_READERS = jsfive@0.4.2 h5wasm@0.10.3
-# H5Web with what it shows itself with; esbuild puts it together.
-NPM_H5WEB   = @h5web/app@16.0.1 @h5web/h5wasm@16.0.1 react@18.3.1 react-dom@18.3.1 esbuild@0.28.2
-# What `make peers` compares with: large, and left out where missing.
+# What `make peers` and `make stress` compare with: large, and left out where missing. H5Web comes with what it shows itself with;
+# esbuild puts it together.
 PEER_DEPS  = lammps python3-scipy
+NPM_PEERS  = @h5web/app@16.0.1 @h5web/h5wasm@16.0.1 react@18.3.1 react-dom@18.3.1 esbuild@0.28.2
 ARM64_DEPS = mmdebstrap gcc-aarch64-linux-gnu qemu-user-static
 
 # Asked once, when a recipe first needs it: after `deps` has run in `make deps all`.
@@ -144,18 +144,24 @@ define install_packages
 	exit 1
 endef
 
+# Without scripts of theirs.
+define install_from_npm
+	@command -v npm >/dev/null || exit 0; mkdir -p build/npm && cd build/npm && \
+	    npm install --silent --no-audit --no-fund --ignore-scripts --legacy-peer-deps --prefix . $(1) || echo "npm could not install $(1)"
+endef
+
 deps: ## install the Debian packages needed to build, run and test (only what is missing)
 	$(call install_packages,$(BUILD_DEPS) $(TEST_DEPS),$(WISHED_DEPS))
 # apt-get locks: never two of them at a time.
 deps-ci: | $(filter deps,$(MAKECMDGOALS)) ## the same for lint and .ci/run
 	$(call install_packages,$(CI_DEPS))
 	-$(call install_packages,,$(READER_DEPS) $(CLUSTER_DEPS))
-	@command -v npm >/dev/null || exit 0; mkdir -p build/npm && cd build/npm && for set in "$(NPM_READERS)" "$(NPM_H5WEB)"; do \
-	    npm install --silent --no-audit --no-fund --ignore-scripts --legacy-peer-deps --prefix . $$set || echo "npm could not install $$set"; done
+	$(call install_from_npm,$(NPM_READERS))
 deps-arm64: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for make arm64-test
 	$(call install_packages,$(ARM64_DEPS))
-deps-peers: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for peers
+deps-peers: | $(filter deps deps-ci,$(MAKECMDGOALS)) ## the same for peers and stress
 	$(call install_packages,$(PEER_DEPS))
+	$(call install_from_npm,$(NPM_PEERS))
 
 # Where `deps` is asked for, everything waits for it; the first thing built checks that what it needs is there.
 WAIT = $(filter deps deps-ci deps-peers deps-arm64,$(MAKECMDGOALS))

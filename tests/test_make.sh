@@ -57,7 +57,7 @@ ok "make deps where all is there" bare make deps
 ok "... installs nothing" test ! -e "$T/apt"
 rm -f "$T/installed"
 ok "make deps deps-ci: one apt-get at a time" bare make -j4 deps deps-ci
-ok "... and from npm, readers and H5Web, without scripts of theirs" [ "$(grep -c -e '--ignore-scripts' "$T/npm")" -eq 2 ]
+ok "... and from npm, without scripts of theirs" grep -q -e '--ignore-scripts' "$T/npm"
 printf '#!/bin/sh\n' >"$T/bin/apt-cache"
 rm -f "$T/installed" "$T/apt"
 without_osmesa() { bare make deps && grep -q 'install .*libhdf5-dev' "$T/apt" && ! grep -q osmesa "$T/apt"; }

@@ -48,17 +48,6 @@ ok "... not of a name with a colon" colon
 still() { fails 2 "$beadsim" "$T/two.yaml" -o "$T" --set 'outputs.0.fields=[velocity]' && says "add displacement"; }
 ok "... nor without places" still
 
-# H5Web is run as it is, in a browser: of one chain the axis is that of its beads, of two there is none.
-if ! [ -d "$NODE_PATH/@h5web/h5wasm" ]; then
-    skip "H5Web (npm for make deps-ci)" "H5Web shows trajectories"
-elif ! find_browser; then
-    skip "a Chromium that runs here (chromium)" "H5Web shows trajectories"
-else
-    ok "H5Web is bundled" "$NODE_PATH/.bin/esbuild" "$top/tests/h5web.jsx" --bundle --format=esm --jsx=automatic --outfile="$T/main.js"
-    run timeout 240 "$python" "$top/tests/h5web.py" "$browser" "$T" one.h5 run.h5
-    relay ""
-fi
-
 # While a run writes, h5py reads what was flushed; HDF5's locks, which the writer does not need, are left out.
 cat >"$T/long.yaml" <<'YAML'
 chain: {beads: [{bead: large-steel, count: 300}]}
