@@ -401,6 +401,12 @@ def check_sweep(page, directory):
     shown = page.run("Object.fromEntries(report.data.panels[0].places[0].indices.map((index, i) => "
                      "[index, report.data.panels[0].places[0].values[i] * report.data.panels[0].places[0].clean]))")
     ok(len(shown) == len(forces) and all(abs(shown[str(i)] - f) < 1e-9 * f for i, f in forces.items()), "points have the forces of the table", shown)
+    page.run("report.data.panels[0].places[0].threshold = [0.2673, 0.0031, 0.62274, 0.01028]")
+    page.prefer("light")
+    page.settle()
+    said = [page.run("document.getElementById('%s').textContent" % part) for part in ("force-chart", "threshold")]
+    ok(all("0.623 ± 0.010" in words for words in said), "chart and words have one error of the threshold", said)
+    page.prefer("dark")
     for number in (3, 0):
         spot = page.run("(() => { const b = document.querySelector('#force-chart [data-index=\"%d\"]').getBoundingClientRect();"
                         "return {x: b.x + b.width / 2, y: b.y + b.height / 2}; })()" % number)

@@ -122,6 +122,9 @@ function followLink() {
 
 /* ---- the chart ---- */
 
+/* As plots write it. */
+const critical = threshold => threshold[2].toFixed(3) + (threshold[3] ? ` ± ${threshold[3].toFixed(3)}` : '');
+
 function drawForces() {
     const place = placeNow(), rows = place.rows.map(([magnetism, count, mean, error, median]) => ({magnetism, count, mean, error, median}));
     const x = rows.flatMap(r => Array(r.count).fill(r.magnetism)), largest = place.values.reduce((a, b) => Math.max(a, b), 1);
@@ -136,7 +139,7 @@ function drawForces() {
         ],
         rulers: place.threshold ? [
             {y: place.threshold[0], band: place.threshold[1], words: `plateau ${figures(place.threshold[0], 3)}`},
-            ...(place.threshold[2] === null ? [] : [{x: place.threshold[2], band: place.threshold[3], words: `M_c = ${place.threshold[2].toFixed(3)}${place.threshold[3] ? ' ± ' + place.threshold[3].toFixed(3) : ''}`}])
+            ...(place.threshold[2] === null ? [] : [{x: place.threshold[2], band: place.threshold[3], words: `M_c = ${critical(place.threshold)}`}])
         ] : [],
         plane: true,
         label: `Peak force against magnetism of ${place.values.length} configurations, in units of the clean chain's ${quantity(place.clean, 'N')}. Arrows go from one configuration to the next.`,
@@ -148,7 +151,7 @@ function drawForces() {
 }
 function showRows(rows, place) {
     const t = place.threshold;
-    element('threshold').textContent = t ? `Plateau ${uncertain(t[0], t[1], '').trim()}${t[2] === null ? '' : `, threshold in M ${uncertain(t[2], t[3], '').trim()}`}.` : '';
+    element('threshold').textContent = t ? `Plateau ${uncertain(t[0], t[1], '').trim()}${t[2] === null ? '' : `, threshold in M ${critical(t)}`}.` : '';
     buildTable(element('numbers-table'), ['M', 'configurations', 'mean ± standard error', 'median'],
                rows.map(r => [figures(r.magnetism, 4), String(r.count), uncertain(r.mean, r.error, '').trim(), figures(r.median, 4)]));
 }

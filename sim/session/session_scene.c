@@ -123,8 +123,9 @@ static enum bead_error find_configuration(const struct bead_sweep *sweep, const 
 /* A scene of one random chain has the sweep that its sheet shows; one of several chains has none. */
 static enum bead_error load_sweep(const struct bead_session *s, struct bead_scene **scene, struct bead_message *msg)
 {
-    const struct bead_override first[] = {
-        sweep_of_chain, {.origin = "--sheet", .path = "outputs", .place = {1, 1}, .value = "[{sheet: sheet.png}]"}};
+    struct bead_override first[] = {
+        sweep_of_chain, {.origin = "--configuration", .path = "outputs", .place = {1, 1}, .value = "[{sheet: sheet.png}]"}};
+    first[0].origin = first[1].origin;
     struct bead_scene *plain = NULL;
     enum bead_error err = load(s, false, &plain, msg);
     const bool several = !err && has_several_chains(plain);

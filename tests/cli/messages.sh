@@ -77,6 +77,8 @@ ok "... each once" test "$(grep -o '\.png' err | wc -l)" -eq 1
 cp good.yaml waves.yaml
 ok "a scene of nearly this name" fails 2 "$beadreel" waves.yml
 ok "... is named" says 'waves.yml: no such file, and no ready scene; did you mean `waves.yaml`?'
+ok "a configuration of a chain that has one" fails 2 "$beadreel" waves.yaml --configuration 3 -o a.png
+ok "... names the option that was given" says '--configuration:1:1: sweep: finds no `spins: random`'
 ln -s loop loop
 ok "a link to itself" fails 1 "$beadreel" loop
 ok "... is told by the system's reason" says 'loop: cannot be read: Too many levels of symbolic links'
