@@ -129,26 +129,31 @@ struct sign {
     const char *name, *sign;
 };
 static const struct sign letters[] = {
-    {"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"}, {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},
-    {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},    {"nu", "ν"},      {"xi", "ξ"},   {"pi", "π"},
-    {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},   {"chi", "χ"},     {"psi", "ψ"},  {"omega", "ω"},
-    {"Gamma", "Γ"}, {"Delta", "Δ"}, {"Sigma", "Σ"},  {"Phi", "Φ"},   {"Psi", "Ψ"},     {"Omega", "Ω"}};
-static const struct sign signs[] = {{"cdot", "·"},   {"times", "×"},   {"pm", "±"},        {"approx", "≈"}, {"sim", "∼"},
-                                    {"propto", "∝"}, {"le", "≤"},      {"ge", "≥"},        {"ne", "≠"},     {"to", "→"},
-                                    {"infty", "∞"},  {"partial", "∂"}, {"sum", "∑"},       {"int", "∫"},    {"sqrt", "√"},
-                                    {"ll", "≪"},     {"gg", "≫"},      {"quad", "\u2003"}, {",", "\u2009"}};
+    {"alpha", "α"},  {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},      {"epsilon", "ε"}, {"zeta", "ζ"},
+    {"eta", "η"},    {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"},     {"mu", "μ"},      {"nu", "ν"},
+    {"xi", "ξ"},     {"pi", "π"},    {"rho", "ρ"},   {"sigma", "σ"},      {"tau", "τ"},     {"phi", "φ"},
+    {"chi", "χ"},    {"psi", "ψ"},   {"omega", "ω"}, {"Gamma", "Γ"},      {"Delta", "Δ"},   {"Sigma", "Σ"},
+    {"Phi", "Φ"},    {"Psi", "Ψ"},   {"Omega", "Ω"}, {"iota", "ι"},       {"upsilon", "υ"}, {"Theta", "Θ"},
+    {"Lambda", "Λ"}, {"Xi", "Ξ"},    {"Pi", "Π"},    {"varepsilon", "ε"}, {"varphi", "φ"},  {"vartheta", "ϑ"}};
+static const struct sign signs[] = {{"cdot", "·"},   {"times", "×"},     {"pm", "±"},    {"approx", "≈"}, {"sim", "∼"},
+                                    {"propto", "∝"}, {"le", "≤"},        {"ge", "≥"},    {"ne", "≠"},     {"to", "→"},
+                                    {"infty", "∞"},  {"partial", "∂"},   {"sum", "∑"},   {"int", "∫"},    {"ll", "≪"},
+                                    {"gg", "≫"},     {"quad", "\u2003"}, {",", "\u2009"}};
 
 static const char *put_math(struct writer *w, const char *text, const char *end);
 
-/* The argument at `text`: what is in braces, a command, or one character. */
+static const char *put_command(struct writer *w, const char *text, const char *end);
+
+/* The argument at `text`: what is in braces, a command with its own arguments, or one character. */
 static const char *put_argument(struct writer *w, const char *text, const char *end)
 {
+    const bool command = text + 1 < end && *text == '\\';
+    const char *after = command ? put_command(w, text, end) : NULL;
+    if (command) /* the space behind a name stays */
+        return after[-1] == ' ' ? after - 1 : after;
     const char *close = text < end && *text == '{' ? markup_closing(text + 1, end) : NULL, *to = close ? close : text;
-    if (!close && text < end) {
+    if (!close && text < end)
         to = text + character(text);
-        while (*text == '\\' && to < end && g_ascii_isalpha(*to))
-            to++;
-    }
     for (const char *at = close ? text + 1 : text; at < to;)
         at = put_math(w, at, to);
     return close ? close + 1 : to;
@@ -164,6 +169,33 @@ static const char *put_fraction(struct writer *w, const char *text, const char *
     markup_put(w, "</span>");
     return text;
 }
+
+/* Pango draws no line over what is below a root: more than a character is in brackets. */
+static const char *put_root(struct writer *w, const char *text, const char *end)
+{
+    const char *close = text < end && *text == '{' ? markup_closing(text + 1, end) : NULL;
+    const bool several = close && text + 1 + character(text + 1) < close;
+    markup_put(w, several ? "√(" : "√");
+    text = put_argument(w, text, end);
+    markup_put(w, several ? ")" : "");
+    return text;
+}
+
+/* Words in equations, which are no products of letters. */
+static const char *put_upright(struct writer *w, const char *text, const char *end)
+{
+    const char *close = text < end && *text == '{' ? markup_closing(text + 1, end) : NULL;
+    if (!close)
+        return put_argument(w, text, end);
+    for (text++; text < close;)
+        text = put_character(w, text + (*text == '\\' && text + 1 < close));
+    return close + 1;
+}
+
+static const struct {
+    const char *name;
+    const char *(*put)(struct writer *w, const char *text, const char *end);
+} commands[] = {{"frac", put_fraction}, {"sqrt", put_root}, {"mathrm", put_upright}, {"text", put_upright}};
 
 static const char *find_sign(const struct sign *table, size_t count, const char *name, size_t length)
 {
@@ -183,8 +215,10 @@ static const char *put_command(struct writer *w, const char *text, const char *e
     if (to == text + 1 && to < end)
         to += character(to);
     const size_t length = (size_t)(to - text - 1);
-    if (length == 4 && strncmp(text + 1, "frac", 4) == 0)
-        return put_fraction(w, to, end);
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        if (strlen(commands[i].name) == length && strncmp(commands[i].name, text + 1, length) == 0)
+            return commands[i].put(w, to, end);
+    }
     const char *sign = find_sign(letters, sizeof letters / sizeof *letters, text + 1, length);
     if (sign) {
         markup_put(w, "<i>");
