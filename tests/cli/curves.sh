@@ -35,6 +35,15 @@ outputs: [{table: energy.csv, show: energy, beads: 5, uncertainty: false}]
 YAML
 ok "the table of energies" exits 0 "$beadsim" energy.yaml -o .
 ok "... has past a bead most of what was put in" awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c = $i == "past_bead_5_J" ? i : c } { last = $c } END { exit !((last / 2 - 0.99366) ^ 2 < 1e-8) }' energy.csv
+# A heavy striker sends a train of pulses. The front's is the first, whose energy the measure has as an integral of force times velocity
+# at one place; later pulses are behind it.
+ok "energies of a train of pulses" exits 0 "$beadsim" energy.yaml -o . --set materials.heavy='{mass: 4 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}' \
+    --set chain.striker.bead=heavy --set chain.beads.0.count=60 --set simulate.until=auto \
+    --set 'outputs=[{table: place.csv, show: energy, parts: place, uncertainty: false}, {table: train.csv, show: measures, uncertainty: false}]'
+train() { awk -F, 'NR == FNR { pulse = $1 == "pulse energy" ? $2 : pulse; next } FNR == 1 { for (i = 1; i <= NF; i++) c[$i] = i; next }
+    $1 > 0.015 && $1 < 0.02 { rows++; f = $c["front_J"]; most = f > most ? f : most; bad += f < 0.995 * pulse || (f + $c["behind_J"] - 8) ^ 2 > 1e-12 }
+    END { exit !(rows > 50 && bad == 0 && (most / pulse - 1) ^ 2 < 1e-10) }' train.csv place.csv; } # up to a tenth of its force
+ok "... the front has that of the first" train
 ok "theory of a sweep belongs to spreading" fails "1 2" "$beadreel" bands.yaml --plan --set 'outputs=[{plot: mean.svg, theory: true}]' \
     --set 'sweep={over: {chain.beads.0.count: [12, 14]}}'
 # Names of curves are at the ends of their lines, in their colours; where two end in one place, or names are long, in a legend.

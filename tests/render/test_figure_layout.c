@@ -223,12 +223,14 @@ static void parts_stand_in_a_grid(void **state)
 static void texts_are_apart_and_fill_the_page(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < 2 * STYLES; i++) {
+    for (size_t i = 0; i < 3 * STYLES; i++) {
         const size_t chains = 1 + i % 4;
+        const bool trust = i >= 2 * STYLES;
         struct laid l = {.texts = {.count = 0}};
         struct bead_message msg = {""};
         char output[200];
-        snprintf(output, sizeof output, "%s, field: %s", styles[i % STYLES], i < STYLES ? "force" : "velocity");
+        snprintf(output, sizeof output, "%s, field: %s%s", styles[i % STYLES], i < STYLES ? "force" : "velocity",
+                 trust ? ", trust: true" : "");
         lay_out(&l, chains, output, NULL);
         const struct bead_text_watch watch = {texts_note, &l.texts};
         cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1); /* texts are told of wherever they are */
@@ -242,8 +244,10 @@ static void texts_are_apart_and_fill_the_page(void **state)
         assert_true(l.texts.count > 6 + 4 * chains);
         const struct bead_rect *page = &l.figure->area;
         double left = page->width, top = page->height, right = 0, bottom = 0;
+        size_t trusts = 0;
         for (size_t t = 0; t < l.texts.count; t++) {
             const struct text *a = &l.texts.text[t];
+            trusts += strstr(a->markup, "predictable") != NULL;
             for (size_t u = 0; u < t; u++) {
                 const struct text *b = &l.texts.text[u];
                 if (a->x < b->x + b->width && b->x < a->x + a->width && a->y < b->y + b->height && b->y < a->y + a->height)
@@ -254,6 +258,7 @@ static void texts_are_apart_and_fill_the_page(void **state)
             right = fmax(right, a->x + a->width);
             bottom = fmax(bottom, a->y + a->height);
         }
+        assert_int_equal(trusts, trust ? chains : 0); /* above each chain */
         const double margin = l.figure->margin, em = l.look.label;
         const double off[] = {left - margin, top - margin, page->width - margin - right, page->height - margin - bottom};
         for (size_t side = 0; side < 4; side++) {

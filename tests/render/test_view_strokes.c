@@ -494,12 +494,36 @@ static void sensors_of_stages_have_rings(void **)
     close_shown(&s);
 }
 
+/* What lights up: contacts by their force; whole beads by their own, the mean of their contacts', whichever of the two is the
+ * field. */
+static void keys_say_what_lights_up(void **)
+{
+    static const struct {
+        enum bead_field field;
+        enum bead_light light;
+        const char *words;
+    } cases[] = {{BEAD_FIELD_CONTACT_FORCE, BEAD_LIGHT_CONTACTS, "light: contact force  0"},
+                 {BEAD_FIELD_CONTACT_FORCE, BEAD_LIGHT_BEADS, "light: bead force  0"},
+                 {BEAD_FIELD_FORCE, BEAD_LIGHT_BEADS, "light: bead force  0"}};
+    struct shown s;
+    open_shown(&s, SENSORS);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        s.setup.field = cases[i].field;
+        s.setup.light = cases[i].light;
+        s.seen.count = 0;
+        (void)bead_stage_draw_key_of(s.cr, &s.setup, (const struct bead_chain *const *)&s.chain, 1, 780, 200, em);
+        (void)find(&s.seen, cases[i].words);
+    }
+    close_shown(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sensors_have_their_curves),       cmocka_unit_test(many_sensors_are_named_in_colour),
         cmocka_unit_test(bars_of_modes_have_their_energy), cmocka_unit_test(axes_are_at_their_panels),
         cmocka_unit_test(theory_is_as_fast_as_its_force),  cmocka_unit_test(sensors_of_stages_have_rings),
+        cmocka_unit_test(keys_say_what_lights_up),
     };
     return cmocka_run_group_tests_name("what views draw", tests, NULL, NULL);
 }
