@@ -176,15 +176,16 @@ static void run(size_t beads, size_t window, double part, int frames)
              beads - 1);
     require(bead_scene_parse("test", text, strlen(text), NULL, &scene, &msg), &msg);
     require(bead_chain_create(scene, 0, &chain, &msg), &msg);
-    double radius, spacing = bead_chain_spacing(chain, (struct bead_span){0, beads - 1}, &radius), time[2] = {0, 1e-3};
+    double radius, spacing = bead_chain_spacing(chain, (struct bead_span){0, beads - 1}, &radius),
+                   time[2] = {2e-3, 3e-3}; /* of a part of the run */
     double *u = calloc(beads, sizeof *u), width = (double)window * spacing, unit = bead_compression_scale(chain);
     const double *position = bead_chain_position(chain);
     assert_non_null(u);
     require(bead_camera_create(chain, (struct bead_span){0, beads - 1}, width, time, &camera, &msg), &msg);
     double left[3] = {0, 0, 0}, mean = (double)beads * spacing / (part * frames), most = 0, first = 0, last = 0;
     for (int i = 0; i < frames; i++) {
-        struct bead_sample sample = {.index = (size_t)i, .time = 1e-3 * i / (frames - 1), .active = beads};
-        double front = (double)beads * sample.time / (1e-3 * part);
+        struct bead_sample sample = {.index = (size_t)i, .time = time[0] + 1e-3 * i / (frames - 1), .active = beads};
+        double front = (double)beads * (sample.time - time[0]) / (1e-3 * part);
         for (size_t j = 0; j < beads; j++) /* each contact behind the front is compressed by 0.3 units */
             u[j] = 0.3 * unit * fmax(0, fmin(front, (double)beads) - (double)j);
         sample.field[BEAD_FIELD_DISPLACEMENT] = u;
