@@ -432,6 +432,20 @@ outputs:
         check(f"{quantity} by magnetism: {name}", f"{name}.svg", [("", curves)], ("", unit), ["magnetism", quantity])
 
 
+def planes():
+    """Colours over two keys: the boxes of the outer values end as far beyond them as half way to the next."""
+    run("planes.yaml", """chain: {beads: [{bead: large-steel, count: 10}]}
+sweep: {over: {chain.striker.velocity: [1 m/s, 2 m/s, 4 m/s], chain.beads.0.count: [10, 30]}, measure: {beads: [3, 3]}}
+outputs: [{plot: plane.svg, show: plane}]
+""")
+    panel = read("plane.svg")[0]
+    left, top, right, bottom = panel.frame
+    edges = [panel.axes[0].at(x) for x in (0.5, 5)] + [panel.axes[1].at(y) for y in (0, 40)]
+    off = max(abs(a - b) for a, b in zip(edges, (left, right, bottom, top)))
+    tap.ok(off < 3 * NEAR and [a.title for a in panel.axes] == ["striker velocity", "count"],
+           "a plane is as wide as its keys", edges, panel.frame, [a.title for a in panel.axes])
+
+
 def spins():
     run("spins.yaml", """sweep: {cells: 20, cell: [large-steel, aluminium], magnetism: [0.5, 0.6, 0.7, 0.8, 0.9, 1], configurations: 4, seed: 3,
         measure: {decay: true}}
@@ -478,5 +492,6 @@ chains()
 theory()
 strings()
 keys()
+planes()
 spins()
 tap.finish()
