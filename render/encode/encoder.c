@@ -133,7 +133,6 @@ static int open_stream(struct bead_movie *movie)
         return AVERROR(ENOMEM);
     stream->time_base = e->frame_time;
     stream->avg_frame_rate = av_inv_q(e->frame_time);
-    stream->sample_aspect_ratio = (AVRational){1, 1};
     int code = avcodec_parameters_from_context(stream->codecpar, e->codec);
     if (code >= 0 && movie->settings.title)
         code = av_dict_set(&e->format->metadata, "title", movie->settings.title, 0);
