@@ -22,4 +22,10 @@ if command -v ffprobe >/dev/null; then
 else
     skip "stops and chapters" "ffprobe"
 fi
+if find_browser; then
+    run timeout 120 /usr/bin/python3 "$top/tests/slides.py" "$browser" talk.html
+    relay
+else
+    skip "a Chromium that runs here (chromium)" "a talk is given by keys"
+fi
 finish
