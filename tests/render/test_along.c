@@ -126,6 +126,60 @@ static void test_beads_over_their_numbers(void **state)
     }
 }
 
+/* Pixels of space-time images belong to the beads over them: a field that jumps between two beads does so where these touch. */
+static void images_are_below_their_beads(void **state)
+{
+    (void)state;
+    enum { WIDE = 600, HIGH = 60, SAMPLES = 121, JUMP = 21 };
+    struct made m = make(3); /* twenty large beads and twenty small ones */
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_frame frame, background;
+    struct bead_message msg = {""};
+    bead_look_screen(&look, 1280, 720, false);
+    assert_int_equal(bead_colormap_load("ember", &map, &msg), BEAD_OK);
+    const size_t beads = bead_chain_beads(m.chain);
+    const struct bead_view_setup setup = {.chain = m.chain,
+                                          .field = BEAD_FIELD_FORCE,
+                                          .beads = {0, beads - 1},
+                                          .time = {0, 1e-3},
+                                          .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                          .look = &look,
+                                          .over_beads = true,
+                                          .orientation = BEAD_TIME_DOWN,
+                                          .magnify = 1};
+    const struct bead_view_type *type = bead_view_find(BEAD_VIEW_SPACETIME);
+    struct bead_view *view;
+    assert_int_equal(type->create(&setup, &view, &msg), BEAD_OK);
+    assert_int_equal(type->place(view, (struct bead_rect){0, 0, WIDE, HIGH}, NULL, &msg), BEAD_OK);
+    assert_int_equal(bead_frame_create(WIDE, HIGH, &frame, &msg), BEAD_OK);
+    assert_int_equal(bead_frame_create(WIDE, HIGH, &background, &msg), BEAD_OK);
+    for (size_t i = 0; i < SAMPLES; i++) {
+        double force[64] = {0};
+        for (size_t k = JUMP; k < beads; k++)
+            force[k] = 40;
+        struct bead_sample sample = {.time = 1e-3 * (double)i / (SAMPLES - 1), .index = i, .active = beads};
+        sample.field[BEAD_FIELD_FORCE] = force;
+        assert_int_equal(type->feed(view, &sample, &msg), BEAD_OK);
+    }
+    struct bead_changes changes = {0};
+    assert_int_equal(type->draw(view, 1e-3, &frame, &background, &changes, &msg), BEAD_OK);
+    const uint8_t *row = frame.pixels + (size_t)(HIGH / 2) * frame.stride;
+    int first = 0;
+    while (first < WIDE && memcmp(row + 4 * first, row, 3) == 0)
+        first++;
+    const double *position = bead_chain_position(m.chain), *radius = bead_chain_radius(m.chain);
+    const double begin = position[0] - radius[0], length = position[beads - 1] + radius[beads - 1] - begin,
+                 touch = (position[JUMP] - radius[JUMP] - begin) / length * WIDE;
+    if (fabs(first - touch) > 1.5)
+        fail_msg("the field jumps at pixel %d, the beads touch at %.1f", first, touch);
+    type->destroy(view);
+    bead_frame_free(&frame);
+    bead_frame_free(&background);
+    bead_chain_destroy(m.chain);
+    bead_scene_free(m.scene);
+}
+
 /* A row as wide as its height allows has beads that fill most of it, with a line of names below them. */
 static void rows_leave_room_for_names(void **state)
 {
@@ -236,9 +290,13 @@ static void test_strings_reach_their_ends(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_beads_over_their_numbers), cmocka_unit_test(test_chains_of_like_places),
-        cmocka_unit_test(rows_leave_room_for_names),     cmocka_unit_test(panels_are_filled),
-        cmocka_unit_test(test_strings_reach_their_ends), cmocka_unit_test(test_pixels_belong_to_unlike_beads),
+        cmocka_unit_test(test_beads_over_their_numbers),
+        cmocka_unit_test(test_chains_of_like_places),
+        cmocka_unit_test(rows_leave_room_for_names),
+        cmocka_unit_test(images_are_below_their_beads),
+        cmocka_unit_test(panels_are_filled),
+        cmocka_unit_test(test_strings_reach_their_ends),
+        cmocka_unit_test(test_pixels_belong_to_unlike_beads),
     };
     return cmocka_run_group_tests_name("places along chains", tests, NULL, NULL);
 }
