@@ -398,6 +398,61 @@ static void test_what_the_lens_shows_is_marked(void **state)
     free_world(&w);
 }
 
+/* The striker's arrow is as long as it is for its first speed times the part that is left; a bead has the mean of the forces of its
+ * contacts, at the ends its only one. */
+static void test_arrows_and_means(void **state)
+{
+    (void)state;
+    static const double parts[] = {1, 0.6, 0.3, 1.5};
+    double length[4];
+    for (size_t k = 0; k < 4; k++) {
+        struct bead_message msg = {""};
+        struct bead_look look;
+        struct bead_colormap map;
+        struct bead_chain *chain;
+        struct bead_view *view;
+        struct bead_scene *scene = parse("chain: {striker: {bead: large-steel, velocity: 2 m/s}, beads: [{bead: large-steel, "
+                                         "count: 7}]}\noutputs: [{table: t.csv}]\n");
+        assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+        require(bead_colormap_load("inferno", &map, &msg), &msg);
+        bead_look_screen(&look, 1280, 720, true);
+        const struct bead_view_setup setup = {.chain = chain,
+                                              .field = BEAD_FIELD_CONTACT_FORCE,
+                                              .beads = {0, 7},
+                                              .time = {0, 1e-3},
+                                              .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                              .look = &look,
+                                              .magnify = 1};
+        require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
+        require(bead_view_beads_type.place(view, (struct bead_rect){100, 10, 700, 160}, NULL, &msg), &msg);
+        for (size_t i = 0; i < 2; i++) {
+            double u[8] = {i ? 2 * parts[k] * 1e-6 : 0}, force[8] = {4, 8, 16, 0, 0, 10, 3};
+            struct bead_sample sample = {.time = 1e-6 * (double)i, .index = i, .active = 8};
+            sample.field[BEAD_FIELD_CONTACT_FORCE] = force;
+            sample.field[BEAD_FIELD_DISPLACEMENT] = u;
+            require(bead_view_beads_type.feed(view, &sample, &msg), &msg);
+        }
+        cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 900, 180);
+        cairo_t *cr = cairo_create(paper);
+        require(bead_view_beads_type.vector(view, 1e-6, cr, &msg), &msg);
+        const struct bead_drawing *d = &view->row_drawing;
+        length[k] = 0;
+        for (size_t i = 0; i < d->now.mark_count; i++)
+            length[k] += d->now.marks[i].kind == BEAD_MARK_ARROW ? d->now.marks[i].box[2] - d->now.marks[i].box[0] : 0;
+        assert_true(length[k] > 0);
+        static const double means[] = {4, 6, 12, 8, 0, 5, 6.5, 3};
+        for (size_t i = 0; i < 8; i++)
+            assert_true(view->value[view->latest.newest][i] == means[i]);
+        cairo_destroy(cr);
+        cairo_surface_destroy(paper);
+        bead_view_beads_type.destroy(view);
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+    for (size_t k = 1; k < 4; k++) /* faster than at first, a fifth at most */
+        assert_true(fabs(length[k] / length[0] - fmin(parts[k], 1.2)) < 0.5 / length[0]);
+}
+
 /* As paths, in PDF and SVG, too, each sensor has its ring, with the striker in the picture and without. */
 static void test_sensors_have_rings_as_paths(void **state)
 {
@@ -709,6 +764,7 @@ int main(void)
         cmocka_unit_test(test_gaps_show),
         cmocka_unit_test(test_profiles_of_forces_stay_above_zero),
         cmocka_unit_test(test_what_the_lens_shows_is_marked),
+        cmocka_unit_test(test_arrows_and_means),
         cmocka_unit_test(test_sensors_have_rings_as_paths),
         cmocka_unit_test(test_frames_tell_their_changes),
         cmocka_unit_test(test_frames_do_not_depend_on_threads),
