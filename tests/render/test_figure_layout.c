@@ -270,6 +270,34 @@ static void texts_are_apart_and_fill_the_page(void **state)
     }
 }
 
+/* A title that is as long as its line is not shortened where nothing else is in the line. */
+static void titles_take_all_of_their_line(void **state)
+{
+    (void)state;
+    struct laid l = {.texts = {.count = 0}};
+    char title[600] = "A";
+    lay_out(&l, 1, styles[0], NULL);
+    const struct bead_text_style style = {.family = l.look.family, .size = 1.2 * l.look.title, .bold = true};
+    double width = 0, height;
+    while (width < l.figure->line.width - l.look.label) { /* a letter of l is thinner */
+        strcat(title, "l");
+        bead_text_size(NULL, &style, title, &width, &height);
+    }
+    assert_true(width < l.figure->line.width);
+    char *own = l.scene->title;
+    l.scene->title = title;
+    const struct bead_text_watch watch = {texts_note, &l.texts};
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1);
+    assert_true(bead_text_watch(surface, &watch));
+    cairo_t *cr = cairo_create(surface);
+    assert_true(bead_figure_line(l.figure, cr));
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    l.scene->title = own;
+    assert_true(l.texts.count == 1 && strstr(l.texts.text[0].markup, title));
+    clear(&l);
+}
+
 /* Laid out elsewhere on the page, all parts move along; laid out again, they are where they were. */
 static void layouts_move_with_their_area(void **state)
 {
@@ -324,6 +352,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(pages_are_full), cmocka_unit_test(parts_stand_in_a_grid),
                                        cmocka_unit_test(texts_are_apart_and_fill_the_page),
+                                       cmocka_unit_test(titles_take_all_of_their_line),
                                        cmocka_unit_test(layouts_move_with_their_area)};
     return cmocka_run_group_tests_name("layout of figures", tests, NULL, NULL);
 }
