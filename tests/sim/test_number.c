@@ -6,6 +6,7 @@
 
 #include "sim/base/number.h"
 #include "sim/base/random.h"
+#include "sim/measure/sink_grid.h"
 
 static const char *written(double value)
 {
@@ -84,11 +85,29 @@ static void no_shorter_text_reads_back(void **state)
     }
 }
 
+static void times_have_the_prefix_of_their_size(void **state)
+{
+    (void)state;
+    static const struct {
+        double time;
+        const char *unit, *text;
+    } cases[] = {{0, "s", "0 s"},          {1.5, "s", "1.5 s"},         {1, "s", "1 s"},
+                 {0.999, "s", "999 ms"},   {1e-3, "s", "1 ms"},         {3 * 1e-6, "s", "3 us"},
+                 {0.99e-6, "s", "990 ns"}, {2.5e-12, "s", "0.0025 ns"}, {1e-6 / 3, "s", "333.3 ns"},
+                 {0.25, "", "0.25"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[40] = "";
+        bead_time_text(cases[i].time, cases[i].unit, text, sizeof text);
+        assert_string_equal(text, cases[i].text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(texts_are_as_a_reader_expects_them),
         cmocka_unit_test(no_shorter_text_reads_back),
+        cmocka_unit_test(times_have_the_prefix_of_their_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
