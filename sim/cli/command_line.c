@@ -126,7 +126,7 @@ static const struct command_option rows[] = {
     {"colormap", 0, "NAME", "of the file -o: its colours, one of --list colormaps, or a text file of them", .separators = ""},
     {"range", 0, "LOW:HIGH", "of the file -o: values at the ends of the colours", .separators = ":,-"},
     {"time", 0, "FROM:TO", "of the file -o: span of time, such as 0.2ms:1ms", .separators = ":,"},
-    {"beads", 0, "FIRST:LAST", "of the file -o: which beads", .separators = ":,-"},
+    {"beads", 0, "FIRST:LAST", "of the file -o: which beads", .separators = ":,-", .run = true},
     {"size", 0, "WxH", "of the file -o: in pixels, or as lengths: 86mmx60mm", .separators = "x,"},
     {"style", 0, "NAME", "of the file -o: paper, slide or movie", .separators = "", .key = bead_page_rows},
     {"views", 0, "VIEW,VIEW", "of the file -o: what is drawn, from top to bottom; see --list views", .separators = ","},
@@ -252,9 +252,9 @@ static void put_colons(char *value)
     }
 }
 
-/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]". What is written as in a scene stays so; lists of words,
- * with a single separator, may have one alone. To be freed; NULL: out of memory. */
-static char *as_list(const char *given, const char *separators)
+/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]", and of a run of places "30..auto". What is written as in a
+ * scene stays so; lists of words, with a single separator, may have one alone. To be freed; NULL: out of memory. */
+static char *as_list(const char *given, const char *separators, bool run)
 {
     BEAD_FREED char *value = strdup(given);
     if (!value)
@@ -268,20 +268,21 @@ static char *as_list(const char *given, const char *separators)
     const bool minus = strchr(value, ':') || strchr(value, ',') || *value == '-' || strstr(value, "e-") || strstr(value, "E-");
     const char *parts = minus && strchr(separators, '-') ? ":," : separators;
     if (!*parts || *value == '[' || (!words && !value[strcspn(value, parts)]))
-        return strdup(value);
+        return strdup(given);
     FILE *out = open_memstream(&text, &size);
     if (!out)
         return NULL;
-    fputc('[', out);
+    run = run && !strchr(value, ',');
+    fputs(run ? "" : "[", out);
     for (const char *at = value;; at++) {
         const size_t length = strcspn(at, parts);
         fprintf(out, "%.*s", length ? (int)length : 4, length ? at : "auto");
         at += length;
         if (!*at)
             break;
-        fputs(", ", out);
+        fputs(run ? ".." : ", ", out);
     }
-    fputc(']', out);
+    fputs(run ? "" : "]", out);
     if (fclose(out) == 0)
         return text;
     free(text);
@@ -292,7 +293,7 @@ static char *as_list(const char *given, const char *separators)
 static enum bead_error add_look(struct command *command, const struct command_option *row, const char *value,
                                 struct bead_message *msg)
 {
-    BEAD_FREED char *list = as_list(value, row->separators);
+    BEAD_FREED char *list = as_list(value, row->separators, row->run);
     char **look = &command->looks[command->job.look_count];
     enum bead_error err = check_draws(command, row->name, msg);
     if (!err && (!list || asprintf(look, "--%s=%s", row->name, list) < 0))

@@ -97,6 +97,7 @@ struct command_option {
     enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg); /* NULL: no more than that */
     const char
         *separators; /* for keys of the output -o: characters between the values of a list; "": one value; NULL: no such key */
+    bool run;        /* 10:20 are all from 10 to 20, written 10..20 */
     const struct bead_option *key; /* that key, where it has choices; NULL: those of the list of its name, if any */
 };
 

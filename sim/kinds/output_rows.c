@@ -39,8 +39,8 @@ const struct bead_option bead_time_row[1] = {
 };
 const struct bead_option bead_beads_row[1] = {
     {"beads", BEAD_OPTION_CUSTOM, .initial = "all",
-     .shape = "all, one number, last, or [first, last]; 0 is the striker, auto the end", .like = "all|number|last|[2 number|last]",
-     .read = bead_output_read_beads, .help = "which beads", .example = "[0, 40]"},
+     .shape = "all, one number, last, [first, last] or first..last; 0 is the striker, auto the end",
+     .like = "all|number|last|[2 number|last]", .read = bead_output_read_beads, .help = "which beads", .example = "[0, 40]"},
 };
 const struct bead_option bead_every_row[1] = {
     {"every", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(shown.every), .unit = "s", .of_motion = true, .initial = "auto", .low = 1e-12,
@@ -157,13 +157,14 @@ const struct bead_option bead_curves_rows[9] = {
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
      .help = "the field that `show: profiles` shows, and that `show: sensors`, and spectra, show of beads; of transfer and "
              "dispersion, velocity unless said otherwise"},
-    {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads), .shape = "a number, last, or a list of such; 0 is the striker",
-     .like = "number|last|[number|last]", .read = bead_output_read_listed,
+    {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads),
+     .shape = "a number, last, 10..20, or a list of such; 0 is the striker", .like = "number|last|[number|last]",
+     .read = bead_output_read_listed,
      .help = "with `show: sensors`, and of spectra, the beads whose `field` is shown, instead of those with a sensor; with `show: "
              "bead-peaks`, only these; with `show: energy`, beads past which the energy is shown, too",
      .example = "[20, 40]"},
     {"contacts", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.contacts),
-     .shape = "a number, last, or a list of such; contact j is between beads j and j + 1, and bead 0 is the striker",
+     .shape = "a number, last, 10..20, or a list of such; contact j is between beads j and j + 1, and bead 0 is the striker",
      .like = "number|last|[number|last]", .read = bead_output_read_listed,
      .help =
          "with `show: sensors`, the contacts whose force is shown over time, besides or instead of beads; with `show: peaks` of "

@@ -153,24 +153,24 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-BEAD_OPTION_READER(bead_output_read_listed)
+/* "10..20": its ends, as the places of scalars of their own. */
+struct run {
+    struct bead_node nodes[2];
+    struct bead_at ends[2];
+    bool is;
+};
+
+static enum bead_error split_run(const struct bead_reader *reader, const struct bead_at *at, struct run *run)
 {
-    struct bead_listed *listed = (void *)((char *)settings + option->offset);
-    const size_t count = at->node->kind == BEAD_NODE_SCALAR ? 1 : at->node->count;
-    if (at->node->kind == BEAD_NODE_MAP || count == 0)
-        return bead_must_be(reader, at, option->shape);
-    size_t *all = listed->all = calloc(count, sizeof *all);
-    if (!all)
-        return bead_no_memory(reader);
-    for (size_t i = 0; i < count; i++) {
-        struct bead_at element = bead_at_item(at, i);
-        BEAD_TRY(read_place(reader, at->node->kind == BEAD_NODE_SCALAR ? at : &element, strcmp(option->key, "contacts") == 0, true,
-                            &all[i]));
-    }
-    qsort(all, count, sizeof *all, ascending);
-    for (size_t i = 0; i < count; i++) {
-        if (i == 0 || all[i] != all[i - 1])
-            all[listed->count++] = all[i];
+    const char *text = at->node->kind == BEAD_NODE_SCALAR ? at->node->text : "", *dots = strstr(text, "..");
+    run->is = dots;
+    for (size_t i = 0; dots && i < 2; i++) {
+        const char *from = i == 0 ? text : dots + 2;
+        run->nodes[i] = *at->node;
+        run->nodes[i].text = bead_yaml_text(reader->yaml, from, i == 0 ? (size_t)(dots - text) : strlen(from));
+        run->ends[i] = (struct bead_at){at->up, at->key, at->index, &run->nodes[i]};
+        if (!run->nodes[i].text)
+            return bead_no_memory(reader);
     }
     return BEAD_OK;
 }
@@ -180,10 +180,73 @@ static bool is_auto(const struct bead_at *at)
     return at->node->kind == BEAD_NODE_SCALAR && strcmp(at->node->text, "auto") == 0;
 }
 
+/* The first and the last of an entry, which may be one place. */
+static enum bead_error read_places(const struct bead_reader *reader, const struct bead_at *at, bool contact, size_t ends[2])
+{
+    enum { MOST = 100000 };
+    struct run run;
+    BEAD_TRY(split_run(reader, at, &run));
+    if (!run.is) {
+        enum bead_error err = read_place(reader, at, contact, true, &ends[0]);
+        ends[1] = ends[0];
+        return err;
+    }
+    if (is_auto(&run.ends[0]))
+        run.nodes[0].text = "0";
+    if (is_auto(&run.ends[1]))
+        run.nodes[1].text = "last";
+    for (size_t i = 0; i < 2; i++)
+        BEAD_TRY(read_place(reader, &run.ends[i], contact, false, &ends[i]));
+    if (ends[1] == BEAD_LAST || ends[0] > ends[1] || ends[1] - ends[0] >= MOST)
+        return bead_wrong(reader, at, "must rise from one number to another, and have at most %d places", MOST);
+    return BEAD_OK;
+}
+
+static enum bead_error add_places(const struct bead_reader *reader, const struct bead_at *at, bool contact,
+                                  struct bead_listed *listed)
+{
+    size_t ends[2];
+    BEAD_TRY(read_places(reader, at, contact, ends));
+    size_t *all = realloc(listed->all, (listed->count + ends[1] - ends[0] + 1) * sizeof *all);
+    if (!all)
+        return bead_no_memory(reader);
+    listed->all = all;
+    for (size_t place = ends[0];; place++) {
+        all[listed->count++] = place;
+        if (place == ends[1])
+            return BEAD_OK;
+    }
+}
+
+BEAD_OPTION_READER(bead_output_read_listed)
+{
+    struct bead_listed *listed = (void *)((char *)settings + option->offset);
+    const bool contact = strcmp(option->key, "contacts") == 0, scalar = at->node->kind == BEAD_NODE_SCALAR;
+    const size_t entries = scalar ? 1 : at->node->count;
+    if (at->node->kind == BEAD_NODE_MAP || entries == 0)
+        return bead_must_be(reader, at, option->shape);
+    for (size_t i = 0; i < entries; i++) {
+        const struct bead_at element = scalar ? *at : bead_at_item(at, i);
+        BEAD_TRY(add_places(reader, &element, contact, listed));
+    }
+    const size_t count = listed->count;
+    size_t *all = listed->all;
+    qsort(all, count, sizeof *all, ascending);
+    listed->count = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (i == 0 || all[i] != all[i - 1])
+            all[listed->count++] = all[i];
+    }
+    return BEAD_OK;
+}
+
 BEAD_OPTION_READER(bead_output_read_beads)
 {
     struct bead_output *output = settings;
-    bool scalar = at->node->kind == BEAD_NODE_SCALAR, pair = at->node->kind == BEAD_NODE_LIST && at->node->count == 2;
+    struct run run;
+    BEAD_TRY(split_run(reader, at, &run));
+    const bool scalar = at->node->kind == BEAD_NODE_SCALAR && !run.is,
+               pair = run.is || (at->node->kind == BEAD_NODE_LIST && at->node->count == 2);
     if (scalar && strcmp(at->node->text, "all") == 0) {
         output->shown.beads = (struct bead_span){0, SIZE_MAX};
         return BEAD_OK;
@@ -196,7 +259,7 @@ BEAD_OPTION_READER(bead_output_read_beads)
         output->shown.beads.last = output->shown.beads.first;
         return err;
     }
-    struct bead_at first = bead_at_item(at, 0), last = bead_at_item(at, 1);
+    const struct bead_at first = run.is ? run.ends[0] : bead_at_item(at, 0), last = run.is ? run.ends[1] : bead_at_item(at, 1);
     output->shown.beads = (struct bead_span){0, SIZE_MAX};
     BEAD_TRY(is_auto(&first) ? BEAD_OK : read_bead(reader, &first, &output->shown.beads.first));
     BEAD_TRY(is_auto(&last) ? BEAD_OK : read_bead(reader, &last, &output->shown.beads.last));

@@ -79,6 +79,17 @@ for option in '--range 0:10' '--range [0,10]' '--range 0,10' '--time 0.2ms:0.4ms
     # shellcheck disable=SC2086
     ok "$option" draws $option
 done
+columns() { # BEADS NUMBER FIRST LAST : a table of the run has so many columns of beads
+    "$beadreel" run/run.h5 -q -o some.csv --beads "$1" >out 2>&1 && head -n 1 some.csv | tr , '\n' | grep '^bead_[0-9]*$' >named
+    [ "$(wc -l <named)" = "$2" ] && [ "$(head -n 1 named)" = "bead_$3" ] && [ "$(tail -n 1 named)" = "bead_$4" ] || { cat out named; return 1; }
+}
+last=$("$beadreel" --info run/run.h5 | sed -n 's/^chain 0: striker and \([0-9]*\) beads.*/\1/p')
+ok "a table of beads 5 to 9" columns 5:9 5 5 9
+ok "... written in another way" columns 5-9 5 5 9
+ok "... of those from the one before the last" columns $((last - 1)): 2 $((last - 1)) "$last"
+ok "... of those up to 3" columns :3 4 0 3
+ok "... of two" columns 5,9 2 5 9
+ok "... as scenes write it" columns '[1..3, 7, 2..4]' 5 1 7
 ok "a film of beads 30 to 60 with another colour map" exits 0 "$beadreel" run/run.h5 -o film.mp4 --beads 30:60 --colormap viridis
 ok "... is one" test -s film.mp4
 ok "a picture for which the scene has none" exits 0 "$beadreel" run/run.h5 -o other.svg --size 86mmx60mm
