@@ -244,10 +244,12 @@ static void texts_are_apart_and_fill_the_page(void **state)
         assert_true(l.texts.count > 6 + 4 * chains);
         const struct bead_rect *page = &l.figure->area;
         double left = page->width, top = page->height, right = 0, bottom = 0;
-        size_t trusts = 0;
+        size_t trusts = 0, letters = 0;
         for (size_t t = 0; t < l.texts.count; t++) {
             const struct text *a = &l.texts.text[t];
             trusts += strstr(a->markup, "predictable") != NULL;
+            const char letter[] = {'(', (char)('a' + (int)letters), ')', '\0'};
+            letters += strcmp(a->markup, letter) == 0;
             for (size_t u = 0; u < t; u++) {
                 const struct text *b = &l.texts.text[u];
                 if (a->x < b->x + b->width && b->x < a->x + a->width && a->y < b->y + b->height && b->y < a->y + a->height)
@@ -259,6 +261,7 @@ static void texts_are_apart_and_fill_the_page(void **state)
             bottom = fmax(bottom, a->y + a->height);
         }
         assert_int_equal(trusts, trust ? chains : 0); /* above each chain */
+        assert_int_equal(letters, strstr(output, "paper") && chains > 1 ? chains : 0);
         const double margin = l.figure->margin, em = l.look.label;
         const double off[] = {left - margin, top - margin, page->width - margin - right, page->height - margin - bottom};
         for (size_t side = 0; side < 4; side++) {
