@@ -16,7 +16,8 @@ import tap
 ASKED = 1e-4
 ROUNDING, TINY = 1e-11, 1e-14  # of the largest number in a column, that of the references; of the sums of an equation
 
-# What is given, counted, or chosen by the table: columns of any table, and of some.
+# What is given, counted, or chosen by the table: columns of any table, and of some. Of peaks and sensitivities `time_s` is none of these,
+# but has no error yet.
 PLAIN = {
     "time_s", "time", "x", "bead", "contact", "mode", "material", "sensor", "state", "note", "unit", "name", "kind", "frequency_Hz",
     "frequency", "band", "wave_number_cell_pi", "first_bead", "last_bead", "number",

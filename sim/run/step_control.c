@@ -189,7 +189,8 @@ static struct bead_branch branch(const struct bead_quadrature *q, double power, 
 }
 
 /* Next to a steep branch point a step takes one part in so many of the time since or until then, and not more than the slope
- * allows. */
+ * allows. Chosen: of eleven damped chains, one with the exponent .7 is off by .9 of what was asked at 1e-6 with 1, none by more
+ * than .05 with 2, 3, 6 or 30; with 30 they take 1.4 times as long. */
 enum { PARTS = 3 };
 
 /* The longest step, not above h, in which the quadrature error of a branch point changes a velocity by no more than `tolerance`:
