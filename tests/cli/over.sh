@@ -21,17 +21,6 @@ ok "a sweep over the striker's velocity" exits 0 "$beadsim" v.yaml -o .
 # Without damping and precompression F ~ v^(6/5), exactly.
 ok "... forces scale with its power 6/5" within "$(column mean.csv 11 | head -n 1)" 1.2 1e-12
 ok "... a row each" is "$(column all.csv 2 | tr '\n' ';')" "0.1 m/s;300 mm/s;1 m/s;3 m/s;"
-# The line through four points is the table's, but for the scales of the axes.
-drawn() {
-    "$beadreel" v.yaml -q -o . --set 'outputs=[{plot: v.svg}]' && python3 -c 'import re, sys
-x, y = (0.1, 0.3, 1, 3), [float(line.split(",")[2]) for line in list(open("all.csv"))[1:]]
-lines = [re.findall(r"[ML] ([-.\d]+) ([-.\d]+)", d) for d in re.findall(r"fill(?::|=\")none[^>]* d=\"(M [^\"]*)\"", open("v.svg").read()) if d.count("L") == 3 and "Z" not in d]
-for values, axis in ((x, 0), (y, 1)):
-    at = [float(point[axis]) for point in lines[0]]
-    for value, place in zip(values, at):
-        if abs((place - at[0]) / (at[3] - at[0]) - (value - values[0]) / (values[3] - values[0])) > 2e-4: sys.exit(f"{value} is at {place} of {at}")'
-}
-ok "a plot has its points" drawn
 one() { "$beadsim" v.yaml -o one.csv --set 'sweep={}' --set "chain.striker.velocity=$1" 2>/dev/null; }
 ok "a chain of it, by itself" exits 0 "$beadsim" v.yaml --configuration 1 -o one.csv
 ok "... has the same peak, to the last digit" is "$(grep '^6,' one.csv | cut -d, -f2)" "$(column all.csv 3 | sed -n 2p)"

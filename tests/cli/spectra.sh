@@ -102,9 +102,7 @@ ok "... from the first wave number to the last" across dispersion.svg
 simulate: {until: 40 ms, accuracy: 1e-8}
 outputs:
   - {table: gap.csv, show: transfer, beads: 40, every: 20 us, segment: 20 ms}
-  - {plot: gap.svg, show: transfer, beads: 40, every: 20 us, segment: 20 ms, frequencies: [0 Hz, 12 kHz]}
   - {table: spectrum.csv, show: spectrum, beads: 40, every: 20 us, window: none}
-  - {plot: spectrum.svg, show: spectrum, beads: 40, every: 20 us, window: none, frequencies: [0 Hz, 12 kHz]}
 YAML
 # cosh k = 2 f^2 (f3^2 - f^2) / (f1 f2)^2 - 1 within the gap; by cell.
 ok "a dimer driven by a sine in its gap" exits 0 "$beadsim" gap.yaml -o . --set 'chain.drive={displacement: sine, amplitude: 1 nm, frequency: 5.1 kHz, ramp: 20 ms}' \
@@ -121,9 +119,7 @@ YAML
 ok "a transfer from the last bead" exits 0 "$beadsim" own.yaml -o .
 ok "... is 1 at its own contact" awk -F, 'NR > 1 {all++; bad += $3 != 1 || $2 == 1} END {exit !(all > 50 && bad == 0)}' own.csv
 between() { awk -F, -v a="$1" -v b="$2" '$1 > a && $1 < b && $2 > most {most = $2} END {print most}' gap.csv; }
-ok "a dimer driven by noise" exits 0 "$beadreel" gap.yaml -o .
-ok "a plot has the transfer of the table" python3 "$top/tests/curves.py" gap.svg gap.csv 1e3 1
-ok "a plot has the spectrum of the table" python3 "$top/tests/curves.py" spectrum.svg spectrum.csv 1e3 1e-6
+ok "a dimer driven by noise" exits 0 "$beadsim" gap.yaml -o .
 ok "inside the gap less than a thousandth passes" awk -v t="$(between 5100 7700)" 'BEGIN {exit !(t > 0 && t < 1e-3)}'
 ok "in the bands most of it" awk -v a="$(between 500 4600)" -v b="$(between 8200 9300)" 'BEGIN {exit !(a > 0.5 && b > 0.5)}'
 
