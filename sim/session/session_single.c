@@ -353,12 +353,12 @@ static bool sets(const char *setting, const char *name)
     return strncmp(setting, all, before) == 0 && strncmp(setting + before, name, length) == 0 && setting[before + length] == '.';
 }
 
-/* Outputs are numbered as in the scene, or named by their files. */
+/* Outputs are numbered as in the scene, or named by their files; a setting may replace them all. */
 static enum bead_error check_setting(const char *setting, const struct bead_output *movie, struct bead_message *msg)
 {
     char number[24];
     snprintf(number, sizeof number, "%zu", movie->entry);
-    if (strncmp(setting, "outputs", 7) != 0 || sets(setting, number) || sets(setting, movie->path) ||
+    if (strncmp(setting, "outputs.", 8) != 0 || sets(setting, number) || sets(setting, movie->path) ||
         sets(setting, bead_session_base_name(movie->path)))
         return BEAD_OK;
     return bead_fail(msg, BEAD_ERROR_USAGE, "--set %s: has no effect: the frame is one of outputs.%s, %s", setting, number,
@@ -377,6 +377,23 @@ static enum bead_error choose_frame(struct bead_session *s, const struct bead_sc
     for (size_t i = 0; i < s->job.setting_count; i++)
         BEAD_TRY(check_setting(s->job.settings[i], movie, msg));
     return BEAD_OK;
+}
+
+/* The frame of a film that a setting, `outputs=[...]`, has in place of those of the scene. */
+static enum bead_error choose_set_frame(struct bead_session *s, const struct bead_scene *scene, size_t *entry,
+                                        struct bead_message *msg)
+{
+    bool replaced = false;
+    for (size_t i = 0; i < s->job.setting_count; i++)
+        replaced = replaced || strncmp(s->job.settings[i], "outputs=", 8) == 0;
+    if (!replaced)
+        return choose_frame(s, scene, entry, msg);
+    struct bead_scene *set = NULL;
+    enum bead_error err = change(s, scene, &(struct changes){.count = 0}, 0, &set, msg);
+    if (!err)
+        err = choose_frame(s, set, entry, msg);
+    bead_scene_free(set);
+    return err;
 }
 
 /* What is drawn from a trajectory is told as a scene that names this file and keeps the sample times: it makes the same file again.
@@ -408,7 +425,7 @@ enum bead_error bead_session_choose(struct bead_session *s, const struct bead_sc
     size_t entry = 0;
     if (first)
         changes.all[0] = *first;
-    enum bead_error err = s->job.frame ? choose_frame(s, scene, &entry, msg) : choose_file(s, scene, source, &changes, msg);
+    enum bead_error err = s->job.frame ? choose_set_frame(s, scene, &entry, msg) : choose_file(s, scene, source, &changes, msg);
     if (!err)
         err = change(s, scene, &changes, entry, changed, msg);
     if (!err && source == BEAD_OF_TRAJECTORY)

@@ -220,6 +220,8 @@ ok "no moment" wrong "--frame: \`soon\` " given.yaml --frame soon
 ok "a wrong unit" wrong "--frame: \`3 N\` is not in a unit of s" given.yaml --frame "3 N"
 ok "no movie" wrong "--frame: schematics has no movie" schematics --frame 50%
 ok "--only of none" wrong "--frame: --only still.png names no movie of given.yaml" given.yaml --frame 50% --only still.png
+ok "a film that a setting makes" exits 0 "$beadreel" given.yaml --frame 50% -o set.png --set 'outputs=[{image: still.png}, {movie: set.mp4, size: [160, 90]}]'
+ok "... and no other picture" prints "from the scene's set.mp4"
 ok "another output" wrong "--set outputs.1.colormap=grey: has no effect: the frame is one of outputs.0" given.yaml --frame 50% --set outputs.1.colormap=grey
 ok "one of a sweep" wrong "--frame: has no effect with --configuration" sweep --frame 50% --configuration 1
 ok "another kind of file" fails 2 "$beadreel" given.yaml --frame 50% -o no.mp4
