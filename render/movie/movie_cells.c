@@ -251,14 +251,20 @@ static int heading_height(const struct bead_cells *c)
     return bead_cells_whole(c->level->heading * look->title + (c->label_lines ? title_line * look->label : 0));
 }
 
+size_t bead_cells_promised(const struct bead_cells *c)
+{
+    size_t images = 0;
+    for (size_t v = 0; v < c->wants->view_count; v++)
+        images += has(c, v, BEAD_SHOWS_IMAGE);
+    return c->wants->chain_count > PROMISED ? 0 : images;
+}
+
 /* The height that an image must have so that all have the share of the frame. */
 static double image_height(const struct bead_cells *c)
 {
     const struct bead_movie_wants *w = c->wants;
-    size_t images = 0;
-    for (size_t v = 0; v < w->view_count; v++)
-        images += has(c, v, BEAD_SHOWS_IMAGE);
-    if (images == 0 || w->chain_count > PROMISED)
+    const size_t images = bead_cells_promised(c);
+    if (images == 0)
         return 0;
     return ceil((c->level->share > 0 ? c->level->share + 0.004 : 0) * w->width * w->height /
                 ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));

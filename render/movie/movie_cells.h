@@ -42,3 +42,5 @@ static inline int bead_cells_whole(double x)
 BEAD_CHECK bool bead_cells_place(struct bead_cells *cells, struct bead_movie_layout *layout);
 /* The view that an overlay shows for all chains; view_count: none. */
 size_t bead_cells_overlay(const struct bead_cells *cells);
+/* The images of a chain that have a share of the frame, as those of few chains do. */
+size_t bead_cells_promised(const struct bead_cells *cells);

@@ -270,9 +270,11 @@ static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
         place_standing_bar(w, &f, c, to);
     if (f.row[CAPTION].size > 0)
         to->caption = row_of(&f, CAPTION, f.margin, w->width - f.margin);
+    const bool promised = w->layout == BEAD_LAYOUT_IMAGES && bead_cells_promised(c) > 0;
     const bool coloured = has_bar(w, c->level) && (c->level->images || rows_of_beads(w) > 0);
     to->lacks = w->axes && (!c->level->facts || (coloured && to->bar.width == 0)) ? BEAD_LACKS_WORDS
                 : w->axes && c->level->least[2] == 0                              ? BEAD_LACKS_NUMBERS
+                : promised && !c->level->images                                   ? BEAD_LACKS_IMAGES
                                                                                   : BEAD_LACKS_NOTHING;
     return true;
 }

@@ -71,14 +71,15 @@ struct bead_movie_chain {
     bool values[BEAD_MOST_VIEWS];           /* and its vertical one */
 };
 
-/* What a frame may lack: numbers on vertical axes, some or all; names, titles, facts, a scale of its colours. */
-enum bead_lack { BEAD_LACKS_NOTHING, BEAD_LACKS_NUMBERS, BEAD_LACKS_WORDS };
+/* What a frame may lack: the images that its layout is named for; numbers on vertical axes, some or all; names, titles, facts, a
+ * scale of its colours. */
+enum bead_lack { BEAD_LACKS_NOTHING, BEAD_LACKS_IMAGES, BEAD_LACKS_NUMBERS, BEAD_LACKS_WORDS };
 
 struct bead_movie_layout {
     enum bead_layout layout; /* never AUTO */
     bool axes;
     bool titles;          /* of vertical axes are shown */
-    enum bead_lack lacks; /* besides images, curves and air */
+    enum bead_lack lacks; /* besides curves, air and images that may give way */
     bool against;         /* images have one title for both axes */
     bool label_lines;     /* headings have two lines */
     int head;             /* px at the top of a stage for its heading; 0: that is above it */

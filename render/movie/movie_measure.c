@@ -379,8 +379,8 @@ static enum bead_error refuse_layout(const struct bead_composer *c, struct bead_
         c->setup.width, c->setup.height, c->wants.chain_count);
 }
 
-/* Where words have no room even without images, as in many columns on a phone, type becomes smaller, as long as it can be read.
- * Frames that are too small for all words in any layout have fewer. */
+/* Where words have no room even without images, as in many columns on a phone, or none is left for the images that the layout is
+ * named for, type becomes smaller, as long as it can be read. Frames that are too small for all that in any layout have less. */
 enum bead_error bead_composer_arrange(struct bead_composer *c, struct bead_message *msg)
 {
     const enum bead_layout asked = c->setup.output->movie.layout;
@@ -391,6 +391,8 @@ enum bead_error bead_composer_arrange(struct bead_composer *c, struct bead_messa
         type = fmax(least, smaller * type);
         BEAD_TRY(arrange(c, asked, type, msg));
     }
+    if (lacks(c) == BEAD_LACKS_IMAGES)
+        return arrange(c, asked, 1, msg);
     if (lacks(c) < BEAD_LACKS_WORDS)
         return BEAD_OK;
     if (asked != BEAD_LAYOUT_AUTO) {
