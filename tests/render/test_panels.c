@@ -295,8 +295,8 @@ static void test_panels_are_not_cut(void **state)
     static const char *const panels[] = {
         "[[{field: force}, {field: velocity, views: [beads, spacetime], at: 0.2 ms}], [{show: peaks}, {show: peaks}]]",
         "[[{field: velocity, views: [beads, profile, spacetime]}, {field: displacement, views: [profile, spacetime]}]]",
-        "[[{show: peaks}, {field: velocity, views: [profile], at: 0.2 ms, title: \"A title that has no room at all *F*_{max} in "
-        "whatever is left of the width of this, and goes on for quite a while until it ends at *M* = 1\"}]]"};
+        ("[[{show: peaks}, {field: velocity, views: [profile], at: 0.2 ms, title: \"A title that has no room at all *F*_{max} in "
+         "whatever is left of the width of this, and goes on for quite a while until it ends at *M* = 1\"}]]")};
     static const char *const styles[] = {"style: paper, dpi: 110", "style: paper, dpi: 200", "size: [900, 600]"};
     char path[512], directory[512], text[1400];
     in_directory("", directory, sizeof directory);
