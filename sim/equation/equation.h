@@ -25,7 +25,7 @@ struct bead_motion_settings {
     double accuracy;    /* relative error allowed in the unknown at the end of the run */
     double step;        /* 0: by the accuracy */
     double end;         /* of the run: the last step ends there; INFINITY: unknown */
-    size_t shown;       /* points of samples, half of all, where the errors are decided by the grid; 0: all */
+    size_t shown;       /* points of samples, where the errors are decided by the grid; 0: all */
     double part;        /* of the longest step that other bounds than the accuracy allow, for a check run; 0: 1 */
 };
 
@@ -40,7 +40,7 @@ struct bead_pace {
 
 struct bead_equation {
     const char *const *methods; /* allowed in `simulate.method` besides auto, NULL-terminated; NULL: none */
-    bool by_grid;               /* steps follow from the grid, which decides the errors: samples may have half its points */
+    bool by_grid;               /* steps follow from the grid, which decides the errors: samples may have other points */
     /* An error of the settings as a whole, and the key to blame; NULL: none. */
     const char *(*check)(const struct bead_equation_spec *spec, const char **key);
     /* Errors: MEMORY, NUMBERS. On failure *motion is NULL, or what `destroy` frees. */

@@ -17,7 +17,8 @@ struct bead_motion {
     double dx, smooth, h; /* h: the last step */
     struct bead_shock_state start, end, stage;
     struct bead_shock_watch watch;
-    double *work, *faces; /* faces: displacements [cells + 1 + 2] */
+    double *work, *faces; /* faces: displacements [shown + 1 + 2] */
+    double *r, *v;        /* means over the cells shown */
     double mean_displacement, mean_velocity;
     uint64_t steps, evaluations;
     double *memory;
@@ -131,7 +132,7 @@ static void shock_destroy(struct bead_motion *m)
 static enum bead_error allocate(struct bead_motion *m, struct bead_message *msg)
 {
     size_t n = m->cells, ghosts = n + 2 * BEAD_SHOCK_GHOSTS;
-    double *next = m->memory = calloc(12 * n + 6 * ghosts + n + 3, sizeof(double));
+    double *next = m->memory = calloc(12 * n + 6 * ghosts + 3 * m->shown + 3, sizeof(double));
     if (!next)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a grid of %zu cells", n);
     struct bead_shock_state *const states[] = {&m->start, &m->end, &m->stage};
@@ -139,6 +140,8 @@ static enum bead_error allocate(struct bead_motion *m, struct bead_message *msg)
         *states[i] = (struct bead_shock_state){0, next, next + n, next + 2 * n, next + 3 * n};
     m->work = next;
     m->faces = next + 6 * ghosts;
+    m->r = m->shown == n ? m->stage.r : m->faces + m->shown + 3;
+    m->v = m->shown == n ? m->stage.v : m->r + m->shown;
     return BEAD_OK;
 }
 
@@ -147,11 +150,36 @@ static double longest(const struct bead_motion *m, const struct bead_shock_state
     return m->settings.step > 0 ? m->settings.step : courant * m->dx / fastest(m, s);
 }
 
-/* The cells shown have the means of those that they consist of. */
-static void merge_cells(const struct bead_motion *m, double *means)
+/* The integral of the means over n cells of length 1 on a ring, from the left face of cell i on to x in it: the quintic through its
+ * values at six faces. */
+static double integral(const double *means, size_t n, size_t i, double x)
 {
-    for (size_t i = 0; m->shown < m->cells && i < m->shown; i++)
-        means[i] = 0.5 * (means[2 * i] + means[2 * i + 1]);
+    const double a = means[(i + n - 2) % n], b = means[(i + n - 1) % n], c = means[i], d = means[(i + 1) % n],
+                 e = means[(i + 2) % n], value[6] = {-a - b, -b, 0, c, c + d, c + d + e};
+    double sum = 0;
+    for (int k = 0; k < 6; k++) {
+        double part = value[k];
+        for (int l = 0; l < 6; l++)
+            part *= l == k ? 1 : (x + 2 - l) / (k - l);
+        sum += part;
+    }
+    return sum;
+}
+
+/* Means over the cells shown, to the fifth order, as from level to level in A. Harten, Comm. Pure Appl. Math. 48, 1305 (1995). */
+static void divide_cells(const struct bead_motion *m, const double *from, double *to)
+{
+    const double length = (double)m->cells / (double)m->shown;
+    double left = 0, sum = 0;
+    size_t i = 0;
+    for (size_t k = 0; k < m->shown && to != from; k++) {
+        const double x = length * (double)(k + 1);
+        for (; i + 1 < m->cells && (double)(i + 1) <= x; i++)
+            sum += from[i];
+        const double right = sum + integral(from, m->cells, i, x - (double)i);
+        to[k] = (right - left) / length;
+        left = right;
+    }
 }
 
 /* Find the displacements of the faces of the cells shown, up to a constant; returns their mean. */
@@ -185,8 +213,8 @@ static enum bead_error shock_create(const struct bead_motion_settings *settings,
     bead_shock_start(settings->spec, m->cells, m->end.r, m->end.v);
     bead_shock_watch_begin(&m->watch, settings->spec, m->cells, scratch, &m->end);
     memcpy(m->stage.r, m->end.r, m->cells * sizeof *m->stage.r);
-    merge_cells(m, m->stage.r);
-    m->mean_displacement = find_faces(m, m->stage.r);
+    divide_cells(m, m->stage.r, m->r);
+    m->mean_displacement = find_faces(m, m->r);
     m->mean_velocity = m->watch.start.momentum / settings->spec->length;
     m->h = longest(m, &m->end);
     find_rates(m, &m->end);
@@ -256,14 +284,14 @@ static void between(struct bead_motion *m, double t)
         m->stage.r[i] = va * a->r[i] + vb * b->r[i] + ra * a->r_rate[i] + rb * b->r_rate[i];
         m->stage.v[i] = va * a->v[i] + vb * b->v[i] + ra * a->v_rate[i] + rb * b->v_rate[i];
     }
-    merge_cells(m, m->stage.r);
-    merge_cells(m, m->stage.v);
+    divide_cells(m, m->stage.r, m->r);
+    divide_cells(m, m->stage.v, m->v);
 }
 
 /* Displacements of the centres of cells, from those of faces; their mean moves with the mean velocity, which is conserved. */
 static void displacements(const struct bead_motion *m, double t, double *u)
 {
-    double shift = m->mean_displacement + m->mean_velocity * t - find_faces(m, m->stage.r);
+    double shift = m->mean_displacement + m->mean_velocity * t - find_faces(m, m->r);
     for (size_t i = 0; i < m->shown; i++) {
         const double *f = m->faces + i;
         u[i] = shift + (9 * (f[1] + f[2]) - f[0] - f[3]) / 16;
@@ -276,14 +304,14 @@ static enum bead_error shock_sample(struct bead_motion *m, double t, unsigned wa
     size_t bytes = m->shown * sizeof(double);
     between(m, t);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_STRAIN))
-        memcpy(value[BEAD_FIELD_STRAIN], m->stage.r, bytes);
+        memcpy(value[BEAD_FIELD_STRAIN], m->r, bytes);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY))
-        memcpy(value[BEAD_FIELD_VELOCITY], m->stage.v, bytes);
+        memcpy(value[BEAD_FIELD_VELOCITY], m->v, bytes);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT))
         displacements(m, t, value[BEAD_FIELD_DISPLACEMENT]);
     if (wanted & BEAD_FIELD_BIT(BEAD_FIELD_ENERGY)) {
         for (size_t i = 0; i < m->shown; i++)
-            value[BEAD_FIELD_ENERGY][i] = bead_shock_energy(m->settings.spec, m->stage.r[i], m->stage.v[i]);
+            value[BEAD_FIELD_ENERGY][i] = bead_shock_energy(m->settings.spec, m->r[i], m->v[i]);
     }
     return BEAD_OK;
 }

@@ -45,7 +45,7 @@ static const struct bead_option table_rows[] = {
          "of sensors, measures, modes, the energy, extremes, profiles, spreading, spectra and sensitivities: columns with five "
          "times the "
          "difference to a run with a hundredth of the tolerance (equations: a tenth, and at most half of the longest step; shock: "
-         "twice as many cells; a "
+         "three quarters as many cells; a "
          "given step: half "
          "of it), against time the largest so far, of extremes that of the size, of profiles, spectra and sensitivities that of "
          "the worst "

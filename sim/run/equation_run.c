@@ -26,11 +26,13 @@ static const struct bead_equation *equation_of(const struct bead_chain *chain)
     return chain->spec->system->equation;
 }
 
-/* Points of a run; its samples have those of the chain. */
+/* Points of a run; its samples have those of the chain. On a grid of three quarters as many cells errors are (4/3)^p times as
+ * large, p the order: five times the difference (bead_uncertainty_measured) is 1.7 times the error for p = 1, as at shocks, and 7
+ * times for p = 3, as in smooth waves. */
 static size_t points_of(const struct bead_run_settings *settings)
 {
     const size_t points = settings->chain->beads;
-    return settings->other_grid && equation_of(settings->chain)->by_grid ? 2 * points : points;
+    return settings->other_grid && equation_of(settings->chain)->by_grid ? (3 * points + 3) / 4 : points;
 }
 
 static struct bead_motion_settings settings_of(const struct bead_chain *chain, size_t points, const struct bead_simulate *asked,

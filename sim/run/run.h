@@ -46,7 +46,7 @@ struct bead_run_settings {
     bool full_window, hash;
     struct bead_record *record; /* keeps every step; NULL: none */
     double tolerance_factor;    /* of a comparison run: times the requested accuracy, or step; 0: 1 */
-    bool other_grid;            /* a check run: on a grid of twice as many cells, where that decides the errors of an equation */
+    bool other_grid;            /* a check run: on a coarser grid, where that decides the errors of an equation */
 };
 
 struct bead_stepping {

@@ -169,7 +169,7 @@ static void plan_checks(const struct bead_session *s, FILE *out)
             fprintf(out, "%s%s", count++ ? ", " : "check run: uncertainties of ", s->made[i].path);
     }
     if (count > 0 && equation && equation->by_grid)
-        fprintf(out, ": all chains once more, on twice as many cells\n");
+        fprintf(out, ": all chains once more, on three quarters as many cells\n");
     else if (count > 0)
         fprintf(out, ": all chains once more, with %g of the %s\n", bead_play_check_factor(&play),
                 s->source->simulate.step > 0 ? "step" : "tolerance");
