@@ -19,7 +19,7 @@ alone() {
 }
 clean_up() {
     if [ -n "$inside" ]; then kill -KILL "$inside" && wait "$inside"; fi 2>/dev/null
-    rm -rf --one-file-system "$root" "$root.log"
+    rm -rf --one-file-system "$root" "$root.log" "$root.apt"
 }
 
 # What the host needs to reach a mirror: its own mirror, its proxies.
@@ -48,13 +48,14 @@ make_root() {
     trap 'exit 130' INT
     trap 'exit 143' TERM HUP
     say "minimal system from $mirror"
-    alone mmdebstrap --quiet --variant=minbase --skip=cleanup/apt/lists --aptopt='Acquire::Languages none' "$@" "$suite" "$root" "$mirror" \
-        >"$root.log" 2>&1 || { tail -n 20 "$root.log"; say "mmdebstrap failed" >&2; exit 1; }
-    mkdir -p "$root"/etc/{apt/apt.conf.d,dpkg/dpkg.cfg.d}
-    echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/temporary" # nothing here outlives a power cut
     # Its apt is told what the host's is.
+    apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root.apt"
+    echo 'Acquire::Languages "none";' >>"$root.apt"
+    alone mmdebstrap --quiet --variant=minbase --skip=cleanup/apt/lists --aptopt="$root.apt" "$@" "$suite" "$root" "$mirror" >"$root.log" 2>&1 ||
+        { tail -n 20 "$root.log"; say "mmdebstrap failed" >&2; exit 1; }
+    mkdir -p "$root/etc/dpkg/dpkg.cfg.d"
+    echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/temporary" # nothing here outlives a power cut
     cp /etc/resolv.conf /etc/hosts "$root/etc/"
-    apt-config dump Acquire | grep -E '^Acquire::(Check|Retries|[a-z]+::(Proxy|Verify|Timeout))' >"$root/etc/apt/apt.conf.d/90host"
 }
 
 # within COMMAND... : in the new system, with the host's devices; of the host's environment, what make is told by it.
