@@ -199,7 +199,8 @@ static enum bead_error measure_all(void *user, struct bead_message *msg)
 }
 
 /* Arranges chains in columns and rows so that plots get the best shape; a quarter of the page left empty is as bad as plots twice
- * as wide, or half as wide, as the best. */
+ * as wide, or half as wide, as the best. That weight, 3 (`empty`), is chosen: from 2.6 to 3.2 pages of 2 to 7 chains in five styles
+ * are full, with 2 three chains leave a quarter of a screen. */
 static void figure_choose_columns(struct bead_figure *f)
 {
     double em = f->look.label;

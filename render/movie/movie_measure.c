@@ -336,7 +336,8 @@ static enum bead_error measure(struct bead_composer *c, struct bead_message *msg
 
 /* ---- the size of type ---- */
 
-/* Type of the next try, in parts of that before. */
+/* Type of the next try, in parts of that before. Chosen: what is found is at most 7 % smaller than it need be; nearer to 1 takes
+ * more tries, each of which measures all words. */
 static const double smaller = 0.93;
 
 void bead_composer_dress(struct bead_composer *c, double type)

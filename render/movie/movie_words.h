@@ -66,9 +66,9 @@ double bead_heading_width(const struct bead_look *look, const struct bead_chain 
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain, bool m);
 /* The part of its usual size in which its name fits, or the smallest; whatever the heading's own. */
 double bead_heading_name(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
-/* Left free beside headings, in units of the ticks' size. */
+/* Left free beside headings, in units of the ticks' size; chosen by eye. */
 #define BEAD_HEADING_AIR 1.3
-/* So much smaller are labels that else have no room. */
+/* So much smaller are labels that else have no room; chosen by eye. */
 #define BEAD_SMALLER_LABEL 0.85
 /* The part of its usual size in which its label fits; 1: in full, or not at all. */
 double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
