@@ -28,25 +28,22 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
-/* Does the name end like pictures, films or tables of other programs? It hardly names a directory. */
-static bool ends_like_others(const char *path)
+/* Does the name end like a file, with a letter among at most eight letters and digits? A number is part of a directory's name. */
+static bool ends_like_file(const char *name)
 {
-    return bead_output_ends_like(
-        ".ps, .bmp, .heic, .svgz, .avi, .mpg, .mpeg, .wmv, .ogv, .tsv, .txt, .xlsx, .ods, .json, .nc, .hdf5, .mat, .npy, .npz, "
-        ".vtk, .vtu, .wav, .mp3",
-        path);
+    const char *ending = extension(name);
+    size_t length = 0, digits = 0;
+    for (; isalnum((unsigned char)ending[length]); length++)
+        digits += isdigit((unsigned char)ending[length]) != 0;
+    return strrchr(name, '.') != name && !ending[length] && length <= 8 && digits < length;
 }
 
 bool bead_session_names_file(const char *output, const struct bead_own *own)
 {
     struct stat found;
-    if (!output || !*bead_session_base_name(output) || (stat(output, &found) == 0 && S_ISDIR(found.st_mode)))
+    if (!output || (stat(output, &found) == 0 && S_ISDIR(found.st_mode)))
         return false;
-    for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
-        if (bead_output_ends_like(bead_output_endings(kind), output))
-            return true;
-    }
-    return bead_output_own_of(own, output) != NULL || ends_like_others(output);
+    return bead_output_own_of(own, output) != NULL || ends_like_file(bead_session_base_name(output));
 }
 
 /* ---- which it is ---- */
@@ -123,8 +120,8 @@ static enum bead_error no_kind(const char *file, enum bead_source_kind source, s
         return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` is a directory; name the file to make in it, with one of %s", file,
                          names);
     const bool of_one = source == BEAD_OF_SWEEP && bead_output_kind_of(file, BEAD_OF_CONFIGURATION) != BEAD_OUTPUT_KINDS;
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s%s", file, names,
-                     of_one ? "; --configuration N makes it of chain N of the sweep" : "");
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s%s; `%s/` would be a directory", file, names,
+                     of_one ? "; --configuration N makes it of chain N of the sweep" : "", file);
 }
 
 static void add(struct changes *changes, struct bead_override change)

@@ -68,12 +68,17 @@ cat >good.yaml <<'YAML'
 chain: {beads: [{bead: brass, count: 5}]}
 outputs: [{table: peaks.csv}]
 YAML
-for name in a.bmp b.heic c.PS d.avi; do
+for name in a.bmp b.heic c.PS d.avi e.xyz f.lammpst; do
     ok "-o $name" fails 2 "$beadreel" good.yaml -o $name
     ok "... says what there is" says "--output: \`$name\` ends like none of .h5, .png, .pdf, .svg, .eps, .jpg"
     ok "... and makes no directory" test ! -e $name
 done
 ok "... each once" test "$(grep -o '\.png' err | wc -l)" -eq 1
+ok "... and how a directory is meant" says '`f.lammpst/` would be a directory'
+for name in run.2 .hidden f.lammpst/; do
+    ok "-o $name" "$beadreel" good.yaml -q -o $name
+    ok "... is a directory" test -f "$name/peaks.csv"
+done
 cp good.yaml waves.yaml
 ok "a scene of nearly this name" fails 2 "$beadreel" waves.yml
 ok "... is named" says 'waves.yml: no such file, and no ready scene; did you mean `waves.yaml`?'
