@@ -229,8 +229,6 @@ static void profile_spread(struct bead_view *v, const struct bead_view *on)
         if (uneven)
             v->x[i] = (float)(bead_along_place(&v->setup, number) * on->plot.width);
     }
-    if (v->count == 1) /* a level line */
-        v->x[0] = 0;
 }
 
 static enum bead_error profile_place(struct bead_view *v, struct bead_rect plot, struct bead_canvas *, struct bead_message *msg)
@@ -324,6 +322,12 @@ static void profile_smooth(struct bead_view *v)
 {
     float bottom = profile_y_of(v, v->base), lowest = v->axis.low < 0 || v->axis.scale == BEAD_SCALE_LOG ? INFINITY : bottom;
     v->points = bead_smooth_fill(v->x, v->y, v->count, v->from, v->to, v->parts, v->fixed, -INFINITY, lowest, v->sx, v->sy);
+    if (v->count > 1)
+        return;
+    v->sx[0] = 0; /* a level line */
+    v->sx[1] = (float)v->plot.width;
+    v->sy[1] = v->sy[0];
+    v->points = 2;
 }
 
 static struct bead_curve profile_curve_of(const struct bead_view *v)
@@ -454,8 +458,8 @@ static enum bead_error profile_vector(struct bead_view *v, double time, cairo_t 
     for (size_t i = 0; i < curve.count; i++)
         cairo_line_to(cr, curve.x[i], curve.y[i]);
     cairo_path_t *path = cairo_copy_path(cr);
-    cairo_line_to(cr, v->x[v->count - 1], curve.base);
-    cairo_line_to(cr, v->x[0], curve.base);
+    cairo_line_to(cr, curve.x[curve.count - 1], curve.base);
+    cairo_line_to(cr, curve.x[0], curve.base);
     cairo_close_path(cr);
     cairo_set_source_rgba(cr, curve.area.r, curve.area.g, curve.area.b, curve.area_alpha);
     cairo_fill(cr);

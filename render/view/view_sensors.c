@@ -241,6 +241,37 @@ static double sensors_y_of(const struct bead_view *v, double value)
     return v->plot.y + (1 - bead_axis_place(&v->force, value)) * v->plot.height;
 }
 
+static void line_to(const struct bead_view *v, cairo_t *cr, struct bead_point point)
+{
+    cairo_line_to(cr, x_of(v, point.time), sensors_y_of(v, point.value));
+}
+
+/* The curve is straight between samples: at a time between two. */
+static struct bead_point between(struct bead_point a, struct bead_point b, double time)
+{
+    return (struct bead_point){time, a.value + (b.value - a.value) * (time - a.time) / (b.time - a.time)};
+}
+
+/* The path of a curve from the last point before one time to another time. */
+static void trace(const struct bead_view *v, cairo_t *cr, size_t curve, double from, double to)
+{
+    struct bead_point points[4], before = {-INFINITY, 0};
+    cairo_new_path(cr);
+    for (size_t s = 0; s < v->curves.count && before.time < to; s++) {
+        const size_t count = bead_curves_points(&v->curves, s, curve, points);
+        for (size_t i = 0; i < count && before.time < to; i++) {
+            const bool begins = before.time < from && points[i].time >= from && isfinite(before.time);
+            if (begins)
+                line_to(v, cr, before);
+            if (points[i].time > to && isfinite(before.time))
+                points[i] = between(before, points[i], to);
+            before = points[i];
+            if (before.time >= from && before.time <= to)
+                line_to(v, cr, before);
+        }
+    }
+}
+
 /* Draws the curves from one time to another; the caller clips them to the plot. */
 static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, double to)
 {
@@ -249,22 +280,7 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
     cairo_set_line_width(cr, curve_width * v->look.line);
     for (size_t k = 0; k < v->count; k++) {
         struct bead_rgb colour = bead_look_curve(&v->look, k);
-        struct bead_point points[4], before = {0, 0};
-        bool begun = false, have = false;
-        cairo_new_path(cr);
-        for (size_t s = 0; s < v->curves.count; s++) {
-            size_t count = bead_curves_points(&v->curves, s, k, points);
-            for (size_t i = 0; i < count && points[i].time <= to; i++) {
-                if (points[i].time >= from) {
-                    if (!begun && have)
-                        cairo_move_to(cr, x_of(v, before.time), sensors_y_of(v, before.value));
-                    cairo_line_to(cr, x_of(v, points[i].time), sensors_y_of(v, points[i].value));
-                    begun = true;
-                }
-                before = points[i];
-                have = true;
-            }
-        }
+        trace(v, cr, k, from, to);
         cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
         cairo_stroke(cr);
     }

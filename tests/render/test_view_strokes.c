@@ -193,12 +193,12 @@ static void sensors_have_their_curves(void **)
             const struct stroke *curve = &strokes.list[first + n];
             assert_true(stroke_has(curve, false, bead_look_curve(&s.look, n)) && fabs(curve->width - 2 * s.look.line) < 1e-9);
             assert_true(curve->join == CAIRO_LINE_JOIN_ROUND && curve->clip_low[0] == LEFT && curve->clip_high[1] == BOTTOM);
-            assert_int_equal(curve->count, variant == 1 ? 4 : 11); /* films show what has been */
+            assert_int_equal(curve->count, variant == 1 ? 5 : 11); /* films show what has been, also between samples */
             assert_at(curve->at[0].x, LEFT);
             assert_at(curve->at[0].y, BOTTOM - HEIGHT * force_at(n, 0) / end);
-            const size_t last = variant == 1 ? 3 : 10;
-            assert_at(curve->at[curve->count - 1].x, LEFT + 0.1 * (double)last * WIDTH);
-            assert_at(curve->at[curve->count - 1].y, BOTTOM - HEIGHT * force_at(n, last) / end);
+            const double last = variant == 1 ? 0.5 * (force_at(n, 3) + force_at(n, 4)) : force_at(n, 10);
+            assert_at(curve->at[curve->count - 1].x, LEFT + (variant == 1 ? 0.35 : 1) * WIDTH);
+            assert_at(curve->at[curve->count - 1].y, BOTTOM - HEIGHT * last / end);
         }
         close_shown(&s);
     }
@@ -233,6 +233,92 @@ static void many_sensors_are_named_in_colour(void **)
     for (size_t i = 0; i < strokes.count; i++)
         assert_true(fabs(strokes.list[i].width - 2 * s.look.line) > 0.1); /* no sample */
     close_shown(&s);
+}
+
+/* ---- profiles ---- */
+
+/* y of a value on an axis from 0 to 50 N, with a twenty-fifth above it, between lines of 2 px: rounded to 32nds of pixels. */
+static double profile_y(double value)
+{
+    return TOP + round(32 * (1 + (1 - value / 52) * (HEIGHT - 2))) / 32;
+}
+
+static bool passes(const struct stroke *curve, double x, double y)
+{
+    for (size_t i = 0; i < curve->count; i++) {
+        if (fabs(curve->at[i].x - x) < 0.02 && fabs(curve->at[i].y - y) < 0.02)
+            return true;
+    }
+    return false;
+}
+
+/* The curve goes through each value in the middle of its bead's share of the width, over an area down to zero, with a dot there
+ * where dots have room; of a single bead it is level, from edge to edge. */
+static void profiles_have_their_values(void **)
+{
+    static const size_t all[] = {8, 40, 1};
+    for (size_t variant = 0; variant < 3; variant++) {
+        const size_t n = all[variant];
+        const bool dots = variant == 0;
+        struct shown s;
+        struct bead_message msg = {""};
+        char text[200];
+        double values[64], *force = values + 1; /* bead 0 is out of sight */
+        snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, count: %zu}]}\noutputs: [{table: a.csv}]\n", n);
+        open_shown(&s, text);
+        s.setup.beads = (struct bead_span){1, n};
+        open_view(&s, BEAD_VIEW_PROFILE);
+        decorate(&s);
+        assert_bounds(&strokes.list[1], LEFT, round(profile_y(0) - 1), RIGHT, round(profile_y(0) - 1) + 2); /* the line of zero */
+        values[0] = 33;
+        for (size_t i = 0; i < n; i++)
+            force[i] = 26 + 24 * cos((double)i);
+        const struct bead_sample sample = {.field = {[BEAD_FIELD_FORCE] = values}};
+        require(s.type->feed(s.view, &sample, &msg), &msg);
+        draw(&s, 0);
+        assert_int_equal(strokes.count, dots ? 3 : 2);
+        const struct stroke *area = &strokes.list[0], *curve = &strokes.list[1], *dot = &strokes.list[2];
+        const double pitch = (double)WIDTH / (double)n, first = n == 1 ? LEFT : LEFT + pitch / 2, last = LEFT + RIGHT - first;
+        assert_true(stroke_has(area, true, s.look.accent) && stroke_has(curve, false, s.look.accent));
+        assert_at(curve->width, 1.8 * s.look.line);
+        assert_true(curve->clip_low[0] == LEFT && curve->clip_high[1] == BOTTOM && curve->join == CAIRO_LINE_JOIN_ROUND);
+        for (int e = 0; e < 2; e++) {
+            assert_at(curve->at[e ? curve->count - 1 : 0].x, e ? last : first);
+            assert_true(passes(curve, e ? last : first, profile_y(force[e ? n - 1 : 0])));
+            assert_true(passes(area, e ? last : first, profile_y(0)));
+        }
+        for (size_t i = 0; n > 1 && i < n; i++)
+            assert_true(passes(curve, LEFT + ((double)i + 0.5) * pitch, profile_y(force[i])));
+        assert_true(area->count >= curve->count + 2);
+        if (dots) {
+            const double r = 1.5 * 1.8 * s.look.line;
+            assert_bounds(dot, first - r, profile_y(50) - r, last + r, profile_y(26 + 24 * cos(3)) + r);
+            assert_int_equal(dot->begun, n);
+        }
+        close_shown(&s);
+    }
+}
+
+/* The thin line of films is explained where its peaks are kept: of forces, and with all beads in view. */
+static void kept_peaks_are_explained(void **)
+{
+    for (int variant = 0; variant < 4; variant++) {
+        struct shown s;
+        open_shown(&s, SENSORS);
+        s.setup.titles = BEAD_TITLES_ABOVE;
+        s.setup.fill = true;
+        s.setup.hold = variant != 1;
+        s.setup.cells = variant == 1;
+        s.setup.colours.low = variant == 2 ? -50 : 0;
+        s.setup.fill = variant != 3;
+        open_view(&s, BEAD_VIEW_PROFILE);
+        decorate(&s);
+        size_t said = 0;
+        for (size_t i = 0; i < s.seen.count; i++)
+            said += strcmp(s.seen.text[i].markup, "faint: peak so far") == 0;
+        assert_int_equal(said, variant == 0);
+        close_shown(&s);
+    }
 }
 
 /* ---- modes ---- */
@@ -523,7 +609,8 @@ int main(void)
         cmocka_unit_test(sensors_have_their_curves),       cmocka_unit_test(many_sensors_are_named_in_colour),
         cmocka_unit_test(bars_of_modes_have_their_energy), cmocka_unit_test(axes_are_at_their_panels),
         cmocka_unit_test(theory_is_as_fast_as_its_force),  cmocka_unit_test(sensors_of_stages_have_rings),
-        cmocka_unit_test(keys_say_what_lights_up),
+        cmocka_unit_test(keys_say_what_lights_up),         cmocka_unit_test(profiles_have_their_values),
+        cmocka_unit_test(kept_peaks_are_explained),
     };
     return cmocka_run_group_tests_name("what views draw", tests, NULL, NULL);
 }

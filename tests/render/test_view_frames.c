@@ -1,0 +1,415 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Three ways to one picture, for each view: its frames drawn one after the other, each by what has changed; the frame of a view
+ * that is drawn for the first time; and its paths, which cairo fills. What differs between the first two is a trail that should not
+ * be there; what differs from the third is out of place. */
+#include "tests/scenes.h"
+
+#include "beadreel/view.h"
+#include "render/draw/looks.h"
+#include "render/paint/canvas.h"
+#include "render/stage/camera.h"
+#include "render/view/views.h"
+#include "sim/chain/chain_internal.h"
+
+enum { WIDTH = 420, HEIGHT = 150, FRAMES = 16, ROOM = 64, RUNS = 2 };
+static const struct bead_rect page = {0, 0, WIDTH, HEIGHT}, plot = {31, 17, 350, 117};
+static const double span = 0.8e-3;
+
+#define DIMERS                                                                                                                   \
+    "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 6}, {bead: "     \
+    "small-steel, sensor: one}, {bead: large-steel, count: 9}, {bead: large-steel, sensor: two}, {bead: aluminium, count: 3}], " \
+    "wall: brass}\noutputs: [{table: a.csv}]\n"
+#define PLAIN                                                                                                                 \
+    "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 30}]}\noutputs: [{table: " \
+    "a.csv}]\n"
+#define ONE "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel}]}\noutputs: [{table: a.csv}]\n"
+#define STRING                                                                                                                    \
+    "chain: {equation: fput, points: 15, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 10}\noutputs: [{table: a.csv, show: " \
+    "modes}]\n"
+
+struct film {
+    const char *name;
+    enum bead_view_kind kind;
+    const char *chain;
+    enum bead_field field;
+    double low, high;
+    bool film, light;
+    enum bead_orientation orientation;
+    double window; /* m; 0: no camera */
+    bool hold, ghost, trust, theory, marked, overlaid;
+    struct bead_span beads; /* {0, 0}: all */
+    enum bead_scale scale;
+    int ends; /* px at the ends of the plot where lines end, with a round end or without */
+};
+
+static void require(enum bead_error err, const struct bead_message *msg)
+{
+    if (err)
+        fail_msg("%s", msg->text);
+}
+
+/* ---- what is shown ---- */
+
+struct fields {
+    double value[BEAD_FIELD_COUNT][ROOM];
+    struct bead_sample sample;
+};
+
+/* A pulse of some beads that travels, and leaves those behind it pushed on; the comparison run's is late from the middle of the
+ * span on. `lag`: of another chain. */
+static void make_values(double at, double late, double values[BEAD_FIELD_COUNT][ROOM])
+{
+    for (int i = 0; i < ROOM; i++) {
+        const double x = i - at + late, pulse = exp(-0.5 * x * x / 1.5), pushed = 1 / (1 + exp(1.5 * x));
+        const bool touched = x < 7;
+        values[BEAD_FIELD_FORCE][i] = touched ? 30 * pulse : 0;
+        values[BEAD_FIELD_CONTACT_FORCE][i] = touched ? 33 * exp(-0.5 * (x + 0.5) * (x + 0.5) / 1.5) : 0;
+        values[BEAD_FIELD_COMPRESSION][i] = 1e-6 * values[BEAD_FIELD_CONTACT_FORCE][i];
+        values[BEAD_FIELD_VELOCITY][i] = touched ? 0.2 * pulse - (i < 3 ? 0.02 * i : 0) : 0;
+        values[BEAD_FIELD_DISPLACEMENT][i] = touched ? 1e-5 * pushed : 0;
+        values[BEAD_FIELD_ENERGY][i] = touched ? 1e-3 * pulse : 0;
+    }
+}
+
+static void make_fields(struct fields run[RUNS], const struct bead_chain *chain, size_t k, double lag)
+{
+    const double at = 1.8 * (double)k - lag;
+    memset(run, 0, RUNS * sizeof *run);
+    make_values(at, 0, run[0].value);
+    make_values(at, k > FRAMES / 2 ? 0.4 * (double)(k - FRAMES / 2) : 0, run[1].value);
+    struct bead_sample *s = &run[0].sample;
+    const size_t beads = bead_chain_beads(chain);
+    *s = (struct bead_sample){.index = k, .time = span * (double)k / (FRAMES - 1), .active = beads, .comparison_active = beads};
+    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
+        s->field[f] = run[0].value[f];
+        s->comparison[f] = run[1].value[f];
+    }
+}
+
+/* ---- views ---- */
+
+/* A view with what it looks through. */
+struct shown {
+    struct bead_scene *scene;
+    struct bead_chain *chain;
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_camera *camera;
+    struct bead_canvas *canvas;
+    const struct bead_view_type *type;
+    struct bead_view *view, *other; /* `other` is drawn by `view` */
+    struct bead_frame background, frame;
+};
+
+static void fill_background(struct bead_frame *frame)
+{
+    for (int y = 0; y < HEIGHT; y++) {
+        for (size_t i = 0; i < 4 * WIDTH; i++)
+            frame->pixels[(size_t)y * frame->stride + i] = (uint8_t)(20 + 7 * y % 31 + 3 * (int)(i % 4));
+    }
+}
+
+static void open_shown(struct shown *s, const struct film *film)
+{
+    struct bead_message msg = {""};
+    *s = (struct shown){.scene = parse(film->chain), .type = bead_view_find(film->kind)};
+    require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
+    require(bead_colormap_load("inferno", &s->map, &msg), &msg);
+    bead_look_screen(&s->look, 1280, 720, !film->light);
+    s->look.line = 2;
+    struct bead_view_setup setup = {.chain = s->chain,
+                                    .field = film->field,
+                                    .beads = film->beads,
+                                    .time = {0, span},
+                                    .colours = {&s->map, film->scale, film->low, film->high},
+                                    .look = &s->look,
+                                    .orientation = film->orientation,
+                                    .fill = film->film,
+                                    .hold = film->hold,
+                                    .ghost = film->ghost,
+                                    .trust = film->trust,
+                                    .theory = film->theory,
+                                    .marked = film->marked,
+                                    .mark = 0.4 * span,
+                                    .own_colour = film->overlaid,
+                                    .modes = 5,
+                                    .magnify = 150};
+    if (setup.beads.last == 0)
+        setup.beads.last = bead_chain_beads(s->chain) - 1;
+    if (film->window > 0)
+        require(bead_camera_create(s->chain, setup.beads, film->window, setup.time, &s->camera, &msg), &msg);
+    setup.camera = s->camera;
+    require(bead_canvas_create("plain", WIDTH, HEIGHT, &s->canvas, &msg), &msg);
+    require(bead_frame_create(WIDTH, HEIGHT, &s->background, &msg), &msg);
+    require(bead_frame_create(WIDTH, HEIGHT, &s->frame, &msg), &msg);
+    fill_background(&s->background);
+    bead_frame_copy(&s->frame, &s->background, page);
+    require(s->type->create(&setup, &s->view, &msg), &msg);
+    setup.chain_index = 2; /* with dashes */
+    if (film->overlaid) {
+        require(s->type->create(&setup, &s->other, &msg), &msg);
+        require(s->type->overlay(s->view, s->other, &msg), &msg);
+    }
+    require(s->type->place(s->view, plot, s->canvas, &msg), &msg);
+    cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+    cairo_t *cr = cairo_create(paper);
+    require(s->type->decorate(s->view, cr, &msg), &msg);
+    cairo_destroy(cr);
+    cairo_surface_destroy(paper);
+}
+
+static void close_shown(struct shown *s)
+{
+    s->type->destroy(s->view);
+    if (s->other)
+        s->type->destroy(s->other);
+    bead_camera_destroy(s->camera);
+    bead_canvas_destroy(s->canvas);
+    bead_frame_free(&s->background);
+    bead_frame_free(&s->frame);
+    bead_chain_destroy(s->chain);
+    bead_scene_free(s->scene);
+}
+
+/* Sample `k`; returns its time, or of every other one a time before. */
+static double feed(struct shown *s, size_t k)
+{
+    struct fields run[RUNS];
+    struct bead_message msg = {""};
+    make_fields(run, s->chain, k, 0);
+    const double time = fmax(0, run[0].sample.time - (k % 2 ? 0 : 0.3 * span / (FRAMES - 1)));
+    require(s->type->feed(s->view, &run[0].sample, &msg), &msg);
+    if (s->camera) {
+        require(bead_camera_feed(s->camera, &run[0].sample, &msg), &msg);
+        bead_camera_advance(s->camera, time);
+    }
+    if (s->other) {
+        make_fields(run, s->chain, k, 4);
+        require(s->type->feed(s->other, &run[0].sample, &msg), &msg);
+    }
+    return time;
+}
+
+static void draw(struct shown *s, double time, struct bead_changes *changes)
+{
+    struct bead_message msg = {""};
+    require(s->type->draw(s->view, time, &s->frame, &s->background, changes, &msg), &msg);
+}
+
+/* ---- the two ways of frames ---- */
+
+/* The largest difference of two frames. */
+static int difference(const struct bead_frame *a, const struct bead_frame *b)
+{
+    int most = 0;
+    for (int y = 0; y < HEIGHT; y++) {
+        const bool same = memcmp(a->pixels + (size_t)y * a->stride, b->pixels + (size_t)y * b->stride, 4 * WIDTH) == 0;
+        for (size_t i = 0; !same && i < 4 * WIDTH; i++) {
+            const int off = i % 4 < 3 ? abs(a->pixels[(size_t)y * a->stride + i] - b->pixels[(size_t)y * b->stride + i]) : 0;
+            most = off > most ? off : most;
+        }
+    }
+    return most;
+}
+
+static void copy_told(struct bead_frame *to, const struct bead_frame *from, const struct bead_changes *changes)
+{
+    for (size_t i = 0; i < changes->count; i++) {
+        const struct bead_rect *r = &changes->rect[i];
+        assert_true(r->x >= 0 && r->y >= 0 && r->x + r->width <= WIDTH && r->y + r->height <= HEIGHT);
+        bead_frame_copy(to, from, *r);
+    }
+}
+
+/* Returns the time. */
+static double draw_anew(const struct film *film, size_t k, struct shown *s)
+{
+    double time = 0;
+    open_shown(s, film);
+    for (size_t j = 0; j <= k; j++) {
+        time = feed(s, j);
+        if (j < k && s->type->pass)
+            s->type->pass(s->view, time);
+    }
+    draw(s, time, &(struct bead_changes){0});
+    return time;
+}
+
+/* Lines that begin anew at the edge of what has changed have another edge by the last bits. */
+static void assert_no_trails(const struct film *film, int most)
+{
+    struct shown on, anew;
+    struct bead_frame copy;
+    struct bead_message msg = {""};
+    size_t moved = 0;
+    open_shown(&on, film);
+    require(bead_frame_create(WIDTH, HEIGHT, &copy, &msg), &msg);
+    bead_frame_copy(&copy, &on.background, page);
+    for (size_t k = 0; k < FRAMES; k++) {
+        struct bead_changes changes = {0};
+        const double time = feed(&on, k);
+        draw(&on, time, &changes);
+        moved += changes.count > 0;
+        copy_told(&copy, &on.frame, &changes);
+        if (difference(&copy, &on.frame) > 0)
+            fail_msg("%s: frame %zu has changes that were not told", film->name, k);
+        if (k % 3 != 1 && k + 1 < FRAMES)
+            continue;
+        (void)draw_anew(film, k, &anew);
+        const int off = difference(&anew.frame, &on.frame);
+        if (off > most)
+            fail_msg("%s: frame %zu differs by %d from the same drawn first", film->name, k, off);
+        close_shown(&anew);
+    }
+    assert_true(moved > 1);
+    bead_frame_free(&copy);
+    close_shown(&on);
+}
+
+/* ---- paths ---- */
+
+/* The mean around a pixel: edges are soft in more than one way. */
+static double mean_at(const uint8_t *pixels, size_t stride, int x, int y, size_t channel)
+{
+    double sum = 0;
+    for (int k = 0; k < 9; k++)
+        sum += pixels[(size_t)(y + k / 3 - 1) * stride + 4 * (size_t)(x + k % 3 - 1) + channel];
+    return sum / 9;
+}
+
+static void assert_paths_agree(const struct film *film, double most)
+{
+    struct shown s;
+    struct bead_message msg = {""};
+    double worst = 0;
+    size_t inked = 0;
+    int at[2] = {0, 0};
+    const double time = draw_anew(film, FRAMES / 2, &s);
+    cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+    const size_t stride = (size_t)cairo_image_surface_get_stride(paper);
+    uint8_t *pixels = cairo_image_surface_get_data(paper);
+    for (size_t y = 0; y < HEIGHT; y++)
+        memcpy(pixels + y * stride, s.background.pixels + y * s.background.stride, 4 * WIDTH);
+    cairo_surface_mark_dirty(paper);
+    cairo_t *cr = cairo_create(paper);
+    require(s.type->vector(s.view, time, cr, &msg), &msg);
+    cairo_surface_flush(paper);
+    for (int y = 1; y + 1 < HEIGHT; y++) {
+        for (int x = plot.x + film->ends; x < plot.x + plot.width - film->ends; x++) {
+            const size_t here = (size_t)y * stride + 4 * (size_t)x, there = (size_t)y * s.frame.stride + 4 * (size_t)x;
+            inked += memcmp(pixels + here, s.background.pixels + there, 3) != 0;
+            for (size_t c = 0; c < 3 && memcmp(pixels + here, s.frame.pixels + there, 3) != 0; c++) {
+                const double off = fabs(mean_at(pixels, stride, x, y, c) - mean_at(s.frame.pixels, s.frame.stride, x, y, c));
+                if (off <= worst)
+                    continue;
+                worst = off;
+                at[0] = x;
+                at[1] = y;
+            }
+        }
+    }
+    if (worst > most)
+        fail_msg("%s: frame and paths differ by %.1f at %d, %d", film->name, worst, at[0], at[1]);
+    assert_true(inked > 500);
+    cairo_destroy(cr);
+    cairo_surface_destroy(paper);
+    close_shown(&s);
+}
+
+/* ---- */
+
+static const double window = 8 * 9.525e-3;
+
+static void beads(void **)
+{
+    static const struct film films[] = {
+        {"beads", BEAD_VIEW_BEADS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true},
+    };
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++)
+        assert_no_trails(&films[i], 0);
+}
+
+static void profiles(void **)
+{
+    const struct film films[] = {
+        {"forces", BEAD_VIEW_PROFILE, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .ends = 12},
+        {"on paper", BEAD_VIEW_PROFILE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .light = true, .beads = {2, 20}, .ends = 14},
+        {"velocities", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true, .ends = 11},
+        {"displacements", BEAD_VIEW_PROFILE, STRING, BEAD_FIELD_DISPLACEMENT, 0, 2e-5, .film = true, .ends = 5},
+        {"one bead", BEAD_VIEW_PROFILE, ONE, BEAD_FIELD_FORCE, 0, 35, .film = true, .beads = {1, 1}},
+        {"decades", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 1e-3, 35, .film = true, .scale = BEAD_SCALE_LOG, .ends = 11},
+        {"held", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .hold = true},
+        {"overlaid", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .overlaid = true},
+        {"a window", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
+    };
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        assert_no_trails(&films[i], 0);
+        if (!films[i].hold && !films[i].overlaid) /* paths have neither */
+            assert_paths_agree(&films[i], 10);
+    }
+}
+
+static void images(void **)
+{
+    for (enum bead_orientation o = BEAD_TIME_RIGHT; o <= BEAD_MATRIX; o++) {
+        const struct film films[] = {
+            {"image", BEAD_VIEW_SPACETIME, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o},
+            {"image with a camera", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,
+             .window = window},
+            {"image with trust", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,
+             .trust = true},
+            {"image with theory", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,
+             .theory = true},
+        };
+        for (size_t i = 0; i < sizeof films / sizeof *films; i++)
+            assert_no_trails(&films[i], 16);
+        const struct film stills[] = {
+            {"still", BEAD_VIEW_SPACETIME, DIMERS, BEAD_FIELD_VELOCITY, -0.1, 0.25, .orientation = o, .marked = true},
+            {"still with trust", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .orientation = o, .trust = true},
+            {"still with theory", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .orientation = o, .theory = true},
+        };
+        for (size_t i = 0; i < sizeof stills / sizeof *stills; i++)
+            assert_paths_agree(&stills[i], 0);
+    }
+}
+
+static void sensors(void **)
+{
+    const struct film films[] = {
+        {"sensors", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true},
+        {"sensors of velocity", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true, .light = true},
+        {"sensors with trust", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .trust = true},
+    };
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        assert_no_trails(&films[i], 16);
+        assert_paths_agree(&films[i], 0);
+    }
+}
+
+static void modes(void **)
+{
+    const struct film film = {"modes", BEAD_VIEW_MODES, STRING, BEAD_FIELD_DISPLACEMENT, 0, 1, .film = true};
+    assert_no_trails(&film, 0);
+    assert_paths_agree(&film, 0);
+}
+
+static void stages(void **)
+{
+    const struct film films[] = {
+        {"stage", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true},
+        {"light stage", BEAD_VIEW_STAGE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .light = true, .window = window},
+    };
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        assert_no_trails(&films[i], 0);
+        assert_paths_agree(&films[i], 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(beads),   cmocka_unit_test(profiles), cmocka_unit_test(images),
+        cmocka_unit_test(sensors), cmocka_unit_test(modes),    cmocka_unit_test(stages),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
