@@ -17,8 +17,9 @@
 #include "sim/yaml/yaml.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
-/* Radius of the drawn masses of a string, as a part of their distance. */
-static const double radius_of_points = 0.3;
+/* Radius of the drawn masses of a string: of the distance that their motion leaves them, with some air between; and the least one.
+ */
+static const double radius_of_points = 0.45, least_radius = 0.15;
 
 /* The last part of a path that the scene has. NULL: the scene was not read from a text. */
 static const struct bead_node *last_given(const struct bead_chain *chain, const char *path)
@@ -292,11 +293,13 @@ static enum bead_error outline(struct bead_chain *chain, struct bead_message *ms
 /* For systems without contacts: all masses are 1, and the arrays of contacts stay zero. */
 static void lay_points(struct bead_chain *chain)
 {
+    const struct bead_system *system = chain->spec->system;
     double first = 0, spacing = 1;
-    chain->spec->system->places(chain->spec, chain->beads, &first, &spacing);
+    system->places(chain->spec, chain->beads, &first, &spacing);
+    const double nearest = 1 - (system->approach ? system->approach(chain->spec) : 0);
     for (size_t i = 0; i < chain->beads; i++) {
         chain->mass[i] = chain->inverse_mass[i] = 1;
-        chain->radius[i] = radius_of_points * spacing;
+        chain->radius[i] = fmax(least_radius, radius_of_points * nearest) * spacing;
         chain->position[i] = first + (double)i * spacing;
     }
 }

@@ -42,6 +42,8 @@ struct bead_system {
     size_t (*count)(const struct bead_chain_spec *spec, double accuracy);
     /* Places along the axis: that of the first of `count`, and their spacing. */
     void (*places)(const struct bead_chain_spec *spec, size_t count, double *first, double *spacing);
+    /* By what part of their distance at rest neighbouring masses come closer; NULL: they do not move, or have radii. */
+    double (*approach)(const struct bead_chain_spec *spec);
     /* Linear modes 1..count of a sample that has `mode_fields` (0 beside `fields` NULL: the variable): energy[k - 1] is that of
      * mode k. NULL: it has none. */
     unsigned mode_fields;

@@ -145,6 +145,17 @@ static void modes(const struct bead_chain_spec *chain, size_t, const double *con
             k <= highest_mode(spec) ? mode_energy(spec, k, value[BEAD_FIELD_DISPLACEMENT], value[BEAD_FIELD_VELOCITY]) : 0;
 }
 
+/* The largest strain at the start. Springs that soften when pressed (alpha alone) make solitons of stretched ones, and what is
+ * pressed spreads. Otherwise pressed ones, too, may become a soliton: in the limit of long waves as high as 2 max - min of the
+ * start, thrice its strain (P. D. Lax and C. D. Levermore, Communications on Pure and Applied Mathematics 36, 253 (1983)). */
+static double approach(const struct bead_chain_spec *chain)
+{
+    const struct bead_equation_spec *spec = &chain->equation;
+    const bool spreads = spec->alpha >= 0 && spec->beta == 0 && spec->piecewise.beyond == 0;
+    const double start = spec->start == BEAD_START_MODE ? sqrt(omega_squared(spec, spec->mode)) : 1;
+    return (spreads ? 1 : 3) * start * fabs(spec->amplitude);
+}
+
 /* ---- the return of the first mode ---- */
 
 /* Energy of the mode at the start, and its rate. */
@@ -423,6 +434,7 @@ const struct bead_system bead_system_fput = {
     .describe = describe,
     .count = count_masses,
     .places = places,
+    .approach = approach,
     .mode_fields = BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY),
     .mode_title = "energy of the mode",
     .modes = modes,

@@ -82,6 +82,41 @@ static void every_method_keeps_the_accuracy_asked(void **state)
     }
 }
 
+/* Least and largest differences of neighbours, walls with them, at the end of each step. */
+static void run_with_strains(struct bead_motion *m, size_t masses, double end, double strain[2])
+{
+    size_t count = 0;
+    for (double t = 0; t < end;) {
+        const double *u = fput->equation->state(m, &count);
+        for (size_t j = 0; j <= masses; j++) {
+            const double r = (j < masses ? u[j] : 0) - (j > 0 ? u[j - 1] : 0);
+            strain[0] = fmin(strain[0], r);
+            strain[1] = fmax(strain[1], r);
+        }
+        run(m, nextafter(t, INFINITY));
+        t = fput->equation->time(m);
+    }
+}
+
+/* Masses as drawn keep apart where they are nearest, and reach over more than half of their distance. The negative of a motion is
+ * one of -alpha. */
+static void masses_have_room(size_t masses, double alpha, double nearest)
+{
+    char text[200];
+    snprintf(text, sizeof text,
+             "chain: {equation: fput, points: %zu, alpha: %g, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 1}\n"
+             "outputs: [{table: profiles.csv, show: measures}]\n",
+             masses, alpha);
+    struct bead_scene *scene = parse(text);
+    struct bead_chain *chain = NULL;
+    assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+    const double diameter = 2 * bead_chain_radius(chain)[0], free = 1 - nearest - diameter;
+    if (!(free > 0 && free < 0.2 && diameter > 0.6))
+        fail_msg("%zu masses, alpha %g: %g wide, %g apart", masses, alpha, diameter, free);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
+}
+
 /* Converged runs of Eq. 5 with alpha = 1/4 from the first mode of amplitude 1. */
 static void the_first_mode_returns_when_it_should(void **state)
 {
@@ -95,7 +130,10 @@ static void the_first_mode_returns_when_it_should(void **state)
     for (size_t i = 0; i < 3; i++) {
         struct bead_equation_spec spec = string_of(known[i].masses, 0.25, 1);
         struct bead_motion *m = begin(&spec, "auto", 1e-6, 0, known[i].end);
-        run(m, known[i].end);
+        double strain[2] = {0};
+        run_with_strains(m, known[i].masses, known[i].end, strain);
+        masses_have_room(known[i].masses, 0.25, -strain[0]);
+        masses_have_room(known[i].masses, -0.25, strain[1]);
         close_to(measured(m, "recurrence time in periods"), known[i].periods, 0.01);
         close_to(measured(m, "recurrence time"), known[i].time, 0.5);
         assert_true(measured(m, "largest error of the energy, relative") < 1e-12);
