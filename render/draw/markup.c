@@ -17,29 +17,6 @@ static const char italics[] = "<span face=\"STIX\"><i>", upright[] = "</i></span
 static const char lower[] = "<span baseline_shift=\"subscript\" size=\"72%\">",
                   higher[] = "<span baseline_shift=\"superscript\" size=\"72%\">";
 
-static const char *escaped(const char *c)
-{
-    return *c == '&' ? "&amp;" : *c == '<' ? "&lt;" : *c == '>' ? "&gt;" : (unsigned char)*c < ' ' ? " " : NULL;
-}
-
-void bead_text_escape(const char *text, char *out, size_t size)
-{
-    size_t used = 0;
-    for (const char *next; *text && size > 0; text = next) {
-        gunichar c = g_utf8_get_char_validated(text, -1);
-        bool valid = c != (gunichar)-1 && c != (gunichar)-2;
-        next = valid ? g_utf8_next_char(text) : text + 1;
-        const char *replaced = valid ? escaped(text) : "?", *from = replaced ? replaced : text;
-        size_t length = replaced ? strlen(replaced) : (size_t)(next - text);
-        if (used + length >= size)
-            break;
-        memcpy(out + used, from, length);
-        used += length;
-    }
-    if (size > 0)
-        out[used] = '\0';
-}
-
 void bead_text_magnetism(double magnetism, char *out, size_t size)
 {
     snprintf(out, size, BEAD_SYMBOL("M") " = %.3g", magnetism);
@@ -278,13 +255,75 @@ static const char *put_equation(struct writer *w, const char *text, const char *
     return end + 1;
 }
 
+/* ---- tags of Pango, where both are there: others, and stray ones, are shown as they are ---- */
+
+static const struct tag {
+    const char *from, *to, *markup, *after;
+} tags[] = {{"<b>", "</b>", "<b>", "</b>"}, {"<i>", "</i>", "<i>", "</i>"},        {"<u>", "</u>", "<u>", "</u>"},
+            {"<s>", "</s>", "<s>", "</s>"}, {"<sub>", "</sub>", lower, "</span>"}, {"<sup>", "</sup>", higher, "</span>"}};
+
+static bool begins(const char *text, const char *end, const char *with)
+{
+    return (size_t)(end - text) >= strlen(with) && strncmp(text, with, strlen(with)) == 0;
+}
+
+/* The tag that ends what this one begins, or NULL. */
+static const char *tag_end(const struct tag *tag, const char *text, const char *end)
+{
+    int depth = 1;
+    for (; text < end; text += character(text)) {
+        if (*text == '\\' && text + 1 < end)
+            text++;
+        else if (begins(text, end, tag->from))
+            depth++;
+        else if (begins(text, end, tag->to) && --depth == 0)
+            return text;
+    }
+    return NULL;
+}
+
+/* The tag at `text` that is ended, at `to`; or NULL. */
+static const struct tag *find_tag(const char *text, const char *end, const char **to)
+{
+    for (const struct tag *tag = tags; *text == '<' && tag < tags + sizeof tags / sizeof *tags; tag++) {
+        if (begins(text, end, tag->from) && (*to = tag_end(tag, text + strlen(tag->from), end)) != NULL)
+            return tag;
+    }
+    return NULL;
+}
+
+size_t bead_markup_tagged(const char *text)
+{
+    const char *to;
+    const struct tag *tag = find_tag(text, text + strlen(text), &to);
+    return tag ? (size_t)(to - text) + strlen(tag->to) : 0;
+}
+
+static void put_range(struct writer *w, const char *text, const char *end);
+
+/* Writes what is between two tags and returns what follows; NULL: there are none. */
+static const char *put_tagged(struct writer *w, const char *text, const char *end)
+{
+    const char *to;
+    const struct tag *tag = find_tag(text, end, &to);
+    if (!tag)
+        return NULL;
+    markup_put(w, tag->markup);
+    put_range(w, text + strlen(tag->from), to);
+    markup_put(w, tag->after);
+    return to + strlen(tag->to);
+}
+
 static const char *put_shifted(struct writer *w, const char *text, const char *end);
 
 static void put_range(struct writer *w, const char *text, const char *end)
 {
     while (text < end) {
         const char *to = *text == '*' ? star(text + 1, end) : *text == '$' ? dollar(text + 1, end) : NULL;
-        if (*text == '\\' && text + 1 < end) {
+        const char *after = put_tagged(w, text, end);
+        if (after) {
+            text = after;
+        } else if (*text == '\\' && text + 1 < end) {
             text = put_character(w, text + 1);
         } else if (to && *text == '$') {
             text = put_equation(w, text + 1, to);
@@ -371,7 +410,7 @@ void bead_markup_quote(const char *text, char *out, size_t size)
 {
     size_t used = 0;
     for (size_t length; *text && size > 0; text += length) {
-        bool special = strchr("_^*\\{}$", *text) != NULL;
+        bool special = strchr("_^*\\{}$<", *text) != NULL;
         length = character(text);
         if (used + length + special >= size)
             break;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Texts of figures to Pango markup: `_x`, `_{xy}`, `^x` and `^{xy}` set subscripts and superscripts, `*x*` mathematical italics; a
- * backslash keeps the next character as it is. `$F \sim \delta^{3/2}$`: a little TeX. Greek and signs are UTF-8. */
+ * backslash keeps the next character as it is. `$F \sim \delta^{3/2}$`: a little TeX. `<b>bold</b>`: so with b, i, u, s, sub and
+ * sup. Greek and signs are UTF-8. */
 #pragma once
 
 #include <stddef.h>
@@ -14,6 +15,8 @@ size_t bead_markup_size(const char *text);
 void bead_markup(const char *text, char *out, size_t size);
 /* Markup in new memory, which the caller frees; NULL: out of memory. */
 char *bead_markup_new(const char *text);
+/* Bytes of what two tags enclose, with these, where the first is here; else 0. Lines are not broken within. */
+size_t bead_markup_tagged(const char *text);
 /* The text as it is read, without marks: for chapters, subtitles and those who do not see. Cut where it is too long. */
 void bead_markup_plain(const char *text, char *out, size_t size);
 /* Quotes plain text, such as names with a `_`, so that bead_markup shows it as it is. Too long a text is cut between characters. */

@@ -28,15 +28,16 @@ static const char *after_comma(const char *family)
     return strncmp(family, "STIX", 4) == 0 ? ", 'STIX Two Text', serif" : ", sans-serif";
 }
 
-/* The colour of a run, if its markup gives one. */
-static const PangoColor *own_colour(const PangoItem *item)
+/* The lines and the colour of a run, if its markup gives any. */
+static void put_attribute(FILE *file, const PangoAttribute *attribute)
 {
-    for (GSList *i = item->analysis.extra_attrs; i; i = i->next) {
-        const PangoAttribute *attribute = i->data;
-        if (attribute->klass->type == PANGO_ATTR_FOREGROUND)
-            return &((const PangoAttrColor *)i->data)->color;
-    }
-    return NULL;
+    const PangoColor *colour = &((const PangoAttrColor *)attribute)->color;
+    if (attribute->klass->type == PANGO_ATTR_FOREGROUND)
+        fprintf(file, " fill=\"#%02x%02x%02x\"", colour->red >> 8, colour->green >> 8, colour->blue >> 8);
+    if (attribute->klass->type == PANGO_ATTR_UNDERLINE)
+        fputs(" text-decoration=\"underline\"", file);
+    if (attribute->klass->type == PANGO_ATTR_STRIKETHROUGH)
+        fputs(" text-decoration=\"line-through\"", file);
 }
 
 static void put_font(FILE *file, PangoFont *font)
@@ -62,9 +63,8 @@ static void put_run(FILE *file, PangoLayout *layout, const PangoGlyphItem *run, 
     fprintf(file, "<tspan x=\"%.7g\" y=\"%.7g\" textLength=\"%.7g\" lengthAdjust=\"spacingAndGlyphs\"", (double)x / PANGO_SCALE,
             (double)y / PANGO_SCALE, (double)pango_glyph_string_get_width(run->glyphs) / PANGO_SCALE);
     put_font(file, item->analysis.font);
-    const PangoColor *colour = own_colour(item);
-    if (colour)
-        fprintf(file, " fill=\"#%02x%02x%02x\"", colour->red >> 8, colour->green >> 8, colour->blue >> 8);
+    for (GSList *i = item->analysis.extra_attrs; i; i = i->next)
+        put_attribute(file, i->data);
     fprintf(file, ">%s</tspan>", text);
     g_free(text);
 }

@@ -26,6 +26,29 @@ static const struct line_metrics {
 static const char symbols[] = "STIX";
 static const double symbol_scale = 1.1;
 
+static const char *escaped(const char *c)
+{
+    return *c == '&' ? "&amp;" : *c == '<' ? "&lt;" : *c == '>' ? "&gt;" : (unsigned char)*c < ' ' ? " " : NULL;
+}
+
+void bead_text_escape(const char *text, char *out, size_t size)
+{
+    size_t used = 0;
+    for (const char *next; *text && size > 0; text = next) {
+        gunichar c = g_utf8_get_char_validated(text, -1);
+        bool valid = c != (gunichar)-1 && c != (gunichar)-2;
+        next = valid ? g_utf8_next_char(text) : text + 1;
+        const char *replaced = valid ? escaped(text) : "?", *from = replaced ? replaced : text;
+        size_t length = replaced ? strlen(replaced) : (size_t)(next - text);
+        if (used + length >= size)
+            break;
+        memcpy(out + used, from, length);
+        used += length;
+    }
+    if (size > 0)
+        out[used] = '\0';
+}
+
 /* Makes symbols as high as the letters around them; lowered and raised text has its own size already. */
 static void match_symbols(PangoAttrList *attributes)
 {

@@ -59,15 +59,17 @@ static double captions_width_of(cairo_t *cr, const struct bead_text_style *style
     return bead_words_width(cr, style, markup);
 }
 
-/* The next place after `from` where a line may break: a space outside braces and italics, or the end. */
+/* The next place after `from` where a line may break: a space outside braces, tags and italics, or the end. */
 static size_t next_break(const char *text, size_t from)
 {
     int depth = 0;
     bool italics = false, equation = false;
-    size_t i = 0;
+    size_t i = 0, tagged;
     for (; text[i]; i++) {
         if (text[i] == '\\' && text[i + 1])
             i++;
+        else if ((tagged = bead_markup_tagged(text + i)) > 0)
+            i += tagged - 1;
         else if (text[i] == '*')
             italics = !italics;
         else if (text[i] == '$')

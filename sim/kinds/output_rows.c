@@ -86,7 +86,7 @@ const struct bead_option bead_theme_rows[3] = {
 };
 const struct bead_option bead_caption_row[1] = {
     {"caption", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(still.caption),
-     .help = "text below the picture; _x sets a subscript, ^{xy} a superscript, *x* italics",
+     .help = "text below the picture; _x sets a subscript, ^{xy} a superscript, *x* italics, <b>x</b> bold",
      .example = "\"Peak force *F*_m of each contact\""},
 };
 const struct bead_option bead_colormap_row[1] = {

@@ -64,10 +64,14 @@ static void long_captions_take_two_lines(void **state)
     (void)state;
     struct bead_look look;
     bead_look_screen(&look, 1280, 720, true);
-    struct bead_caption list[] = {{0, NAN, NAN, 0, "short"},
-                                  {1, NAN, NAN, 0,
-                                   "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
-                                   "and will not fit into one line of a picture that is as small as this"}};
+    struct bead_caption list[] = {
+        {0, NAN, NAN, 0, "short"},
+        {1, NAN, NAN, 0,
+         "This one is a good deal longer, says more than anybody wants to know about a chain of beads "
+         "and will not fit into one line of a picture that is as small as this"},
+        {2, NAN, NAN, 0,
+         "<b>What is bold is not broken, however much longer it may be than one line of a picture as small "
+         "as this one has room for, and is cut where it ends, as with italics</b>"}};
     struct bead_movie_asked movie = {.captions = list, .caption_count = 1};
     assert_int_equal(bead_captions_lines(&movie, &look, 1280), 1);
     movie.caption_count = 2;
@@ -75,6 +79,8 @@ static void long_captions_take_two_lines(void **state)
     assert_int_equal(bead_captions_lines(&movie, &look, 4000), 1);
     movie.caption_count = 0;
     assert_int_equal(bead_captions_lines(&movie, &look, 1280), 0);
+    movie = (struct bead_movie_asked){.captions = &list[2], .caption_count = 1};
+    assert_int_equal(bead_captions_lines(&movie, &look, 1280), 1);
 }
 
 /* One line or two, they are in the middle of their strip, nowhere beyond it. */

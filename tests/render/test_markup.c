@@ -43,11 +43,11 @@ static void test_markup(void **state)
     static const char dense[] = "$a_b^c\\xi$";
     bead_markup(dense, out, bead_markup_size(dense)); /* the promised room is enough */
     assert_non_null(strstr(out, "<i>ξ</i>"));
-    bead_markup_plain("$F_0 \\sim \\delta$ & *x*^2 = 3", out, sizeof out);
+    bead_markup_plain("$F_0 \\sim \\delta$ & *x*<sup>2</sup> = <b>3</b>", out, sizeof out);
     assert_string_equal(out, "F0 ∼ δ & x2 = 3");
-    bead_markup_quote("a_b^c*d*\\{e}", quoted, sizeof quoted);
+    bead_markup_quote("a_b^c*d*\\{e}<b>f</b>", quoted, sizeof quoted);
     bead_markup(quoted, out, sizeof out);
-    assert_string_equal(out, "a_b^c*d*\\{e}");
+    assert_string_equal(out, "a_b^c*d*\\{e}&lt;b&gt;f&lt;/b&gt;");
     bead_markup_symbols("u\u209c + 6 u u\u2093 of a mode at x; *M*, F_m here", out, sizeof out);
     assert_string_equal(out, "*u*_{*t*} + 6 *u* *u*_{*x*} of a mode at *x*; *M*, *F*_m here");
     bead_markup_symbols("u\u2093\u2093\u2093 and N\u2081", out, sizeof out); /* tight: one subscript, numbers upright */
@@ -119,6 +119,20 @@ static void marks_become_spans(void **)
         {"a =b= c", "a\u00a0=b=\u00a0c"},
         {"a <& >b", "a &lt;&amp; &gt;b"},
         {"{a}", "{a}"},
+        {"<b>a</b>c", "<b>a</b>c"},
+        {"<i>a</i><u>b</u><s>c</s>", "<i>a</i><u>b</u><s>c</s>"},
+        {"H<sub>2</sub>O, 10<sup>-3</sup>", "H" DOWN "2" END "O, 10" UP "-3" END},
+        {"<b><i>a</i> *x*_0 & b</b>", "<b><i>a</i> " SYMBOL "x" BACK DOWN "0" END " &amp; b</b>"},
+        {"<b>a<b>c</b>d</b>e", "<b>a<b>c</b>d</b>e"},
+        {"<b>a<i>c</b>d</i>", "<b>a&lt;i&gt;c</b>d&lt;/i&gt;"},
+        {"<b>a", "&lt;b&gt;a"},
+        {"a</b>", "a&lt;/b&gt;"},
+        {"\\<b>a</b>", "&lt;b&gt;a&lt;/b&gt;"},
+        {"<b>a\\</b>b</b>", "<b>a&lt;/b&gt;b</b>"},
+        {"<B>a</B><big>b</big>", "&lt;B&gt;a&lt;/B&gt;&lt;big&gt;b&lt;/big&gt;"},
+        {"<span face='x'>a</span>", "&lt;span face='x'&gt;a&lt;/span&gt;"},
+        {"<b></b>", "<b></b>"},
+        {"*a<b>x</b>*", SYMBOL "a<b>x</b>" BACK},
         {"$x$", MATH "<i>x</i>" END},
         {"$ab1$c", MATH "<i>ab</i>1" END "c"},
         {"$ x$", "$ x$"},

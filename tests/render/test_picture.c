@@ -378,7 +378,8 @@ static void test_same_picture_same_bytes(void **state)
 static void test_svg_keeps_letters(void **state)
 {
     (void)state;
-    static const char *const outputs[] = {"image: t.svg, caption: \"*F*_{max} < 2 & more\"", "image: t.svg, outlines: true"};
+    static const char *const outputs[] = {"image: t.svg, caption: \"*F*_{max} < 2 & more<u>U</u><s>S</s>\"",
+                                          "image: t.svg, outlines: true"};
     char path[512];
     in_directory("t.svg", path, sizeof path);
     for (int outlines = 0; outlines < 2; outlines++) {
@@ -394,6 +395,8 @@ static void test_svg_keeps_letters(void **state)
         assert_int_equal(strstr(svg, "<use xlink:href=\"#glyph") != NULL, outlines);
         if (!outlines) {
             assert_non_null(strstr(svg, "&lt; 2 &amp; more</tspan>"));
+            assert_non_null(strstr(svg, " text-decoration=\"underline\">U</tspan>"));
+            assert_non_null(strstr(svg, " text-decoration=\"line-through\">S</tspan>"));
             assert_true(strstr(svg, "<text ") > strstr(svg, "<image"));
         }
         assert_string_equal(svg + length - 7, "</svg>\n");
