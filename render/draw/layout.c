@@ -65,19 +65,27 @@ static double px_of_share(const struct bead_lanes *l, double room)
     return shares > 0 ? fmax(0, room) / shares : 0;
 }
 
-/* Gives lanes that would get less than their least that much; or, if not `least`, lanes that would get more than their most. True:
- * there was one. */
-static bool close_some(struct bead_lanes *l, double room, bool least)
+/* What a lane gets of `part` px. */
+static double within(const struct bead_lane *lane, double part)
 {
-    double px = px_of_share(l, room);
+    return part < lane->least ? ceil(lane->least) : lane->most > 0 && down(part) > lane->most ? down(lane->most) : part;
+}
+
+/* Gives open lanes that would get less than their least that much, or those that would get more than their most: those first of
+ * which the others get more room, or less, in all (as lines of CSS's flexible boxes). True: there was one. */
+static bool close_some(struct bead_lanes *l, double room)
+{
+    const double px = px_of_share(l, room);
+    double over = 0;
     bool any = false;
+    for (size_t i = 0; i < l->count; i++)
+        over += is_open(&l->lane[i]) ? within(&l->lane[i], px * l->lane[i].share) - px * l->lane[i].share : 0;
     for (size_t i = 0; i < l->count; i++) {
         struct bead_lane *lane = &l->lane[i];
-        double part = px * lane->share;
-        bool beyond = least ? part < lane->least : lane->most > 0 && down(part) > lane->most;
-        if (!is_open(lane) || !beyond)
+        const double part = px * lane->share, size = is_open(lane) ? within(lane, part) : part;
+        if (size == part || (over > 0 ? size < part : over < 0 && size > part))
             continue;
-        lane->size = least ? ceil(lane->least) : down(lane->most);
+        lane->size = size;
         any = true;
     }
     return any;
@@ -89,7 +97,7 @@ static double size_lanes(struct bead_lanes *l)
     double room = l->length - bead_lanes_fixed(l), px;
     for (size_t i = 0; i < l->count; i++)
         l->lane[i].size = l->lane[i].share > 0 ? NAN : ceil(l->lane[i].least);
-    while (close_some(l, room, true) || close_some(l, room, false))
+    while (close_some(l, room))
         ;
     px = px_of_share(l, room);
     for (size_t i = 0; i < l->count; i++) {

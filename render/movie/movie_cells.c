@@ -278,14 +278,15 @@ static double least_height(const struct bead_cells *c, size_t view)
     return fmax(c->level->least_px, least[has(c, view, BEAD_SHOWS_BEADS) ? 0 : 2] * em);
 }
 
-/* The most height of curves and bars, in widths. On phones, where no image takes the rest of the room, they are as high as wide. */
+/* The most height of curves and bars. On phones, where no image takes the rest of the room, they are as high as the frame is wide.
+ */
 static double most_of_curve(const struct bead_cells *c, const struct column *column, size_t view)
 {
     bool image = false;
     for (size_t i = 0; i < column->count; i++)
         image = image || has(c, column->view[i], BEAD_SHOWS_IMAGE);
-    const double most = c->wants->views[view]->info->movie_most;
-    return !image && c->wants->height > c->wants->width ? fmax(1, most) : most;
+    const double most = c->wants->views[view]->info->movie_most * width_of(c, 0);
+    return !image && c->wants->height > c->wants->width ? fmax(c->wants->width, most) : most;
 }
 
 static double most_height(const struct bead_cells *c, const struct column *column, size_t view)
@@ -296,7 +297,7 @@ static double most_height(const struct bead_cells *c, const struct column *colum
     if (!c->level->words || has(c, view, BEAD_SHOWS_IMAGE))
         return INFINITY;
     if (!has(c, view, BEAD_SHOWS_BEADS))
-        return fmax(most_of_curve(c, column, view) * width_of(c, 0), least_height(c, view));
+        return fmax(most_of_curve(c, column, view), least_height(c, view));
     double bead = w->bead_height * width_of(c, 0) / w->width, names = w->sensors || labels_window(c, column, view) ? 1.35 * em : 0;
     double most = moves(c, view) ? names + fmax(1.3 * bead, bead + w->look->gap) : info->movie_most * width_of(c, 0) + 1.6 * em;
     return fmax(bead_cells_whole(most), least_height(c, view));

@@ -398,7 +398,8 @@ static void test_bars_on_phones(void **state)
     assert_true(was_below && !begins_below);
 }
 
-/* Where no image takes the room of a phone, curves and bars do: nothing is left empty below them. */
+/* Where no image takes the room of a phone, curves and bars do: nothing is left empty below them. In four columns they
+ * are as high as the frame is wide. */
 static void test_curves_fill_phones(void **state)
 {
     (void)state;
@@ -418,6 +419,15 @@ static void test_curves_fill_phones(void **state)
         if (left > 3 * look.gap || curve.height <= 0.5 * curve.width || curve.height <= bars.height)
             fail_msg("%d x %d: %g px are empty below a curve of %d and bars of %d", w.width, w.height, left, curve.height,
                      bars.height);
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+        w.chain_count = 4;
+        w.layout = BEAD_LAYOUT_COLUMNS;
+        w.view_count = 2;
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        const struct bead_rect *narrow = found.chains[3].plot;
+        if (narrow[1].y + narrow[1].height - narrow[0].y < 0.6 * w.height)
+            fail_msg("%d x %d: the curves of four columns are %d high", w.width, w.height, narrow[1].height);
         check(&w, &found);
         bead_movie_layout_free(&found);
     }

@@ -85,6 +85,11 @@ static void test_wants_have_an_order(void **state)
     three.length = 451;
     assert_true(bead_lanes_divide(&three)); /* not a pixel more is needed */
     assert_true(lane[1].size == 0);
+    lane[0] = (struct bead_lane){.share = 1, .most = 10};
+    lane[1] = (struct bead_lane){.share = 1, .least = 60};
+    struct bead_lanes two = lanes_of(lane, 2, 100);
+    assert_true(bead_lanes_divide(&two));
+    assert_true(lane[0].size == 10 && lane[1].size == 90); /* what the first leaves, nothing is empty */
 }
 
 /* Labels and gaps are not plots. */
