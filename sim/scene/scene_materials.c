@@ -45,8 +45,8 @@ static const struct bead_option rows[] = {
     {"yield", BEAD_OPTION_NUMBER, offsetof(struct written, yield), .unit = "Pa", .low = 0, .high = 1e15, .open = BEAD_OPEN_LOW,
      .help = "yield strength: a run says by how much the pressure between beads exceeds it, and warns where they would be plastic",
      .example = "1 GPa"},
-    {"colour", BEAD_OPTION_CUSTOM, .initial = "#9aa4b2", .shape = "\"#rrggbb\"", .like = "text", .read = read_colour,
-     .help = "colour in pictures", .example = "\"#c08040\""},
+    {"colour", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "\"#rrggbb\"", .like = "text", .read = read_colour,
+     .help = "colour in pictures; auto: one that differs from those of the materials before it", .example = "\"#c08040\""},
     {"label", BEAD_OPTION_TEXT, offsetof(struct written, label), .initial = "",
      .help = "what pictures call it; default: its name, as words: large steel. A wall of it has the label up to the first comma",
      .example = "\"steel, 4.76 mm\""},
@@ -61,18 +61,27 @@ static const struct bead_option rows[] = {
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
                                                    BEAD_OPTIONS(rows), NULL, NULL};
 
+/* Of a scene's materials in turn, as unlike in lightness as in hue: grey, plum, sand, green, rust. */
+static const unsigned long auto_colours[] = {0x9aa4b2, 0x5d5468, 0xd8c7a8, 0x4a8a78, 0x8f4f45};
+
+static void set_colour(struct written *written, unsigned long rgb)
+{
+    for (int i = 0; i < 3; i++)
+        written->colour[i] = (double)(rgb >> (16 - 8 * i) & 255) / 255;
+}
+
 static BEAD_OPTION_READER(read_colour)
 {
     struct written *written = settings;
     char shown[64];
     const char *text = NULL;
     BEAD_TRY(bead_read_scalar(reader, at, option->shape, &text));
+    if (strcmp(text, "auto") == 0) /* read_one has set it */
+        return BEAD_OK;
     if (text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
         return bead_wrong(reader, at, "is %s; must be %s, with two hexadecimal digits each for red, green and blue",
                           bead_node_show(at->node, shown, sizeof shown), option->shape);
-    unsigned long rgb = strtoul(text + 1, NULL, 16);
-    for (int i = 0; i < 3; i++)
-        written->colour[i] = (double)(rgb >> (16 - 8 * i) & 255) / 255;
+    set_colour(written, strtoul(text + 1, NULL, 16));
     return BEAD_OK;
 }
 
@@ -139,9 +148,11 @@ static enum bead_error add_material(struct bead_reader *reader, const char *name
     return BEAD_OK;
 }
 
-static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at)
+/* Reads material `number` of the list. */
+static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at, size_t number)
 {
     struct written written = {0};
+    set_colour(&written, auto_colours[number % (sizeof auto_colours / sizeof *auto_colours)]);
     BEAD_TRY(bead_check_text(reader, at, at->key));
     if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0)
         return bead_wrong(reader, at, "cannot be the name of a material; must not be `none` or `rigid`");
@@ -164,7 +175,7 @@ BEAD_OPTION_READER(bead_scene_read_materials)
     enum bead_error err = BEAD_OK, kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i + 1 < at->node->count; i += 2) {
         struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
-        err = read_one(reader, &one);
+        err = read_one(reader, &one, i / 2);
     }
     return kept;
 }

@@ -739,6 +739,26 @@ static void the_key_shows_light(void **state)
     close_view(&s);
 }
 
+/* Materials without a colour of their own are told apart by all eyes, as curves are. */
+static void own_materials_differ(void **state)
+{
+    (void)state;
+    enum { OWN = 5 };
+    struct bead_scene *scene =
+        parse("materials: {a: &m {modulus: 1 GPa, poisson: 0.3}, b: *m, c: *m, d: *m, e: *m}\n" BEADS OUTPUTS);
+    const struct bead_material *own = scene->materials + scene->material_count - OWN;
+    for (int i = 0; i < EYES_KINDS * OWN * OWN; i++) {
+        const int one = i / OWN % OWN, two = i % OWN;
+        double lab[2][3];
+        eyes_lab((enum eyes)(i / OWN / OWN), own[one].colour, lab[0]);
+        eyes_lab((enum eyes)(i / OWN / OWN), own[two].colour, lab[1]);
+        if (one != two && !(eyes_difference(lab[0], lab[1]) >= 12))
+            fail_msg("eyes %d: %s and %s differ by %.1f", i / OWN / OWN, own[one].name, own[two].name,
+                     eyes_difference(lab[0], lab[1]));
+    }
+    bead_scene_free(scene);
+}
+
 /* A neighbour hides light of contacts from a bead, here more and there less, and gives none. */
 static void neighbours_hide_light(void **state)
 {
@@ -861,6 +881,7 @@ int main(void)
         cmocka_unit_test(beads_are_large),
         cmocka_unit_test(the_key_light_is_heard),
         cmocka_unit_test(the_key_shows_light),
+        cmocka_unit_test(own_materials_differ),
         cmocka_unit_test(neighbours_hide_light),
         cmocka_unit_test(stages_are_transparent),
         cmocka_unit_test(walls_are_mirrored),
