@@ -376,13 +376,13 @@ void bead_markup(const char *text, char *out, size_t size)
         bead_text_escape(text, out, size);
 }
 
-void bead_markup_plain(const char *text, char *out, size_t size)
+bool bead_markup_plain(const char *text, char *out, size_t size)
 {
     BEAD_FREED char *markup = bead_markup_new(text);
     char *plain = NULL;
-    if (size == 0)
-        return;
-    if (!markup || !pango_parse_markup(markup, -1, 0, NULL, &plain, NULL, NULL))
+    if (!markup || size == 0)
+        return markup != NULL;
+    if (!pango_parse_markup(markup, -1, 0, NULL, &plain, NULL, NULL))
         plain = g_strdup(text);
     size_t used = 0;
     for (const char *at = plain, *next; *at; at = next) {
@@ -395,6 +395,7 @@ void bead_markup_plain(const char *text, char *out, size_t size)
     }
     out[used] = '\0';
     g_free(plain);
+    return true;
 }
 
 char *bead_markup_new(const char *text)

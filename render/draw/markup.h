@@ -4,6 +4,7 @@
  * sup. Greek and signs are UTF-8. */
 #pragma once
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* The symbol of a quantity in Pango markup. */
@@ -17,8 +18,9 @@ void bead_markup(const char *text, char *out, size_t size);
 char *bead_markup_new(const char *text);
 /* Bytes of what two tags enclose, with these, where the first is here; else 0. Lines are not broken within. */
 size_t bead_markup_tagged(const char *text);
-/* The text as it is read, without marks: for chapters, subtitles and those who do not see. Cut where it is too long. */
-void bead_markup_plain(const char *text, char *out, size_t size);
+/* The text as it is read, without marks: for chapters, subtitles and those who do not see. Cut where it is too long.
+ * false: out of memory. */
+bool bead_markup_plain(const char *text, char *out, size_t size);
 /* Quotes plain text, such as names with a `_`, so that bead_markup shows it as it is. Too long a text is cut between characters. */
 void bead_markup_quote(const char *text, char *out, size_t size);
 /* Single letters are symbols of quantities: "x" to "*x*", "u uₓ = 0" to "*u* *uₓ* = 0"; the article a stays, and so does

@@ -43,8 +43,8 @@ static void add_stops(const struct bead_film *film, struct bead_movie_notes *not
     }
 }
 
-/* Chapters begin with the captions and at the stops. */
-static void fill(const struct bead_film *film, struct bead_movie_notes *notes)
+/* Chapters begin with the captions and at the stops. false: out of memory. */
+static bool fill(const struct bead_film *film, struct bead_movie_notes *notes)
 {
     const struct bead_movie_asked *movie = &film->output->movie;
     const char *title = film->context.scene->title;
@@ -57,12 +57,14 @@ static void fill(const struct bead_film *film, struct bead_movie_notes *notes)
         if (notes->chapter_count == 0 && span[0] > 0)
             notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){0, title[0] ? title : "Beginning"};
         size_t size = strlen(movie->captions[i].text) + 1;
-        bead_markup_plain(movie->captions[i].text, text, size);
+        if (!bead_markup_plain(movie->captions[i].text, text, size))
+            return false;
         notes->chapters[notes->chapter_count++] = (struct bead_movie_chapter){span[0], text};
         notes->subtitles[notes->subtitle_count++] = (struct bead_movie_subtitle){span[0], span[1], text};
         text += size;
     }
     add_stops(film, notes);
+    return true;
 }
 
 /* One subtitle after the other about each chain; their words come with the end of the film. */
@@ -113,9 +115,8 @@ enum bead_error bead_movie_notes_make(const struct bead_film *film, struct bead_
 {
     *notes = (struct bead_movie_notes){.comment = NULL};
     BEAD_TRY(bead_origin_text(NULL, film->context.scene->text, &notes->comment, msg));
-    if (!reserve(film, notes))
+    if (!reserve(film, notes) || !fill(film, notes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the notes of a movie");
-    fill(film, notes);
     return BEAD_OK;
 }
 

@@ -10,6 +10,8 @@
 
 #include "beadreel/view.h"
 #include "render/draw/markup.h"
+#include "tests/missing.h"
+#include "tests/torture/fail_alloc.h"
 
 static void test_markup(void **state)
 {
@@ -218,6 +220,11 @@ static void symbols_are_single_letters(void **)
     }
 }
 
+static void write_plain(const char *text, char *out, size_t size)
+{
+    assert_true(bead_markup_plain(text, out, size));
+}
+
 /* Quoted, escaped and plain texts are cut between characters, and end within their room. */
 static void texts_are_cut_between_characters(void **)
 {
@@ -230,7 +237,7 @@ static void texts_are_cut_between_characters(void **)
         const size_t count = kind == 2 ? 3 : 4;
         void (*const write)(const char *, char *, size_t) = kind == 0   ? bead_markup_quote
                                                             : kind == 1 ? bead_text_escape
-                                                                        : bead_markup_plain;
+                                                                        : write_plain;
         for (size_t i = 0; i < count; i++) {
             const char *const *row = kind == 0 ? quoted[i] : kind == 1 ? escaped[i] : plain[i];
             size_t last = 0;
@@ -249,6 +256,21 @@ static void texts_are_cut_between_characters(void **)
     }
 }
 
+/* Where memory is short, no marks are taken for words. */
+static void plain_text_needs_memory(void **)
+{
+#ifdef FAIL_ALLOC_SANITIZED
+    skip_without("a build without sanitizers");
+#endif
+    char out[16] = "";
+    long kept;
+    fail_alloc_begin(1);
+    const bool made = bead_markup_plain("*F*_{max}", out, sizeof out);
+    assert_true(fail_alloc_end(&kept) > 0 && kept == 0);
+    assert_false(made);
+    assert_string_equal(out, "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -257,6 +279,7 @@ int main(void)
         cmocka_unit_test(marks_become_spans),
         cmocka_unit_test(symbols_are_single_letters),
         cmocka_unit_test(texts_are_cut_between_characters),
+        cmocka_unit_test(plain_text_needs_memory),
     };
     return cmocka_run_group_tests_name("markup", tests, NULL, NULL);
 }

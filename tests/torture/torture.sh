@@ -287,7 +287,6 @@ fail() { # SCENE K
     (export LD_PRELOAD=$build/tests/fail_alloc.so FAIL_AT=$2; draw "$1" "$T/memory")
     local status=$?
     judge_status "allocations: $1" $status 0 1
-    [ $bad -eq 0 ] || echo "  allocation $2"
     judge_files "allocations: $1" "$T/memory" "$T/whole-$1"
     judge_left "allocations: $1" $status "$T/memory"
     if [ -e "$T/memory/sweep.h5.part" ]; then # which is there to go on from
@@ -295,6 +294,7 @@ fail() { # SCENE K
         [ ! -e "$T/memory/sweep.h5.part" ] || fault "allocations: $1" wrong "the journal of allocation $2 is of no use"
     fi
     rm -rf "$T/memory"
+    [ $bad -eq 0 ] || echo "  allocation $2"
     end
 }
 torture_allocations() {
