@@ -322,6 +322,20 @@ static cairo_t *measuring_context(void)
     return cr;
 }
 
+/* Widths and heights of texts, by thread: those who lay out ask for a few texts many times, and Pango is slow. */
+static GPrivate measured = G_PRIVATE_INIT((GDestroyNotify)g_hash_table_unref);
+enum { MOST_MEASURED = 1024 };
+
+static GHashTable *measured_texts(void)
+{
+    GHashTable *texts = g_private_get(&measured);
+    if (!texts || g_hash_table_size(texts) >= MOST_MEASURED) {
+        texts = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
+        g_private_replace(&measured, texts);
+    }
+    return texts;
+}
+
 void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height)
 {
     bead_text_size_lines(cr, style, 0, markup, width, height);
@@ -330,9 +344,19 @@ void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char
 void bead_text_size_lines(cairo_t *cr, const struct bead_text_style *style, double wrap, const char *markup, double *width,
                           double *height)
 {
-    cairo_t *used = cr ? cairo_reference(cr) : measuring_context();
-    struct laid_out text = lay_out(used, style, wrap, markup);
-    *width = text.width, *height = text.height;
-    lay_away(&text);
-    cairo_destroy(used);
+    GHashTable *texts = measured_texts();
+    char *key = g_strdup_printf("%s %a %d %a %s", style->family, style->size, style->bold, wrap, markup);
+    double *size = g_hash_table_lookup(texts, key);
+    if (size) {
+        g_free(key);
+    } else {
+        cairo_t *used = cr ? cairo_reference(cr) : measuring_context();
+        struct laid_out text = lay_out(used, style, wrap, markup);
+        size = g_new(double, 2);
+        size[0] = text.width, size[1] = text.height;
+        g_hash_table_insert(texts, key, size);
+        lay_away(&text);
+        cairo_destroy(used);
+    }
+    *width = size[0], *height = size[1];
 }
