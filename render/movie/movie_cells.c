@@ -6,6 +6,8 @@
 static const double title_line = 1.35, between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
 /* An overlaid profile's part of the height of all, and the least, with titles and without. */
 static const double overlay_part = 0.3, overlay_least[] = {1.6, 3.4};
+/* An overlaid profile takes what no cell can use, after all of these. */
+static const double last_share = 1e-6;
 /* Part of a cell's width for images at the right of other views. */
 static const double images_part = 0.64;
 /* Part of the margin that numbers may take. */
@@ -347,7 +349,8 @@ static void add_overlay(const struct bead_cells *c, bool alone, struct bead_movi
     struct bead_insets reach = {.top = above(c, view) + (alone ? heading_height(c) : 0),
                                 .bottom = (labels ? bead_cells_whole(c->wants->below_beads) : 0) +
                                           (alone ? 0 : bead_cells_whole(between_rows * c->wants->look->tick))};
-    c->grid->rows.lane[c->grid->rows.count++] = (struct bead_lane){.least = 0};
+    const double most = c->wants->views[view]->info->movie_most * c->area.width;
+    c->grid->rows.lane[c->grid->rows.count++] = (struct bead_lane){.share = last_share, .most = alone ? 0 : most};
     for (size_t i = 0; i < layout->chain_count; i++) {
         c->grid->boxes[i * c->wants->view_count + view] = (struct bead_layout_box){.columns = c->columns, .reach = reach};
         layout->chains[i].labels[view] = labels && i == 0;

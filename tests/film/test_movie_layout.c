@@ -433,6 +433,30 @@ static void test_curves_fill_phones(void **state)
     }
 }
 
+/* An overlaid curve takes what rows of beads below it do not need, alone all there is, and beside images what is left. */
+static void test_overlays_fill_frames(void **state)
+{
+    (void)state;
+    for (size_t views = 1; views < 4; views++) {
+        struct bead_look look;
+        struct bead_movie_layout found;
+        bead_look_film(&look, 1920, 1080, true, false);
+        struct bead_movie_wants w = story(&look, (const int[]){1920, 1080}, 2, BEAD_VIEW_STAGE);
+        w.layout = BEAD_LAYOUT_OVERLAY;
+        w.views[0] = bead_view_find(BEAD_VIEW_PROFILE);
+        w.views[1] = bead_view_find(BEAD_VIEW_STAGE);
+        w.view_count = views;
+        assert_int_equal(bead_movie_arrange(&w, &found, NULL), BEAD_OK);
+        const struct bead_rect *plot = found.chains[1].plot, curve = found.chains[0].plot[0];
+        const struct bead_rect lowest = views > 1 ? plot[views - 1] : curve;
+        const double empty = w.height - lowest.y - lowest.height;
+        if (curve.height < (const double[]){0.4, 0.4, 0.1}[views - 1] * w.height || empty > 0.15 * w.height)
+            fail_msg("%zu views: the curve is %d high, %g px are empty", views, curve.height, empty);
+        check(&w, &found);
+        bead_movie_layout_free(&found);
+    }
+}
+
 /* The title ends where the panels end, and both have air to the frame's edge. */
 /* Rows of beads alone are as wide as the frame allows, and their bar has its title beside the first of them. */
 static void test_beads_alone(void **state)
@@ -526,6 +550,7 @@ int main(void)
         cmocka_unit_test(test_bars_are_for_colours),
         cmocka_unit_test(test_bars_on_phones),
         cmocka_unit_test(test_curves_fill_phones),
+        cmocka_unit_test(test_overlays_fill_frames),
         cmocka_unit_test(test_beads_alone),
         cmocka_unit_test(test_titles_end_with_panels),
         cmocka_unit_test(test_too_small),
