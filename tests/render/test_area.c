@@ -210,12 +210,48 @@ static void test_large_pictures_begin_empty(void **state)
     bead_area_destroy(area);
 }
 
+/* The value of a bead in a column, all along it. */
+static double diagonal(int bead, int column)
+{
+    return bead == column % BEADS ? -(column + 1) : 0;
+}
+
+static double flash(int bead, int column)
+{
+    return column == 7 ? bead + 1 : 0;
+}
+
+/* What only a short and narrow event exceeds: of the largest of all columns, in order, the one at 95 %, or of those of all rows the
+ * one at 90 %, whichever is larger; nothing is known of nothing. */
+static void test_typical_values(void **state)
+{
+    (void)state;
+    static const struct {
+        double (*value)(int bead, int column);
+        double typical;
+    } cases[] = {{diagonal, 50}, /* columns have 1 to 53, rows 14 to 53: the 50th, and the 36th, 49 */
+                 {flash, 36}};   /* one column has 40, the others nothing; rows have 1 to 40 */
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_area *area = make_area(BEADS, BEAD_SAMPLING_AREA);
+        assert_true(isinf(bead_area_typical(area)) || bead_area_typical(area) == 0);
+        for (int k = 0; k < 2 * COLUMNS; k++) {
+            double values[BEADS];
+            for (int b = 0; b < BEADS; b++)
+                values[b] = cases[i].value(b, k / 2);
+            bead_area_feed(area, k / 2 + (k % 2 ? 1 - 1e-9 : 0), values, BEADS);
+        }
+        if (!(fabs(bead_area_typical(area) - cases[i].typical) < 1e-6))
+            fail_msg("%g, not %g", bead_area_typical(area), cases[i].typical);
+        bead_area_destroy(area);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_table_has_the_same_colours), cmocka_unit_test(test_table_has_the_same_borders),
         cmocka_unit_test(test_columns_stay_as_they_are),   cmocka_unit_test(test_images_are_of_the_columns),
-        cmocka_unit_test(test_large_pictures_begin_empty),
+        cmocka_unit_test(test_large_pictures_begin_empty), cmocka_unit_test(test_typical_values),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
