@@ -556,6 +556,46 @@ static void windows_go_along(void **state)
     close_view(&s);
 }
 
+/* Notes point at beads where they are drawn, at contacts where two beads touch, at the wall; at what is out of sight in the row. */
+static void things_are_found_where_they_are_drawn(void **state)
+{
+    (void)state;
+    const char *const chains[] = {few, unlike, many};
+    for (size_t c = 0; c < 3; c++) {
+        struct setting s;
+        struct bead_spot spot;
+        size_t below = 0;
+        open_view(&s, chains[c], BEAD_LIGHT_CONTACTS);
+        struct bead_view *v = s.view;
+        const struct bead_stage_bead *b = v->stage.beads;
+        const double rounding = (double)v->stage.unit / BEAD_STAGE_RADII + 1.0 / 32;
+        for (size_t i = 0; i < v->count; i++) {
+            assert_true(bead_stage_find(v, BEAD_NOTE_BEAD, i, &spot));
+            assert_true(spot.stage.x == v->strip.x && spot.stage.width == v->strip.width && spot.stage.y == v->strip.y + v->head &&
+                        spot.stage.y + spot.stage.height == v->strip.y + v->strip.height);
+            below += spot.below;
+            const double off = spot.below ? spot.x - v->row.x - (double)v->balls[i].x : spot.x - v->strip.x - (double)b[i].x;
+            assert_true(fabs(off) < rounding);
+            if (spot.below)
+                assert_true(spot.y == v->row.y + 0.5 * v->row.height && spot.row.width == v->row.width);
+            else /* they stand on one floor, seen from above */
+                assert_true(fabs(spot.r - (double)b[i].r) < rounding &&
+                            fabs(spot.y - v->strip.y - v->stage.centre - BEAD_STAGE_COSINE * (v->stage.unit - spot.r)) < 1e-3);
+        }
+        for (size_t i = 0; i + 1 < v->count && c < 2; i++) {
+            assert_true(bead_stage_find(v, BEAD_NOTE_CONTACT, i, &spot));
+            assert_true(fabs(spot.x - v->strip.x - 0.5 * (double)(b[i].x + b[i].r + b[i + 1].x - b[i + 1].r)) < 2 * rounding);
+            assert_true(fabs(spot.r - fmin((double)b[i].r, (double)b[i + 1].r)) < rounding);
+        }
+        assert_true((below > 0) == (c == 2) && !bead_stage_find(v, BEAD_NOTE_BEAD, v->count, &spot));
+        assert_false(bead_stage_find(v, BEAD_NOTE_FRONT, 0, &spot)); /* nothing has moved */
+        assert_int_equal(bead_stage_find(v, BEAD_NOTE_WALL, 0, &spot), v->wall);
+        assert_true(!v->wall || c == 2 || fabs(spot.x - v->strip.x - (double)v->stage.wall.x) < rounding);
+        assert_false(bead_stage_find(v, BEAD_NOTE_CONTACT, v->contacts, &spot));
+        close_view(&s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -573,6 +613,7 @@ int main(void)
         cmocka_unit_test(neighbours_are_parted_where_they_touch),
         cmocka_unit_test(the_row_marks_what_is_on_the_stage),
         cmocka_unit_test(windows_go_along),
+        cmocka_unit_test(things_are_found_where_they_are_drawn),
     };
     return cmocka_run_group_tests_name("stage view", tests, NULL, NULL);
 }
