@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What films write over their views, as numbers: clock, captions, notes with their boxes and tips, races, progress. */
+#include <math.h>
+
+#include "render/draw/looks.h"
+#include "render/movie/composer_private.h"
+#include "strokes.h"
+#include "tests/scenes.h"
+#include "tests/texts.h"
+
+enum { WIDTH = 640, HEIGHT = 360, CHAINS = 2, ROOM = 64 };
+static const double span = 1.2e-3;
+
+struct film {
+    struct bead_scene *scene;
+    struct bead_chain *chains[CHAINS];
+    struct bead_composer *composer;
+    struct texts texts;
+    struct bead_text_watch watch;
+    double before; /* the last time drawn */
+};
+
+static void require(enum bead_error err, const struct bead_message *msg)
+{
+    if (err)
+        fail_msg("%s", msg->text);
+}
+
+static void open_film(struct film *f, const char *chains, const char *output)
+{
+    struct bead_message msg = {""};
+    char text[1500];
+    snprintf(text, sizeof text, "title: A film\nsimulate: {until: 1.2 ms}\n%s\noutputs: [{movie: m.mp4, size: [%d, %d], %s}]\n",
+             chains, WIDTH, HEIGHT, output);
+    *f = (struct film){.scene = parse(text), .watch = {texts_note, &f->texts}};
+    for (size_t i = 0; i < f->scene->chain_count; i++)
+        require(bead_chain_create(f->scene, i, &f->chains[i], &msg), &msg);
+    const struct bead_composer_setup setup = {.output = &f->scene->outputs[0],
+                                              .chains = (const struct bead_chain *const *)f->chains,
+                                              .chain_count = f->scene->chain_count,
+                                              .title = f->scene->title,
+                                              .width = WIDTH,
+                                              .height = HEIGHT,
+                                              .time = {0, span},
+                                              .step = 2e-6,
+                                              .range = {0, 45},
+                                              .scene = f->scene,
+                                              .canvas = "plain",
+                                              .tolerance_factor = 1,
+                                              .watch = &f->watch};
+    require(bead_composer_create(&setup, &f->composer, &msg), &msg);
+    require(bead_composer_open(f->composer, &msg), &msg);
+}
+
+static void close_film(struct film *f)
+{
+    bead_composer_close(f->composer);
+    bead_composer_destroy(f->composer);
+    for (size_t i = 0; i < f->scene->chain_count; i++)
+        bead_chain_destroy(f->chains[i]);
+    bead_scene_free(f->scene);
+}
+
+/* A step of compression at contact `at` of a chain, as it goes. */
+static void feed(struct film *f, size_t chain, double at, double time)
+{
+    struct bead_message msg = {""};
+    double u[ROOM], force[ROOM], none[ROOM] = {0};
+    struct bead_sample sample = {.chain = chain, .time = time, .active = bead_chain_beads(f->chains[chain])};
+    for (int i = 0; i < ROOM; i++)
+        u[i] = 1e-5 / (1 + exp(i - at));
+    for (int i = 0; i < ROOM; i++)
+        force[i] = i + 1 < ROOM ? 1.6e7 * (u[i] - u[i + 1]) : 0;
+    for (size_t k = 0; k < BEAD_FIELD_COUNT; k++)
+        sample.field[k] = none;
+    sample.field[BEAD_FIELD_DISPLACEMENT] = u;
+    sample.field[BEAD_FIELD_CONTACT_FORCE] = sample.field[BEAD_FIELD_FORCE] = force;
+    require(bead_composer_feed(f->composer, &sample, &msg), &msg);
+}
+
+static void draw(struct film *f, double time)
+{
+    struct bead_message msg = {""};
+    struct bead_changes changes = {0};
+    f->texts.count = 0;
+    strokes_begin();
+    require(bead_composer_draw(f->composer, time, &changes, &msg), &msg);
+    strokes.on = false;
+}
+
+static const struct text *find(const struct texts *texts, const char *words)
+{
+    for (size_t i = 0; i < texts->count; i++) {
+        if (strstr(texts->text[i].markup, words))
+            return &texts->text[i];
+    }
+    return NULL;
+}
+
+/* A text in the middle of the height of its place. */
+static bool in_the_middle(const struct text *text, double top, double height)
+{
+    return fabs(text->y + text->height / 2 - top - height / 2) < 0.12 * text->height;
+}
+
+/* ---- words in their lines ---- */
+
+/* The clock says the time; a caption is there from its first moment until its last; the line below has gone so far as the film. */
+static void words_are_in_their_lines(void **)
+{
+    static struct film f;
+    open_film(&f, "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 8}]}",
+              "captions: [{at: 0.2 ms, until: 0.6 ms, text: first words}, {at: 0.8 ms, text: other words}]");
+    const struct bead_movie_layout *l = &f.composer->layout;
+    const struct bead_look *look = &f.composer->look;
+    const int high = (int)fmax(2, 2 * look->line);
+    for (int k = 0; k <= 12; k++) {
+        const double time = 1e-4 * k;
+        char clock[32];
+        feed(&f, 0, 0.8 * k, time);
+        draw(&f, time);
+        snprintf(clock, sizeof clock, "%.3f", 0.1 * k);
+        const struct text *said = find(&f.texts, clock);
+        assert_true(said && fabs(said->x - l->time.x) < 3 && in_the_middle(said, l->time.y, l->time.height));
+        assert_true((find(&f.texts, "first words") != NULL) == (k == 2) && (find(&f.texts, "other words") != NULL) == (k == 8));
+        const struct text *caption = find(&f.texts, "words");
+        if (caption)
+            assert_true(caption->y >= l->caption.y - 1 && caption->y + caption->height <= l->caption.y + l->caption.height + 1 &&
+                        fabs(caption->x + caption->width / 2 - (l->caption.x + l->caption.width / 2.0)) < 2);
+        const struct bead_frame *frame = bead_composer_frame(f.composer);
+        for (int y = HEIGHT - high - 1; y < HEIGHT; y++) {
+            int passed = 0;
+            for (int x = 0; x < WIDTH; x++) {
+                const uint8_t *p = frame->pixels + (size_t)y * frame->stride + 4 * (size_t)x;
+                passed += fabs(p[0] - 255 * look->accent.b) < 2 && fabs(p[2] - 255 * look->accent.r) < 2;
+            }
+            assert_int_equal(passed, y < HEIGHT - high ? 0 : (int)lround(WIDTH * k / 12.0));
+        }
+    }
+    close_film(&f);
+}
+
+/* ---- notes ---- */
+
+/* A note is a box around its words, below the beads, at the lower edge of the stage; from its upper edge a tip points at its bead,
+ * whose foot is half as wide as the box is high. */
+static void notes_are_boxes_with_tips(void **)
+{
+    for (int arrow = 0; arrow < 2; arrow++) {
+        static struct film f;
+        char output[200];
+        snprintf(output, sizeof output, "magnify: 1, notes: [{at: 0.1 ms, until: 0.5 ms, bead: 5, text: here it is%s}]",
+                 arrow ? "" : ", arrow: false");
+        open_film(&f, "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 9}]}", output);
+        const struct bead_look *look = &f.composer->look;
+        const double type = 0.85 * look->label, high = round(1.4 * type);
+        for (int k = 0; k < 7; k++) {
+            feed(&f, 0, 0, 1e-4 * k);
+            draw(&f, 1e-4 * k);
+            const struct text *said = find(&f.texts, "here it is");
+            assert_true((said != NULL) == (k >= 1 && k < 5));
+            assert_int_equal(bead_composer_notes(f.composer)->count, said != NULL);
+            if (!said)
+                continue;
+            const struct bead_note_box *box = &bead_composer_notes(f.composer)->box[0];
+            struct bead_spot spot;
+            assert_true(f.composer->wants.views[0]->find(f.composer->views[0], BEAD_NOTE_BEAD, 5, &spot));
+            assert_at(box->height, high);
+            assert_at(box->y + high, spot.stage.y + spot.stage.height - 1);
+            assert_at(box->x + box->width / 2, spot.x);
+            assert_at(box->tip_x, spot.x);
+            assert_true(box->tip_y < box->y && box->tip_y <= spot.y + 0.55 * spot.r + 1e-6 && box->tip_y > spot.y - spot.r);
+            assert_true(fabs(said->x - box->x - 0.5 * type) < 3 && fabs(box->width - said->width - type) < 2);
+            assert_true(in_the_middle(said, box->y, high));
+            size_t shapes = 0;
+            for (size_t i = 0; i + 1 < strokes.count; i++) {
+                const struct stroke *fill = &strokes.list[i], *edge = &strokes.list[i + 1];
+                if (!stroke_has(fill, true, look->background) || !stroke_has(edge, false, look->accent))
+                    continue;
+                assert_bounds(fill, box->x, arrow ? box->tip_y : box->y, box->x + box->width, box->y + high);
+                assert_bounds(edge, box->x, arrow ? box->tip_y : box->y, box->x + box->width, box->y + high);
+                assert_at(edge->width, look->line);
+                int foot = 0;
+                for (size_t p = 0; p < fill->count; p++)
+                    foot += fabs(fill->at[p].y - box->y) < 0.02 && fabs(fabs(fill->at[p].x - spot.x) - 0.25 * high) < 0.02;
+                assert_int_equal(foot, arrow ? 2 : 0);
+                shapes++;
+            }
+            assert_int_equal(shapes, 1);
+        }
+        close_film(&f);
+    }
+}
+
+/* The chain whose wave leads says by how many beads. */
+static void races_say_who_leads(void **)
+{
+    static const struct {
+        double at[2]; /* contacts */
+        const char *words;
+    } moments[] = {{{4, 4}, NULL}, {{7, 5}, "2 beads ahead"}, {{8, 7}, "1 bead ahead"}, {{9, 12}, "3 beads ahead"}};
+    static struct film f;
+    open_film(&f,
+              "chains:\n  - {name: A, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 24}]}\n"
+              "  - {name: B, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 24}]}\n",
+              "race: true");
+    double time = 0;
+    for (size_t m = 0; m < 4; m++) {
+        for (int k = 0; k <= 20; k++, time += 2e-6) {
+            for (size_t c = 0; c < 2; c++) {
+                const double before = m ? moments[m - 1].at[c] : 0;
+                feed(&f, c, before + (moments[m].at[c] - before) * k / 20, time);
+            }
+            draw(&f, time);
+        }
+        const struct text *said = find(&f.texts, "ahead");
+        if (moments[m].words && (!said || !strstr(said->markup, moments[m].words)))
+            fail_msg("moment %zu: %s, not %s", m, said ? said->markup : "nothing", moments[m].words);
+        assert_true(moments[m].words || !said);
+        const size_t leads = moments[m].at[1] > moments[m].at[0];
+        const struct bead_rect *plot = f.composer->layout.chains[leads].plot;
+        assert_true(!said || (said->y > plot->y && said->y < plot->y + plot->height));
+    }
+    close_film(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(words_are_in_their_lines),
+        cmocka_unit_test(notes_are_boxes_with_tips),
+        cmocka_unit_test(races_say_who_leads),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
