@@ -184,6 +184,7 @@ static void notes_are_boxes_with_tips(void **)
                 for (size_t p = 0; p < fill->count; p++)
                     foot += fabs(fill->at[p].y - box->y) < 0.02 && fabs(fabs(fill->at[p].x - spot.x) - 0.25 * high) < 0.02;
                 assert_int_equal(foot, arrow ? 2 : 0);
+                assert_int_equal(fill->count, 8 + (arrow ? 3 : 0)); /* four round corners */
                 shapes++;
             }
             assert_int_equal(shapes, 1);

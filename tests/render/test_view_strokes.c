@@ -321,6 +321,37 @@ static void kept_peaks_are_explained(void **)
     }
 }
 
+/* ---- images ---- */
+
+/* A pixel is enough for an image, less is none; it needs beads, and a stretch of time. */
+static void images_need_room(void **)
+{
+    struct shown s;
+    struct bead_message msg = {""};
+    const struct bead_view_type *type = bead_view_find(BEAD_VIEW_SPACETIME);
+    struct bead_colormap map;
+    require(bead_colormap_load("ember", &map, &msg), &msg);
+    open_shown(&s, SENSORS);
+    s.setup.colours.map = &map;
+    for (int i = 0; i < 4; i++) {
+        const int width = i == 1 ? 0 : 1, height = i == 2 ? 0 : 1;
+        struct bead_view *view = NULL;
+        require(type->create(&s.setup, &view, &msg), &msg);
+        assert_int_equal(type->place(view, (struct bead_rect){LEFT, TOP, width, height}, NULL, &msg),
+                         width && height ? BEAD_OK : BEAD_ERROR_UNSUPPORTED);
+        type->destroy(view);
+    }
+    for (int i = 0; i < 4; i++) {
+        struct bead_view *view = NULL;
+        s.setup.beads = (struct bead_span){3, i == 1 ? 2 : 3};
+        s.setup.time[0] = i == 2 ? s.setup.time[1] : 0;
+        const enum bead_error err = type->create(&s.setup, &view, &msg);
+        assert_int_equal(err, i == 1 || i == 2 ? BEAD_ERROR_UNSUPPORTED : BEAD_OK);
+        type->destroy(view);
+    }
+    close_shown(&s);
+}
+
 /* ---- modes ---- */
 
 /* A bar for each mode, in the middle of its share of the width; its height is its part of the first sample's energy, 1.04 at the
@@ -610,7 +641,7 @@ int main(void)
         cmocka_unit_test(bars_of_modes_have_their_energy), cmocka_unit_test(axes_are_at_their_panels),
         cmocka_unit_test(theory_is_as_fast_as_its_force),  cmocka_unit_test(sensors_of_stages_have_rings),
         cmocka_unit_test(keys_say_what_lights_up),         cmocka_unit_test(profiles_have_their_values),
-        cmocka_unit_test(kept_peaks_are_explained),
+        cmocka_unit_test(kept_peaks_are_explained),        cmocka_unit_test(images_need_room),
     };
     return cmocka_run_group_tests_name("what views draw", tests, NULL, NULL);
 }
