@@ -179,6 +179,40 @@ static void test_stills_mark_their_moment(void **state)
     release(&built, still);
 }
 
+/* Of all samples a still keeps the first one that is not before its moment, and the one before that, with all their values. */
+static void test_stills_keep_their_moment(void **state)
+{
+    (void)state;
+    static const double moments[] = {0.3, 0.3004, 0}; /* ms */
+    for (size_t m = 0; m < 3; m++) {
+        struct built built;
+        struct bead_message msg = {""};
+        char settings[200];
+        snprintf(settings, sizeof settings, "size: [700, 900], caption: c, views: [beads, profile], at: %g ms", moments[m]);
+        struct bead_still *still = make_panels(&built, settings);
+        const double every = still->panels[0].figure->grid.every;
+        for (size_t i = 0; i <= 400; i++) {
+            struct bead_sample *sample = make_sample(&built, every * (double)i);
+            sample->index = i;
+            assert_int_equal(bead_panels.feed(still, sample, &msg), BEAD_OK);
+            free_sample(sample);
+        }
+        const struct bead_cell *cell = &still->panels[0].figure->cells[0];
+        const double last = ceil(1e-3 * moments[m] / every - 1e-6) * every;
+        assert_int_equal(cell->moments, last > 0 ? 2 : 1);
+        for (size_t k = last > 0 ? 0 : 1; k < 2; k++) {
+            const double time = last - (k ? 0 : every);
+            struct bead_sample *sample = make_sample(&built, time);
+            if (!(fabs(cell->moment[k].time - time) < 1e-12))
+                fail_msg("at %g ms: sample %zu is of %.9g ms, not %.9g", moments[m], k, 1e3 * cell->moment[k].time, 1e3 * time);
+            for (size_t b = 0; b < bead_chain_beads(built.chain); b++)
+                assert_true(fabs(cell->moment[k].field[BEAD_FIELD_FORCE][b] - sample->field[BEAD_FIELD_FORCE][b]) < 1e-6);
+            free_sample(sample);
+        }
+        release(&built, still);
+    }
+}
+
 static void run_job(const char *input, const char *output)
 {
     play_counts((struct bead_job){.input = input, .output = output});
@@ -324,6 +358,7 @@ int main(void)
         cmocka_unit_test(test_labels_and_bars_are_shared),
         cmocka_unit_test(test_ranges_are_those_of_the_field),
         cmocka_unit_test(test_stills_mark_their_moment),
+        cmocka_unit_test(test_stills_keep_their_moment),
         cmocka_unit_test(test_trajectories_draw_the_same),
         cmocka_unit_test(test_panels_are_not_cut),
         cmocka_unit_test(test_profiles_are_panels),
