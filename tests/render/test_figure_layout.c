@@ -28,17 +28,11 @@ struct laid {
     struct texts texts;
 };
 
-/* A figure of the output on `area`, NULL: on its page. */
-static void lay_out(struct laid *l, size_t chains, const char *output, const struct bead_rect *area)
+/* A figure of the scene's output on `area`, NULL: on its page. */
+static void lay_out_scene(struct laid *l, const char *text, const struct bead_rect *area)
 {
-    static const char *const beads[] = {"{bead: large-steel, count: 40}", "{cell: [large-steel, aluminium], count: 20}"};
-    char text[3000];
-    size_t used = (size_t)snprintf(text, sizeof text, "title: A wave\nchains:\n");
-    for (size_t c = 0; c < chains; c++)
-        used +=
-            (size_t)snprintf(text + used, sizeof text - used, "  - {name: chain %zu, beads: [%s], wall: brass}\n", c, beads[c % 2]);
-    snprintf(text + used, sizeof text - used, "simulate: {until: 1 ms}\noutputs: [{image: a.png, %s}]\n", output);
     l->scene = parse(text);
+    const size_t chains = l->scene->chain_count;
     for (size_t c = 0; c < chains; c++) {
         assert_int_equal(bead_chain_create(l->scene, c, &l->chains[c], NULL), BEAD_OK);
         l->shown[c] = l->chains[c];
@@ -53,7 +47,20 @@ static void lay_out(struct laid *l, size_t chains, const char *output, const str
     assert_int_equal(bead_figure_create(&l->scene->outputs[0], &context, &page, &l->look, NULL, &l->figure, &msg), BEAD_OK);
     const struct bead_rect whole = {0, 0, page.width, page.height};
     if (bead_figure_put(l->figure, area ? *area : whole, &(struct bead_insets){0}, &insets, &msg))
-        fail_msg("%zu chains, %s: %s", chains, output, msg.text);
+        fail_msg("%s: %s", text, msg.text);
+}
+
+/* Of several chains. */
+static void lay_out(struct laid *l, size_t chains, const char *output, const struct bead_rect *area)
+{
+    static const char *const beads[] = {"{bead: large-steel, count: 40}", "{cell: [large-steel, aluminium], count: 20}"};
+    char text[3000];
+    size_t used = (size_t)snprintf(text, sizeof text, "title: A wave\nchains:\n");
+    for (size_t c = 0; c < chains; c++)
+        used +=
+            (size_t)snprintf(text + used, sizeof text - used, "  - {name: chain %zu, beads: [%s], wall: brass}\n", c, beads[c % 2]);
+    snprintf(text + used, sizeof text - used, "simulate: {until: 1 ms}\noutputs: [{image: a.png, %s}]\n", output);
+    lay_out_scene(l, text, area);
 }
 
 static void clear(struct laid *l)
@@ -351,11 +358,72 @@ static void pages_are_full(void **state)
     }
 }
 
+/* Headings say all, then less where there is less room: first the label goes, then M; of one chain the name rather than M, of
+ * several names are cut. All chains say the same; nothing leaves its heading. */
+static void headings_say_less_in_less_room(void **)
+{
+    static const char *const names[] = {"An ordered chain of many beads", "A disordered chain of many beads", "A chain"};
+    enum { NAME = 1, CUT = 2, M = 4, LABEL = 8 };
+    for (size_t chains = 1; chains <= 3; chains += 2) {
+        static const int levels[] = {NAME | M | LABEL, NAME | M, NAME, CUT | M, M, CUT};
+        unsigned met = 0;
+        int last = 0;
+        for (int width = 1800; width >= 170; width = width * 7 / 8) {
+            static struct laid l;
+            char text[2000];
+            size_t used = (size_t)snprintf(text, sizeof text, "chains:\n");
+            for (size_t c = 0; c < chains; c++)
+                used +=
+                    (size_t)snprintf(text + used, sizeof text - used,
+                                     "  - {name: %s, label: as the magnets say, beads: [{cell: [large-steel, aluminium], count: 6, "
+                                     "spins: \"110111\"}]}\n",
+                                     names[c]);
+            snprintf(text + used, sizeof text - used, "simulate: {until: 1 ms}\noutputs: [{image: a.png, size: [%d, 500]}]\n",
+                     width);
+            lay_out_scene(&l, text, NULL);
+            cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 16, 16);
+            const struct bead_text_watch watch = {texts_note, &l.texts};
+            assert_true(bead_text_watch(surface, &watch));
+            cairo_t *cr = cairo_create(surface);
+            for (size_t c = 0; c < chains; c++) {
+                const struct bead_cell *cell = &l.figure->cells[c];
+                int said = 0, level = 0;
+                l.texts.count = 0;
+                assert_true(bead_figure_heading(l.figure, cell, cr));
+                for (size_t i = 0; i < l.texts.count; i++) {
+                    const struct text *t = &l.texts.text[i];
+                    said |= strcmp(t->markup, names[c]) == 0               ? NAME
+                            : strstr(t->markup, " = 0.")                   ? M
+                            : strcmp(t->markup, "as the magnets say") == 0 ? LABEL
+                                                                           : CUT;
+                    assert_true(t->x >= cell->heading.x - 1 && t->x + t->width <= cell->heading.x + cell->heading.width + 1);
+                }
+                if (c > 0 && (said & NAME) && (levels[last] & CUT)) /* a short name needs no cut */
+                    said += CUT - NAME;
+                while (level < 6 && levels[level] != said)
+                    level++;
+                if (level == 6 || (c > 0 ? level != last : chains == 1 && level < last))
+                    fail_msg("%zu chains on %d px: chain %zu says %d after level %d", chains, width, c, said, last);
+                if (c == 0) {
+                    last = level;
+                    met |= 1u << level;
+                }
+            }
+            cairo_destroy(cr);
+            cairo_surface_destroy(surface);
+            clear(&l);
+        }
+        assert_int_equal(met, chains == 1 ? 0x37 : 0x3f); /* one chain has no need of its name beside M */
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pages_are_full), cmocka_unit_test(parts_stand_in_a_grid),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pages_are_full),
+                                       cmocka_unit_test(parts_stand_in_a_grid),
                                        cmocka_unit_test(texts_are_apart_and_fill_the_page),
                                        cmocka_unit_test(titles_take_all_of_their_line),
-                                       cmocka_unit_test(layouts_move_with_their_area)};
+                                       cmocka_unit_test(layouts_move_with_their_area),
+                                       cmocka_unit_test(headings_say_less_in_less_room)};
     return cmocka_run_group_tests_name("layout of figures", tests, NULL, NULL);
 }

@@ -175,6 +175,30 @@ static void test_stills_mark_their_moment(void **state)
     assert_true(abs(first - plot->y - plot->height / 2) <= 2);
     assert_true(tiles[0].plot.height <= tiles[0].type->most_height(&tiles[0].setup, tiles[0].plot.width));
     assert_true(tiles[0].plot.height < plot->height / 2);
+    /* The profile is that of the moment: a line in each column, highest at the bead with the largest force. */
+    const struct bead_rgb ink = still->look.accent, page = still->look.panel; /* the area below the line is less than half ink */
+    const double whole = pow(ink.r - page.r, 2) + pow(ink.g - page.g, 2) + pow(ink.b - page.b, 2);
+    struct bead_sample *then = make_sample(&built, 0.5e-3);
+    size_t most = 0;
+    int columns = 0, top = png.height, top_at = 0;
+    for (size_t b = 0; b < bead_chain_beads(built.chain); b++)
+        most = then->field[BEAD_FIELD_FORCE][b] > then->field[BEAD_FIELD_FORCE][most] ? b : most;
+    plot = &tiles[1].plot;
+    for (int x = plot->x; x < plot->x + plot->width; x++) {
+        int y = plot->y;
+        const uint8_t *rgb = png.rgb + 3 * ((size_t)y * (size_t)png.width + (size_t)x);
+        for (; y < plot->y + plot->height; y++, rgb += 3 * png.width)
+            if (((rgb[0] / 255.0 - page.r) * (ink.r - page.r) + (rgb[1] / 255.0 - page.g) * (ink.g - page.g) +
+                 (rgb[2] / 255.0 - page.b) * (ink.b - page.b)) > 0.6 * whole)
+                break;
+        columns += y < plot->y + plot->height;
+        top_at = y < top ? x : top_at;
+        top = y < top ? y : top;
+    }
+    const double pitch = (double)plot->width / (double)bead_chain_beads(built.chain);
+    assert_true(columns > plot->width - 1.2 * pitch);
+    assert_true(fabs(top_at + 0.5 - plot->x - ((double)most + 0.5) * pitch) < 0.5 * pitch);
+    free_sample(then);
     free(png.rgb);
     release(&built, still);
 }
