@@ -225,12 +225,45 @@ static void races_say_who_leads(void **)
     close_film(&f);
 }
 
+/* Curves in one plot are named beside samples of their lines, as long as 1.6 letters, in their colours and dashes. */
+static void names_have_samples_of_lines(void **)
+{
+    static struct film f;
+    open_film(&f,
+              "chains:\n  - {name: A, beads: [{bead: large-steel, count: 24}]}\n"
+              "  - {name: B, beads: [{bead: large-steel, count: 24}]}\n",
+              "views: [profile]");
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+    assert_true(bead_text_watch(surface, &f.watch));
+    cairo_t *cr = cairo_create(surface);
+    for (size_t c = 0; c < CHAINS; c++) {
+        const struct bead_look *look = &f.composer->look;
+        f.texts.count = 0;
+        strokes_begin();
+        bead_composer_draw_names(f.composer, c, cr);
+        strokes.on = false;
+        const struct text *said = find(&f.texts, c ? "B" : "A");
+        const struct stroke *line = &strokes.list[0];
+        const struct bead_dashes *dashes = bead_look_dashes(c);
+        assert_true(said && strokes.count == 1 && stroke_has(line, false, bead_look_curve(look, c)));
+        assert_true(line->dashes == dashes->count &&
+                    (line->dashes == 0 || fabs(line->dash[1] - line->width * dashes->lengths[1]) < 1e-9));
+        assert_at(line->width, fmax(1.6, 1.8 * look->line));
+        assert_true(line->high[0] > line->low[0] && line->high[0] < said->x && said->x - line->high[0] < look->label);
+        assert_true(fabs(line->low[1] - said->y - said->height / 2) < 2 && line->low[1] == line->high[1]);
+    }
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    close_film(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(words_are_in_their_lines),
         cmocka_unit_test(notes_are_boxes_with_tips),
         cmocka_unit_test(races_say_who_leads),
+        cmocka_unit_test(names_have_samples_of_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -252,6 +252,46 @@ static bool passes(const struct stroke *curve, double x, double y)
     return false;
 }
 
+/* Numbers below the plot stand below their beads, of which the first and the last have half a step more; returns how many there
+ * are. */
+static size_t numbers_are_below_beads(const struct shown *s, double first, double last)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < s->seen.count; i++) {
+        char *end;
+        const double number = strtod(s->seen.text[i].markup, &end);
+        if (*end || end == s->seen.text[i].markup || s->seen.text[i].y < BOTTOM)
+            continue;
+        const double x = LEFT + (number - first + 0.5) / (last - first + 1) * WIDTH;
+        assert_true(number >= first && number <= last);
+        assert_true(fabs(s->seen.text[i].x + s->seen.text[i].width / 2 - x) < 2);
+        count++;
+    }
+    return count;
+}
+
+/* Profiles of two chains in one plot share an axis, that of both. */
+static void overlaid_profiles_share_an_axis(void **)
+{
+    struct shown s, other;
+    struct bead_message msg = {""};
+    open_shown(&s, "chain: {beads: [{bead: large-steel, count: 20}]}\noutputs: [{table: a.csv}]\n");
+    open_shown(&other, "chain: {beads: [{bead: large-steel, count: 30}]}\noutputs: [{table: a.csv}]\n");
+    s.setup.own_colour = other.setup.own_colour = true;
+    s.setup.beads = (struct bead_span){3, 17};
+    other.setup.beads = (struct bead_span){5, 27};
+    s.type = bead_view_find(BEAD_VIEW_PROFILE);
+    require(s.type->create(&s.setup, &s.view, &msg), &msg);
+    require(s.type->create(&other.setup, &other.view, &msg), &msg);
+    other.type = s.type;
+    require(s.type->overlay(s.view, other.view, &msg), &msg);
+    require(s.type->place(s.view, plot, NULL, &msg), &msg);
+    decorate(&s);
+    assert_true(numbers_are_below_beads(&s, 3, 27) >= 3);
+    close_shown(&s);
+    close_shown(&other);
+}
+
 /* The curve goes through each value in the middle of its bead's share of the width, over an area down to zero, with a dot there
  * where dots have room; of a single bead it is level, from edge to edge. */
 static void profiles_have_their_values(void **)
@@ -270,6 +310,7 @@ static void profiles_have_their_values(void **)
         open_view(&s, BEAD_VIEW_PROFILE);
         decorate(&s);
         assert_bounds(&strokes.list[1], LEFT, round(profile_y(0) - 1), RIGHT, round(profile_y(0) - 1) + 2); /* the line of zero */
+        assert_true(numbers_are_below_beads(&s, 1, (double)n) >= 1);
         values[0] = 33;
         for (size_t i = 0; i < n; i++)
             force[i] = 26 + 24 * cos((double)i);
@@ -642,6 +683,7 @@ int main(void)
         cmocka_unit_test(theory_is_as_fast_as_its_force),  cmocka_unit_test(sensors_of_stages_have_rings),
         cmocka_unit_test(keys_say_what_lights_up),         cmocka_unit_test(profiles_have_their_values),
         cmocka_unit_test(kept_peaks_are_explained),        cmocka_unit_test(images_need_room),
+        cmocka_unit_test(overlaid_profiles_share_an_axis),
     };
     return cmocka_run_group_tests_name("what views draw", tests, NULL, NULL);
 }
