@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "render/view/held.h"
 #include "render/view/profile_hold.h"
 #include "sim/chain/chain_internal.h"
 
@@ -88,8 +89,60 @@ static void test_beads_keep_their_own(void **state)
     bead_scene_free(scene);
 }
 
+/* What films take of the samples between two frames: of forces the largest, with their signs, of what swings the last; of nothing
+ * new, nothing. Only the beads in sight. */
+static void test_frames_hold_the_largest(void **state)
+{
+    (void)state;
+    enum { FIRST = 2, LAST = 5, ALL = BEADS + 2 };
+    static const unsigned fields =
+        BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY);
+    for (int open = 0; open < 2; open++) { /* to a bead, or to the end, whichever that is */
+        struct bead_scene *scene;
+        struct bead_chain *chain = chain_of("[large-steel]", &scene);
+        const size_t beads = bead_chain_beads(chain), contacts = bead_chain_contacts(chain);
+        struct bead_held *held;
+        double force[ALL], velocity[ALL];
+        assert_int_equal(bead_held_create(chain, fields, (struct bead_span){FIRST, open ? SIZE_MAX : LAST}, &held, NULL), BEAD_OK);
+        assert_null(bead_held_take(held));
+        for (int k = 0; k < 3; k++) {
+            for (int i = 0; i < ALL; i++) {
+                force[i] = k == 0 ? i : k == 1 ? (i == 3 ? -10 : 0) : 0;
+                velocity[i] = k == 0 ? -i : 1;
+            }
+            const struct bead_sample sample = {.index = 7 + (size_t)k,
+                                               .time = 0.5 * k,
+                                               .active = beads,
+                                               .field = {[BEAD_FIELD_FORCE] = force,
+                                                         [BEAD_FIELD_CONTACT_FORCE] = force,
+                                                         [BEAD_FIELD_VELOCITY] = velocity,
+                                                         [BEAD_FIELD_ENERGY] = force}};
+            bead_held_feed(held, &sample);
+            if (k == 0)
+                continue;
+            const struct bead_sample *taken = bead_held_take(held);
+            assert_true(taken && taken->index == 7 + (size_t)k && taken->time == 0.5 * k && taken->active == beads);
+            assert_null(taken->field[BEAD_FIELD_ENERGY]);
+            assert_null(taken->field[BEAD_FIELD_DISPLACEMENT]);
+            for (size_t i = FIRST; i < (open ? beads : LAST + 1); i++) {
+                const double largest = k == 2 ? 0 : i == 3 ? -10 : (double)i;
+                assert_true(taken->field[BEAD_FIELD_FORCE][i] == largest && taken->field[BEAD_FIELD_VELOCITY][i] == 1);
+                if (i < contacts)
+                    assert_true(taken->field[BEAD_FIELD_CONTACT_FORCE][i] == largest);
+            }
+            assert_null(bead_held_take(held));
+        }
+        bead_held_destroy(held);
+        assert_true(bead_held_is_needed(chain, fields, 5, 1) && !bead_held_is_needed(chain, fields, 4, 1));
+        assert_false(bead_held_is_needed(chain, BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY), 5, 1));
+        bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dimers_are_even), cmocka_unit_test(test_beads_keep_their_own)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_dimers_are_even), cmocka_unit_test(test_beads_keep_their_own),
+                                       cmocka_unit_test(test_frames_hold_the_largest)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
