@@ -417,6 +417,50 @@ static void headings_say_less_in_less_room(void **)
     }
 }
 
+/* In the line above stills the title begins where plots do, or where it has no room beside the moment at the page's margin; it is
+ * shortened there, and two letters before the moment, which ends with the line, it ends. */
+static void titles_leave_room_for_moments(void **)
+{
+    unsigned met = 0;
+    for (int width = 1600; width >= 300; width = width * 9 / 10) {
+        static struct laid l;
+        char text[600];
+        snprintf(text, sizeof text,
+                 "title: A wave through a chain of steel balls\nchain: {beads: [{bead: large-steel, count: 9}]}\nsimulate: {until: "
+                 "1 ms}\n"
+                 "outputs: [{image: a.png, views: [profile], at: 0.3 ms, size: [%d, 400]}]\n",
+                 width);
+        lay_out_scene(&l, text, NULL);
+        const struct bead_figure *f = l.figure;
+        const struct bead_rect *line = &f->line;
+        const struct bead_text_watch watch = {texts_note, &l.texts};
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1);
+        assert_true(bead_text_watch(surface, &watch));
+        cairo_t *cr = cairo_create(surface);
+        l.texts.count = 0;
+        assert_true(bead_figure_line(f, cr) && l.texts.count == 2);
+        const struct text *title = &l.texts.text[0], *moment = &l.texts.text[1];
+        const struct bead_text_style bold = {.family = l.look.family, .size = 1.2 * l.look.title, .bold = true},
+                                     plain = {.family = l.look.family, .size = l.look.label};
+        double whole, taken, height;
+        bead_text_size(NULL, &bold, l.scene->title, &whole, &height);
+        bead_text_size(NULL, &plain, moment->markup, &taken, &height);
+        const double spare = line->width - whole - taken - 2 * l.look.label, page = f->area.width - 2 * f->margin;
+        const bool at_plots = spare >= 0, cut = whole + taken + 2 * l.look.label > page;
+        if (fabs(spare) > 2) {
+            assert_true(fabs(title->x - (at_plots ? line->x : f->area.x + f->margin)) < 3);
+            assert_true(fabs(moment->x + moment->width - (at_plots ? line->x + line->width : f->area.x + f->margin + page)) < 3);
+            met |= at_plots ? 1 : cut ? 4 : 2;
+        }
+        assert_true(title->x + title->width <= moment->x - 2 * l.look.label + 3);
+        assert_true(cut || strcmp(title->markup, l.scene->title) == 0);
+        cairo_destroy(cr);
+        cairo_surface_destroy(surface);
+        clear(&l);
+    }
+    assert_int_equal(met, 7);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(pages_are_full),
@@ -424,6 +468,7 @@ int main(void)
                                        cmocka_unit_test(texts_are_apart_and_fill_the_page),
                                        cmocka_unit_test(titles_take_all_of_their_line),
                                        cmocka_unit_test(layouts_move_with_their_area),
-                                       cmocka_unit_test(headings_say_less_in_less_room)};
+                                       cmocka_unit_test(headings_say_less_in_less_room),
+                                       cmocka_unit_test(titles_leave_room_for_moments)};
     return cmocka_run_group_tests_name("layout of figures", tests, NULL, NULL);
 }
