@@ -16,8 +16,7 @@ import tap
 ASKED = 1e-4
 ROUNDING, TINY = 1e-11, 1e-14  # of the largest number in a column, that of the references; of the sums of an equation
 
-# What is given, counted, or chosen by the table: columns of any table, and of some. Of peaks and sensitivities `time_s` is none of these,
-# but has no error yet.
+# What is given, counted, or chosen by the table: columns of any table, and of some.
 PLAIN = {
     "time_s", "time", "x", "bead", "contact", "mode", "material", "sensor", "state", "note", "unit", "name", "kind", "frequency_Hz",
     "frequency", "band", "wave_number_cell_pi", "first_bead", "last_bead", "number",
@@ -27,7 +26,7 @@ WITHOUT = {
     "bands": "eigenvalues of what was given, to rounding",
     "eigenmodes": "eigenvalues of what was given, to rounding",
     "fit": "of another kind: its standard errors are those of what was measured",
-    "sensitivities": {"peak_force_N": "the table of peaks says it"},
+    "sensitivities": {"peak_force_N": "the table of peaks says it", "time_s": "as well"},
     "dispersion": {"exact_Hz": "an eigenvalue, to rounding", "found_Hz": "a line of the spectrum: as far apart as these are"},
     "spreading": {"gamma_error": "a standard error", "eta_error": "a standard error"},
 }
@@ -111,9 +110,10 @@ def pairs(show, header):
     without = WITHOUT.get(show, {})
     found, missing = [], []
     for c, name in enumerate(header):
-        if isinstance(without, str) or name in PLAIN or name in without or "uncertainty" in name:
+        own = name + "_uncertainty"
+        if isinstance(without, str) or (name in PLAIN and own not in header) or name in without or "uncertainty" in name:
             continue
-        of_all = [u for u, other in enumerate(header) if other in (name + "_uncertainty", "uncertainty", "uncertainty_N")]
+        of_all = [header.index(other) for other in (own, "uncertainty", "uncertainty_N") if other in header]
         if of_all:
             found.append((c, of_all[0]))
         else:

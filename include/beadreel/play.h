@@ -76,9 +76,10 @@ struct bead_outcome {
     double embedded_error; /* of a velocity: a step against the embedded method of lower order, away from contacts that open or
                               close */
     double event_error;    /* of a velocity: the last correction of a contact that opens or closes */
-    const struct bead_peak *contact_peaks;                /* [contacts], NULL where not asked */
-    const struct bead_peak *bead_peaks;                   /* [beads], NULL where not asked */
-    const double *contact_uncertainty, *bead_uncertainty; /* N, of these; NULL where not asked */
+    const struct bead_peak *contact_peaks;                          /* [contacts], NULL where not asked */
+    const struct bead_peak *bead_peaks;                             /* [beads], NULL where not asked */
+    const double *contact_uncertainty, *bead_uncertainty;           /* N, of these; NULL where not asked */
+    const double *contact_time_uncertainty, *bead_time_uncertainty; /* s, of their times; likewise */
     double predictable_until; /* s: time of the first peak that is not predictable; INFINITY: all are; 0: not asked */
     const double *contact_deviation, *bead_deviation; /* N, standard deviations of these; NULL where not asked */
     const bool *contact_rivalled, *bead_rivalled;     /* with these: may another maximum be the highest? */

@@ -39,7 +39,8 @@ static const struct bead_option table_rows[] = {
          "(N/m) and modulus (N/Pa) of every bead, the two others kept, and by the velocity of the striker (N s/m)"},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help =
-         "tables of peaks: a column that says how well each is known, from a second, coarser run, and where many peaks answer "
+         "tables of peaks: columns that say how well each and its time are known, from a second, coarser run, and where many peaks "
+         "answer "
          "strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, and so "
          "do those that come later and are not known as well as asked, and all that a later maximum may overtake. Tables "
          "of sensors, measures, modes, the energy, extremes, profiles, spreading, spectra and sensitivities: columns with five "

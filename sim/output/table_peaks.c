@@ -22,16 +22,17 @@ static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
 
 static void peaks_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s%s\n", sink->context.chain_count > 1 ? "chain," : "",
+    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s%s%s\n", sink->context.chain_count > 1 ? "chain," : "",
             sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead",
             sink->output->curves.uncertainty ? ",uncertainty_N" : "",
-            bead_scene_tolerances(sink->context.scene) ? ",deviation_N" : "");
+            bead_scene_tolerances(sink->context.scene) ? ",deviation_N" : "",
+            sink->output->curves.uncertainty ? ",time_s_uncertainty" : "");
 }
 
 /* The peaks of a chain, their uncertainties and deviations; NULL: unknown, or not asked for. */
 struct listed {
     const struct bead_peak *peaks;
-    const double *uncertainty, *deviation;
+    const double *uncertainty, *time_uncertainty, *deviation;
     const bool *rivalled;
 };
 
@@ -72,6 +73,7 @@ static void write_peak(const struct bead_sink *sink, const struct listed *listed
     }
     write_column(sink->file, sink->output->curves.uncertainty, listed->uncertainty, index);
     write_column(sink->file, bead_scene_tolerances(sink->context.scene), listed->deviation, index);
+    write_column(sink->file, sink->output->curves.uncertainty, listed->time_uncertainty, index);
     fputc('\n', sink->file);
 }
 
@@ -81,9 +83,11 @@ static void peaks_end(struct bead_sink *sink, const struct bead_outcome *outcome
     for (size_t c = 0; outcomes && c < sink->context.chain_count; c++) {
         const struct bead_chain *chain = sink->context.chains[c];
         const struct bead_outcome *o = &outcomes[c];
-        const struct listed listed =
-            contacts ? (struct listed){o->contact_peaks, o->contact_uncertainty, o->contact_deviation, o->contact_rivalled}
-                     : (struct listed){o->bead_peaks, o->bead_uncertainty, o->bead_deviation, o->bead_rivalled};
+        const struct listed listed = contacts
+                                         ? (struct listed){o->contact_peaks, o->contact_uncertainty, o->contact_time_uncertainty,
+                                                           o->contact_deviation, o->contact_rivalled}
+                                         : (struct listed){o->bead_peaks, o->bead_uncertainty, o->bead_time_uncertainty,
+                                                           o->bead_deviation, o->bead_rivalled};
         size_t first = sink->output->shown.beads.first;
         size_t count = bead_span_rows(&sink->output->shown.beads, contacts ? bead_chain_contacts(chain) : bead_chain_beads(chain));
         for (size_t i = first; listed.peaks && i < first + count; i++) {

@@ -221,7 +221,8 @@ static enum bead_error keep(const struct compared *compared, double from, struct
 {
     struct bead_outcome *outcome = &played->outcomes[chain];
     const struct bead_peak **const peaks[2] = {&outcome->contact_peaks, &outcome->bead_peaks};
-    const double **const uncertainty[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty};
+    const double **const uncertainty[2] = {&outcome->contact_uncertainty, &outcome->bead_uncertainty},
+                         **const time[2] = {&outcome->contact_time_uncertainty, &outcome->bead_time_uncertainty};
     const double reach = bead_uncertainty_reach(compared->kinds, from);
     outcome->predictable_until = from;
     note_worst(compared->kinds, outcome);
@@ -236,6 +237,7 @@ static enum bead_error keep(const struct compared *compared, double from, struct
             (*judged)[i].unpredictable = bead_uncertainty_is_lost(&compared->of, k, i, from, reach);
         *peaks[kind] = *judged;
         *uncertainty[kind] = k->uncertainty;
+        *time[kind] = k->time_uncertainty;
     }
     return BEAD_OK;
 }
@@ -256,14 +258,19 @@ static enum bead_error compare_peaks(void *context, size_t chain, bool, struct b
     double **u = c->played->uncertainty + 2 * chain;
     const struct bead_runner *run = &c->played->runs[chain];
     for (size_t kind = 0; kind < 2; kind++)
-        BEAD_TRY(bead_new(&u[kind], count[kind], msg, "the peaks of %zu beads", count[1]));
+        BEAD_TRY(bead_new(&u[kind], 2 * count[kind], msg, "the peaks of %zu beads", count[1]));
     const double refinement = p->refinement > 0 ? p->refinement : 1;
-    struct compared compared = {
-        .of = {.accuracy = p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
-               .factor = bead_run_effective_factor(p->chains[chain], p->simulate, c->factor) / refinement,
-               .apart = bead_compare_apart(p, chain)},
-        .kinds = {{.peaks = outcome->contact_peaks, .second = bead_run_second_peaks(run->run, false), .uncertainty = u[0]},
-                  {.peaks = outcome->bead_peaks, .second = bead_run_second_peaks(run->run, true), .uncertainty = u[1]}}};
+    struct compared compared = {.of = {.accuracy = p->simulate->step > 0 ? 0 : p->simulate->accuracy * refinement,
+                                       .factor = bead_run_effective_factor(p->chains[chain], p->simulate, c->factor) / refinement,
+                                       .apart = bead_compare_apart(p, chain)},
+                                .kinds = {{.peaks = outcome->contact_peaks,
+                                           .second = bead_run_second_peaks(run->run, false),
+                                           .uncertainty = u[0],
+                                           .time_uncertainty = u[0] + count[0]},
+                                          {.peaks = outcome->bead_peaks,
+                                           .second = bead_run_second_peaks(run->run, true),
+                                           .uncertainty = u[1],
+                                           .time_uncertainty = u[1] + count[1]}}};
     const bool is_fine = compared.of.accuracy > 0 && compared.of.factor < 1;
     add_run(&c->played->comparison_runs[chain], is_fine, outcome, &compared);
     for (size_t kind = 0; kind < 2; kind++)

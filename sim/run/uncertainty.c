@@ -60,9 +60,9 @@ static const struct bead_peak *same_in(const struct bead_uncertainty_of *of, con
     return NULL;
 }
 
-/* What is not known of a peak: a part of it, and because of what happens when, s. */
+/* What is not known of a peak: a part of it, and because of what happens when, s; and how far its own time is off, s. */
 struct doubt {
-    double part, time;
+    double part, time, shift;
 };
 
 /* The doubt of peak i, if errors of maxima are `scale` times the differences to another run; none after the end of either. */
@@ -72,28 +72,40 @@ static struct doubt doubt_by(const struct bead_uncertainty_of *of, const struct 
     const struct bead_peak *peak = &p->peaks[i], *highest = &by->highest[i];
     const double largest = peak->value > 0 ? peak->value : fabs(highest->value);
     if (!(largest > 0) || (of->end > 0 && (peak->time > of->end || highest->time > of->end)))
-        return (struct doubt){0, peak->time};
+        return (struct doubt){0, peak->time, 0};
     const struct maxima run = maxima_of(of, p->peaks, p->second, i), other = maxima_of(of, by->highest, by->second, i);
     const struct bead_peak *same = same_in(of, &other, peak), *second = run.count > 1 ? run.most[1] : NULL,
                            *rival = second ? same_in(of, &other, second) : NULL;
+    const double overtakes = rival ? second->value + scale * fabs(second->value - rival->value) - peak->value : 0;
     const struct doubt doubts[] = {
-        {scale * fabs(peak->value - highest->value), fmax(peak->time, highest->time)},
-        {same ? scale * fabs(peak->value - same->value) : 0, peak->time},
-        {rival ? second->value + scale * fabs(second->value - rival->value) - peak->value : 0, rival ? second->time : peak->time}};
+        {scale * fabs(peak->value - highest->value), fmax(peak->time, highest->time),
+         same == highest ? scale * fabs(peak->time - highest->time) : fabs(peak->time - highest->time)},
+        {same ? scale * fabs(peak->value - same->value) : 0, peak->time, same ? scale * fabs(peak->time - same->time) : 0},
+        {overtakes, rival ? second->time : peak->time, overtakes > 0 ? fabs(peak->time - second->time) : 0}};
     struct doubt most = doubts[0];
-    for (size_t d = 1; d < sizeof doubts / sizeof *doubts; d++)
+    for (size_t d = 1; d < sizeof doubts / sizeof *doubts; d++) {
+        const double shift = fmax(most.shift, doubts[d].shift);
         most = doubts[d].part > most.part ? doubts[d] : most;
-    return (struct doubt){most.part / largest, most.time};
+        most.shift = shift;
+    }
+    return (struct doubt){most.part / largest, most.time, most.shift};
 }
 
-/* By how much the peak itself differs in another run, relative; NaN if that has another maximum in its place. The highest may have
- * moved, unless the run has that of the other, too. */
+/* The peak itself in another run; NULL: that has another maximum in its place. The highest may have moved, unless the run has that
+ * of the other, too. */
+static const struct bead_peak *itself_in(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p,
+                                         const struct bead_maxima *by, size_t i)
+{
+    const struct maxima run = maxima_of(of, p->peaks, p->second, i), other = maxima_of(of, by->highest, by->second, i);
+    const struct bead_peak *same = same_in(of, &other, run.most[0]);
+    return same || same_in(of, &run, other.most[0]) ? same : other.most[0];
+}
+
+/* By how much the peak itself differs in another run, relative; NaN: it is not there. */
 static double difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, const struct bead_maxima *by,
                          size_t i)
 {
-    const struct maxima run = maxima_of(of, p->peaks, p->second, i), other = maxima_of(of, by->highest, by->second, i);
-    const struct bead_peak *same = same_in(of, &other, run.most[0]),
-                           *found = same || same_in(of, &run, other.most[0]) ? same : other.most[0];
+    const struct bead_peak *found = itself_in(of, p, by, i);
     return found ? fabs(p->peaks[i].value - found->value) / p->peaks[i].value : NAN;
 }
 
@@ -101,7 +113,7 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
  * tolerance. */
 static struct doubt answer(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
 {
-    return p->coarse.highest ? doubt_by(of, p, &p->coarse, i, safety / (of->factor - 1)) : (struct doubt){0, p->peaks[i].time};
+    return p->coarse.highest ? doubt_by(of, p, &p->coarse, i, safety / (of->factor - 1)) : (struct doubt){0, p->peaks[i].time, 0};
 }
 
 bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
@@ -197,10 +209,14 @@ static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct 
     if (!(of->accuracy > 0)) /* steps of a given length: the runs differ by more than the better one is off */
         return doubt_by(of, p, &p->coarse, i, 1);
     if (!p->fine.highest)
-        return strong.part > of->accuracy ? doubt_by(of, p, &p->coarse, i, 1) : (struct doubt){0, strong.time};
+        return strong.part > of->accuracy ? doubt_by(of, p, &p->coarse, i, 1) : (struct doubt){0, strong.time, strong.shift};
     struct doubt measured = doubt_by(of, p, &p->fine, i, safety);
-    const double usual = p->coarse.highest ? ratio * difference(of, p, &p->coarse, i) / (of->factor - 1) : NAN;
-    measured.part = fmax(measured.part, usual); /* fmax ignores NaN */
+    const struct bead_peak *coarse = p->coarse.highest ? itself_in(of, p, &p->coarse, i) : NULL;
+    if (coarse) {
+        const double usual = ratio / (of->factor - 1);
+        measured.part = fmax(measured.part, usual * difference(of, p, &p->coarse, i)); /* fmax ignores NaN */
+        measured.shift = fmax(measured.shift, usual * fabs(p->peaks[i].time - coarse->time));
+    }
     return measured;
 }
 
@@ -213,6 +229,7 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
         for (size_t i = 0; i < p->count; i++) {
             const struct doubt doubt = doubt_of(of, p, i, ratio);
             p->uncertainty[i] = fmax(least, doubt.part) * fabs(p->peaks[i].value);
+            p->time_uncertainty[i] = fmax(least * p->peaks[i].time, doubt.shift);
             if (doubt.part > lost)
                 from = fmin(from, doubt.time);
         }

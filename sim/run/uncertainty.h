@@ -30,6 +30,10 @@
  * the finer run's part is, and how large the safety factor must be; where that is too much for the motion that differs most, it is
  * not predictable.
  *
+ * Times of maxima have the same errors, from the same differences, with the time since the start as the whole that the accuracy
+ * asked for is a part of. Where the highest is another maximum in the other run, or may be, the time is not known better than the
+ * two are apart.
+ *
  * A peak at which P - P_q happens to cross zero has an error nonetheless: at least its answer to the coarser run, times the usual
  * ratio of the measured errors to the answers in this chain. */
 #pragma once
@@ -63,14 +67,14 @@ struct bead_uncertain_peaks {
     struct bead_maxima coarse, fine;                     /* of the other runs */
     const struct bead_peak *late[BEAD_UNCERTAINTY_LATE]; /* of other runs: the highest after bead_uncertainty_after; NULL: none */
     size_t count;                                        /* 0: unknown */
-    double *uncertainty;                                 /* N: out */
+    double *uncertainty, *time_uncertainty;              /* N, s: out */
 };
 
 /* True if more than a few peaks of a chain's contacts [0] and beads [1] answer to the coarser run so strongly that a finer one is
  * needed, or if there are so few that it costs nothing. */
 bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
-/* Sets the uncertainties, at least the accuracy asked for. Returns the time from which peaks are not predictable, s: that of the
- * first one that is not known to a tenth of itself; INFINITY: all are. */
+/* Sets the uncertainties, at least the accuracy asked for, as a part of force or time. Returns the time from which peaks are not
+ * predictable, s: that of the first one that is not known to a tenth of itself; INFINITY: all are. */
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 /* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
  */

@@ -50,7 +50,7 @@ ok "peaks are those of the table of peaks" test "$(number given.csv long 4 3 | h
 ok "only the striker has a velocity" test "$(awk -F, 'NR > 1 && $9 != "" {print $5}' given.csv | sort -u)" = 0
 ok "... F goes as v^(6/5)" near "$(awk -F, '$1 == "long" && $2 == 18 && $5 == 0 {printf "%.12g", 0.443 * $9 / $3}' given.csv)" 1.2 1e-7
 ok "peaks have a deviation" grep -qx 'chain,contact,peak_force_N,time_s,state,deviation_N' peaks.csv
-ok "... beads have it beside their uncertainty" grep -qx 'chain,bead,peak_force_N,time_s,state,uncertainty_N,deviation_N' beads.csv
+ok "... beads have it beside their uncertainty" grep -qx 'chain,bead,peak_force_N,time_s,state,uncertainty_N,deviation_N,time_s_uncertainty' beads.csv
 ok "... that follows from the derivatives" near "$(number peaks.csv long 18 6)" "$(deviation long 18)" 3e-4
 ok "... in the other chain" near "$(number peaks.csv short 4 6)" "$(deviation short 4)" 3e-4
 ok "... of the mean of two contacts less than of one" near "$(number beads.csv short 5 7)" "$(number peaks.csv short 4 6)" 0.5

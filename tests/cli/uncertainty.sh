@@ -29,8 +29,8 @@ off() { awk -v x="$(column "$1" "$2" 2)" -v y="$(column "fine/${1#*/}" "$2" 2)" 
 ok "short steps" exits 0 "$beadsim" rattling.yaml -o fine --quiet --set simulate.method=rkn8 --set 'simulate.step=0.05 us'
 ok "... without a word" test ! -s err
 ok "a run" exits 0 "$beadsim" rattling.yaml -o run
-ok "tables of contacts have the column" grep -qx 'contact,peak_force_N,time_s,state,uncertainty_N' run/peaks.csv
-ok "tables of beads have it" grep -qx 'bead,peak_force_N,time_s,state,uncertainty_N' run/beads.csv
+ok "tables of contacts have the column" grep -qx 'contact,peak_force_N,time_s,state,uncertainty_N,time_s_uncertainty' run/peaks.csv
+ok "tables of beads have it" grep -qx 'bead,peak_force_N,time_s,state,uncertainty_N,time_s_uncertainty' run/beads.csv
 ok "the bad peak is off by more than asked" below "$(column run/peaks.csv 5 2 | awk '{print 1e-6 * $1}')" "$(off run/peaks.csv 5)"
 ok "... and by less than its uncertainty" below "$(off run/peaks.csv 5)" "$(column run/peaks.csv 5 5)"
 ok "a good peak is certain" below "$(column run/peaks.csv 42 5)" "$(column run/peaks.csv 42 2 | awk '{print 1.1e-5 * $1}')"

@@ -24,11 +24,11 @@ static void finish_with_peaks(struct stand *s)
     struct bead_message msg = {""};
     struct bead_outcome outcomes[4];
     struct bead_peak peaks[4][32];
-    double uncertainty[32];
+    double uncertainty[32], of_time[32];
     for (size_t c = 0; c < s->scene->chain_count; c++) {
         size_t count = s->needs.contact_peaks ? bead_chain_contacts(s->chains[c]) : bead_chain_beads(s->chains[c]);
         for (size_t j = 0; j < count; j++)
-            uncertainty[j] = (double)j / 1000;
+            uncertainty[j] = (double)j / 1000, of_time[j] = (double)j * 1e-12;
         for (size_t j = 0; j < count; j++)
             peaks[c][j] = (struct bead_peak){.value = (double)(j + c) / 3,
                                              .time = j + 2 == count ? NAN : (double)j * 1e-6,
@@ -37,6 +37,7 @@ static void finish_with_peaks(struct stand *s)
                                              .unpredictable = j == 5};
         outcomes[c] = made_outcome(c);
         outcomes[c].contact_uncertainty = s->needs.uncertainty ? uncertainty : NULL;
+        outcomes[c].contact_time_uncertainty = s->needs.uncertainty ? of_time : NULL;
         outcomes[c].contact_peaks = s->needs.contact_peaks ? peaks[c] : NULL;
         outcomes[c].bead_peaks = s->needs.bead_peaks ? peaks[c] : NULL;
     }
@@ -53,7 +54,7 @@ static void peaks_of_one_chain(void **state)
     assert_true(s.needs.grid.every == 0 && s.needs.fields == 0);
     finish_with_peaks(&s);
     char *text = read_all(s.path), *rest = NULL;
-    assert_string_equal(strtok_r(text, "\n", &rest), "contact,peak_force_N,time_s,state,uncertainty_N");
+    assert_string_equal(strtok_r(text, "\n", &rest), "contact,peak_force_N,time_s,state,uncertainty_N,time_s_uncertainty");
     for (size_t j = 0; j < 13; j++) {
         char *line = strtok_r(NULL, "\n", &rest), *at = NULL;
         assert_int_equal(strtoul(line, &at, 10), j);
@@ -62,7 +63,8 @@ static void peaks_of_one_chain(void **state)
         assert_true(j == 11 ? isnan(time) : time == (double)j * 1e-6);
         const char *word = j == 12 ? ",open," : j == 5 ? ",unpredictable," : j == 3 ? ",exceeded," : ",,";
         assert_true(strncmp(at, word, strlen(word)) == 0);
-        assert_true(strtod(strrchr(at, ',') + 1, NULL) == (double)j / 1000);
+        assert_true(strtod(at + strlen(word), &at) == (double)j / 1000);
+        assert_true(strtod(at + 1, &at) == (double)j * 1e-12 && *at == '\0');
     }
     assert_null(strtok_r(NULL, "\n", &rest));
     tear_down(&s, 1);

@@ -29,7 +29,7 @@ static void chains_drawn_at_random(void **state)
 enum { PEAKS = 4 };
 struct made {
     struct bead_peak peaks[PEAKS], coarse[PEAKS], fine[PEAKS];
-    double u[PEAKS];
+    double u[PEAKS], t[PEAKS];
 };
 
 static void make(struct made *m, const double coarse[PEAKS], const double fine[PEAKS])
@@ -47,7 +47,8 @@ static double judge(const struct bead_uncertainty_of *of, struct made *m, bool f
                                                    .coarse = {m->coarse, NULL},
                                                    .fine = {fine ? m->fine : NULL, NULL},
                                                    .count = PEAKS,
-                                                   .uncertainty = m->u},
+                                                   .uncertainty = m->u,
+                                                   .time_uncertainty = m->t},
                                                   {.count = 0}};
     assert_int_equal(bead_uncertainty_wants_fine(of, kinds), of->accuracy > 0); /* they are few */
     return bead_uncertainty_find(of, kinds);
@@ -71,12 +72,12 @@ static void a_few_strong_answers_need_no_finer_run(void **state)
 {
     (void)state;
     struct bead_peak peaks[400], coarse[400];
-    double u[400];
+    double u[400], t[400];
     for (size_t i = 0; i < 400; i++)
         peaks[i] = coarse[i] = (struct bead_peak){.value = 10, .time = (double)i * 1e-3};
     coarse[7].value *= 1 + 3e-3;
-    const struct bead_uncertain_peaks kinds[2] = {{.peaks = peaks, .coarse = {coarse, NULL}, .count = 400, .uncertainty = u},
-                                                  {.count = 0}};
+    const struct bead_uncertain_peaks kinds[2] = {
+        {.peaks = peaks, .coarse = {coarse, NULL}, .count = 400, .uncertainty = u, .time_uncertainty = t}, {.count = 0}};
     assert_false(bead_uncertainty_wants_fine(&usual, kinds));
     assert_true(isinf(bead_uncertainty_find(&usual, kinds)));
     for (size_t i = 0; i < 400; i++)
@@ -95,6 +96,30 @@ static void strong_answers_are_measured(void **state)
     assert_near(m.u[1], 5 * 4e-4, 1e-12);
     assert_near(m.u[2], 4e-4, 1e-9);
     assert_near(m.u[3], 5 * 1e-4, 1e-12);
+}
+
+/* Times: five times the error that a run at 301 times the tolerance tells, five times that to the finer run, all of that of a run
+ * with twice the step; and how far two maxima are apart of which either may be the highest. */
+static void times_have_uncertainties(void **state)
+{
+    (void)state;
+    static const double none[PEAKS] = {0};
+    struct made m;
+    make(&m, none, none);
+    m.coarse[1].time += 3e-6; /* 1e-5 apart are two maxima */
+    m.coarse[2].time -= 4e-5;
+    judge(&usual, &m, false);
+    assert_near(m.t[0], 1e-6 * 1e-3, 1e-18);
+    assert_near(m.t[1], 5e-8, 1e-16);
+    assert_near(m.t[2], 4e-5, 1e-16);
+    m.fine[1].time += 1e-8;
+    judge(&usual, &m, true);
+    assert_near(m.t[1], 5e-8, 1e-16);
+    m.fine[1].time += 1e-8;
+    judge(&usual, &m, true);
+    assert_near(m.t[1], 1e-7, 1e-16);
+    judge(&(struct bead_uncertainty_of){.factor = 2, .apart = 1e-5}, &m, false);
+    assert_near(m.t[1], 3e-6, 1e-16);
 }
 
 /* Twice the differences: twice the uncertainties. */
@@ -118,7 +143,7 @@ static void only_later_peaks_are_lost(void **state)
     make(&m, (const double[]){5e-3, 5e-3, 5e-3, 0}, (const double[]){1e-4, 5e-2, 1e-4, 0});
     const double from = judge(&usual, &m, true);
     const bool lost[PEAKS] = {false, true, true, false};
-    const struct bead_uncertain_peaks kind = {.peaks = m.peaks, .count = PEAKS, .uncertainty = m.u};
+    const struct bead_uncertain_peaks kind = {.peaks = m.peaks, .count = PEAKS, .uncertainty = m.u, .time_uncertainty = m.t};
     assert_near(from, 2e-3, 1e-15);
     for (size_t i = 0; i < PEAKS; i++)
         assert_int_equal(bead_uncertainty_is_lost(&usual, &kind, i, from, 1), lost[i]);
@@ -140,7 +165,7 @@ static void later_maxima_may_overtake(void **state)
     }
     const double from = judge(&usual, &m, true);
     const struct bead_uncertain_peaks kinds[2] = {
-        {.peaks = m.peaks, .late = {late[0], late[1]}, .count = PEAKS, .uncertainty = m.u}, {.count = 0}};
+        {.peaks = m.peaks, .late = {late[0], late[1]}, .count = PEAKS, .uncertainty = m.u, .time_uncertainty = m.t}, {.count = 0}};
     assert_near(from, 3e-3, 1e-15);
     const double reach = bead_uncertainty_reach(kinds, from), first = late[0][0].value, second = late[1][0].value;
     assert_true(reach > exp(3.2 * spread) && reach < exp(3.4 * spread));
@@ -158,7 +183,8 @@ static void later_maxima_may_overtake(void **state)
     assert_near(bead_uncertainty_after(&usual, kinds, 0, from), from, 1e-15);
     assert_near(bead_uncertainty_after(&usual, kinds, 3, from), m.peaks[3].time + usual.apart, 1e-15);
     m.fine[0] = (struct bead_peak){.value = 10.1, .time = 3.5e-3};
-    const struct bead_uncertain_peaks overtaken = {.peaks = m.peaks, .fine = {m.fine, NULL}, .count = PEAKS, .uncertainty = m.u};
+    const struct bead_uncertain_peaks overtaken = {
+        .peaks = m.peaks, .fine = {m.fine, NULL}, .count = PEAKS, .uncertainty = m.u, .time_uncertainty = m.t};
     assert_true(bead_uncertainty_is_lost(&usual, &overtaken, 0, from, 1));
     assert_false(bead_uncertainty_is_lost(&usual, &overtaken, 1, from, 1));
 }
@@ -184,7 +210,8 @@ static void maxima_are_compared_with_themselves(void **state)
                                                    .coarse = {m.coarse, NULL},
                                                    .fine = {m.fine, fine},
                                                    .count = PEAKS,
-                                                   .uncertainty = m.u},
+                                                   .uncertainty = m.u,
+                                                   .time_uncertainty = m.t},
                                                   {.count = 0}};
     bead_uncertainty_find(&usual, kinds);
     assert_near(m.u[0], 5 * 0.2, 1e-12);
@@ -215,7 +242,7 @@ static void given_steps_are_compared(void **state)
     struct made m;
     make(&m, (const double[]){0, 1e-3, 1e-6, 0}, (const double[PEAKS]){0});
     const struct bead_uncertain_peaks kinds[2] = {
-        {.peaks = m.peaks, .coarse = {m.coarse, NULL}, .count = PEAKS, .uncertainty = m.u}, {.count = 0}};
+        {.peaks = m.peaks, .coarse = {m.coarse, NULL}, .count = PEAKS, .uncertainty = m.u, .time_uncertainty = m.t}, {.count = 0}};
     assert_true(isinf(bead_uncertainty_find(&step, kinds)));
     assert_near(m.u[1], 1e-2, 1e-12);
     assert_near(m.u[2], 1e-5, 1e-9);
@@ -325,6 +352,7 @@ int main(void)
                                        cmocka_unit_test(weak_answers_are_as_asked),
                                        cmocka_unit_test(a_few_strong_answers_need_no_finer_run),
                                        cmocka_unit_test(strong_answers_are_measured),
+                                       cmocka_unit_test(times_have_uncertainties),
                                        cmocka_unit_test(uncertainties_are_proportional_to_differences),
                                        cmocka_unit_test(only_later_peaks_are_lost),
                                        cmocka_unit_test(later_maxima_may_overtake),
