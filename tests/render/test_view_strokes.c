@@ -393,6 +393,68 @@ static void images_need_room(void **)
     close_shown(&s);
 }
 
+/* ---- colour bars ---- */
+
+static const uint8_t *pixel_at(const struct shown *s, double x, double y)
+{
+    return cairo_image_surface_get_data(s->surface) + (size_t)y * (size_t)cairo_image_surface_get_stride(s->surface) +
+           4 * (size_t)x;
+}
+
+static bool is_colour(const uint8_t *bgr, const uint8_t rgb[3])
+{
+    return abs(bgr[0] - rgb[2]) < 3 && abs(bgr[1] - rgb[1]) < 3 && abs(bgr[2] - rgb[0]) < 3;
+}
+
+/* Each colour is at its value, upwards or to the right, and numbers are beside it; pointed ends have the last colours, where values
+ * lie beyond. */
+static void bars_have_numbers_at_their_colours(void **)
+{
+    for (int variant = 0; variant < 8; variant++) {
+        const bool lies = variant & 1, over = variant & 2, under = variant & 4;
+        const struct bead_rect bar = lies ? (struct bead_rect){120, 60, 400, 14} : (struct bead_rect){120, 60, 14, 256};
+        struct shown s;
+        struct bead_message msg = {""};
+        struct bead_colormap map;
+        open_shown(&s, SENSORS);
+        require(bead_colormap_load("ember", &map, &msg), &msg);
+        const struct bead_colours colours = {&map, BEAD_SCALE_LINEAR, 0, 50};
+        cairo_set_source_rgb(s.cr, 0, 1, 0);
+        cairo_paint(s.cr);
+        s.seen.count = 0;
+        const double reach = lies ? bead_colour_bar_draw_lying(s.cr, &s.look, &colours, "N", bar, over, under)
+                                  : bead_colour_bar_draw(s.cr, &s.look, &colours, "N", NULL, bar, over, under);
+        cairo_surface_flush(s.surface);
+        assert_true(reach > 5);
+        for (int value = 1; value < 50; value++) {
+            const double part = (value + 0.05) / 50;
+            const uint8_t *here = lies ? pixel_at(&s, bar.x + part * bar.width, bar.y + bar.height / 2)
+                                       : pixel_at(&s, bar.x + bar.width / 2, bar.y + (1 - part) * bar.height);
+            bool near = false; /* bands and pixels have other borders */
+            for (int k = -1; k <= 1; k++)
+                near |= is_colour(here, map.rgb[(int)(256 * part) + k]);
+            assert_true(near);
+        }
+        size_t numbers = 0;
+        for (size_t i = 0; i < s.seen.count; i++) {
+            char *end;
+            const double value = strtod(s.seen.text[i].markup, &end), part = value / 50;
+            const double x = s.seen.text[i].x + s.seen.text[i].width / 2, y = s.seen.text[i].y + s.seen.text[i].height / 2;
+            if (*end || end == s.seen.text[i].markup)
+                continue;
+            assert_true(fabs(lies ? x - bar.x - part * bar.width : y - bar.y - (1 - part) * bar.height) < 3);
+            assert_true(lies ? s.seen.text[i].y > bar.y + bar.height : s.seen.text[i].x > bar.x + bar.width);
+            numbers++;
+        }
+        assert_true(numbers >= 3);
+        const uint8_t *beyond[] = {lies ? pixel_at(&s, bar.x - 5, bar.y + 7) : pixel_at(&s, bar.x + 7, bar.y + bar.height + 4),
+                                   lies ? pixel_at(&s, bar.x + bar.width + 4, bar.y + 7) : pixel_at(&s, bar.x + 7, bar.y - 5)};
+        assert_int_equal(is_colour(beyond[0], map.rgb[0]), under);
+        assert_int_equal(is_colour(beyond[1], map.rgb[255]), over);
+        close_shown(&s);
+    }
+}
+
 /* ---- modes ---- */
 
 /* A bar for each mode, in the middle of its share of the width; its height is its part of the first sample's energy, 1.04 at the
@@ -678,11 +740,17 @@ static void keys_say_what_lights_up(void **)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sensors_have_their_curves),       cmocka_unit_test(many_sensors_are_named_in_colour),
-        cmocka_unit_test(bars_of_modes_have_their_energy), cmocka_unit_test(axes_are_at_their_panels),
-        cmocka_unit_test(theory_is_as_fast_as_its_force),  cmocka_unit_test(sensors_of_stages_have_rings),
-        cmocka_unit_test(keys_say_what_lights_up),         cmocka_unit_test(profiles_have_their_values),
-        cmocka_unit_test(kept_peaks_are_explained),        cmocka_unit_test(images_need_room),
+        cmocka_unit_test(sensors_have_their_curves),
+        cmocka_unit_test(many_sensors_are_named_in_colour),
+        cmocka_unit_test(bars_of_modes_have_their_energy),
+        cmocka_unit_test(axes_are_at_their_panels),
+        cmocka_unit_test(theory_is_as_fast_as_its_force),
+        cmocka_unit_test(sensors_of_stages_have_rings),
+        cmocka_unit_test(keys_say_what_lights_up),
+        cmocka_unit_test(profiles_have_their_values),
+        cmocka_unit_test(kept_peaks_are_explained),
+        cmocka_unit_test(images_need_room),
+        cmocka_unit_test(bars_have_numbers_at_their_colours),
         cmocka_unit_test(overlaid_profiles_share_an_axis),
     };
     return cmocka_run_group_tests_name("what views draw", tests, NULL, NULL);
