@@ -8,7 +8,7 @@
 #include "tests/scenes.h"
 #include "tests/texts.h"
 
-enum { WIDTH = 640, HEIGHT = 360, CHAINS = 2, ROOM = 64 };
+enum { WIDTH = 640, HEIGHT = 360, CHAINS = 12, ROOM = 64 };
 static const double span = 1.2e-3;
 
 struct film {
@@ -29,7 +29,7 @@ static void require(enum bead_error err, const struct bead_message *msg)
 static void open_film(struct film *f, const char *chains, const char *output)
 {
     struct bead_message msg = {""};
-    char text[1500];
+    char text[3000];
     snprintf(text, sizeof text, "title: A film\nsimulate: {until: 1.2 ms}\n%s\noutputs: [{movie: m.mp4, size: [%d, %d], %s}]\n",
              chains, WIDTH, HEIGHT, output);
     *f = (struct film){.scene = parse(text), .watch = {texts_note, &f->texts}};
@@ -236,7 +236,7 @@ static void names_have_samples_of_lines(void **)
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
     assert_true(bead_text_watch(surface, &f.watch));
     cairo_t *cr = cairo_create(surface);
-    for (size_t c = 0; c < CHAINS; c++) {
+    for (size_t c = 0; c < 2; c++) {
         const struct bead_look *look = &f.composer->look;
         f.texts.count = 0;
         strokes_begin();
@@ -257,13 +257,68 @@ static void names_have_samples_of_lines(void **)
     close_film(&f);
 }
 
+/* ---- cards ---- */
+
+/* A card says title and text, a rule, the chains by their names, and facts: all from one left edge, below each other, on the page.
+ * Of more chains than fit it says how many more there are. */
+static void cards_say_what_is_shown(void **)
+{
+    for (size_t chains = 1; chains <= CHAINS; chains = chains == 1 ? 2 : CHAINS + (chains == CHAINS)) {
+        for (int with_text = 0; with_text < 2; with_text++) {
+            static struct film f;
+            struct bead_message msg = {""};
+            struct bead_changes changes = {0};
+            char scene[2000];
+            size_t used = (size_t)snprintf(scene, sizeof scene, "chains:\n"), named = 0, more = 0;
+            for (size_t c = 0; c < chains; c++)
+                used += (size_t)snprintf(scene + used, sizeof scene - used,
+                                         "  - {name: Name %zu, beads: [{bead: large-steel, count: 24}]}\n", c);
+            open_film(&f, scene,
+                      with_text ? "magnify: 30, card: {text: What it is about, for: 1 s}" : "magnify: 1, card: {for: 1 s}");
+            f.texts.count = 0;
+            strokes_begin();
+            require(bead_composer_card(f.composer, &changes, &msg), &msg);
+            strokes.on = false;
+            const struct bead_look *look = &f.composer->look;
+            const double left = round(0.12 * WIDTH), large = 2.1 * look->title;
+            const struct text *title = find(&f.texts, "A film"), *text = find(&f.texts, "What it is about"),
+                              *pace = find(&f.texts, "of film");
+            assert_true(title && pace && (text != NULL) == with_text);
+            assert_true((find(&f.texts, "Displacements drawn 30 times larger") != NULL) == with_text);
+            const double middle = title->y + title->height / 2,
+                         rule = middle + 0.8 * large + (with_text ? 1.76 * look->title : 0) + look->title;
+            size_t rules = 0;
+            for (size_t i = 0; i < strokes.count; i++) {
+                const struct stroke *r = &strokes.list[i];
+                if (!stroke_has(r, true, look->accent) || r->count < 4 || fabs(r->low[0] - left) > 0.1)
+                    continue;
+                assert_true(fabs(r->high[0] - r->low[0] - 3 * large) < 0.05 && fabs(r->low[1] - rule) < 2);
+                assert_true(fabs(r->high[1] - r->low[1] - fmax(2, 2 * look->line)) < 0.05);
+                rules++;
+            }
+            assert_int_equal(rules, 1);
+            double bottom = 0;
+            for (size_t i = 0; i < f.texts.count; i++) {
+                const struct text *t = &f.texts.text[i];
+                const char *name = strstr(t->markup, "Name "), *rest = strstr(t->markup, "and ");
+                named += name != NULL;
+                more = rest && strstr(t->markup, "more chains") ? (size_t)atoi(rest + 4) : more;
+                assert_true(fabs(t->x - left) < 4 && t->y >= bottom && t->x + t->width < WIDTH - left + 2);
+                bottom = t->y + t->height;
+            }
+            assert_true(bottom < HEIGHT && title->y > 0 && named + more == chains && (more > 0) == (chains == CHAINS));
+            assert_true(pace->y > rule);
+            close_film(&f);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_are_in_their_lines),
-        cmocka_unit_test(notes_are_boxes_with_tips),
-        cmocka_unit_test(races_say_who_leads),
-        cmocka_unit_test(names_have_samples_of_lines),
+        cmocka_unit_test(words_are_in_their_lines), cmocka_unit_test(notes_are_boxes_with_tips),
+        cmocka_unit_test(races_say_who_leads),      cmocka_unit_test(names_have_samples_of_lines),
+        cmocka_unit_test(cards_say_what_is_shown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
