@@ -76,12 +76,12 @@ static struct doubt doubt_by(const struct bead_uncertainty_of *of, const struct 
     const struct maxima run = maxima_of(of, p->peaks, p->second, i), other = maxima_of(of, by->highest, by->second, i);
     const struct bead_peak *same = same_in(of, &other, peak), *second = run.count > 1 ? run.most[1] : NULL,
                            *rival = second ? same_in(of, &other, second) : NULL;
-    const double overtakes = rival ? second->value + scale * fabs(second->value - rival->value) - peak->value : 0;
     const struct doubt doubts[] = {
         {scale * fabs(peak->value - highest->value), fmax(peak->time, highest->time),
          same == highest ? scale * fabs(peak->time - highest->time) : fabs(peak->time - highest->time)},
         {same ? scale * fabs(peak->value - same->value) : 0, peak->time, same ? scale * fabs(peak->time - same->time) : 0},
-        {overtakes, rival ? second->time : peak->time, overtakes > 0 ? fabs(peak->time - second->time) : 0}};
+        {rival ? second->value + scale * fabs(second->value - rival->value) - peak->value : 0, rival ? second->time : peak->time,
+         0}};
     struct doubt most = doubts[0];
     for (size_t d = 1; d < sizeof doubts / sizeof *doubts; d++) {
         const double shift = fmax(most.shift, doubts[d].shift);
@@ -220,6 +220,14 @@ static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct 
     return measured;
 }
 
+/* How far the highest maximum and the second are apart, s, if either may be the highest by the uncertainty of both; else 0. */
+static double rival_distance(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
+{
+    const struct maxima run = maxima_of(of, p->peaks, p->second, i);
+    const bool close = run.count > 1 && run.most[1]->value + 2 * p->uncertainty[i] >= run.most[0]->value;
+    return close ? fabs(run.most[1]->time - run.most[0]->time) : 0;
+}
+
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
     const double ratio = usual_ratio(of, kinds, 0), least = of->accuracy > 0 ? of->accuracy : rounding;
@@ -229,7 +237,7 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
         for (size_t i = 0; i < p->count; i++) {
             const struct doubt doubt = doubt_of(of, p, i, ratio);
             p->uncertainty[i] = fmax(least, doubt.part) * fabs(p->peaks[i].value);
-            p->time_uncertainty[i] = fmax(least * p->peaks[i].time, doubt.shift);
+            p->time_uncertainty[i] = fmax(fmax(least * p->peaks[i].time, doubt.shift), rival_distance(of, p, i));
             if (doubt.part > lost)
                 from = fmin(from, doubt.time);
         }

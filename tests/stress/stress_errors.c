@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is said of the errors of peaks, beside the errors: chains of all kinds, each run for three accuracies, and against a run
- * with much smaller steps, which a second one checks. By hand, as it takes long: stress_errors [FIRST [LAST]]     seeds; those of
- * one kind are 15 apart. Every fourth chain of a kind runs five times as long as its first pulse. A miss is a peak that is off by
- * more than was asked and than its row says; a row says too much if it says more than ten times the larger of the error and what
- * was asked. Rows that are called unpredictable count apart. */
+ * with much smaller steps, which a second one checks. By hand, as it takes long: stress_errors [times] [FIRST [LAST]], seeds;
+ * those of one kind are 15 apart. With `times`, when peaks come is judged, not how high they are. Every fourth chain of a kind runs
+ * five times as long as its first pulse. A miss is a peak that is off by more than was asked and than its row says; a row says too
+ * much if it says more than ten times the larger of the error and what was asked. Rows that are called unpredictable count apart.
+ */
 #include "tests/stress/stress.h"
 
 #include <signal.h>
@@ -32,11 +33,11 @@ static void wait_at_most(long seconds)
 /* Contacts first, then beads; NULL: it did not end in time. */
 struct said {
     struct bead_peak *peak;
-    double *uncertainty, end;
+    double *uncertainty, end; /* of forces, or of times */
     size_t contacts, count;
 };
 
-static struct said say(const char *text, double accuracy, double until, bool uncertainty)
+static struct said say(const char *text, double accuracy, double until, bool uncertainty, bool times)
 {
     struct bead_message msg = {""};
     struct built built = build(text, "accuracy: 1e-6");
@@ -63,8 +64,10 @@ static struct said say(const char *text, double accuracy, double until, bool unc
             GIVE_UP("out of memory");
         memcpy(said.peak, o->contact_peaks, said.contacts * sizeof *said.peak);
         memcpy(said.peak + said.contacts, o->bead_peaks, (said.count - said.contacts) * sizeof *said.peak);
+        const double *contact = times ? o->contact_time_uncertainty : o->contact_uncertainty,
+                     *bead = times ? o->bead_time_uncertainty : o->bead_uncertainty;
         for (size_t i = 0; uncertainty && i < said.count; i++)
-            said.uncertainty[i] = i < said.contacts ? o->contact_uncertainty[i] : o->bead_uncertainty[i - said.contacts];
+            said.uncertainty[i] = i < said.contacts ? contact[i] : bead[i - said.contacts];
     }
     wait_at_most(0);
     bead_player_destroy(player);
@@ -103,14 +106,20 @@ static void tell_miss(const struct said *got, size_t i, double error, double sai
            contact ? "contact" : "bead", contact ? i : i - got->contacts, got->peak[i].value, got->peak[i].time, error, said);
 }
 
-static void judge(struct count *c, const struct said *got, const struct said references[2], double accuracy)
+/* Of its force or its time, relative. */
+static double off(const struct bead_peak *peak, const struct bead_peak *exact, bool times)
+{
+    return times ? fabs(peak->time - exact->time) / exact->time : difference(peak, exact);
+}
+
+static void judge(struct count *c, const struct said *got, const struct said references[2], double accuracy, bool times)
 {
     for (size_t i = 0; i < got->count; i++) {
         const struct bead_peak *peak = &got->peak[i], *exact = &references[0].peak[i];
         if (!is_peak(peak) || !is_peak(exact) || !(peak->time > 0))
             continue;
-        const double error = difference(peak, exact) / accuracy, known = difference(&references[1].peak[i], exact) / accuracy;
-        const double said = fmax(1, got->uncertainty[i] / (accuracy * peak->value));
+        const double error = off(peak, exact, times) / accuracy, known = off(&references[1].peak[i], exact, times) / accuracy;
+        const double said = fmax(1, got->uncertainty[i] / (accuracy * (times ? peak->time : peak->value)));
         if (known > 0.3 * fmax(error, 1))
             continue;
         c->rows++;
@@ -147,22 +156,22 @@ static void add(struct count *sum, const struct count *c)
 }
 
 /* One line for each accuracy, after those of its misses. */
-static bool try_seed(uint64_t seed, struct count counts[ASKED])
+static bool try_seed(uint64_t seed, bool times, struct count counts[ASKED])
 {
     char text[DRAWN_TEXT];
     const bool damped = kind_draw(seed, (enum kind)(seed % KIND_COUNT), text);
-    struct said first = say(text, 1e-4, 0, false);
+    struct said first = say(text, 1e-4, 0, false, times);
     const double until = seed / KIND_COUNT % 4 == 3 ? 5 * first.end : 0;
     const double fine[2] = {damped ? 1e-8 : 1e-12, damped ? 4e-8 : 1e-11};
     struct said references[2] = {{.count = 0}, {.count = 0}};
     for (int i = 0; first.peak && i < 2; i++)
-        references[i] = say(text, fine[i], until, false);
+        references[i] = say(text, fine[i], until, false, times);
     const bool known = references[0].peak && references[1].peak;
     for (size_t a = 0; known && a < (damped ? ASKED - 1 : ASKED); a++) {
-        struct said got = say(text, asked[a], until, true);
+        struct said got = say(text, asked[a], until, true, times);
         struct count c = {.rows = 0};
         if (got.peak)
-            judge(&c, &got, references, asked[a]);
+            judge(&c, &got, references, asked[a], times);
         printf("  seed %d, %s, %g: %zu rows: %zu missed (%.2g), %zu too much, %zu unpredictable\n", (int)seed,
                kind_names[seed % KIND_COUNT], asked[a], c.rows, c.misses, c.worst, c.too_much, c.lost);
         fflush(stdout);
@@ -194,13 +203,15 @@ int main(int count, char **word)
     if (count > 2 && strcmp(word[1], "scene") == 0)
         return print_scene(atoi(word[2]));
     struct stress stress = stress_start();
+    const bool times = count > 1 && strcmp(word[1], "times") == 0;
+    count -= times, word += times;
     const int first = count > 1 ? atoi(word[1]) : 0,
               last = count > 2 ? atoi(word[2]) : first + (stress.quick ? KIND_COUNT : CHAINS);
     static struct count counts[KIND_COUNT][ASKED];
     size_t left_out = 0;
     signal(SIGVTALRM, ring);
     for (int seed = first; seed < last; seed++)
-        left_out += !try_seed((uint64_t)seed, counts[seed % KIND_COUNT]);
+        left_out += !try_seed((uint64_t)seed, times, counts[seed % KIND_COUNT]);
     printf("%d chains, %zu without a reference. Rows, and of them: missed; said too much; unpredictable; what was said over the "
            "error, "
            "of\nerrors above what was asked: quartiles:\n",
