@@ -7,7 +7,8 @@ Draws faults by seed, each one change of one line of the last commit: another co
 swapped, a statement dropped (but none that frees: leaks are for the sanitizers). A fault that does not compile, or leaves the object
 file as it was, is none and is drawn again. Each meets the tests that run its line, those named like its file and then the quickest
 first, until one fails; which test runs which line is measured once, with gcov, and kept in build-mutants/. Hashes and golden pictures
-do not count: they say that something changed, not that it is wrong.
+do not count: they say that something changed, not that it is wrong. What none notices meets the quickest again, its file compiled with
+the sanitizers of `make asan`: steps past an end of memory rarely change what is drawn.
 Prints each fault, then the survivors and the score of each room. tests/mutants.txt lists faults proved harmless, with reasons.
 
 Why not a tool: universalmutator (PyPI) draws from the same kind of patterns, but knows no map from lines to tests and runs all of
@@ -25,6 +26,8 @@ import threading
 import time
 
 NO_TRUTH = ("bits", "test_golden")
+SANITIZED = "CFLAGS=-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
+SANITIZED_TESTS = 4  # programs that a fault meets once more
 ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library",
                  "test_truths")
 
@@ -185,7 +188,7 @@ class Tree:
             with open(f"{self.folder}/{target}", "rb") as file:
                 if file.read() == as_it_was:
                     return None
-            return self.meet(fault, reached), time.time() - began
+            return self.meet(fault, reached) or self.meet_sanitized(fault, target, reached), time.time() - began
         finally:
             with open(source, "w", encoding="utf-8") as file:
                 file.write(text)
@@ -208,21 +211,39 @@ class Tree:
         return ([t for t in reached if reached[t][1].get(fault.file)]
                 or [t for t in reached if any(os.path.dirname(file) == room for file in reached[t][1])])
 
+    def in_order(self, fault, reached):
+        words = set(re.split(r"\W+|_", fault.file[:-2]))
+        return sorted(self.tests_that_run(fault, reached), key=lambda t: (not words & set(t.split("_")), reached[t][0]))
+
+    def is_program(self, test):
+        return os.path.exists(f"{self.folder}/build/tests/{test}")
+
+    def fails(self, test, reached, *settings):
+        """What notices, "" where nothing does, and the seconds."""
+        if self.make(*([f"build/tests/{test}"] if self.is_program(test) else ["all"]), *settings).returncode:
+            return "the linker", 0
+        done = run(["tests/run.sh", "build", test], self.folder, 10 * reached[test][0] + 20)
+        return ("", seconds_of(done)) if done is not None and not done.returncode else (test, 0)
+
     def meet(self, fault, reached):
         spent = 0
-        names = self.tests_that_run(fault, reached)
-        words = set(re.split(r"\W+|_", fault.file[:-2]))
-        for test in sorted(names, key=lambda t: (not words & set(t.split("_")), reached[t][0])):
+        for test in self.in_order(fault, reached):
             if spent > self.most_seconds:
                 break
-            program = test.startswith("test_")
-            targets = [f"build/tests/{test}"] if program and os.path.exists(f"{self.folder}/build/tests/{test}") else ["all"]
-            if self.make(*targets).returncode:
-                return "the linker"
-            done = run(["tests/run.sh", "build", test], self.folder, 10 * reached[test][0] + 20)
-            if done is None or done.returncode:
-                return test
-            spent += seconds_of(done)
+            noticed, seconds = self.fails(test, reached)
+            if noticed:
+                return noticed
+            spent += seconds
+        return ""
+
+    def meet_sanitized(self, fault, target, reached):
+        os.unlink(f"{self.folder}/{target}")
+        if self.make(target, SANITIZED).returncode:
+            return ""
+        for test in [t for t in self.in_order(fault, reached) if self.is_program(t)][:SANITIZED_TESTS]:
+            noticed = self.fails(test, reached, SANITIZED)[0]
+            if noticed:
+                return f"{noticed}, sanitized"
         return ""
 
 
