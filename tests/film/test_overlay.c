@@ -123,6 +123,11 @@ static void words_are_in_their_lines(void **)
         const struct text *said = find(&f.texts, clock);
         assert_true(said && fabs(said->x - l->time.x) < 3 && in_the_middle(said, l->time.y, l->time.height));
         assert_true((find(&f.texts, "first words") != NULL) == (k == 2) && (find(&f.texts, "other words") != NULL) == (k == 8));
+        const struct text *badge = find(&f.texts, "slowed"); /* said once: the speed is even */
+        assert_true((badge != NULL) == (k == 0));
+        if (badge)
+            assert_true(badge->x > l->badge.x && badge->x + badge->width < l->badge.x + l->badge.width &&
+                        in_the_middle(badge, l->badge.y, l->badge.height) && l->badge.x >= l->time.x + l->time.width);
         const struct text *caption = find(&f.texts, "words");
         if (caption)
             assert_true(caption->y >= l->caption.y - 1 && caption->y + caption->height <= l->caption.y + l->caption.height + 1 &&
@@ -254,6 +259,9 @@ static void names_have_samples_of_lines(void **)
     }
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
+    close_film(&f);
+    open_film(&f, "chain: {name: A, beads: [{bead: large-steel, count: 24}]}", "views: [stage, profile]");
+    assert_false(bead_composer_shares_curves(f.composer)); /* one chain has its plots to itself */
     close_film(&f);
 }
 

@@ -213,12 +213,12 @@ static void test_large_pictures_begin_empty(void **state)
 /* The value of a bead in a column, all along it. */
 static double diagonal(int bead, int column)
 {
-    return bead == column % BEADS ? -(column + 1) : 0;
+    return bead == column % BEADS ? -0.01 * (column + 1) : 0;
 }
 
 static double flash(int bead, int column)
 {
-    return column == 7 ? bead + 1 : 0;
+    return column == 7 ? 0.01 * (bead + 1) : 0;
 }
 
 /* What only a short and narrow event exceeds: of the largest of all columns, in order, the one at 95 %, or of those of all rows the
@@ -229,8 +229,8 @@ static void test_typical_values(void **state)
     static const struct {
         double (*value)(int bead, int column);
         double typical;
-    } cases[] = {{diagonal, 50}, /* columns have 1 to 53, rows 14 to 53: the 50th, and the 36th, 49 */
-                 {flash, 36}};   /* one column has 40, the others nothing; rows have 1 to 40 */
+    } cases[] = {{diagonal, 0.5}, /* columns have 0.01 to 0.53, rows 0.14 to 0.53: the 50th, and the 36th, 0.49 */
+                 {flash, 0.36}};  /* one column has 0.4, the others nothing; rows have 0.01 to 0.4 */
     for (size_t i = 0; i < 2; i++) {
         struct bead_area *area = make_area(BEADS, BEAD_SAMPLING_AREA);
         assert_true(isinf(bead_area_typical(area)) || bead_area_typical(area) == 0);
@@ -240,7 +240,7 @@ static void test_typical_values(void **state)
                 values[b] = cases[i].value(b, k / 2);
             bead_area_feed(area, k / 2 + (k % 2 ? 1 - 1e-9 : 0), values, BEADS);
         }
-        if (!(fabs(bead_area_typical(area) - cases[i].typical) < 1e-6))
+        if (!(fabs(bead_area_typical(area) - cases[i].typical) < 1e-8))
             fail_msg("%g, not %g", bead_area_typical(area), cases[i].typical);
         bead_area_destroy(area);
     }
