@@ -260,9 +260,18 @@ static void names_have_samples_of_lines(void **)
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     close_film(&f);
-    open_film(&f, "chain: {name: A, beads: [{bead: large-steel, count: 24}]}", "views: [stage, profile]");
-    assert_false(bead_composer_shares_curves(f.composer)); /* one chain has its plots to itself */
-    close_film(&f);
+    /* On stages curves are in one plot where there are several chains, and curves. */
+    for (int chains = 1; chains <= 2; chains++) {
+        for (int curves = 0; curves < 2; curves++) {
+            open_film(&f,
+                      chains == 1 ? "chain: {name: A, beads: [{bead: large-steel, count: 24}]}"
+                                  : "chains:\n  - {name: A, beads: [{bead: large-steel, count: 24}]}\n"
+                                    "  - {name: B, beads: [{bead: large-steel, count: 24}]}\n",
+                      curves ? "views: [stage, profile]" : "views: [stage]");
+            assert_int_equal(bead_composer_shares_curves(f.composer), chains == 2 && curves);
+            close_film(&f);
+        }
+    }
 }
 
 /* ---- cards ---- */
