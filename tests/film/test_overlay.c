@@ -260,6 +260,14 @@ static void names_have_samples_of_lines(void **)
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     close_film(&f);
+    /* A name is as large as its room, but no larger than its type, and no smaller than what the layout keeps for it. */
+    open_film(&f, "chain: {name: A chain with a name, beads: [{bead: large-steel, count: 24}]}", "views: [spacetime]");
+    const struct bead_look *own = &f.composer->look;
+    const double least = bead_name_least(own, f.chains[0]), smallest = bead_name_size(own, f.chains[0], 0);
+    assert_true(bead_name_size(own, f.chains[0], 1e4) == 1 && smallest > 0.3 && smallest < 0.95);
+    assert_true(fabs(bead_name_size(own, f.chains[0], least) - smallest) < 0.03);
+    assert_true(fabs(bead_name_size(own, f.chains[0], 0.97 * least / smallest) - 0.97) < 0.03);
+    close_film(&f);
     /* On stages curves are in one plot where there are several chains, and curves. */
     for (int chains = 1; chains <= 2; chains++) {
         for (int curves = 0; curves < 2; curves++) {

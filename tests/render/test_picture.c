@@ -398,6 +398,8 @@ static void test_svg_keeps_letters(void **state)
             assert_non_null(strstr(svg, " text-decoration=\"underline\">U</tspan>"));
             assert_non_null(strstr(svg, " text-decoration=\"line-through\">S</tspan>"));
             assert_true(strstr(svg, "<text ") > strstr(svg, "<image"));
+            for (const char *run = svg; (run = strstr(run, "<tspan ")) != NULL; run++) /* of one colour, that of its text */
+                assert_true(strstr(run, " fill=") == NULL || strstr(run, " fill=") > strchr(run, '>'));
         }
         assert_string_equal(svg + length - 7, "</svg>\n");
         free(svg);

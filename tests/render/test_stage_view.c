@@ -454,6 +454,12 @@ static void beads_move_and_light_up(void **state)
         }
         for (int c = 0; c < 3; c++)
             assert_true(fabsf(v->stage.wall.light[c] - wall[c]) < 1e-6f);
+        for (size_t i = 0; i + 1 < v->count; i++) { /* contacts move along */
+            const struct bead_stage_bead *a = &v->stage.beads[i], *b = a + 1;
+            struct bead_spot spot;
+            assert_true(bead_stage_find(v, BEAD_NOTE_CONTACT, i, &spot));
+            assert_true(fabs(spot.x - v->strip.x - 0.5 * (double)(a->x + a->r + b->x - b->r)) < 1.0 / 32);
+        }
     }
     close_view(&s);
 }
