@@ -180,7 +180,13 @@ static void beads_touch_where_they_do(void **state)
         assert_true(last->x + last->r < (float)stage->width);
         assert_true((stage->wall.width > 0) == (c != 3));
         if (c != 3)
-            assert_true(fabs(last->x + last->r - stage->wall.x) < rounding && last->edge[1] == stage->wall.x);
+            assert_true(fabs(last->x + last->r - stage->wall.x) < rounding && last->edge[1] == stage->wall.x && last->near[1] == 1);
+        const struct bead_chain_spec *spec = bead_chain_spec(s.chain);
+        for (int k = 0; k < 3 && c != 3;
+             k++) { /* walls are dark: their material's colour, squared as light is, less than a third */
+            const double own = spec->wall == BEAD_WALL_MATERIAL ? s.scene->materials[spec->wall_material].colour[k] : sqrt(0.3);
+            assert_true(fabs(stage->wall.colour[k] - 0.3 * own * own) < 1e-6);
+        }
         close_view(&s);
     }
 }
@@ -583,7 +589,7 @@ static void things_are_found_where_they_are_drawn(void **state)
             const double off = spot.below ? spot.x - v->row.x - (double)v->balls[i].x : spot.x - v->strip.x - (double)b[i].x;
             assert_true(fabs(off) < rounding);
             if (spot.below)
-                assert_true(spot.y == v->row.y + 0.5 * v->row.height && spot.row.width == v->row.width);
+                assert_true(spot.y == v->row.y + spot.r && spot.r == 0.5 * v->row.height && spot.row.width == v->row.width);
             else /* they stand on one floor, seen from above */
                 assert_true(fabs(spot.r - (double)b[i].r) < rounding &&
                             fabs(spot.y - v->strip.y - v->stage.centre - BEAD_STAGE_COSINE * (v->stage.unit - spot.r)) < 1e-3);
@@ -600,6 +606,37 @@ static void things_are_found_where_they_are_drawn(void **state)
         assert_false(bead_stage_find(v, BEAD_NOTE_CONTACT, v->contacts, &spot));
         close_view(&s);
     }
+}
+
+/* Of a part of the chain the same beads are on the stage, with their own radii and forces, as of the whole. */
+static void parts_of_chains_have_their_own(void **state)
+{
+    (void)state;
+    enum { FIRST = 4, LAST = 9 };
+    struct setting s;
+    struct bead_message msg = {""};
+    struct bead_view *part;
+    double u[64] = {0}, force[64];
+    open_view(&s, taper, BEAD_LIGHT_CONTACTS);
+    struct bead_view_setup setup = s.view->setup;
+    setup.beads = (struct bead_span){FIRST, LAST};
+    require(bead_view_stage_type.create(&setup, &part, &msg), &msg);
+    require(bead_view_stage_type.place(part, (struct bead_rect){90, 100, 1740, 360}, NULL, &msg), &msg);
+    for (int i = 0; i < 64; i++)
+        force[i] = i;
+    const struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = u, [BEAD_FIELD_CONTACT_FORCE] = force}};
+    require(bead_view_stage_type.feed(part, &sample, &msg), &msg);
+    bead_stage_advance(part, 0);
+    assert_true(part->count == LAST - FIRST + 1 && part->contacts == LAST - FIRST && !part->wall);
+    for (size_t i = 0; i < part->count; i++) {
+        assert_true(part->radius[i] == bead_chain_radius(s.chain)[FIRST + i]);
+        assert_true(fabs(part->position[i] - part->position[0] - bead_chain_position(s.chain)[FIRST + i] +
+                         bead_chain_position(s.chain)[FIRST]) < 1e-12);
+        if (i < part->contacts)
+            assert_true(fabs(part->load[i] - (double)(FIRST + i) / 40) < 1e-12);
+    }
+    bead_view_stage_type.destroy(part);
+    close_view(&s);
 }
 
 int main(void)
@@ -620,6 +657,7 @@ int main(void)
         cmocka_unit_test(the_row_marks_what_is_on_the_stage),
         cmocka_unit_test(windows_go_along),
         cmocka_unit_test(things_are_found_where_they_are_drawn),
+        cmocka_unit_test(parts_of_chains_have_their_own),
     };
     return cmocka_run_group_tests_name("stage view", tests, NULL, NULL);
 }

@@ -37,6 +37,7 @@ struct film {
     enum bead_orientation orientation;
     double window; /* m; 0: no camera */
     bool hold, ghost, trust, theory, marked, overlaid;
+    bool row;               /* stages: of all beads; shaded in frames, flat as paths */
     struct bead_span beads; /* {0, 0}: all */
     enum bead_scale scale;
     int ends; /* px at the ends of the plot where lines end, with a round end or without */
@@ -123,6 +124,7 @@ static void open_shown(struct shown *s, const struct film *film)
                                     .time = {0, span},
                                     .colours = {&s->map, film->scale, film->low, film->high},
                                     .look = &s->look,
+                                    .axes = film->row,
                                     .orientation = film->orientation,
                                     .fill = film->film,
                                     .hold = film->hold,
@@ -397,11 +399,13 @@ static void stages(void **)
 {
     const struct film films[] = {
         {"stage", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true},
+        {"stage and row", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .row = true},
         {"light stage", BEAD_VIEW_STAGE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .light = true, .window = window},
     };
     for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
         assert_no_trails(&films[i], 0);
-        assert_paths_agree(&films[i], 0);
+        if (!films[i].row)
+            assert_paths_agree(&films[i], 0);
     }
 }
 
