@@ -220,11 +220,11 @@ static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct 
     return measured;
 }
 
-/* How far the highest maximum and the second are apart, s, if either may be the highest by the uncertainty of both; else 0. */
-static double rival_distance(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
+/* How far the highest maximum and the second are apart, s, if either may be the highest, as both are off by `part`; else 0. */
+static double rival_distance(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double part)
 {
     const struct maxima run = maxima_of(of, p->peaks, p->second, i);
-    const bool close = run.count > 1 && run.most[1]->value + 2 * p->uncertainty[i] >= run.most[0]->value;
+    const bool close = run.count > 1 && run.most[1]->value >= (1 - 2 * fmax(part, rounding)) * run.most[0]->value;
     return close ? fabs(run.most[1]->time - run.most[0]->time) : 0;
 }
 
@@ -237,7 +237,8 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
         for (size_t i = 0; i < p->count; i++) {
             const struct doubt doubt = doubt_of(of, p, i, ratio);
             p->uncertainty[i] = fmax(least, doubt.part) * fabs(p->peaks[i].value);
-            p->time_uncertainty[i] = fmax(fmax(least * p->peaks[i].time, doubt.shift), rival_distance(of, p, i));
+            p->time_uncertainty[i] =
+                fmax(least * p->peaks[i].time, doubt.shift) + rival_distance(of, p, i, fmax(doubt.part, answer(of, p, i).part));
             if (doubt.part > lost)
                 from = fmin(from, doubt.time);
         }

@@ -121,10 +121,10 @@ static void times_have_uncertainties(void **state)
     judge(&(struct bead_uncertainty_of){.factor = 2, .apart = 1e-5}, &m, false);
     assert_near(m.t[1], 3e-6, 1e-16);
 
-    struct bead_peak second[PEAKS]; /* nearly as high, 1e-4 s later: within the uncertainties of both, 2e-5 N, or not */
-    make(&m, none, none);
+    struct bead_peak second[PEAKS]; /* nearly as high, 1e-4 s later: within twice five times the error, 1e-5 N, or not */
+    make(&m, (const double[]){3e-5, 3e-5, 3e-5, 3e-5}, none);
     for (size_t i = 0; i < PEAKS; i++)
-        second[i] = (struct bead_peak){.value = 10 - (i % 2 ? 1e-5 : 3e-5), .time = m.peaks[i].time + 1e-4};
+        second[i] = (struct bead_peak){.value = 10 - (i % 2 ? 9e-6 : 1.1e-5), .time = m.peaks[i].time + 1e-4};
     const struct bead_uncertain_peaks rivals[2] = {{.peaks = m.peaks,
                                                     .second = second,
                                                     .coarse = {m.coarse, second},
@@ -134,7 +134,7 @@ static void times_have_uncertainties(void **state)
                                                    {.count = 0}};
     bead_uncertainty_find(&usual, rivals);
     for (size_t i = 0; i < PEAKS; i++)
-        assert_near(m.t[i], i % 2 ? 1e-4 : 1e-6 * m.peaks[i].time, 1e-16);
+        assert_near(m.t[i], (i % 2 ? 1e-4 : 0) + 1e-6 * m.peaks[i].time, 1e-16);
 }
 
 /* Twice the differences: twice the uncertainties. */

@@ -106,10 +106,10 @@ static void tell_miss(const struct said *got, size_t i, double error, double sai
            contact ? "contact" : "bead", contact ? i : i - got->contacts, got->peak[i].value, got->peak[i].time, error, said);
 }
 
-/* Of its force or its time, relative. */
+/* Of its force, or its time as a part of that. */
 static double off(const struct bead_peak *peak, const struct bead_peak *exact, bool times)
 {
-    return times ? fabs(peak->time - exact->time) / exact->time : difference(peak, exact);
+    return times ? fabs(peak->time - exact->time) / peak->time : difference(peak, exact);
 }
 
 static void judge(struct count *c, const struct said *got, const struct said references[2], double accuracy, bool times)
