@@ -30,7 +30,8 @@ function showPeaks() {
 
 /* As tables of peaks have them. */
 const peakRows = () => chains.filter(c => c.peaks).flatMap(c => c.peaks.force.map((force, k) => ({
-    ...chainColumn(c), contact: k, peak_force_N: force, time_s: c.peaks.time[k], state: c.peaks.open.includes(k) ? 'open' : '', uncertainty_N: c.peaks.uncertainty[k]
+    ...chainColumn(c), contact: k, peak_force_N: force, time_s: c.peaks.time[k], state: c.peaks.open.includes(k) ? 'open' : '', uncertainty_N: c.peaks.uncertainty[k],
+    time_s_uncertainty: c.peaks.time_uncertainty[k]
 })));
 
 /* ---- numbers ---- */

@@ -156,6 +156,7 @@ static void write_peaks(struct bead_json *json, const struct report_chain *c, co
     }
     bead_json_close(json, "]");
     bead_json_numbers(json, "uncertainty", outcome->contact_uncertainty, outcome->contact_uncertainty ? count : 0);
+    bead_json_numbers(json, "time_uncertainty", outcome->contact_time_uncertainty, outcome->contact_time_uncertainty ? count : 0);
     bead_json_close(json, "}");
 }
 

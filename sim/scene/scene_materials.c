@@ -46,7 +46,7 @@ static const struct bead_option rows[] = {
      .help = "yield strength: a run says by how much the pressure between beads exceeds it, and warns where they would be plastic",
      .example = "1 GPa"},
     {"colour", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "\"#rrggbb\"", .like = "text", .read = read_colour,
-     .help = "colour in pictures; auto: one that differs from those of the materials before it", .example = "\"#c08040\""},
+     .help = "colour in pictures; auto: each of up to five materials has its own, more are alike", .example = "\"#c08040\""},
     {"label", BEAD_OPTION_TEXT, offsetof(struct written, label), .initial = "",
      .help = "what pictures call it; default: its name, as words: large steel. A wall of it has the label up to the first comma",
      .example = "\"steel, 4.76 mm\""},
@@ -61,8 +61,10 @@ static const struct bead_option rows[] = {
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
                                                    BEAD_OPTIONS(rows), NULL, NULL};
 
-/* Of a scene's materials in turn, as unlike in lightness as in hue: grey, plum, sand, green, rust. */
+/* Of a scene's materials, as unlike in lightness as in hue: grey, plum, sand, green, rust. More materials are those of a taper or of
+ * disorder: all have the first. */
 static const unsigned long auto_colours[] = {0x9aa4b2, 0x5d5468, 0xd8c7a8, 0x4a8a78, 0x8f4f45};
+enum { AUTO_COLOURS = sizeof auto_colours / sizeof *auto_colours };
 
 static void set_colour(struct written *written, unsigned long rgb)
 {
@@ -148,11 +150,11 @@ static enum bead_error add_material(struct bead_reader *reader, const char *name
     return BEAD_OK;
 }
 
-/* Reads material `number` of the list. */
+/* Reads a material that has by itself the colour `number`. */
 static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at, size_t number)
 {
     struct written written = {0};
-    set_colour(&written, auto_colours[number % (sizeof auto_colours / sizeof *auto_colours)]);
+    set_colour(&written, auto_colours[number]);
     BEAD_TRY(bead_check_text(reader, at, at->key));
     if (!*at->key || strcmp(at->key, "none") == 0 || strcmp(at->key, "rigid") == 0)
         return bead_wrong(reader, at, "cannot be the name of a material; must not be `none` or `rigid`");
@@ -175,7 +177,7 @@ BEAD_OPTION_READER(bead_scene_read_materials)
     enum bead_error err = BEAD_OK, kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i + 1 < at->node->count; i += 2) {
         struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
-        err = read_one(reader, &one, i / 2);
+        err = read_one(reader, &one, at->node->count / 2 > AUTO_COLOURS ? 0 : i / 2);
     }
     return kept;
 }

@@ -28,14 +28,14 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
-/* Does the name end like a file, with a letter among at most eight letters and digits? A number is part of a directory's name. */
+/* Does the name end like a file, with a letter among two to eight letters and digits? Numbers and `.d` are of directories. */
 static bool ends_like_file(const char *name)
 {
     const char *ending = extension(name);
     size_t length = 0, digits = 0;
     for (; isalnum((unsigned char)ending[length]); length++)
         digits += isdigit((unsigned char)ending[length]) != 0;
-    return strrchr(name, '.') != name && !ending[length] && length <= 8 && digits < length;
+    return strrchr(name, '.') != name && !ending[length] && length >= 2 && length <= 8 && digits < length;
 }
 
 bool bead_session_names_file(const char *output, const struct bead_own *own)

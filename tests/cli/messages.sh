@@ -75,7 +75,7 @@ for name in a.bmp b.heic c.PS d.avi e.xyz f.lammpst; do
 done
 ok "... each once" test "$(grep -o '\.png' err | wc -l)" -eq 1
 ok "... and how a directory is meant" says '`f.lammpst/` would be a directory'
-for name in run.2 .hidden f.lammpst/; do
+for name in run.2 run.d .hidden f.lammpst/; do
     ok "-o $name" "$beadreel" good.yaml -q -o $name
     ok "... is a directory" test -f "$name/peaks.csv"
 done
