@@ -61,8 +61,8 @@ static const struct bead_option rows[] = {
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
                                                    BEAD_OPTIONS(rows), NULL, NULL};
 
-/* Of a scene's materials, as unlike in lightness as in hue: grey, plum, sand, green, rust. More materials are those of a taper or of
- * disorder: all have the first. */
+/* Of a scene's materials, as unlike in lightness as in hue: grey, plum, sand, green, rust. More materials are those of a taper or
+ * of disorder: all have the first. */
 static const unsigned long auto_colours[] = {0x9aa4b2, 0x5d5468, 0xd8c7a8, 0x4a8a78, 0x8f4f45};
 enum { AUTO_COLOURS = sizeof auto_colours / sizeof *auto_colours };
 
