@@ -17,7 +17,7 @@ case $kind in
 tarball)
     # Debian has no keys of Ubuntu's to look its packages up by.
     [ "$suite" != noble ] || MIRROR="deb [trusted=yes] ${MIRROR:-http://archive.ubuntu.com/ubuntu} noble main"
-    make_root "$suite"
+    make_root "$suite" --include=apt # every one has it, and with it the library of C++, which the archive leaves to the system
     mkdir -p "$root/some place" "$root/demo" && tar -xf "$file" -C "$root/some place" || exit 1
     program=/$(cd "$root" && echo "some place"/*/bin/beadreel)
     ;;
