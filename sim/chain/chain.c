@@ -17,8 +17,8 @@
 #include "sim/yaml/yaml.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
-/* Radius of the drawn masses of a string: of the distance that their motion leaves them, with some air between; and the least one.
- */
+/* Radius of the drawn masses of a string, as a part of the distance that their motion leaves them (half: they would touch), and the
+ * least, of that at rest. Chosen by eye. */
 static const double radius_of_points = 0.45, least_radius = 0.15;
 
 /* The last part of a path that the scene has. NULL: the scene was not read from a text. */
