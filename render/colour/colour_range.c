@@ -98,7 +98,7 @@ enum bead_error bead_colour_range_map(const struct bead_output *output, const st
                                       struct bead_colormap *map, struct bead_message *msg)
 {
     static const char *const own[2][2] = {{"ember", "inferno"}, {"dawn", "dusk"}}; /* zero looks like the page */
-    bool signs = bead_chain_signed(chain, output->shown.field);
+    const bool signs = bead_chain_signed(chain, output->shown.field) && !(output->colours.range[0] >= 0);
     bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};
     enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap : own[signs][dark], map, &why);

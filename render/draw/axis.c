@@ -333,10 +333,14 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
 {
     double largest = fmax(fabs(low), fabs(high));
     bool counts = strcmp(si_unit, "1") == 0, number = *si_unit == '\0';
-    int exponent = number ? power_of_numbers(largest, scale) : bead_prefix_exponent(largest, si_unit);
+    int exponent = number ? 0 : bead_prefix_exponent(largest, si_unit);
+    const bool below_prefixes = exponent < 0 && largest < 0.0099 * bead_power_of_ten(exponent);
+    if (number || below_prefixes)
+        exponent = power_of_numbers(largest, scale);
     *axis = (struct bead_axis){.low = low, .high = high, .scale = scale, .factor = bead_power_of_ten(-exponent)};
-    if (number && exponent != 0)
-        snprintf(axis->unit, sizeof axis->unit, "\u00d710<sup>%s%d</sup>", exponent < 0 ? "\u2212" : "", abs(exponent));
+    if ((number || below_prefixes) && exponent != 0)
+        snprintf(axis->unit, sizeof axis->unit, "\u00d710<sup>%s%d</sup>%s%s", exponent < 0 ? "\u2212" : "", abs(exponent),
+                 number ? "" : "\u00a0", si_unit);
     else if (!number && !counts)
         snprintf(axis->unit, sizeof axis->unit, "%s%s", bead_prefix_sign(exponent), si_unit);
     bool sensible = isfinite(low) && isfinite(high) && high - low > 1e-12 * largest && length > 0 && em > 0;

@@ -76,7 +76,7 @@ void bead_number(double number, int decimals, char *out, size_t size)
     if (size == 0)
         return;
     out[0] = '\0';
-    if (!(fabs(number) < 1e15)) {
+    if (!(fabs(number) < 1e15) || decimals > 15) {
         append(out, size, isnan(number) ? "\u2013" : number < 0 ? "\u2212\u221e" : "\u221e");
         if (isfinite(number))
             snprintf(out, size, "%.3g", number);

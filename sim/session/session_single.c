@@ -18,8 +18,9 @@
 struct changes {
     struct bead_override all[6];
     size_t count;
-    char place[24];        /* that a new output shows */
-    struct bead_node file; /* that of a new output */
+    char place[24];               /* that a new output shows */
+    struct bead_node file;        /* that of a new output */
+    const struct bead_output *of; /* the scene's output that is kept; NULL: a new one, or a film's frame */
 };
 
 static const char *extension(const char *path)
@@ -48,7 +49,7 @@ bool bead_session_names_file(const char *output, const struct bead_own *own)
 
 /* ---- which it is ---- */
 
-/* Has the kind all the keys that the job's options set? */
+/* Has the kind, or one of its panels, all the keys that the job's options set? */
 static bool takes_looks(const struct bead_job *job, const struct bead_output *output, bool sweep)
 {
     const struct bead_output_type *type = bead_output_type(output->kind);
@@ -56,7 +57,8 @@ static bool takes_looks(const struct bead_job *job, const struct bead_output *ou
     for (size_t i = 0; i < job->look_count && all; i++) {
         char key[32];
         snprintf(key, sizeof key, "%.*s", (int)strcspn(job->looks[i] + 2, "="), job->looks[i] + 2);
-        all = bead_options_find(sweep ? type->sweep_options : type->options, key) != NULL;
+        all = bead_options_find(sweep ? type->sweep_options : type->options, key) ||
+              (output->still.panel_count > 0 && bead_options_find(&bead_image_panel_options, key));
     }
     return all;
 }
@@ -236,29 +238,67 @@ static enum bead_error name_output(struct bead_session *s, struct changes *chang
 /* Leave no output but this one. */
 static void keep_output(struct changes *changes, const struct bead_output *output)
 {
+    changes->of = output;
     add(changes, (struct bead_override){.path = "outputs", .value = "[]"});
     add(changes, (struct bead_override){.below = "outputs", .path = "+", .node = output->node});
 }
 
 /* ---- what changes the scene ---- */
 
+struct panel {
+    const struct bead_options *options;
+    char below[64]; /* "outputs.0.panels.1.0" */
+};
+
+static void find_panels(const struct bead_output *output, const char *below, struct panel *panels)
+{
+    size_t column = 0;
+    for (size_t p = 0; p < output->still.panel_count; p++) {
+        const struct bead_output *panel = &output->still.panels[p];
+        column = p > 0 && panel->panel.row == panel[-1].panel.row ? column + 1 : 0;
+        panels[p].options = panel->kind == BEAD_OUTPUT_PLOT ? &bead_plot_panel_options : &bead_image_panel_options;
+        snprintf(panels[p].below, sizeof panels[p].below, "%s.panels.%zu.%zu", below, panel->panel.row, column);
+    }
+}
+
+/* Add what an option says: of each panel in which the key is that of an image, else of the output. */
+static void add_look(const char *look, const char *below, const struct panel *panels, size_t panel_count, struct bead_override *all,
+                     size_t *count)
+{
+    const struct bead_override laid = {
+        .origin = look, .path = look + 2, .below = below, .place = {1, 1}, .value = look + strcspn(look, "=") + 1};
+    const size_t before = *count;
+    char key[32];
+    snprintf(key, sizeof key, "%.*s", (int)strcspn(laid.path, "="), laid.path);
+    const struct bead_option *row = bead_options_find(&bead_image_panel_options, key);
+    for (size_t p = 0; p < panel_count && row; p++) {
+        if (bead_options_find(panels[p].options, key) == row) {
+            all[*count] = laid;
+            all[(*count)++].below = panels[p].below;
+        }
+    }
+    if (*count == before)
+        all[(*count)++] = laid;
+}
+
 /* The changes, then what the job's options say of the output of entry number `entry`, then its settings and config. */
 static enum bead_error change(const struct bead_session *s, const struct bead_scene *scene, const struct changes *changes,
                               size_t entry, struct bead_scene **changed, struct bead_message *msg)
 {
     const struct bead_job *job = &s->job;
+    const size_t panel_count = changes->of ? changes->of->still.panel_count : 0;
     size_t count = changes->count;
-    BEAD_FREED struct bead_override *all = calloc(count + job->look_count + 1, sizeof *all);
+    BEAD_FREED struct panel *panels = calloc(panel_count + 1, sizeof *panels);
+    BEAD_FREED struct bead_override *all = calloc(count + job->look_count * (panel_count + 1) + 1, sizeof *all);
     char below[32];
-    if (!all)
+    if (!all || !panels)
         return bead_session_out_of_memory(msg);
     snprintf(below, sizeof below, "outputs.%zu", entry);
+    if (panel_count > 0)
+        find_panels(changes->of, below, panels);
     memcpy(all, changes->all, count * sizeof *all);
-    for (size_t i = 0; i < job->look_count; i++) {
-        const char *look = job->looks[i];
-        all[count++] = (struct bead_override){
-            .origin = look, .path = look + 2, .below = below, .place = {1, 1}, .value = look + strcspn(look, "=") + 1};
-    }
+    for (size_t i = 0; i < job->look_count; i++)
+        add_look(job->looks[i], below, panels, panel_count, all, &count);
     struct bead_overrides overrides = {
         .all = all, .count = count, .settings = job->settings, .setting_count = job->setting_count, .config = job->config};
     overrides.shown = bead_session_shown(s, &overrides.shown_count);

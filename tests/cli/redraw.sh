@@ -71,6 +71,24 @@ if command -v ffmpeg >/dev/null; then
 else
     skip ffmpeg "the pixels"
 fi
+# ---- figures of panels ----
+
+cat >panels.yaml <<'YAML'
+chain: {beads: [{bead: large-steel, count: 40}, {bead: small-steel, sensor: A}, {bead: large-steel, count: 30}]}
+simulate: {until: 1 ms}
+outputs: [{plot: figure.svg, size: [640, 800], panels: [[{field: force}], [{field: velocity}, {show: sensors}]]}]
+YAML
+figure() { exits 0 "$beadreel" panels.yaml -o p.svg "$@" && prints "from the scene's figure.svg"; }
+ok "what images show is of all images of a figure" figure --beads 57:63 --time 0.2ms:0.4ms --colormap grey
+labels() { grep -o '<tspan[^>]*>[^<]*<' p.svg | sed 's/.*>\(.*\)</\1/' | grep -cxF -- "$1"; }
+ok "... both have the beads" [ "$(labels 57),$(labels 63),$(labels 40)" = 2,2,0 ]
+ok "... all three panels have the time" [ "$(labels 200),$(labels 100)" = 3,0 ]
+figure --field velocity >tmp/out
+ok "a field is that of images, not of curves" [ "$(labels 'bead force (N)'),$(labels 'velocity (mm/s)'),$(labels 'force (N)')" = 1,2,0 ]
+printf 'chain: {beads: [{bead: brass, count: 5}]}\noutputs: [{plot: peaks.svg, panels: [[{show: peaks}]]}]\n' >peaks.yaml
+ok "panels without an image" fails 2 "$beadreel" peaks.yaml -o p.svg --range 0:1
+ok "... have nothing to colour" says "is a key of a single panel"
+
 # draws OPTION... : another picture than without.
 draws() { exits 0 "$beadreel" run/run.h5 -o "again.png" "$@" && ! cmp -s again.png plain/deep/force.png && rm again.png; }
 for option in '--range 0:10' '--range [0,10]' '--range 0,10' '--time 0.2ms:0.4ms' '--time 0.2ms:' '--time [0.2ms,auto]' '--beads 30:60' \

@@ -403,6 +403,7 @@ static void axes_have_these_labels(void **)
                  {0.6, 1.5, "", BEAD_SCALE_LINEAR, 400, true, "0.6 0.9 1.2 1.5", "", 6},
                  {0, 1e-3, "s", BEAD_SCALE_LINEAR, 400, true, "0.0 0.2 0.4 0.6 0.8 1.0", "ms", 0},
                  {0, 25e3, "N", BEAD_SCALE_LINEAR, 200, false, "0 5 10 15 20 25", "kN", 0},
+                 {0, 25e-42, "N", BEAD_SCALE_LINEAR, 200, false, "0 5 10 15 20 25", "\u00d710<sup>\u221242</sup>\u00a0N", 0},
                  {0, 3e6, "", BEAD_SCALE_LINEAR, 400, true, "0.0 0.5 1.0 1.5 2.0 2.5 3.0", "\u00d710<sup>6</sup>", 0},
                  {0, 3e-6, "", BEAD_SCALE_LINEAR, 400, true, "0.0 0.5 1.0 1.5 2.0 2.5 3.0", "\u00d710<sup>\u22126</sup>", 0},
                  {0.5, 5.5, "1", BEAD_SCALE_LINEAR, 400, true, "1 2 3 4 5", "", 0},

@@ -98,6 +98,8 @@ static void test_dark_pictures_have_a_dark_map(void **state)
     } cases[] = {{"image: a.png", "ember"},
                  {"image: a.png, colormap: grey_r", "grey_r"},
                  {"image: a.png, field: velocity", "dawn"},
+                 {"image: a.png, field: velocity, range: [-2, 0]", "dawn"},
+                 {"image: a.png, field: velocity, range: [0, 2]", "ember"}, /* zero is white here too */
                  {"image: a.png, theme: dark", "inferno"},
                  {"image: a.png, theme: dark, colormap: batlow", "batlow"},
                  {"image: a.png, theme: dark, field: velocity", "dusk"}};
