@@ -18,7 +18,8 @@
  *   spins [n][cells]      1 up, 0 reversed, of the random cells
  *   magnetism [n]         M of the chain; over keys: value [n][key], NaN where it is no number, of the keys `key` [keys]
  *   place [places]        "peak", or the sensors' names
- *   peak_force [n][place] N, peak_time [n][place] s, peak_uncertainty [n][place] N, peak_bead [n][place], peak_open [n][place]
+ *   peak_force [n][place] N, peak_time [n][place] s, peak_uncertainty [n][place] N, peak_time_uncertainty [n][place] s (older files
+ *                         have none), peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
  *   finer_bead_force ...  the same of runs of a sample of them with a hundredth of the tolerance; 0: none
  *   reference_...         the same of the chain with all random cells up */
@@ -65,11 +66,12 @@ struct bead_sweep_panel {
 };
 
 struct bead_sweep_peak {
-    double force;       /* N: largest bead force of the first passage */
-    double time;        /* s; NaN where the wave has not come */
-    double uncertainty; /* N: measured by a finer run, for one in 64 chains; 0: not measured */
-    uint32_t bead;      /* where */
-    uint32_t open;      /* 1: at the end of the run a force there was rising, and higher than before */
+    double force;            /* N: largest bead force of the first passage */
+    double time;             /* s; NaN where the wave has not come */
+    double uncertainty;      /* N: measured by a finer run, for one in 64 chains; 0: not measured */
+    double time_uncertainty; /* s: likewise; NaN: not known */
+    uint32_t bead;           /* where */
+    uint32_t open;           /* 1: at the end of the run a force there was rising, and higher than before */
 };
 
 struct bead_sweep_configuration {

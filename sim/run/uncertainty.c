@@ -353,7 +353,7 @@ bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct
 
 double bead_uncertainty_measured(double accuracy, double force, double finer)
 {
-    return fmax(accuracy * fabs(force), safety * fabs(force - finer));
+    return isnan(finer) ? NAN : fmax(accuracy * fabs(force), safety * fabs(force - finer));
 }
 
 bool bead_uncertainty_is_large(double value, double uncertainty)

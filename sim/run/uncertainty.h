@@ -86,7 +86,8 @@ double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double
  * both, it and the horizon, may be higher. */
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
                               double reach);
-/* The uncertainty of a force, or of any number, by a finer run alone: at least the accuracy asked for, as a part of it. */
+/* The uncertainty of a force, or of any number, by a finer run alone: at least the accuracy asked for, as a part of it; NaN: the
+ * finer run has none. */
 double bead_uncertainty_measured(double accuracy, double force, double finer);
 /* True if a number is not known to a tenth of itself. */
 bool bead_uncertainty_is_large(double value, double uncertainty);

@@ -98,8 +98,8 @@ static int by_x(const void *a, const void *b)
 /* The straight line through the logarithms of the means. */
 static void fit_slope(struct bead_sweep_curve *curve)
 {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, rest = 0;
-    curve->slope = curve->slope_error = curve->offset = NAN;
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, rest = 0, off_by = 0;
+    curve->slope = curve->slope_error = curve->slope_uncertainty = curve->offset = NAN;
     for (size_t i = 0; i < curve->count; i++) {
         const double x = bead_log(curve->points[i].x), y = bead_log(curve->points[i].summary.mean);
         if (!isfinite(x) || !isfinite(y))
@@ -112,6 +112,7 @@ static void fit_slope(struct bead_sweep_curve *curve)
         const double x = bead_log(curve->points[i].x) - sx / n, y = bead_log(curve->points[i].summary.mean) - sy / n;
         sxx += x * x;
         sxy += x * y;
+        off_by += fabs(x) * curve->points[i].uncertainty / curve->points[i].summary.mean;
     }
     if (n < 3 || !(sxx > 0))
         return;
@@ -122,6 +123,7 @@ static void fit_slope(struct bead_sweep_curve *curve)
         rest += off * off;
     }
     curve->slope_error = sqrt(rest / (n - 2) / sxx);
+    curve->slope_uncertainty = off_by / sxx; /* the slope is linear in the logarithms */
 }
 
 /* All points of one curve: of each value along the axis the known results. */

@@ -17,6 +17,7 @@ struct bead_sweep_curve {
     struct bead_sweep_point *points; /* by rising x */
     size_t count;
     double slope, slope_error; /* of ln y against ln x, by least squares; NaN with fewer than three points, or not above 0 */
+    double slope_uncertainty;  /* by those of the points, all off in the worst directions */
     double offset;             /* ln y at ln x = 0 */
 };
 struct bead_sweep_curves {

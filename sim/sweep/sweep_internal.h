@@ -57,8 +57,10 @@ const char *bead_sweep_version(const struct bead_sweep *sweep);
  * of which *count are filled. */
 BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means,
                                      size_t *count);
-/* How well the forces of a place are known, as a part of themselves: as the worst of those that were measured; NaN: none was. */
+/* How well the forces of a place, or their times, are known, as a part of themselves: as the worst of those that were measured;
+ * NaN: none was. */
 BEAD_INTERNAL double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
+double bead_sweep_time_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 
 /* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
  * chain's. */

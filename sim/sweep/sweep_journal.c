@@ -13,7 +13,7 @@
 #include "sim/sweep/sweep_internal.h"
 
 static const char magic[16] = "beadreel-sweep\n";
-enum { FORMAT = 4 };
+enum { FORMAT = 5 };
 /* A power failure may lose this many seconds of work. */
 static const double sync_every = 1;
 

@@ -107,7 +107,7 @@ static void find_uncertainties(const struct work *work, size_t count, double *un
 {
     double worst = NAN;
     for (size_t i = 0; i < count; i++) {
-        uncertainty[i] = isnan(work->finer[i]) ? NAN : bead_uncertainty_measured(0, work->values[i], work->finer[i]);
+        uncertainty[i] = bead_uncertainty_measured(0, work->values[i], work->finer[i]);
         if (work->values[i] != 0)
             worst = fmax(worst, uncertainty[i] / fabs(work->values[i]));
     }

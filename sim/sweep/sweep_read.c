@@ -72,6 +72,20 @@ static void read_spins(struct reader *r, int64_t *whole)
     free(bits);
 }
 
+/* Older files have none. */
+static void read_time_uncertainties(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers)
+{
+    const size_t places = r->panel->shown.places;
+    if (!bead_h5_has(r->h5, name_of(r, prefix, "peak_time_uncertainty")))
+        return;
+    bead_h5_read_table(r->h5, r->name, BEAD_H5_DOUBLE, count, places, numbers);
+    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+        if (numbers[i] < 0 || isinf(numbers[i]))
+            wrong(r, "an uncertainty that is negative or infinite");
+        r->panel->peaks[rows[i / places] * places + i % places].time_uncertainty = numbers[i];
+    }
+}
+
 static void read_peaks(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers, int64_t *whole)
 {
     const size_t places = r->panel->shown.places;
@@ -91,6 +105,7 @@ static void read_peaks(struct reader *r, const char *prefix, const size_t *rows,
             wrong(r, "an uncertainty that is negative or not finite");
         peaks[rows[i / places] * places + i % places].uncertainty = numbers[i];
     }
+    read_time_uncertainties(r, prefix, rows, count, numbers);
     bead_h5_read_table(r->h5, name_of(r, prefix, "peak_bead"), BEAD_H5_INT, count, places, whole);
     for (size_t i = 0; i < count * places && !r->h5->error; i++) {
         if (whole[i] < 0 || (!bead_sweep_is_over(r->panel) && (uint64_t)whole[i] >= r->panel->shown.beads))

@@ -171,9 +171,11 @@ static enum bead_error measure_errors(const struct measure *m, const struct bead
     if (!err && m->profiles)
         err = keep_profiles(&again, &finer, msg);
     for (size_t i = 0; !err && i < m->panel->shown.places; i++) {
-        struct bead_sweep_peak *peak = &m->panel->peaks[m->row * m->panel->shown.places + i];
-        peak->uncertainty = bead_uncertainty_measured(play.simulate->step > 0 ? 0 : play.simulate->accuracy, peak->force,
-                                                      peak_of(m, finer.outcomes[0].bead_peaks, i).force);
+        const double accuracy = play.simulate->step > 0 ? 0 : play.simulate->accuracy;
+        struct bead_sweep_peak *peak = &m->panel->peaks[m->row * m->panel->shown.places + i],
+                               other = peak_of(m, finer.outcomes[0].bead_peaks, i);
+        peak->uncertainty = bead_uncertainty_measured(accuracy, peak->force, other.force);
+        peak->time_uncertainty = bead_uncertainty_measured(accuracy, peak->time, other.time);
     }
     if (m->profiles)
         free(again.seen);

@@ -78,15 +78,37 @@ static enum bead_error find_threshold(struct bead_sweep_statistics *s, const cha
     return err == BEAD_ERROR_NUMBERS ? BEAD_OK : err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
-double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
+/* The largest part of all configurations; fmax ignores those that were not measured. */
+static double worst_part(const struct bead_sweep *sweep, size_t panel, size_t place,
+                         double (*part_of)(const struct bead_sweep_peak *peak))
 {
     double worst = NAN;
     for (size_t i = 0; i < bead_sweep_panel(sweep, panel)->configurations; i++) {
         struct bead_sweep_configuration c;
-        if (bead_sweep_configuration(sweep, panel, i, &c) && c.peaks[place].uncertainty > 0)
-            worst = fmax(worst, c.peaks[place].uncertainty / c.peaks[place].force);
+        if (bead_sweep_configuration(sweep, panel, i, &c))
+            worst = fmax(worst, part_of(&c.peaks[place]));
     }
     return worst;
+}
+
+static double part_of_force(const struct bead_sweep_peak *peak)
+{
+    return peak->uncertainty > 0 ? peak->uncertainty / peak->force : NAN;
+}
+
+static double part_of_time(const struct bead_sweep_peak *peak)
+{
+    return peak->time_uncertainty > 0 ? peak->time_uncertainty / peak->time : NAN;
+}
+
+double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
+{
+    return worst_part(sweep, panel, place, part_of_force);
+}
+
+double bead_sweep_time_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
+{
+    return worst_part(sweep, panel, place, part_of_time);
 }
 
 enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place, const char *threshold,

@@ -65,6 +65,8 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
     for (size_t i = 0; i < 4; i++)
         number(o->file, s->has_threshold ? found[i] : NAN);
     number(o->file, uncertain * m->mean);
+    number(o->file, uncertain * m->mean * s->clean);
+    number(o->file, s->has_threshold ? uncertain * s->threshold.plateau : NAN);
     fputc('\n', o->file);
 }
 
@@ -73,7 +75,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     head(
         o,
         "magnetism,configurations,mean,standard_error,median,minimum,maximum,lower_quartile,upper_quartile,mean_N,standard_error_N,"
-        "median_N,plateau,plateau_error,threshold,threshold_error,uncertainty");
+        "median_N,plateau,plateau_error,threshold,threshold_error,uncertainty,uncertainty_N,plateau_uncertainty");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         for (size_t place = 0; place < bead_sweep_panel(o->sweep, p)->places; place++) {
             struct bead_sweep_statistics s;
@@ -90,33 +92,70 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     return BEAD_OK;
 }
 
-/* That of a force, or, if it was not measured, by the worst of those that were. */
-static void write_uncertainty(const struct out *o, size_t panel, size_t place, const struct bead_sweep_peak *peak)
+/* How well the forces of a place and their times are known, if they were not measured: by the worst of those that were, as parts.
+ */
+struct worst {
+    double force, time;
+};
+
+/* Of each place; to be freed with free(). Errors: MEMORY. */
+static enum bead_error find_worst(const struct out *o, size_t panel, struct worst **worst, struct bead_message *msg)
 {
-    number(o->file, peak->uncertainty > 0 ? peak->uncertainty : bead_sweep_uncertainty(o->sweep, panel, place) * peak->force);
-    fputc('\n', o->file);
+    const size_t places = bead_sweep_panel(o->sweep, panel)->places;
+    BEAD_TRY(bead_new(worst, places + 1, msg, "a table"));
+    for (size_t i = 0; i < places; i++)
+        (*worst)[i] = (struct worst){bead_sweep_uncertainty(o->sweep, panel, i), bead_sweep_time_uncertainty(o->sweep, panel, i)};
+    return BEAD_OK;
 }
 
-static enum bead_error write_configurations(const struct out *o, struct bead_message *)
+static double force_uncertainty(const struct bead_sweep_peak *peak, const struct worst *worst)
 {
-    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state,uncertainty_N");
+    return peak->uncertainty > 0 ? peak->uncertainty : worst->force * peak->force;
+}
+
+static double time_uncertainty(const struct bead_sweep_peak *peak, const struct worst *worst)
+{
+    return peak->time_uncertainty != 0 ? peak->time_uncertainty : worst->time * peak->time;
+}
+
+/* A row's force and time. */
+static void write_uncertainties(const struct out *o, const struct bead_sweep_peak *peak, const struct worst *worst)
+{
+    number(o->file, force_uncertainty(peak, worst));
+    number(o->file, time_uncertainty(peak, worst));
+}
+
+/* The ratio of two forces, which are both uncertain. */
+static double ratio_uncertainty(const struct bead_sweep_peak *peak, const struct bead_sweep_peak *by, const struct worst *worst)
+{
+    return (force_uncertainty(peak, worst) + peak->force / by->force * force_uncertainty(by, worst)) / by->force;
+}
+
+static enum bead_error write_configurations(const struct out *o, struct bead_message *msg)
+{
+    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state,uncertainty_N,time_s_uncertainty,"
+            "normalised_uncertainty");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, p);
         struct bead_sweep_configuration clean, c;
+        BEAD_FREED struct worst *worst = NULL;
+        BEAD_TRY(find_worst(o, p, &worst, msg));
         bool normal = bead_sweep_configuration(o->sweep, p, BEAD_SWEEP_CLEAN, &clean);
         for (size_t i = 0; i < panel->configurations; i++) {
             if (!bead_sweep_configuration(o->sweep, p, i, &c))
                 continue;
             for (size_t place = 0; place < panel->places; place++) {
-                const struct bead_sweep_peak *peak = &c.peaks[place];
+                const struct bead_sweep_peak *peak = &c.peaks[place], *by = normal ? &clean.peaks[place] : NULL;
                 names(o, p, place);
                 fprintf(o->file, "%zu", i);
                 number(o->file, c.magnetism);
-                number(o->file, normal ? peak->force / clean.peaks[place].force : NAN);
+                number(o->file, by ? peak->force / by->force : NAN);
                 number(o->file, peak->force);
                 number(o->file, peak->time);
                 fprintf(o->file, ",%zu,%.*s,%s", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
-                write_uncertainty(o, p, place, peak);
+                write_uncertainties(o, peak, &worst[place]);
+                number(o->file, by ? ratio_uncertainty(peak, by, &worst[place]) : NAN);
+                fputc('\n', o->file);
             }
         }
     }
@@ -182,16 +221,18 @@ static void write_key(const struct out *o, size_t panel, size_t index, size_t ke
                     bead_sweep_panel(o->sweep, panel)->spec->over.keys[key].text[bead_sweep_value(o->sweep, panel, index, key)]);
 }
 
-static enum bead_error write_every_point(const struct out *o, struct bead_message *)
+static enum bead_error write_every_point(const struct out *o, struct bead_message *msg)
 {
+    BEAD_FREED struct worst *worst = NULL;
     const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, 0);
     const struct bead_over *over = &panel->spec->over;
+    BEAD_TRY(find_worst(o, 0, &worst, msg));
     fprintf(o->file, "%sconfiguration", o->places ? "place," : "");
     for (size_t k = 0; k < over->key_count; k++) {
         fputc(',', o->file);
         bead_table_text(o->file, over->keys[k].path);
     }
-    fputs(",peak_force_N,time_s,bead,state,uncertainty_N\n", o->file);
+    fputs(",peak_force_N,time_s,bead,state,uncertainty_N,time_s_uncertainty\n", o->file);
     for (size_t i = 0; i < panel->configurations; i++) {
         struct bead_sweep_configuration c;
         for (size_t place = 0; bead_sweep_configuration(o->sweep, 0, i, &c) && place < panel->places; place++) {
@@ -201,10 +242,12 @@ static enum bead_error write_every_point(const struct out *o, struct bead_messag
                 fputc(',', o->file);
                 write_key(o, 0, i, k);
             }
-            number(o->file, c.peaks[place].force);
-            number(o->file, c.peaks[place].time);
-            fprintf(o->file, ",%zu,%s", (size_t)c.peaks[place].bead, c.peaks[place].open ? "open" : "");
-            write_uncertainty(o, 0, place, &c.peaks[place]);
+            const struct bead_sweep_peak *peak = &c.peaks[place];
+            number(o->file, peak->force);
+            number(o->file, peak->time);
+            fprintf(o->file, ",%zu,%s", (size_t)peak->bead, peak->open ? "open" : "");
+            write_uncertainties(o, peak, &worst[place]);
+            fputc('\n', o->file);
         }
     }
     return BEAD_OK;
@@ -225,6 +268,7 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
         number(o->file, curve->slope);
         number(o->file, curve->slope_error);
         number(o->file, curve->points[i].uncertainty);
+        number(o->file, curve->slope_uncertainty);
         fputc('\n', o->file);
     }
 }
@@ -241,7 +285,7 @@ static enum bead_error write_place(const struct out *o, size_t place, const stru
         fprintf(o->file, "%s%s,curve,configurations", o->places ? "place," : "", along->path);
         for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
             fprintf(o->file, ",%s%s%s", columns[i], *unit ? "_" : "", unit);
-        fprintf(o->file, ",slope,slope_error,uncertainty%s%s\n", *unit ? "_" : "", unit);
+        fprintf(o->file, ",slope,slope_error,uncertainty%s%s,slope_uncertainty\n", *unit ? "_" : "", unit);
     }
     for (size_t i = 0; !err && i < curves.count; i++)
         write_curve(o, place, &curves.curves[i], along);

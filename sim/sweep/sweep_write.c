@@ -67,21 +67,27 @@ static void write_scales(struct writer *w, int64_t *numbers)
     }
 }
 
+static double number_of(const struct bead_sweep_peak *peak, int column)
+{
+    return (const double[]){peak->force, peak->time, peak->uncertainty, peak->time_uncertainty}[column];
+}
+
 static void write_peaks(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers,
                         int64_t *whole)
 {
     static const struct {
         const char *name, *unit;
-    } columns[] = {{"peak_force", "N"}, {"peak_time", "s"}, {"peak_uncertainty", "N"}, {"peak_bead", NULL}, {"peak_open", NULL}};
+    } columns[] = {{"peak_force", "N"}, {"peak_time", "s"}, {"peak_uncertainty", "N"}, {"peak_time_uncertainty", "s"},
+                   {"peak_bead", NULL}, {"peak_open", NULL}};
     const size_t places = w->panel->shown.places;
     const hid_t scales[2] = {scale, w->place};
     char name[64];
-    for (int what = 0; what < 5; what++) {
+    for (int what = 0; what < 6; what++) {
         const bool is_whole = columns[what].unit == NULL;
         for (size_t i = 0; i < count * places; i++) {
             const struct bead_sweep_peak *peak = &w->panel->peaks[rows[i / places] * places + i % places];
-            numbers[i] = what == 0 ? peak->force : what == 1 ? peak->time : peak->uncertainty;
-            whole[i] = what == 3 ? peak->bead : peak->open;
+            numbers[i] = is_whole ? 0 : number_of(peak, what);
+            whole[i] = what == 4 ? peak->bead : peak->open;
         }
         snprintf(name, sizeof name, "%s%s", prefix, columns[what].name);
         bead_h5_write_table(w->h5, w->group, name, columns[what].unit, is_whole ? BEAD_H5_INT : BEAD_H5_DOUBLE, count, places,

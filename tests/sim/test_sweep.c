@@ -252,6 +252,15 @@ static void change_value(const char *path, const char *copy, const char *name, d
     H5Fclose(h5);
 }
 
+static void remove_data(const char *path, const char *name)
+{
+    char where[64];
+    snprintf(where, sizeof where, "/sweeps/0/%s", name);
+    hid_t h5 = H5Fopen(path, H5F_ACC_RDWR, H5P_DEFAULT);
+    assert_true(h5 >= 0 && H5Ldelete(h5, where, H5P_DEFAULT) >= 0);
+    H5Fclose(h5);
+}
+
 /* Bytes changed here and there: refused, or read without harm. */
 static void spoil_bytes(const char *copy, char *bytes, size_t size)
 {
@@ -311,15 +320,26 @@ static void files_are_not_trusted(void **state)
     static const struct {
         const char *name;
         double value;
-    } changes[] = {{"peak_force", -1},      {"peak_force", NAN}, {"peak_bead", 1000},  {"peak_bead", -1},
-                   {"peak_open", 2},        {"spins", 2},        {"configuration", 5}, {"reference_peak_force", INFINITY},
-                   {"peak_uncertainty", -1}};
+    } changes[] = {{"peak_force", -1},       {"peak_force", NAN},
+                   {"peak_bead", 1000},      {"peak_bead", -1},
+                   {"peak_open", 2},         {"spins", 2},
+                   {"configuration", 5},     {"reference_peak_force", INFINITY},
+                   {"peak_uncertainty", -1}, {"peak_time_uncertainty", -1}};
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         change_value(path, copy, changes[i].name, changes[i].value);
         assert_int_equal(bead_sweep_open(copy, NULL, &read, &msg), BEAD_ERROR_FORMAT);
         assert_null(read);
         assert_non_null(strstr(msg.text, changes[i].name));
     }
+    /* Files of earlier versions lack what is known of times. */
+    change_value(path, copy, "peak_time_uncertainty", 0);
+    remove_data(copy, "peak_time_uncertainty");
+    remove_data(copy, "reference_peak_time_uncertainty");
+    if (bead_sweep_open(copy, NULL, &read, &msg))
+        fail_msg("%s", msg.text);
+    assert_true(peak_of(read, 0)->time == peak_of(sweep, 0)->time && peak_of(read, 0)->time_uncertainty == 0);
+    assert_true(isnan(bead_sweep_time_uncertainty(read, 0, 0)) && bead_sweep_time_uncertainty(sweep, 0, 0) > 0);
+    bead_sweep_close(read);
     /* A setting may change outputs, not physics. */
     const char *harmless[] = {"outputs=[{table: x.csv}]"}, *harmful[] = {"sweep.seed=3"};
     assert_int_equal(bead_sweep_open(path, &(struct bead_overrides){.settings = harmless, .setting_count = 1}, &read, &msg),
@@ -375,11 +395,13 @@ static void long_chains_say_that_they_are_off(void **state)
                      cases[i].cells, accuracies[a]);
             sweep[a] = compute(scene[a] = parse(text), NULL);
         }
-        const double said = bead_sweep_uncertainty(sweep[0], 0, 0);
+        const double said = bead_sweep_uncertainty(sweep[0], 0, 0), of_time = bead_sweep_time_uncertainty(sweep[0], 0, 0);
         for (size_t c = 0; c < 2; c++) {
             const double force = peak_of(sweep[1], c)->force, error = fabs(peak_of(sweep[0], c)->force / force - 1);
             assert_true(error < said);
             assert_true(!cases[i].is_off || error > 1e-6);
+            const double time = peak_of(sweep[1], c)->time, late = fabs(peak_of(sweep[0], c)->time / time - 1);
+            assert_true(late < of_time && of_time < 10 * fmax(late, 1e-6));
             /* one in 64 is measured, of long chains all are */
             assert_true((peak_of(sweep[0], c)->uncertainty > 0) == (c == 0 || cases[i].is_off));
         }

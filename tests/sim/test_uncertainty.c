@@ -82,6 +82,7 @@ static void a_few_strong_answers_need_no_finer_run(void **state)
     assert_true(isinf(bead_uncertainty_find(&usual, kinds)));
     for (size_t i = 0; i < 400; i++)
         assert_near(u[i], i == 7 ? 3e-2 : 1e-5, 1e-12);
+    assert_true(isnan(bead_uncertainty_measured(1e-6, 10, NAN))); /* of what the finer run does not have, nothing is known */
 }
 
 /* Strong answers are measured by the finer run; where it agrees by chance, by the answer times the usual ratio. Peaks before them
