@@ -112,10 +112,14 @@ static const struct sign letters[] = {
     {"chi", "χ"},    {"psi", "ψ"},   {"omega", "ω"}, {"Gamma", "Γ"},      {"Delta", "Δ"},   {"Sigma", "Σ"},
     {"Phi", "Φ"},    {"Psi", "Ψ"},   {"Omega", "Ω"}, {"iota", "ι"},       {"upsilon", "υ"}, {"Theta", "Θ"},
     {"Lambda", "Λ"}, {"Xi", "Ξ"},    {"Pi", "Π"},    {"varepsilon", "ε"}, {"varphi", "φ"},  {"vartheta", "ϑ"}};
-static const struct sign signs[] = {{"cdot", "·"},   {"times", "×"},     {"pm", "±"},    {"approx", "≈"}, {"sim", "∼"},
-                                    {"propto", "∝"}, {"le", "≤"},        {"ge", "≥"},    {"ne", "≠"},     {"to", "→"},
-                                    {"infty", "∞"},  {"partial", "∂"},   {"sum", "∑"},   {"int", "∫"},    {"ll", "≪"},
-                                    {"gg", "≫"},     {"quad", "\u2003"}, {",", "\u2009"}};
+static const struct sign signs[] = {{"cdot", "·"},   {"times", "×"},     {"pm", "±"},     {"approx", "≈"}, {"sim", "∼"},
+                                    {"propto", "∝"}, {"le", "≤"},        {"ge", "≥"},     {"ne", "≠"},     {"to", "→"},
+                                    {"infty", "∞"},  {"partial", "∂"},   {"sum", "∑"},    {"int", "∫"},    {"ll", "≪"},
+                                    {"gg", "≫"},     {"quad", "\u2003"}, {",", "\u2009"}, {"leq", "≤"},    {"geq", "≥"},
+                                    {"neq", "≠"},    {"equiv", "≡"},     {"circ", "∘"},   {"ldots", "…"},  {"rightarrow", "→"},
+                                    {"langle", "⟨"}, {"rangle", "⟩"},    {"left", ""},    {"right", ""}};
+static const struct sign accents[] = {
+    {"dot", "\u0307"}, {"ddot", "\u0308"}, {"bar", "\u0304"}, {"hat", "\u0302"}, {"vec", "\u20d7"}};
 
 static const char *put_math(struct writer *w, const char *text, const char *end);
 
@@ -169,6 +173,18 @@ static const char *put_upright(struct writer *w, const char *text, const char *e
     return close + 1;
 }
 
+/* A mark over the last character of the argument, within its italics. */
+static const char *put_accent(struct writer *w, const char *mark, const char *text, const char *end)
+{
+    static const char italic[] = "</i>";
+    text = put_argument(w, text, end);
+    const bool in_italics = !w->full && g_str_has_suffix(w->out, italic);
+    w->used -= in_italics ? strlen(italic) : 0;
+    markup_put(w, mark);
+    markup_put(w, in_italics ? italic : "");
+    return text;
+}
+
 static const struct {
     const char *name;
     const char *(*put)(struct writer *w, const char *text, const char *end);
@@ -196,7 +212,10 @@ static const char *put_command(struct writer *w, const char *text, const char *e
         if (strlen(commands[i].name) == length && strncmp(commands[i].name, text + 1, length) == 0)
             return commands[i].put(w, to, end);
     }
-    const char *sign = find_sign(letters, sizeof letters / sizeof *letters, text + 1, length);
+    const char *sign = find_sign(accents, sizeof accents / sizeof *accents, text + 1, length);
+    if (sign)
+        return put_accent(w, sign, to, end);
+    sign = find_sign(letters, sizeof letters / sizeof *letters, text + 1, length);
     if (sign) {
         markup_put(w, "<i>");
         markup_put(w, sign);
@@ -225,6 +244,10 @@ static const char *put_math(struct writer *w, const char *text, const char *end)
     }
     if (*text == '{' || *text == '}')
         return text + 1;
+    if (*text == '-') {
+        markup_put(w, "\u2212");
+        return text + 1;
+    }
     if (!g_ascii_isalpha(*text))
         return put_character(w, text);
     markup_put(w, "<i>");

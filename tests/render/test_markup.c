@@ -162,6 +162,11 @@ static void marks_become_spans(void **)
         {"$x^\\frac{a}{b}c$", MATH "<i>x</i>" UP UP "<i>a</i>" END "\u2044" DOWN "<i>b</i>" END END "<i>c</i>" END},
         {"$v_\\mathrm{ab}$", MATH "<i>v</i>" DOWN "ab" END END},
         {"$\\sqrt{E/\\rho}$", MATH "√(<i>E</i>/<i>ρ</i>)" END},
+        {"$m\\ddot{u}_n$", MATH "<i>m</i><i>u\u0308</i>" DOWN "<i>n</i>" END END},
+        {"$\\dot\\delta$", MATH "<i>δ\u0307</i>" END},
+        {"$\\bar{2}$", MATH "2\u0304" END},
+        {"$\\vec$", MATH "\u20d7" END},
+        {"$\\left(a-1\\right)\\leq b$", MATH "(<i>a</i>\u22121)≤ <i>b</i>" END},
         {"$F = 1$", MATH "<i>F</i>\u00a0=\u00a01" END}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char out[1024], plain[64];
