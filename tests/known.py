@@ -27,7 +27,7 @@ WITHOUT = {
     "eigenmodes": "eigenvalues of what was given, to rounding",
     "fit": "of another kind: its standard errors are those of what was measured",
     "sensitivities": {"peak_force_N": "the table of peaks says it", "time_s": "as well"},
-    "dispersion": {"exact_Hz": "an eigenvalue, to rounding", "found_Hz": "a line of the spectrum: as far apart as these are"},
+    "dispersion": {"exact_Hz": "an eigenvalue, to rounding"},
     "spreading": {"gamma_error": "a standard error", "eta_error": "a standard error"},
 }
 PLACES = (3, 5, 8)

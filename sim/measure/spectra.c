@@ -447,7 +447,8 @@ struct bead_spectral_line bead_spectral_line(const struct bead_spectral *d, cons
     }
     if (line.amplitude > 0)
         line.found = (double)best * d->step;
-    if (best > 0 && best + 1 < d->rows && a[best - 1] > 0 && a[best + 1] > 0) {
+    /* Row 0 has nothing but rounding: the mean is taken away. */
+    if (best > 1 && best + 1 < d->rows && a[best - 1] > 0 && a[best + 1] > 0) {
         const double left = bead_log(a[best - 1]), middle = bead_log(a[best]), right = bead_log(a[best + 1]),
                      bend = left - 2 * middle + right;
         line.found += bend < 0 ? d->step * fmax(-0.5, fmin(0.5, 0.5 * (left - right) / bend)) : 0;

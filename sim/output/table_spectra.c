@@ -8,6 +8,7 @@
 #include "sim/base/number.h"
 #include "sim/measure/spectra.h"
 #include "sim/output/table.h"
+#include "sim/run/uncertainty.h"
 
 static enum bead_error spectra_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
@@ -192,10 +193,10 @@ const struct table bead_table_spectrogram = {.why = "spectra over time",
 static void dispersion_header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%swave_number_cell_pi,band,exact_Hz,found_Hz,amplitude%s\n", sink->context.chain_count > 1 ? "chain," : "",
-            sink->check ? ",uncertainty" : "");
+            sink->check ? ",uncertainty,found_Hz_uncertainty" : "");
 }
 
-/* The uncertainty of the worst amplitude of all lines: how well a frequency is found follows from the time, not from the run. */
+/* The uncertainty of the worst amplitude of all lines. */
 static double worst_line(const struct bead_sink *sink, const struct bead_spectral *found, const struct bead_spectral *check,
                          const struct bead_medium *medium, size_t bands)
 {
@@ -218,10 +219,13 @@ static void write_dispersion(struct bead_sink *sink, size_t chain, const struct 
         const struct bead_spectral_line line = bead_spectral_line(found, medium, i / bands, i % bands);
         if (!is_shown(sink, line.found))
             continue;
+        const double other = sink->check && !sink->unknown ? bead_spectral_line(check, medium, i / bands, i % bands).found : NAN;
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / bands) * found->between);
         fprintf(sink->file, ",%zu", i % bands + 1);
-        bead_table_numbers(sink->file, sink->check ? 4 : 3, (const double[]){line.exact, line.found, line.amplitude, worst});
+        bead_table_numbers(
+            sink->file, sink->check ? 5 : 3,
+            (const double[]){line.exact, line.found, line.amplitude, worst, bead_uncertainty_measured(0, line.found, other)});
         bead_table_end_row(sink);
     }
 }
