@@ -104,7 +104,7 @@ static double clamp(double x, double low, double high)
 static void choose_beyond(struct bead_cells *c, double width)
 {
     const struct bead_movie_wants *w = c->wants;
-    double em = w->look->tick, pitch = width / fmax(1, (double)w->beads);
+    double em = w->look->tick, pitch = width / (double)w->beads;
     bool beads = false;
     for (size_t v = 0; v < w->view_count; v++)
         beads = beads || has(c, v, BEAD_SHOWS_BEADS);

@@ -59,7 +59,7 @@ static enum bead_error list_chains(struct bead_sink *s, struct bead_message *msg
         c->chain = s->context.chains[i];
         find_spans(s, c);
         s->peaks = s->peaks && c->beads;
-        if (c->values == 0 || c->beads_shown == 0)
+        if (c->values == 0) /* a chain has no more contacts than beads */
             return bead_output_wrong(s->output, msg, "beads: some chains have fewer beads");
     }
     return BEAD_OK;

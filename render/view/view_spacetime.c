@@ -349,8 +349,7 @@ static enum bead_error spacetime_draw(struct bead_view *v, double time, struct b
     int from = v->drawn ? smaller(v->shown, last) : 0, end = until, line = find_horizon(v, until);
     if (v->theory) /* its line turns as the force of the pulse changes */
         from = 0;
-    if (line < INT_MAX)
-        from = smaller(from, line > (int)reach ? line - (int)reach : 0);
+    from = smaller(from, line > (int)reach ? line - (int)reach : 0);
     if (v->setup.fill && background)
         bead_frame_copy(frame, background, columns_rect(v, from, until));
     int first = from < v->first ? v->first : from, to = smaller(v->done, until);

@@ -52,6 +52,16 @@ ok "... but the beads asked for" json 'd["chains"][0]["values"] == 8 and d["chai
 ok "... and no measures of a part of the run" json 'd["chains"][0]["measures"] == []' made/r.html
 ok "contact forces" only 'report: r.html, field: contact-force'
 ok "... one more than pairs of beads, with the wall" json 'd["chains"][0]["values"] == 33 and d["field"]["contacts"]' made/r.html
+# A chain of one bead on the page, which has none of the contacts asked for.
+cat >unlike.yaml <<'YAML'
+chains: [{name: A, beads: [{bead: brass, count: 9}], striker: {bead: brass, velocity: 0.1 m/s}}, {name: B, beads: [{bead: brass, count: 5}], striker: {bead: brass, velocity: 0.1 m/s}}]
+simulate: {until: 0.1 ms}
+outputs: [{report: r.html, beads: [5, 9]}]
+YAML
+ok "one bead of a chain" exits 0 "$beadreel" unlike.yaml -o made
+ok "... is on the page, beside five of the other" json '[c["beads"] for c in d["chains"]] == [5, 1]' made/r.html
+ok "none of its contacts" fails 2 "$beadreel" unlike.yaml -o made --set outputs.0.field=contact-force
+ok "... is said" says "beads: some chains have fewer beads"
 ok "another ending is refused" refused 'report: r.png' 'lacks the extension'
 ok "an unknown key is refused" refused 'report: r.html, fps: 30' 'fps'
 ok "an unknown map is refused" refused 'report: r.html, colormap: rainbow' 'there is no colour map'
