@@ -29,7 +29,8 @@ static const struct {
              {"{bead: large-steel, count: 20}, {bead: small-steel, count: 20}", "all", true},
              {"{bead: large-steel, count: 4}", "all", false},
              {"{bead: large-steel, count: 60}", "[20, 45]", false},
-             {"{bead: large-steel, count: 12, gap: 6 mm}, {bead: large-steel, count: 12}", "all", true}};
+             {"{bead: large-steel, count: 12, gap: 6 mm}, {bead: large-steel, count: 12}", "all", true},
+             {"{bead: large-steel, count: 7, taper: {to: 0.1 mm}}", "all", true}};
 enum { CASES = sizeof cases / sizeof cases[0] };
 
 struct made {
@@ -79,6 +80,24 @@ static void test_chains_of_like_places(void **state)
     }
 }
 
+/* Numbers are those of a chain whose beads are all as wide as the narrowest, where they have room; on any width there are two. */
+static void assert_numbers_have_room(const struct bead_view_setup *setup, double width, double least, double em)
+{
+    struct bead_view_setup plain = *setup;
+    struct bead_axis axis, even;
+    plain.over_beads = false;
+    const double beads = (double)(setup->beads.last - setup->beads.first + 1);
+    for (; width > 4 * em; width *= 0.8) {
+        const bool uneven = bead_along_uneven(setup, width);
+        (void)bead_along_axis(&axis, setup, width, em, true);
+        (void)bead_along_axis(&even, &plain, uneven ? fmax(4 * em, width * least * beads) : width, em, true);
+        assert_true(axis.count >= 2);
+        assert_int_equal(axis.count, even.count);
+        for (size_t t = 0; t < axis.count; t++)
+            assert_true(axis.ticks[t].value == even.ticks[t].value);
+    }
+}
+
 /* The row of beads takes all of the plot's width, as far as its height allows; a bead is within half a radius of the place of its
  * number, and the tick of its number at that place. */
 static void test_beads_over_their_numbers(void **state)
@@ -121,6 +140,10 @@ static void test_beads_over_their_numbers(void **state)
             for (size_t t = 0; t < axis.count; t++)
                 assert_true((size_t)lround(axis.ticks[t].value) != i || fabs(axis.ticks[t].place * width - place) < 1e-6 * width);
         }
+        double least = INFINITY;
+        for (size_t i = first; i <= last; i++)
+            least = fmin(least, 2 * radius[i] / length);
+        assert_numbers_have_room(&row->setup, width, least, look.tick);
         bead_figure_destroy(figure);
         bead_chain_destroy(m.chain);
         bead_scene_free(m.scene);

@@ -217,6 +217,41 @@ static void beads_are_counted(void **)
     close_drawn(&one);
 }
 
+/* Where an axis would have no second number, a window shows one of its beads at a time: a multiple of all that it shows. */
+static void few_numbers_have_room(void **)
+{
+    const struct bead_rect narrow = {strip.x, strip.y, 60, strip.height};
+    struct bead_message msg = {""};
+    struct drawn d;
+    double place[30], middle;
+    for (int i = 0; i < 30; i++)
+        place[i] = 0.00205 * i; /* 2.05 px apart: 29.3 in the strip */
+    open_drawn(&d);
+    bead_moving_labels_destroy(d.labels);
+    require(bead_moving_labels_create(&d.look, narrow, scale, &d.labels, &msg), &msg);
+    require(bead_moving_labels_count(d.labels, place, 195, 30, narrow.width / scale, BEAD_LABEL_TICK, &msg), &msg);
+    draw(&d, 0);
+    assert_true(ink(&d, 2, 0, narrow.width, 0, 5, &middle) > 5 && fabs(middle - 2.05 * (210 - 195)) < 0.1);
+    close_drawn(&d);
+}
+
+/* Of beads that are further apart than numbers need, each has its own, however fine an axis of that length would be. */
+static void wide_windows_number_all(void **)
+{
+    double place[8];
+    for (int i = 0; i < 8; i++)
+        place[i] = 0.4 * i; /* 400 px apart: as far as the strip is wide */
+    struct bead_message msg = {""};
+    struct drawn d;
+    open_drawn(&d);
+    require(bead_moving_labels_count(d.labels, place, 5, 8, strip.width / scale, BEAD_LABEL_TICK, &msg), &msg);
+    for (int bead = 6; bead < 10; bead++) {
+        draw(&d, place[bead - 5] - 0.2);
+        assert_true(ink(&d, 2, 198, 203, 0, 5, NULL) > 5);
+    }
+    close_drawn(&d);
+}
+
 /* ---- the key of a stage ---- */
 
 struct keyed {
@@ -370,6 +405,8 @@ int main(void)
         cmocka_unit_test(texts_are_in_the_middle),
         cmocka_unit_test(labels_do_not_touch),
         cmocka_unit_test(beads_are_counted),
+        cmocka_unit_test(few_numbers_have_room),
+        cmocka_unit_test(wide_windows_number_all),
         cmocka_unit_test(keys_are_rows_of_samples),
         cmocka_unit_test(several_waves_are_told),
     };
