@@ -194,6 +194,19 @@ def try_table(beadsim, system, show, count):
     return True
 
 
+def try_redrawn(beadsim, show, path):
+    """A table drawn again from a trajectory has the columns of the run's, and says of each number that nothing is known."""
+    keys = keys_of(show, "beads", END)
+    of_run = table(beadsim, "scene.yaml", ASKED, show, keys)
+    subprocess.run([beadsim, path, "-o", "again.csv", "--quiet", "--set", f"outputs=[{{table: again.csv, show: {show}{', ' * bool(keys)}{keys}}}]"],
+                   check=True)
+    with open("again.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))
+    unknown = [c for c, name in enumerate(rows[0]) if "uncertainty" in name]
+    tap.ok(rows[0] == of_run[0] and unknown, f"{show}: the columns of the run's table, from its trajectory", rows[0], of_run[0])
+    tap.ok(all(math.isnan(number(row[c])) for row in rows[1:] for c in unknown), f"{show}: ... where nothing is known of errors")
+
+
 def main():
     beadsim, schema = os.path.abspath(sys.argv[1]), json.load(open(sys.argv[2], encoding="utf-8"))
     shows = schema["definitions"]["outputs:table"]["properties"]["show"]["enum"]
@@ -209,6 +222,12 @@ def main():
                 tap.ok(count.missed == 0, f"{show}: none of {count.numbers} numbers is off by more than is said", *count.told[:8])
                 tap.ok(10 * count.much <= count.columns, f"{show}: at most a tenth of {count.columns} columns says ten times too much", count.much)
             print("#", show, count.numbers, count.missed, count.columns, count.much, count.unknown, flush=True)
+        with open("scene.yaml", "w", encoding="utf-8") as file:
+            file.write(SYSTEMS["beads"][0])
+        subprocess.run([beadsim, "scene.yaml", "-o", "out", "--quiet", "--set", f"simulate.accuracy={ASKED}", "--set",
+                        "outputs=[{trajectory: run.h5, every: 1 us, fields: [displacement, velocity, force, energy, contact-force]}]"], check=True)
+        for show in ("sensors", "measures", "profiles", "extremes", "spreading", "spectrum", "spectrogram", "transfer", "dispersion"):
+            try_redrawn(beadsim, show, "out/run.h5")
     tap.finish()
 
 

@@ -52,7 +52,8 @@ static const struct bead_option table_rows[] = {
          "the worst "
          "place, frequency or bead; a measure of a "
          "motion that the two runs do not share has the note `unpredictable`. Of a trajectory with `uncertainty` tables of "
-         "sensors, extremes and profiles have what it says of their field. false: no such "
+         "sensors, extremes and profiles have what it says of their field; of other numbers from a trajectory nothing is known "
+         "(nan). false: no such "
          "runs"},
 };
 static const struct bead_option_rows table_shared[] = {

@@ -58,10 +58,10 @@ struct table {
     bool of_fields; /* its numbers are values of fields, which are as uncertain as a trajectory says of these */
 };
 
-/* Has the table columns of uncertainties? */
+/* Has the table columns of uncertainties? Those of numbers of which a trajectory knows none have NaN. */
 static inline bool bead_table_is_judged(const struct bead_sink *sink)
 {
-    return sink->check || sink->bounds;
+    return sink->table->checked && sink->output->curves.uncertainty;
 }
 /* What the trajectory says of the errors of a field; NaN: unknown. */
 static inline double bead_table_bound(const struct bead_sink *sink, size_t chain, enum bead_field field)

@@ -71,7 +71,7 @@ static enum bead_error measures_begin(struct bead_sink *sink, struct bead_messag
 static void measures_header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%sname,value,unit,note%s\n", sink->context.chain_count > 1 ? "chain," : "",
-            sink->check ? ",uncertainty" : "");
+            bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 
 static enum bead_error measures_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
@@ -114,7 +114,7 @@ static void measures_end(struct bead_sink *sink, const struct bead_outcome *outc
             bead_table_text(sink->file, m->name);
             bead_table_numbers(sink->file, 1, &m->value);
             fprintf(sink->file, ",%s,%s", m->unit, m->note);
-            if (sink->check)
+            if (bead_table_is_judged(sink))
                 bead_table_numbers(sink->file, 1, &uncertainty);
             bead_table_end_row(sink);
         }

@@ -46,8 +46,10 @@ static void write_profile(struct bead_sink *sink, size_t chain, size_t moment, d
     const size_t count = bead_profile_times_values(sink->moments, chain);
     if (checks)
         *worst = fmax(*worst, bead_table_worst(sink, values, checks, count));
-    if (sink->bounds) /* between its samples a trajectory knows nothing */
-        *worst = bead_profile_times_are_samples(sink->moments) ? bead_table_bound(sink, chain, sink->output->shown.field) : NAN;
+    else /* between its samples a trajectory knows nothing */
+        *worst = sink->bounds && bead_profile_times_are_samples(sink->moments)
+                     ? bead_table_bound(sink, chain, sink->output->shown.field)
+                     : NAN;
     for (size_t i = 0; i < count; i++) {
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, sink->output->curves.profile_times[moment]);

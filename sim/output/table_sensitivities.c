@@ -18,9 +18,10 @@ static void sensitivities_header(struct bead_sink *sink)
             "%scontact,peak_force_N,time_s,bead,by_mass_N_per_kg,by_radius_N_per_m,by_modulus_N_per_Pa,"
             "by_striker_velocity_N_s_per_m%s\n",
             sink->context.chain_count > 1 ? "chain," : "",
-            sink->check ? ",by_mass_N_per_kg_uncertainty,by_radius_N_per_m_uncertainty,by_modulus_N_per_Pa_uncertainty,"
-                          "by_striker_velocity_N_s_per_m_uncertainty"
-                        : "");
+            bead_table_is_judged(sink)
+                ? ",by_mass_N_per_kg_uncertainty,by_radius_N_per_m_uncertainty,by_modulus_N_per_Pa_uncertainty,"
+                  "by_striker_velocity_N_s_per_m_uncertainty"
+                : "");
 }
 
 /* By those of the check run: of the worst bead, since errors cross zero along a chain. NaN: unknown. */
@@ -55,11 +56,11 @@ static void write_contact(struct bead_sink *sink, size_t chain, const struct bea
             bead_table_numbers(sink->file, 1, &s->velocity);
         else
             fputc(',', sink->file);
-        if (sink->check)
+        if (bead_table_is_judged(sink))
             bead_table_numbers(sink->file, 3, uncertainty);
-        if (sink->check && j == 0)
+        if (bead_table_is_judged(sink) && j == 0)
             bead_table_numbers(sink->file, 1, &uncertainty[3]);
-        else if (sink->check)
+        else if (bead_table_is_judged(sink))
             fputc(',', sink->file);
         bead_table_end_row(sink);
     }

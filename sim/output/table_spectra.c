@@ -83,7 +83,8 @@ static void find_uncertainties(struct bead_sink *sink, const struct bead_spectra
     for (size_t c = 0; c < sink->context.chain_count; c++) {
         for (size_t p = 0; p < found[c].columns; p++, column++) {
             const size_t first = p * found[c].rows;
-            column->uncertainty = bead_table_worst(sink, &found[c].values[first], &checks[c].values[first], found[c].rows);
+            column->uncertainty =
+                sink->check ? bead_table_worst(sink, &found[c].values[first], &checks[c].values[first], found[c].rows) : NAN;
         }
     }
 }
@@ -102,7 +103,7 @@ static void write_spectrum(struct bead_sink *sink, const struct bead_spectral *f
             for (size_t p = 0; p < found[c].columns; p++)
                 bead_table_numbers(sink->file, 1, &found[c].values[p * found[c].rows + k]);
         }
-        for (size_t i = 0; sink->check && i < sink->column_count; i++)
+        for (size_t i = 0; bead_table_is_judged(sink) && i < sink->column_count; i++)
             bead_table_numbers(sink->file, 1, &sink->columns[i].uncertainty);
         bead_table_end_row(sink);
     }
@@ -116,7 +117,7 @@ static enum bead_error spectrum_finish(struct bead_sink *sink, struct bead_messa
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; c < chains && !err; c++)
         err = spectra_of_both(sink, c, &found[c], &found[chains + c], msg);
-    if (!err && sink->check)
+    if (!err)
         find_uncertainties(sink, found, found + chains);
     if (!err)
         write_spectrum(sink, found);
@@ -156,7 +157,7 @@ static void spectrogram_header(struct bead_sink *sink)
 {
     fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
     bead_table_time_header(sink);
-    fprintf(sink->file, ",%s,amplitude%s\n", frequency(sink), sink->check ? ",uncertainty" : "");
+    fprintf(sink->file, ",%s,amplitude%s\n", frequency(sink), bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 
 /* With a check run, the uncertainty is the largest of all segments so far. */
@@ -172,7 +173,8 @@ static void write_spectrogram(struct bead_sink *sink, size_t chain, const struct
             continue;
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / found->rows) * found->between);
-        bead_table_numbers(sink->file, sink->check ? 3 : 2, (const double[]){at, found->values[i], sink->unknown ? NAN : largest});
+        bead_table_numbers(sink->file, bead_table_is_judged(sink) ? 3 : 2,
+                           (const double[]){at, found->values[i], sink->unknown ? NAN : largest});
         bead_table_end_row(sink);
     }
 }
@@ -193,7 +195,7 @@ const struct table bead_table_spectrogram = {.why = "spectra over time",
 static void dispersion_header(struct bead_sink *sink)
 {
     fprintf(sink->file, "%swave_number_cell_pi,band,exact_Hz,found_Hz,amplitude%s\n", sink->context.chain_count > 1 ? "chain," : "",
-            sink->check ? ",uncertainty,found_Hz_uncertainty" : "");
+            bead_table_is_judged(sink) ? ",uncertainty,found_Hz_uncertainty" : "");
 }
 
 /* The uncertainty of the worst amplitude of all lines. */
@@ -224,7 +226,7 @@ static void write_dispersion(struct bead_sink *sink, size_t chain, const struct 
         bead_write_number(sink->file, found->first + (double)(i / bands) * found->between);
         fprintf(sink->file, ",%zu", i % bands + 1);
         bead_table_numbers(
-            sink->file, sink->check ? 5 : 3,
+            sink->file, bead_table_is_judged(sink) ? 5 : 3,
             (const double[]){line.exact, line.found, line.amplitude, worst, bead_uncertainty_measured(0, line.found, other)});
         bead_table_end_row(sink);
     }

@@ -46,7 +46,7 @@ static void spreading_header(struct bead_sink *sink)
         fputs("chain,", sink->file);
     bead_table_time_header(sink);
     fputs(",second_moment,participation,front,gamma,gamma_error,eta,eta_error", sink->file);
-    for (size_t i = 0; sink->check && i < NUMBERS; i++)
+    for (size_t i = 0; bead_table_is_judged(sink) && i < NUMBERS; i++)
         fprintf(sink->file, ",%s_uncertainty", names[i]);
     fputc('\n', sink->file);
 }
@@ -69,7 +69,7 @@ static void write_row(struct bead_sink *sink, const struct bead_sample *sample, 
         if (i >= BEAD_SPREADING_NUMBERS)
             write_known(sink->file, errors[i - BEAD_SPREADING_NUMBERS]);
     }
-    for (size_t i = 0; sink->check && i < NUMBERS; i++)
+    for (size_t i = 0; bead_table_is_judged(sink) && i < NUMBERS; i++)
         write_known(sink->file, columns[i].uncertainty);
     bead_table_end_row(sink);
 }

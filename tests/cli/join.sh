@@ -16,7 +16,7 @@ alike() { [ "$(column "$1" "$2" | sort -u)" = "$3" ]; }
 ok "a run with itself" exits 0 "$beadsim" --diff a.h5 a.h5 -o same.csv
 ok "... is exactly 0" alike same.csv 2 0
 ok "two runs" exits 0 "$beadsim" --diff a.h5 b.h5 -o diff.csv
-ok "... have a table of times, values, beads and parts" eval '[ "$(head -n 1 diff.csv)" = time_s,largest_N,bead,part_of_largest ]'
+ok "... have a table of times, values, beads and parts" eval '[ "$(head -n 1 diff.csv)" = time_s,largest_N,bead,part_of_largest,uncertainty ]'
 ok "... and part: less than 1e-4 before 0.2 ms, more at the end" eval 'awk -F, "NR > 1 && \$1 < 2e-4 && \$4 > 1e-4 {bad = 1} END {exit bad || !(\$4 > 1e-6)}" diff.csv'
 ok "... the other way round" exits 0 "$beadsim" --diff b.h5 a.h5 -o back.csv
 ok "... it has the other sign" eval 'cmp <(column diff.csv 2 | sed "s/^-//") <(column back.csv 2 | sed "s/^-//") && ! cmp -s <(column diff.csv 2) <(column back.csv 2)'
@@ -29,7 +29,7 @@ ok "... off by their bend" eval 'awk -F, "NR > 1 {d = \$2 < 0 ? -\$2 : \$2; m = 
 ok "a field of its own" exits 0 "$beadsim" --diff a.h5 b.h5 -o v.csv --set 'outputs=[{table: v.csv, show: extremes, field: velocity}]'
 ok "... with its unit" eval 'head -n 1 v.csv | grep -qF "largest_m/s"'
 ok "extremes of one run" exits 0 "$beadsim" a.h5 -o one.csv --set 'outputs=[{table: one.csv, show: extremes}]'
-ok "... have no part" eval '[ "$(head -n 1 one.csv)" = time_s,largest_N,bead ]'
+ok "... have no part" eval '[ "$(head -n 1 one.csv)" = time_s,largest_N,bead,uncertainty ]'
 ok "... its largest is that of the run" eval '"$beadsim" s.yaml -o p.csv --set "outputs=[{table: p.csv, show: bead-peaks, uncertainty: false}]" --set simulate.accuracy=1e-5 >"$T/out" &&
     awk -F, "FNR == 1 {file++; next} {m[file] = \$2 > m[file] ? \$2 : m[file]} END {exit !(m[1] <= m[2] && m[1] > 0.98 * m[2])}" one.csv p.csv'
 # Runs that hold one field that is not the usual one, and what it is called.
@@ -51,7 +51,7 @@ ok "a picture of the difference" exits 0 "$beadreel" --diff a.h5 b.h5 -o diff.sv
 ok "... says what it is" grep -qF 'difference in bead force' diff.svg
 ok "curves of both in one plot" exits 0 "$beadreel" a.h5 b.h5 -o both.svg --beads 10
 ok "... named by their files" eval 'grep -qF ">a" both.svg && grep -qF ">b" both.svg'
-ok "... and in one table" eval '"$beadsim" a.h5 b.h5 -o both.csv --set "outputs=[{table: both.csv, show: sensors, beads: 10}]" >"$T/out" && [ "$(head -n 1 both.csv)" = time_s,a/bead_10,b/bead_10 ]'
+ok "... and in one table" eval '"$beadsim" a.h5 b.h5 -o both.csv --set "outputs=[{table: both.csv, show: sensors, beads: 10}]" >"$T/out" && [ "$(head -n 1 both.csv)" = time_s,a/bead_10,b/bead_10,a/bead_10_uncertainty,b/bead_10_uncertainty ]'
 ok "... each as it is alone" eval '"$beadsim" a.h5 -o alone.csv --set "outputs=[{table: alone.csv, show: sensors, beads: 10}]" >"$T/out" && cmp <(column alone.csv 2) <(column both.csv 2)'
 ok "--plan" eval '"$beadsim" --diff a.h5 b.h5 -o diff.csv --plan >"$T/out" && grep -qF "diff.csv" "$T/out"'
 # Chains of unlike lengths, and files that hold only a part of their beads, or begin later: the order of the files does not matter.
@@ -63,7 +63,7 @@ YAML
 long() { "$beadsim" u.yaml -o . "${@:2}" >"$T/out" && mv run.h5 "$1"; }
 ok "runs of 20 and 40 beads, of 11 of the beads, and without the beginning" eval 'long u20.h5 && long u40.h5 --set chain.beads.0.count=40 && long part.h5 --set "outputs.0.beads=[0, 10]" &&
     long late.h5 --set "outputs.0.time=[0.2 ms, 0.9 ms]" && long sensor.h5 --set "chain.beads=[{bead: large-steel, count: 30}, {bead: brass, sensor: far}]"'
-sorted() { head -n 1 "$1" | tr , '\n' | sort | tr '\n' ' '; }
+sorted() { head -n 1 "$1" | tr , '\n' | grep -v uncertainty | sort | tr '\n' ' '; }
 pair() { # WHAT A B KEYS COLUMNS: a table of A and B has these columns, and the same numbers in both orders
     ok "$1" eval '"$beadsim" '"$2.h5 $3.h5"' -o 1.csv --set "outputs=[{table: 1.csv, '"$4"'}]" >"$T/out" && "$beadsim" '"$3.h5 $2.h5"' -o 2.csv --set "outputs=[{table: 2.csv, '"$4"'}]" >"$T/out"'
     ok "... both are there" eval '[ "$(sorted 1.csv)" = "'"$5"'" ] && [ "$(sorted 2.csv)" = "'"$5"'" ]'
