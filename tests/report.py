@@ -227,6 +227,12 @@ def check_saving(page, rows, directory):
     same = all(set(a) == set(b) and all(abs(float(a[k] or 0) - float(b[k] or 0)) <= 1e-11 * abs(float(b[k] or 0)) for k in b if k != "state")
                for a, b in zip(peaks, wanted))
     ok(len(peaks) == len(wanted) > 20 and same, "saved peaks are those of the table", peaks[:2])
+    listed = page.run("[...document.querySelectorAll('#peaks-table tbody tr')].map(row => [...row.cells].slice(-1)[0].textContent)")
+    read = [re.fullmatch(r"([\d.]+) ± ([\d.]+) ([mµn]?)s", text) for text in listed]
+    unit = {"": 1, "m": 1e-3, "µ": 1e-6, "n": 1e-9}
+    ok(len(read) == len(wanted) and all(r and abs(float(r[1]) * unit[r[3]] - float(w["time_s"])) <= float(r[2]) * unit[r[3]]
+                                        and float(r[2]) * unit[r[3]] >= 0.999 * float(w["time_s_uncertainty"]) for r, w in zip(read, wanted)),
+       "listed peaks say how well their times are known", listed[:3])
     for what, words in (("this picture", "force (N)"), ("these curves", "bead force (N), bead"), ("the peaks", "peak force (N)")):
         drawn = xml.etree.ElementTree.fromstring(saved(page, what, "SVG"))
         texts = " ".join(t for e in drawn.iter() for t in e.itertext())

@@ -4,6 +4,7 @@
 /* ---- peaks ---- */
 
 const peakText = (chain, k) => uncertain(chain.peaks.force[k], chain.peaks.uncertainty[k], 'N');
+const peakTime = (chain, k) => chain.peaks.time_uncertainty[k] > 0 ? uncertain(chain.peaks.time[k], chain.peaks.time_uncertainty[k], 's') : quantity(chain.peaks.time[k], 's');
 function showPeaks() {
     const with_ = chains.filter(c => c.peaks);
     if (with_.length === 0)
@@ -18,14 +19,14 @@ function showPeaks() {
             name: chains.length > 1 ? c.name : '', colour: c.colourName(), x: c.peaks.force.map((_, k) => k), y: c.peaks.force,
             error: c.peaks.uncertainty, points: count > 300 ? 0 : 2.4, hollow: k => c.peaks.open.includes(k), chain: c
         })),
-        label: 'Peak force of each contact. ' + with_.map(c => `${chainName(c)}: from ${quantity(c.peaks.force[0], 'N')} at the striker to ${quantity(c.peaks.force[c.peaks.force.length - 1], 'N')} at the end`).join('; '),
-        tip: (series, k) => [[`var(${series.colour})`, `${series.name ? series.name + ', ' : ''}contact ${k}`, ''], ['', 'peak', peakText(series.chain, k)], ['', 'at', quantity(series.chain.peaks.time[k], 's')]],
+        label: 'Peak force of each contact. ' + with_.map(c => `${chainName(c)}: from ${peakText(c, 0)} at the striker to ${peakText(c, c.peaks.force.length - 1)} at the end`).join('; '),
+        tip: (series, k) => [[`var(${series.colour})`, `${series.name ? series.name + ', ' : ''}contact ${k}`, ''], ['', 'peak', peakText(series.chain, k)], ['', 'at', peakTime(series.chain, k)]],
         pick: k => choose({place: clamp(k - chains[0].first, 0, Math.max(...chains.map(c => c.values)) - 1), sample: null})
     });
     const open = with_.some(c => c.peaks.open.length > 0);
     element('peaks-note').textContent = 'Contact k is between beads k and k + 1; the striker is bead 0. Bars are uncertainties, drawn where they are seen.' + (open ? ' Hollow: still rising at the end.' : '');
     buildTable(element('peaks-table'), ['contact', ...with_.flatMap(c => [`${c.name ? c.name + ': ' : ''}peak force`, 'time'])],
-               Array.from({length: count}, (_, k) => [String(k), ...with_.flatMap(c => k < c.peaks.force.length ? [peakText(c, k) + (c.peaks.open.includes(k) ? ' (open)' : ''), quantity(c.peaks.time[k], 's')] : ['', ''])]));
+               Array.from({length: count}, (_, k) => [String(k), ...with_.flatMap(c => k < c.peaks.force.length ? [peakText(c, k) + (c.peaks.open.includes(k) ? ' (open)' : ''), peakTime(c, k)] : ['', ''])]));
 }
 
 /* As tables of peaks have them. */

@@ -12,6 +12,7 @@
 #include "sim/base/memory.h"
 #include "sim/base/text.h"
 #include "sim/cli/command_line.h"
+#include "sim/run/uncertainty.h"
 #include "sim/session/session_internal.h"
 
 int command_status(enum bead_error err, int signal)
@@ -145,6 +146,8 @@ void command_write_runs(struct bead_json *json, const struct bead_chain *const *
         bead_json_number(json, "steps", (double)o->steps);
         bead_json_number(json, "end_s", o->end);
         bead_json_number(json, "front_arrival_s", o->front_arrival);
+        bead_json_number(json, "front_arrival_s_uncertainty",
+                         o->check ? bead_uncertainty_measured(0, o->front_arrival, o->check->front_arrival) : NAN);
         bead_json_number(json, "energy_error", o->energy_error);
         bead_json_number(json, "embedded_error", o->embedded_error);
         bead_json_number(json, "event_error", o->event_error);

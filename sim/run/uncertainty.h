@@ -42,6 +42,7 @@
 #include <stddef.h>
 
 #include "beadreel/sink.h"
+#include "sim/base/internal.h"
 
 /* Tolerance of the finer run in units of the run's: q. */
 #define BEAD_UNCERTAINTY_FINER 0.01
@@ -88,6 +89,6 @@ bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct
                               double reach);
 /* The uncertainty of a force, or of any number, by a finer run alone: at least the accuracy asked for, as a part of it; NaN: the
  * finer run has none. */
-double bead_uncertainty_measured(double accuracy, double force, double finer);
+BEAD_INTERNAL double bead_uncertainty_measured(double accuracy, double force, double finer);
 /* True if a number is not known to a tenth of itself. */
 bool bead_uncertainty_is_large(double value, double uncertainty);

@@ -43,6 +43,13 @@ ok "--json is the same" exits 0 "$beadsim" scene.yaml -o data --json
 ok "... with what beadsim skips" is 'j["skipped"] == ["folder/µ.png", "m.mp4"] and len(j["outputs"]) == 1'
 ok "... and no progress" test ! -s err
 
+# Measures have a check run, peaks do not.
+arrival() { exits 0 "$beadsim" scene.yaml -o data --json --set "simulate.accuracy=$1" --set 'outputs=[{table: m.csv, show: measures}]'; }
+ok "a run to nine digits" arrival 1e-9
+right=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["runs"][0]["front_arrival_s"])' <out)
+ok "... and to four" arrival 1e-4
+ok "... the front's arrival is off by less than it says" is '0 < abs(j["runs"][0]["front_arrival_s"] - '"$right"') < j["runs"][0]["front_arrival_s_uncertainty"] < 1e-4 * '"$right"
+
 ok "a wrong scene" exits 2 "$beadreel" scene.yaml -o none --json --set chains.1.beads.0.bead=brsas
 ok "... says where" is 'list(j) == '"$keys"' and j["status"] == "failed" and j["exit"] == 2 and j["errors"] == [
     {"file": "--set", "line": 1, "column": 23, "message": "chains.1.beads.0.bead: there is no material `brsas`; did you mean `brass`?"}]'
