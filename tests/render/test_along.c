@@ -222,6 +222,9 @@ static void rows_leave_room_for_names(void **state)
         assert_true(type->most_width(&setup, height) >= width && height > 0.25 * width + look.tick);
         assert_true(height < 0.5 * width + 2 * look.tick);
     }
+    for (int width = 4; width < 400; width++) /* nor flatter than their names and three letters */
+        assert_true(bead_view_find(BEAD_VIEW_BEADS)->most_height(&setup, width) >=
+                    (width >= 5 * look.label ? 4.3 : 2.2) * look.tick);
     bead_chain_destroy(m.chain);
     bead_scene_free(m.scene);
 }

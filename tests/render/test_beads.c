@@ -270,7 +270,7 @@ static double brightness(const struct bead_frame *frame, int x, int from, int to
     return sum / (to - from);
 }
 
-/* At rest beads touch; a bead that has moved away leaves a gap where the background shows. */
+/* At rest beads touch; a bead that has moved away leaves a gap where the background shows, and is seen beyond the plot. */
 static void test_gaps_show(void **state)
 {
     (void)state;
@@ -281,6 +281,7 @@ static void test_gaps_show(void **state)
     struct bead_rect plot = {80, 60, 780, 30};
     make_pair(&p, &w, &bead_view_beads_type, (struct place){plot, 0, false});
     memset(p.background.pixels, 0, p.background.stride * 200);
+    memset(p.frame.pixels, 0, p.frame.stride * 200);
     struct bead_sample sample = {.active = BEADS};
     sample.field[BEAD_FIELD_FORCE] = f;
     sample.field[BEAD_FIELD_DISPLACEMENT] = u;
@@ -293,12 +294,17 @@ static void test_gaps_show(void **state)
     double touching = brightness(&p.frame, contact, middle - 1, middle + 1);
     for (size_t i = 11; i < BEADS; i++)
         u[i] = 0.6 * radius[10] / 200; /* magnified 200 times */
+    u[BEADS - 1] = 3 * radius[10] / 200;
     sample.time = 1e-4;
     require(bead_view_beads_type.feed(p.dirty, &sample, &msg), &msg);
     require(bead_view_beads_type.draw(p.dirty, sample.time, &p.frame, &p.background, NULL, &msg), &msg);
     double apart = brightness(&p.frame, contact + 2, middle - 1, middle + 1);
     assert_true(touching > 20);
     assert_true(apart < 2);
+    double beyond = 0;
+    for (int x = plot.x + plot.width + 1; x < plot.x + plot.width + 30; x++)
+        beyond = fmax(beyond, brightness(&p.frame, x, middle - 1, middle + 1));
+    assert_true(beyond > 20);
     free_pair(&p, &bead_view_beads_type);
     free_world(&w);
 }
