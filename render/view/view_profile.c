@@ -429,7 +429,6 @@ static enum bead_error profile_draw(struct bead_view *v, double time, struct bea
         if (to > from)
             draw_span(v, from, to, frame, background, changes);
         spans++;
-        to = to > from ? to : v->plot.width;
     }
     v->drawn = true;
     return v->labels ? bead_moving_labels_draw(v->labels, v->left, frame, background, changes, msg) : BEAD_OK;

@@ -76,7 +76,7 @@ static enum bead_error sensors_create(const struct bead_view_setup *setup, struc
     v->count = count;
     bead_curves_init(&v->curves, count, setup->time);
     bead_curves_init(&v->differences, count, setup->time);
-    set_ends(v, fmin(0, setup->colours.low), setup->colours.high);
+    set_ends(v, setup->colours.low, setup->colours.high);
     return BEAD_OK;
 }
 
