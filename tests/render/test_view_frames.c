@@ -117,7 +117,7 @@ static void open_shown(struct shown *s, const struct film *film)
     require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
     require(bead_colormap_load("inferno", &s->map, &msg), &msg);
     bead_look_screen(&s->look, 1280, 720, !film->light);
-    s->look.line = 2;
+    s->look.line = 4;
     struct bead_view_setup setup = {.chain = s->chain,
                                     .field = film->field,
                                     .beads = film->beads,

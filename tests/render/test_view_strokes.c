@@ -139,12 +139,14 @@ static double force_at(size_t sensor, size_t k)
 /* Names in a line above the curves, after samples of their lines; the axis ends 3 % above the largest value, below the names. */
 static void sensors_have_their_curves(void **)
 {
-    for (int variant = 0; variant < 3; variant++) {
+    for (int variant = 0; variant < 5; variant++) {
+        const double given = variant == 3 ? -10 : variant == 4 ? 10 : 0, least = fmin(0, given); /* axes begin at 0, or below */
         struct shown s;
         struct bead_message msg = {""};
         open_shown(&s, SENSORS);
         s.setup.fill = variant == 1;
         s.setup.trust = variant == 2;
+        s.setup.colours.low = given;
         open_view(&s, BEAD_VIEW_SENSORS);
         for (size_t k = 0; k <= 10; k++) {
             double force[16] = {0}, other[16] = {0};
@@ -159,9 +161,10 @@ static void sensors_have_their_curves(void **)
         double low, high;
         s.type->extremes(s.view, &low, &high);
         assert_true(low == 0 && high == 50);
-        s.type->set_range(s.view, NULL, (const double[]){low, high});
+        if (variant < 3) /* none was given */
+            s.type->set_range(s.view, NULL, (const double[]){low, high});
         decorate(&s);
-        const double row = 1.5 * em, end = 50 * 1.03 / (1 - 1.15 * row / HEIGHT), sample = 1.6 * em, y = TOP + 0.65 * row;
+        const double row = 1.5 * em, end = (50 - least) * 1.03 / (1 - 1.15 * row / HEIGHT), sample = 1.6 * em, y = TOP + 0.65 * row;
         double width, height, x = LEFT + 0.6 * em;
         size_t names = 0;
         for (size_t i = 0; i < strokes.count; i++) {
@@ -195,10 +198,10 @@ static void sensors_have_their_curves(void **)
             assert_true(curve->join == CAIRO_LINE_JOIN_ROUND && curve->clip_low[0] == LEFT && curve->clip_high[1] == BOTTOM);
             assert_int_equal(curve->count, variant == 1 ? 5 : 11); /* films show what has been, also between samples */
             assert_at(curve->at[0].x, LEFT);
-            assert_at(curve->at[0].y, BOTTOM - HEIGHT * force_at(n, 0) / end);
+            assert_at(curve->at[0].y, BOTTOM - HEIGHT * (force_at(n, 0) - least) / end);
             const double last = variant == 1 ? 0.5 * (force_at(n, 3) + force_at(n, 4)) : force_at(n, 10);
             assert_at(curve->at[curve->count - 1].x, LEFT + (variant == 1 ? 0.35 : 1) * WIDTH);
-            assert_at(curve->at[curve->count - 1].y, BOTTOM - HEIGHT * last / end);
+            assert_at(curve->at[curve->count - 1].y, BOTTOM - HEIGHT * (last - least) / end);
         }
         close_shown(&s);
     }
