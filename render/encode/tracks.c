@@ -7,14 +7,16 @@
 
 #include "sim/base/memory.h"
 
-struct bead_track *bead_tracks_add(struct bead_tracks *tracks)
+/* NULL: out of memory. */
+static struct bead_track *add_track(struct bead_tracks *tracks)
 {
     struct bead_track *track = &tracks->track[tracks->count++];
     *track = (struct bead_track){.codec = avcodec_parameters_alloc()};
     return track->codec ? track : NULL;
 }
 
-AVPacket *bead_track_add(struct bead_track *track)
+/* The track owns it. NULL: out of memory. */
+static AVPacket *add_packet(struct bead_track *track)
 {
     if (!bead_memory_grow((void **)&track->packets, &track->room, track->count + 1, sizeof *track->packets))
         return NULL;
@@ -152,7 +154,7 @@ static size_t write_text(const struct bead_subtitle_format *format, const char *
 
 static int add_text(const struct bead_subtitle_format *format, const struct bead_movie_subtitle *from, struct bead_track *track)
 {
-    AVPacket *packet = bead_track_add(track);
+    AVPacket *packet = add_packet(track);
     if (!packet || av_new_packet(packet, (int)write_text(format, from->text, NULL)) < 0)
         return AVERROR(ENOMEM);
     write_text(format, from->text, packet->data);
@@ -181,7 +183,7 @@ int bead_subtitles_make(const struct bead_subtitle_format *format, const struct 
 {
     if (!format || settings->subtitle_count == 0)
         return 0;
-    struct bead_track *track = bead_tracks_add(tracks);
+    struct bead_track *track = add_track(tracks);
     if (!track)
         return AVERROR(ENOMEM);
     track->unit = (AVRational){1, subtitles_per_second};
@@ -226,7 +228,7 @@ static void fill_frame(AVFrame *frame, const float *samples, int count, int chan
 static int take_packets(AVCodecContext *codec, struct bead_track *track)
 {
     for (;;) {
-        AVPacket *packet = bead_track_add(track);
+        AVPacket *packet = add_packet(track);
         int code = packet ? avcodec_receive_packet(codec, packet) : AVERROR(ENOMEM);
         if (code >= 0)
             continue;
@@ -274,7 +276,7 @@ int bead_sound_make(const struct bead_sound_format *format, const float *samples
                     struct bead_tracks *tracks)
 {
     AVCodecContext *codec = NULL;
-    struct bead_track *track = bead_tracks_add(tracks);
+    struct bead_track *track = add_track(tracks);
     if (!track)
         return AVERROR(ENOMEM);
     track->unit = (AVRational){1, BEAD_SOUND_RATE};

@@ -24,10 +24,6 @@ struct bead_tracks {
     size_t count;
 };
 
-/* Add an empty track. NULL: out of memory. */
-struct bead_track *bead_tracks_add(struct bead_tracks *tracks);
-/* Add an empty packet, which the track owns. NULL: out of memory. */
-AVPacket *bead_track_add(struct bead_track *track);
 void bead_tracks_free(struct bead_tracks *tracks);
 
 /* Make streams for the tracks in a file whose header is not written yet. Returns libav's error number. */

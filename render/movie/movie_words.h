@@ -97,8 +97,6 @@ int bead_captions_lines(const struct bead_movie_asked *movie, const struct bead_
 double bead_caption_height(const struct bead_look *look);
 /* Centred in `rect`, in as many lines as fit; a long caption gets smaller type and is cut as a last resort. */
 void bead_caption_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
-/* The end of a note, s of the motion: notes.c. */
-double bead_note_end(const struct bead_note *note, const struct bead_film_clock *clock);
 
 /* ---- the title card: movie_card.c ---- */
 

@@ -10,7 +10,8 @@ static const double type = 0.85, height = 1.4, pad = 0.5; /* of the label; of th
 enum { MARKUP = 4096 };
 enum arrow { NO_ARROW, ARROW, ARROW_IF_NEAR };
 
-double bead_note_end(const struct bead_note *note, const struct bead_film_clock *clock)
+/* s of the motion */
+static double note_end(const struct bead_note *note, const struct bead_film_clock *clock)
 {
     const struct bead_movie_asked alone = {.captions = (struct bead_caption *)&note->said, .caption_count = 1};
     return bead_caption_end(&alone, clock, 0);
@@ -125,7 +126,7 @@ void bead_overlay_notes(struct bead_composer *c, double time, struct bead_change
     c->notes.count = 0;
     for (size_t i = 0; i < movie->note_count; i++) {
         const struct bead_note *note = &movie->notes[i];
-        if (now < note->said.at || now >= bead_note_end(note, c->setup.film))
+        if (now < note->said.at || now >= note_end(note, c->setup.film))
             continue;
         for (size_t chain = 0; chain < c->wants.chain_count; chain++) {
             struct bead_spot spot;

@@ -85,8 +85,6 @@ static inline bool bead_chain_is_damped(const struct bead_chain *chain)
     return chain->spec->damping_coefficient > 0 || chain->end.coefficient > 0;
 }
 
-/* Do its contacts' forces depend on displacements only? */
-bool bead_chain_forces_follow(const struct bead_chain *chain);
 /* Fields (BEAD_FIELD_BITs) that follow from the displacements of all beads. */
 unsigned bead_chains_derivable(const struct bead_chain *const *chains, size_t count);
 

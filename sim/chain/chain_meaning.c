@@ -77,7 +77,8 @@ struct bead_chain_axis bead_chain_axis(const struct bead_chain *chain, bool of_c
     return along;
 }
 
-bool bead_chain_forces_follow(const struct bead_chain *chain)
+/* Do its contacts' forces depend on displacements only? */
+static bool forces_follow(const struct bead_chain *chain)
 {
     return chain->spec->system->has_contacts && !(chain->spec->damping_coefficient > 0);
 }
@@ -88,7 +89,7 @@ unsigned bead_chains_derivable(const struct bead_chain *const *chains, size_t co
     bool contacts = true;
     for (size_t c = 0; c < count; c++) {
         contacts = contacts && chains[c]->spec->system->has_contacts;
-        fields = bead_chain_forces_follow(chains[c]) ? fields : 0;
+        fields = forces_follow(chains[c]) ? fields : 0;
     }
     return contacts ? fields | BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION) : 0;
 }

@@ -403,7 +403,7 @@ static enum bead_error print_info(const struct command *command, FILE *out, stru
     return err;
 }
 
-/* The file may come from anybody: its texts go through command_show. */
+/* The file may come from anybody: its texts are held and shown without control characters. */
 enum bead_error command_info(const struct command *command, FILE *out, struct bead_message *msg)
 {
     struct command_held held;

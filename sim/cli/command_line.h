@@ -166,10 +166,7 @@ void command_guard(struct bead_session *session);
 bool command_catch_faults(void);
 /* Makes small stacks (ulimit -s) as large as usual, and spares addresses where they are few (ulimit -v). */
 void command_take_room(void);
-/* Prints text that may come from anybody, without control characters; starts each further line with `line` (NULL: there is only
- * one line). */
-void command_show(FILE *out, const char *text, const char *line);
-/* The same of words with names of files. */
+/* Prints words with names of files, or other text that may come from anybody, without control characters. */
 BEAD_PRINTF(2, 3) void command_print(FILE *out, const char *format, ...);
 /* The same of all that is written to `file`, once it is let go. Errors: `err`, MEMORY. */
 struct command_held {

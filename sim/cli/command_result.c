@@ -20,7 +20,9 @@ int command_status(enum bead_error err, int signal)
     return err == BEAD_ERROR_STOPPED && signal ? 128 + signal : bead_error_status(err);
 }
 
-void command_show(FILE *out, const char *text, const char *line)
+/* Prints text that may come from anybody, without control characters; starts each further line with `line` (NULL: there is only
+ * one line). */
+static void show(FILE *out, const char *text, const char *line)
 {
     for (size_t obeyed; *text; text += obeyed ? obeyed : 1) {
         obeyed = bead_text_obeyed(text);
@@ -40,7 +42,7 @@ void command_print(FILE *out, const char *format, ...)
         text = NULL;
     va_end(arguments);
     if (text)
-        command_show(out, text, "");
+        show(out, text, "");
 }
 
 enum bead_error command_hold(struct command_held *held, struct bead_message *msg)
@@ -53,7 +55,7 @@ enum bead_error command_hold(struct command_held *held, struct bead_message *msg
 enum bead_error command_let_go(struct command_held *held, FILE *out, enum bead_error err, struct bead_message *msg)
 {
     if (fclose(held->file) == 0)
-        command_show(out, held->text, "");
+        show(out, held->text, "");
     else if (!err)
         err = bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory");
     free(held->text);
@@ -66,7 +68,7 @@ static void tell(const struct command_program *program, const char *word, const 
     char begin[64];
     snprintf(begin, sizeof begin, "%s: %s", program->name, word);
     fputs(begin, stderr);
-    command_show(stderr, text, lines ? begin : NULL);
+    show(stderr, text, lines ? begin : NULL);
     fputc('\n', stderr);
 }
 

@@ -103,7 +103,6 @@ void bead_h5_link(struct bead_h5 *h5, hid_t object, hid_t parent, const char *na
 /* Reading files that are not trusted: a missing object, or a wrong type or shape, fails with the name in the message. */
 bool bead_h5_has(struct bead_h5 *h5, const char *name); /* path from the root */
 hid_t bead_h5_open_group(struct bead_h5 *h5, const char *name);
-hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name);
 bool bead_h5_has_attribute(struct bead_h5 *h5, const char *name);                                   /* of the file */
 void bead_h5_get_text(struct bead_h5 *h5, hid_t object, const char *name, char *text, size_t size); /* attributes */
 double bead_h5_get_double(struct bead_h5 *h5, hid_t object, const char *name);

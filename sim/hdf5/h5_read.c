@@ -113,7 +113,7 @@ static const char *strange(const struct bead_h5 *h5, hid_t dataset)
     return rank > 0 && bytes <= largest_chunk ? NULL : "has larger chunks than this program writes";
 }
 
-hid_t bead_h5_open_dataset(struct bead_h5 *h5, const char *name)
+static hid_t open_dataset(struct bead_h5 *h5, const char *name)
 {
     if (h5->error)
         return -1;
@@ -206,7 +206,7 @@ static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class,
     if (h5->error)
         return;
     BEAD_H5_QUIET;
-    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
+    BEAD_H5_AUTO dataset = open_dataset(h5, name);
     if (h5->error)
         return;
     BEAD_H5_AUTO type = H5Dget_type(dataset);
@@ -266,7 +266,7 @@ char *bead_h5_read_text(struct bead_h5 *h5, const char *name, size_t limit)
     if (h5->apart)
         return ask_text(h5, name, limit);
     BEAD_H5_QUIET;
-    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
+    BEAD_H5_AUTO dataset = open_dataset(h5, name);
     if (h5->error)
         return NULL;
     BEAD_H5_AUTO type = H5Dget_type(dataset);
@@ -317,7 +317,7 @@ hid_t bead_h5_open_series(struct bead_h5 *h5, const char *name, size_t columns, 
         return identifier(h5, answer);
     }
     BEAD_H5_QUIET;
-    hid_t series = without_cache(h5, name, bead_h5_open_dataset(h5, name));
+    hid_t series = without_cache(h5, name, open_dataset(h5, name));
     if (series < 0)
         return -1;
     BEAD_H5_AUTO type = H5Dget_type(series);
@@ -380,7 +380,7 @@ void bead_h5_read_table(struct bead_h5 *h5, const char *name, enum bead_h5_type 
         return;
     }
     BEAD_H5_QUIET;
-    BEAD_H5_AUTO dataset = bead_h5_open_dataset(h5, name);
+    BEAD_H5_AUTO dataset = open_dataset(h5, name);
     if (dataset < 0)
         return;
     hsize_t size[2] = {0, 0};

@@ -27,8 +27,9 @@ static uint64_t word_at(const unsigned char *bytes)
     return le64toh(word);
 }
 
-/* Four lanes, as one multiplication waits for another. Each step can be undone, so a change of one word always shows. */
-uint64_t bead_seal_digest(const void *bytes, size_t size)
+/* 64 bits, never 0. Four lanes, as one multiplication waits for another. Each step can be undone, so a change of one word always
+ * shows. */
+static uint64_t digest_of(const void *bytes, size_t size)
 {
     enum { STRIDE = 4 * sizeof(uint64_t) };
     const unsigned char *at = bytes, *whole = at + size / STRIDE * STRIDE;
@@ -73,7 +74,7 @@ bool bead_seal_note(struct bead_seal *seal, uint64_t address, size_t size, const
         return false;
     for (uint64_t index = address / BEAD_SEAL_BLOCK, from = index * BEAD_SEAL_BLOCK; from < end; index++, from += BEAD_SEAL_BLOCK)
         seal->digest[index] = from >= address && end - from >= BEAD_SEAL_BLOCK
-                                  ? bead_seal_digest((const char *)bytes + (from - address), BEAD_SEAL_BLOCK)
+                                  ? digest_of((const char *)bytes + (from - address), BEAD_SEAL_BLOCK)
                                   : 0;
     return true;
 }
@@ -113,7 +114,7 @@ uint64_t bead_seal_end(const struct bead_seal *seal, size_t index)
 
 bool bead_seal_fits(const struct bead_seal *seal, size_t index, const void *bytes)
 {
-    return bead_seal_digest(bytes, (size_t)(bead_seal_end(seal, index) - (uint64_t)index * BEAD_SEAL_BLOCK)) == seal->digest[index];
+    return digest_of(bytes, (size_t)(bead_seal_end(seal, index) - (uint64_t)index * BEAD_SEAL_BLOCK)) == seal->digest[index];
 }
 
 /* Returns 0 or an errno. */
@@ -132,7 +133,7 @@ static int complete(struct bead_seal *seal, int file)
         if (got < 0)
             return errno;
         memset(bytes + got, 0, size - (size_t)got); /* not reached yet: the file grows to it with the seal */
-        seal->digest[i] = bead_seal_digest(bytes, size);
+        seal->digest[i] = digest_of(bytes, size);
     }
     return 0;
 }
@@ -156,7 +157,7 @@ int bead_seal_write(struct bead_seal *seal, int file, uint64_t covered)
     }
     number = htole64(size);
     memcpy(bytes + size - TAIL, &number, 8);
-    number = htole64(bead_seal_digest(bytes, size - 16));
+    number = htole64(digest_of(bytes, size - 16));
     memcpy(bytes + size - 16, &number, 8);
     memcpy(bytes + size - 8, mark, sizeof mark);
     return pwrite_all(file, bytes, size, covered);
@@ -193,7 +194,7 @@ static enum bead_seal_state read_seal(struct bead_seal *seal, int file, uint64_t
     memcpy(number + 1, bytes + 8, 8);
     const size_t blocks = (size - HEAD - TAIL) / 8;
     if (memcmp(bytes, mark, sizeof mark) != 0 || memcmp(bytes + size - 8, mark, sizeof mark) != 0 || blocks != blocks_of(covered) ||
-        le64toh(number[1]) != covered || le64toh(number[0]) != bead_seal_digest(bytes, size - 16))
+        le64toh(number[1]) != covered || le64toh(number[0]) != digest_of(bytes, size - 16))
         return BEAD_SEAL_DAMAGED;
     if (!make_room(seal, blocks))
         return BEAD_SEAL_NO_MEMORY;

@@ -19,8 +19,6 @@ struct bead_seal {
     size_t room;      /* of `digest` */
 };
 
-/* 64 bits, never 0. */
-uint64_t bead_seal_digest(const void *bytes, size_t size);
 /* Note that these bytes were written: blocks within them are known, blocks that they touch are not. False: no memory. */
 bool bead_seal_note(struct bead_seal *seal, uint64_t address, size_t size, const void *bytes);
 /* Read what is not known, and append the seal to the open file, whose length is `covered`. Returns 0 or an errno. */

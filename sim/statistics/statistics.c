@@ -69,30 +69,6 @@ double bead_sample_error(const struct bead_summary *sample, size_t all)
     return student((double)sample->count - 1) * sample->standard_error * sqrt(left);
 }
 
-void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line)
-{
-    double mx = 0, my = 0, xx = 0, xy = 0, rest = 0;
-    *line = (struct bead_line){NAN, NAN, NAN, count};
-    for (size_t i = 0; i < count; i++) {
-        mx += x[i] / (double)count;
-        my += y[i] / (double)count;
-    }
-    for (size_t i = 0; i < count; i++) {
-        xx += (x[i] - mx) * (x[i] - mx);
-        xy += (x[i] - mx) * (y[i] - my);
-    }
-    if (count < 2 || !(xx > 0))
-        return;
-    line->slope = xy / xx;
-    line->offset = my - line->slope * mx;
-    for (size_t i = 0; i < count; i++) {
-        double off = y[i] - line->offset - line->slope * x[i];
-        rest += off * off;
-    }
-    if (count > 2)
-        line->slope_error = sqrt(rest / (double)(count - 2) / xx);
-}
-
 double bead_participation(const double *y, size_t count)
 {
     double sum = 0, squares = 0, largest = 0;

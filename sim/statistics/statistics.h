@@ -48,14 +48,6 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_threshold_fit(const struct bead_gr
                                                             const struct bead_threshold_info *how, size_t resamples, uint64_t seed,
                                                             struct bead_threshold *threshold, struct bead_message *msg);
 
-/* A straight line y = offset + slope x by least squares. */
-struct bead_line {
-    double slope, offset;
-    double slope_error; /* from the scatter about the line; NaN below three points */
-    size_t count;
-};
-BEAD_INTERNAL void bead_line_fit(const double *x, const double *y, size_t count, struct bead_line *line);
-
 /* Decay along a chain of what is 1 without disorder, y at places (beads) 0, 1, ...: exponential near the striker, y ~ exp(-x /
  * length), a power law farther on, y ~ x^exponent. */
 struct bead_decay {

@@ -22,20 +22,6 @@ static void summaries(void **state)
     assert_true(isnan(s.mean) && isnan(s.median));
 }
 
-/* The line's error is the textbook's: sqrt(rest / (n - 2) / sum of squares of x). */
-static void lines(void **state)
-{
-    (void)state;
-    const double x[] = {0, 1, 2, 3}, y[] = {1, 3, 4, 8};
-    struct bead_line line;
-    bead_line_fit(x, y, 4, &line);
-    assert_near(line.slope, 2.2, 1e-14);
-    assert_near(line.offset, 0.7, 1e-14);
-    assert_near(line.slope_error, sqrt(1.8 / 2 / 5), 1e-13);
-    bead_line_fit(x, y, 1, &line);
-    assert_true(isnan(line.slope));
-}
-
 /* An exponential to its length, a power law beyond. */
 static double known_decay(size_t place)
 {
@@ -178,9 +164,13 @@ static void means_are_known_from_samples(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(means_are_known_from_samples), cmocka_unit_test(summaries),        cmocka_unit_test(lines),
-        cmocka_unit_test(decay_of_known_laws),          cmocka_unit_test(errors_of_decay),  cmocka_unit_test(participation),
-        cmocka_unit_test(threshold_of_known_means),     cmocka_unit_test(bootstrap_errors),
+        cmocka_unit_test(means_are_known_from_samples),
+        cmocka_unit_test(summaries),
+        cmocka_unit_test(decay_of_known_laws),
+        cmocka_unit_test(errors_of_decay),
+        cmocka_unit_test(participation),
+        cmocka_unit_test(threshold_of_known_means),
+        cmocka_unit_test(bootstrap_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
