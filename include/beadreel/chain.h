@@ -3,8 +3,8 @@
  *
  * Bead 0 is the striker, beads 1..N the chain. Contact k is between beads k and k+1; the contact with
  * the wall, where there is one, is the last. Displacement u_j is from the rest position, positive
- * towards the wall. Compression of contact k: d_k = d0_k + u_k - u_{k+1} (the wall's u is 0); beads apart by a gap g have d0_k =
- * -g.
+ * towards the wall. Compression of contact k: d_k = d0_k + u_k - u_{k+1} (the wall's u is 0); for beads with a gap g between them,
+ * d0_k = -g.
  */
 #ifndef BEADREEL_CHAIN_H
 #define BEADREEL_CHAIN_H
@@ -23,7 +23,7 @@ struct bead_sensor {
     size_t bead;
 };
 
-/* Chain `index` of the scene. The scene must outlive the chain. Errors: SCENE (with its place), MEMORY. */
+/* Chain `index` of the scene. The scene must outlive the chain. Errors: SCENE (with the place), MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_chain_create(const struct bead_scene *scene, size_t index, struct bead_chain **chain,
                                                       struct bead_message *msg);
 
@@ -39,9 +39,9 @@ struct bead_properties {
 /* A chain without a scene. Arrays may go once the chain is made; a law of the caller's own must outlive it. */
 struct bead_chain_settings {
     size_t size;                         /* of this structure: BEAD_DEFAULT */
-    const struct bead_properties *beads; /* [count], left to right, those that are struck */
+    const struct bead_properties *beads; /* [count], left to right, without the striker */
     size_t count;
-    size_t repeat;                        /* so many times the row of `beads`; 0: once */
+    size_t repeat;                        /* how many times the row of `beads`; 0: once */
     double velocity;                      /* m/s, of the striker as it touches the first bead, at time 0 */
     struct bead_properties striker;       /* zeros: as the first of `beads` */
     enum bead_wall wall;                  /* behind the last bead */
@@ -76,17 +76,17 @@ BEAD_API const double *bead_chain_static_compression(const struct bead_chain *ch
 
 /* Spins of all segments with cells of two or more beads, left to right, as '0' and '1'; "" where there are none. */
 BEAD_API const char *bead_chain_spins(const struct bead_chain *chain);
-/* M = |N_up - N_down| / (N_up + N_down) of the cells whose spins the scene gives, of all cells where it gives none (1 where there
- * are no cells): there, cells that are the mirror image of the first ones are down. */
+/* M = |N_up - N_down| / (N_up + N_down) of the cells whose spins the scene gives, or of all cells if it gives none (1 if there are
+ * no cells): then cells that mirror the first ones are down. */
 BEAD_API double bead_chain_magnetism(const struct bead_chain *chain);
 
 BEAD_API const struct bead_sensor *bead_chain_sensors(const struct bead_chain *chain, size_t *count);
 
-/* Title and unit of a field of this chain's samples; NULL: it has no such field. */
+/* Title and unit of a field in this chain's samples; NULL: the chain has no such field. */
 BEAD_API const struct bead_field_info *bead_chain_field(const struct bead_chain *chain, enum bead_field field);
 BEAD_API const char *bead_chain_time_unit(const struct bead_chain *chain); /* "s"; "" where times have no unit */
 
-/* Energy put in by the striker, and by other beads that do not start at rest, J. */
+/* Energy put in by the striker and by other beads that do not start at rest, J. */
 BEAD_API double bead_chain_energy(const struct bead_chain *chain);
 
 BEAD_END

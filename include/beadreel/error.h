@@ -32,8 +32,8 @@ enum bead_error {
 };
 #define BEAD_OK BEAD_ERROR_OK
 
-/* Make the call; if it fails, return its error from the function that this is in. What that function has allocated must belong to
- * somebody who frees it. */
+/* Make the call; if it fails, return its error from the calling function, whose allocations must by then have an owner that frees
+ * them. */
 #define BEAD_TRY(call)                                 \
     do {                                               \
         const enum bead_error bead_try_error = (call); \
@@ -42,7 +42,7 @@ enum bead_error {
     } while (0)
 
 struct bead_message {
-    char text[4096]; /* one line; of a wrong scene up to ten, one for each thing that is wrong */
+    char text[4096]; /* one line; for a wrong scene up to ten, one for each mistake */
 };
 
 /* The general text of a code; never NULL. */

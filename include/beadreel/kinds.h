@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kinds of outputs and of views that there are, one row each. */
+/* The kinds of outputs and views, one row each. */
 #ifndef BEADREEL_KINDS_H
 #define BEADREEL_KINDS_H
 
@@ -7,10 +7,10 @@
 
 BEAD_BEGIN
 
-/* Outputs, in the order of --list keys. Of kinds that files may end alike, `-o FILE` makes the first.
+/* Outputs, in the order of --list keys. If several kinds share a file's ending, `-o FILE` makes the first.
  *
  * To add a kind NAME: its row here; a file sim/kinds/output_NAME.c with its keys and a `const struct bead_output_type
- * bead_NAME_output`, which says all that sets the kind apart; and a sink that makes it, with its line in the list of sinks. */
+ * bead_NAME_output`, which has all that is special about the kind; and a sink that makes it, with its line in the list of sinks. */
 #define BEAD_OUTPUTS(OUTPUT)       \
     OUTPUT(TRAJECTORY, trajectory) \
     OUTPUT(IMAGE, image)           \
@@ -29,7 +29,7 @@ enum bead_output_kind {
     BEAD_OUTPUT_OWN = BEAD_OUTPUT_KINDS /* made by a sink of the program's own: bead_own in scene.h */
 };
 
-/* ---- views: what scenes, layouts and captions must know of each; view.h has the functions that draw ----
+/* ---- views: what scenes, layouts and captions must know about each; view.h has the functions that draw ----
  *
  * To add a view: its row here, and its file render/view/view_NAME.c with a `const struct bead_view_type bead_view_NAME_type`. */
 
@@ -47,7 +47,7 @@ enum bead_view_trait {
     BEAD_ACTS = 512,            /* large beads: a film is arranged around them */
 };
 
-/* The quantity on the horizontal axis; time for an image whose time does not run down. */
+/* The quantity on the horizontal axis; time for an image, unless its time runs down. */
 enum bead_view_across { BEAD_ACROSS_CHAIN, BEAD_ACROSS_TIME, BEAD_ACROSS_MODES };
 
 /* Shares are of the height that all views of a picture have; `most` is the largest useful height in widths of the plot. `shape`:

@@ -3,19 +3,19 @@
  * mp4 (H.264), mov (ProRes 4444; lossless: PNG), mkv (H.264; lossless: FFV1), webm (VP9), gif, png/apng (APNG), avif, webp;
  * lossless mp4 and webm keep RGB as it is. mp4, mkv and webm can have AV1 instead.
  *
- *   bead_movie_check(path, &settings, &msg);          long before, where there is time to say no
+ * bead_movie_check(path, &settings, &msg); early, before any work is done
  *   bead_movie_open(path, &settings, &movie, &msg);   writes path.part
  *   bead_movie_add(movie, &frame, &changes, &msg);    once a frame, in order
  *   bead_movie_close(movie, &bytes, &msg);            finishes, fsyncs, renames; or bead_movie_abort(movie)
  *
- * path.part plays while it grows, also where the program is killed: an mp4 file grows by fragments, which close copies into a plain
- * file with its index in front, a gif as an animated PNG, of which close makes the GIF, and an avif as mp4. Only of webp nothing is
- * written before close.
+ * path.part plays while it grows, even if the program is killed: an mp4 file grows by fragments, which close copies into a plain
+ * file with its index in front; a gif grows as an animated PNG, from which close makes the GIF; and an avif as mp4. Only webp
+ * writes nothing before close.
  *
- * Only the changed rectangles are converted. Every frame is a picture of the file, at a constant rate; in drafts a frame without
- * changes is not, and the one before is shown for longer (the last one always is, so that the duration is exact). Encoder
- * settings are deterministic: same frames, same decoded frames, one thread. A movie may be used from any
- * one thread at a time. The log of libav is silenced, for the whole process. */
+ * Only the changed rectangles are converted. Every frame is a picture of the file, at a constant rate; drafts leave out a frame
+ * without changes and show the previous one for longer (but keep the last, so that the duration is exact). Encoder settings are
+ * deterministic: same frames, same decoded frames, one thread. A movie may be used from any one thread at a time. The log of libav
+ * is silenced, for the whole process. */
 #ifndef BEADREEL_MOVIE_H
 #define BEADREEL_MOVIE_H
 
@@ -51,12 +51,12 @@ struct bead_movie_settings {
     size_t chapter_count;
     double length; /* s: where the last chapter ends */
     int channels;  /* of sound: 1, or 2 (left and right); 0: none. bead_movie_sound will be called. mp4, mov, mkv and webm */
-    bool alpha;    /* frames have alpha, and so has the movie: webm, mov, apng, png and webp */
+    bool alpha;    /* frames and movie have alpha: webm, mov, apng, png and webp */
     /* For the same containers: by rising times, none before the last has ended; borrowed until the movie is closed. */
     const struct bead_movie_subtitle *subtitles;
     size_t subtitle_count;
     enum bead_codec_asked codec;
-    bool still; /* a picture, of one frame, whatever `quality` says: jpg, tif, webp or avif */
+    bool still; /* a picture of one frame, whatever `quality` says: jpg, tif, webp or avif */
     double dpi; /* of a still in tif: pixels an inch; 0: unknown */
 };
 
@@ -69,16 +69,16 @@ BEAD_API BEAD_CHECK enum bead_error bead_movie_check(const char *path, const str
 /* On failure *movie is NULL and no file is left. Errors: those of check; IO, CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_open(const char *path, const struct bead_movie_settings *settings,
                                                     struct bead_movie **movie, struct bead_message *msg);
-/* The next frame, of the movie's size. The first is taken whole, whatever `changes` says; `changes` NULL: all may have
- * changed. Nothing is kept of `frame` and `changes`. After an error only close and abort make sense. Errors: IO, CODEC, MEMORY. */
+/* The next frame, of the movie's size. The first is taken whole, whatever `changes` says; `changes` NULL: all may have changed. The
+ * movie keeps neither `frame` nor `changes`. After an error only close and abort make sense. Errors: IO, CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_add(struct bead_movie *movie, const struct bead_frame *frame,
                                                    const struct bead_changes *changes, struct bead_message *msg);
-/* A PNG file in memory, of the movie's size, as the movie's cover: at any time before close, where the settings have said so.
+/* A PNG file in memory, of the movie's size, as the movie's cover: at any time before close, if the settings announced it.
  * Containers other than mp4 have none; nothing happens then. Errors: CODEC, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_movie_cover(struct bead_movie *movie, const uint8_t *png, size_t bytes,
                                                      struct bead_message *msg);
-/* The sound, where the settings have channels: `count` samples a channel, -1..1, those of all channels side by side,
- * BEAD_SOUND_RATE a second from the first frame on. Once, before close. Errors: CODEC, MEMORY. */
+/* The sound, if the settings have channels: `count` samples a channel, -1..1, interleaved, BEAD_SOUND_RATE a second from the first
+ * frame on. Once, before close. Errors: CODEC, MEMORY. */
 enum { BEAD_SOUND_RATE = 48000 };
 BEAD_API BEAD_CHECK enum bead_error bead_movie_sound(struct bead_movie *movie, const float *samples, size_t count,
                                                      struct bead_message *msg);

@@ -27,23 +27,23 @@
 
 BEAD_BEGIN
 
-/* ---- what is known about a chain after a run, the largest force of each contact and bead above all, and how well it is known. The
- * library fills these structures in. Their arrays belong to what gave them, a session or a player, and live as long. ---- */
+/* ---- what is known about a chain after a run, above all the largest force of each contact and bead, and its uncertainty. The
+ * library fills these structures in. Their arrays belong to the session or player that gave them, and live as long. ---- */
 
 struct bead_peak {
-    double value;       /* N: the largest; the static force where the wave has not come */
+    double value;       /* N: the largest; the static force where the wave never arrived */
     double time;        /* s; NaN where the contact was never loaded, 0 where it never carried more than its static force */
-    bool open;          /* that of the end of the run, where the force was still rising */
+    bool open;          /* taken at the end of the run, where the force was still rising */
     bool exceeded;      /* a passage ended the search for peaks, and the run went on to a force above this one */
-    bool unpredictable; /* runs of other tolerances differ here too much to say anything, or from an earlier time on */
+    bool unpredictable; /* runs with other tolerances differ too much here, or since an earlier time, to say anything */
 };
 
 /* A number that a run has measured: "recurrence time", "", 9376.4 */
 struct bead_measure {
     char name[48];
-    const char *unit; /* SI; "" of numbers without */
+    const char *unit; /* SI; "" for plain numbers */
     double value;
-    char note[40]; /* what the number does not say: "none seen" of a NaN, the time of a sample; "": nothing */
+    char note[40]; /* what the number does not say: "none seen" for a NaN, the time of a sample; "": nothing */
 };
 
 /* All beads at one time. */
@@ -54,11 +54,11 @@ struct bead_moment {
 
 /* The derivatives of one contact's peak force. */
 struct bead_sensitivity {
-    size_t index;                    /* of the contact; all NaN where its force still rises as a run ends by itself */
-    bool of_default;                 /* it is one of those meant where a sink names none */
-    double *mass, *radius, *modulus; /* [beads] N/kg, N/m, N/Pa: by those of each bead, all else kept */
-    double velocity;                 /* N s/m: by that of the striker */
-    double wall_modulus;             /* N/Pa: by that of the wall; 0 where there is none, or a rigid one */
+    size_t index;                    /* of the contact; all NaN if its force still rises when a run ends by itself */
+    bool of_default;                 /* one of those meant by a sink that names none */
+    double *mass, *radius, *modulus; /* [beads] N/kg, N/m, N/Pa: by the values of each bead, all else kept */
+    double velocity;                 /* N s/m: by the striker's */
+    double wall_modulus;             /* N/Pa: by the wall's; 0 without a wall, or with a rigid one */
 };
 
 /* Results of one chain's run. */
@@ -79,17 +79,17 @@ struct bead_outcome {
     const struct bead_peak *contact_peaks;                          /* [contacts], NULL where not asked */
     const struct bead_peak *bead_peaks;                             /* [beads], NULL where not asked */
     const double *contact_uncertainty, *bead_uncertainty;           /* N, of these; NULL where not asked */
-    const double *contact_time_uncertainty, *bead_time_uncertainty; /* s, of their times; likewise */
+    const double *contact_time_uncertainty, *bead_time_uncertainty; /* s, of their times; the same */
     double predictable_until; /* s: time of the first peak that is not predictable; INFINITY: all are; 0: not asked */
     const double *contact_deviation, *bead_deviation; /* N, standard deviations of these; NULL where not asked */
-    const bool *contact_rivalled, *bead_rivalled;     /* with these: may another maximum be the highest? */
-    const struct bead_sensitivity *sensitivities;     /* of the contacts asked for by any sink, rising */
+    const bool *contact_rivalled, *bead_rivalled;     /* with these: could another maximum be the highest? */
+    const struct bead_sensitivity *sensitivities;     /* of the contacts that any sink asks for, rising */
     size_t sensitivity_count;
-    /* The peak that is known least well, as a part of itself: its contact, or bead, its force and uncertainty, N; NaN where not
-     * asked. Forces that still rise at the end are none. */
+    /* The least certain peak, relative to itself: its contact or bead, its force and uncertainty, N; NaN if not asked. Forces that
+     * still rise at the end do not count. */
     double worst_contact, worst_bead, worst_force, worst_uncertainty;
     struct bead_moment arrived, final;   /* as the front arrives; at `end` */
-    const struct bead_measure *measures; /* what an equation's run has measured; NULL: none */
+    const struct bead_measure *measures; /* measured by an equation's run; NULL: none */
     size_t measure_count;
     double absorbed;                  /* J: taken by an absorbing end; NaN: there is none */
     const struct bead_outcome *check; /* that of a run with a hundredth of the tolerance; NULL: not asked, or not possible */
@@ -99,11 +99,11 @@ struct bead_outcome {
 
 struct bead_chain; /* chain.h */
 
-/* Told now and then (at most some ten times a second) while a session runs. */
+/* Reported now and then (at most about ten times a second) while a session runs. */
 struct bead_progress {
     const char *what; /* "scouting", "simulating", "drawing beads.mp4" */
     double done;      /* 0..1 */
-    double time;      /* s of physical time reached; NaN: not one time */
+    double time;      /* s of physical time reached; NaN: there is no single time */
     double items;     /* things done so far; 0: not counted */
     const char *item; /* "chains" */
 };
@@ -111,14 +111,14 @@ struct bead_progress {
 struct bead_player_settings {
     size_t size;                    /* of this structure: BEAD_DEFAULT */
     const struct bead_chain *chain; /* must outlive the player */
-    double until;       /* s, end of the run; 0: as the chain's scene says, or when the first pulse has passed the end */
-    double accuracy;    /* relative error of first-passage peaks; 0: as the chain's scene says, or 1e-6 */
-    const char *method; /* a name of --list methods; NULL: as the chain's scene says, or chosen by the library */
-    double step;        /* s; 0: follows from accuracy */
+    double until;                   /* s, end of the run; 0: from the chain's scene, or when the first pulse has passed the end */
+    double accuracy;                /* relative error of first-passage peaks; 0: from the chain's scene, or 1e-6 */
+    const char *method;             /* a name of --list methods; NULL: from the chain's scene, or chosen by the library */
+    double step;                    /* s; 0: follows from accuracy */
     bool contact_peaks, bead_peaks; /* wanted in the outcome */
     bool uncertainty;               /* of these peaks: a comparison run is made when the player is finished */
-    /* Samples for the caller: fields (BEAD_FIELD_BITs) of all beads at 0, every, 2 every, ... s. An error that `take` returns ends
-     * the call that played, which returns it. NULL: none. */
+    /* Samples for the caller: fields (BEAD_FIELD_BITs) of all beads at 0, every, 2 every, ... s. If `take` returns an error, the
+     * call that played ends with it. NULL: none. */
     enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg);
     void *context;
     unsigned fields;
@@ -141,7 +141,7 @@ BEAD_API BEAD_CHECK enum bead_error bead_player_step(struct bead_player *player,
 BEAD_API BEAD_CHECK enum bead_error bead_player_until(struct bead_player *player, double time, struct bead_message *msg);
 /* End of the last step, s. */
 BEAD_API double bead_player_time(const struct bead_player *player);
-/* Has the run come to its end, or been finished? */
+/* Is the run over, or finished? */
 BEAD_API bool bead_player_is_over(const struct bead_player *player);
 /* The state now: fields (BEAD_FIELD_BITs) of all beads. Arrays are the player's, valid until its next call. Errors: NUMBERS,
  * MEMORY, USAGE (finished). */

@@ -21,8 +21,8 @@ struct bead_rect {
 };
 
 /* 32 bits a pixel, B G R X in memory (CAIRO_FORMAT_RGB24 on little-endian machines), rows from the top. With `alpha` the fourth
- * byte says how much of what is behind the pixel hides, and colours are premultiplied with it (CAIRO_FORMAT_ARGB32); light that is
- * added may be more than that. */
+ * byte is the pixel's opacity, and colours are premultiplied with it (CAIRO_FORMAT_ARGB32); where light is added they may exceed
+ * it. */
 struct bead_frame {
     int width, height;
     size_t stride; /* bytes a row, a multiple of 64 */
@@ -30,7 +30,7 @@ struct bead_frame {
     bool alpha; /* as created: false */
 };
 
-/* Rectangles changed since the frame before; those that overlap much, and more than fit, are merged into bounding boxes. */
+/* Rectangles changed since the previous frame; if they overlap much, or are too many, they are merged into bounding boxes. */
 struct bead_changes {
     size_t count;
     struct bead_rect rect[32];
@@ -50,11 +50,11 @@ struct bead_colormap {
     uint8_t rgb[256][3]; /* sRGB */
 };
 
-/* From assets/colormaps/NAME.txt, reversed for NAME_r, or of colours: "#000000 #ff8000 #ffffff", equally far apart. Errors: SCENE
- * (no such map; says which there are), IO, FORMAT, MEMORY. */
+/* From assets/colormaps/NAME.txt, reversed for NAME_r, or from evenly spaced colours: "#000000 #ff8000 #ffffff". Errors: SCENE (no
+ * such map; lists all), IO, FORMAT, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_colormap_load(const char *name, struct bead_colormap *map, struct bead_message *msg);
 
-/* A scale of colours: values low..high to indices 0..255 of a map; outside, clamped. */
+/* A scale of colours: maps values low..high to indices 0..255, others to the ends. */
 struct bead_colours {
     const struct bead_colormap *map;
     enum bead_scale scale;

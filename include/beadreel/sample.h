@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Samples: the state of one chain at one time, as outputs get it. */
+/* Samples: the state of one chain at one time, as outputs receive it. */
 #ifndef BEADREEL_SAMPLE_H
 #define BEADREEL_SAMPLE_H
 
@@ -33,7 +33,7 @@ struct bead_field_info {
     const char *title; /* for axes and colour bars: "contact force" */
     int of_contacts;   /* 1: one value a contact; 0: one a bead */
 };
-/* One row a field, in the order of the enum: what it means for beads. What it means for any chain: bead_chain_field. */
+/* One row a field, in the order of the enum: its meaning for beads. For its meaning in any chain see bead_chain_field. */
 BEAD_API const struct bead_field_info *bead_field_info(enum bead_field field);
 
 /* Bit of a field in a set of fields. */
@@ -44,47 +44,47 @@ struct bead_span {
     size_t first, last;
 };
 
-/* Equally spaced times start, start + every, ... <= end (seconds). every == 0: no samples. Where they widen, for laws that are
- * powers of time, only the first 64 are so close; then there are 32 more each time that the distance from the start doubles, and
- * the last is the end. All but that are multiples of `every` from the start. */
+/* Equally spaced times start, start + every, ... <= end (seconds). every == 0: no samples. If they widen, for laws that are powers
+ * of time, only the first 64 are so close; then there are 32 for each doubling of the distance from the start, and the last is the
+ * end. All others are multiples of `every` from the start. */
 struct bead_grid {
     double start, every, end;
     bool widens;
 };
 
-/* Number of times on the grid; an end that misses a grid point by rounding only counts. */
+/* Number of times on the grid; an end that misses a grid point only by rounding counts. */
 BEAD_API size_t bead_grid_count(const struct bead_grid *grid);
 /* Time of sample `index`. */
 BEAD_API double bead_grid_time(const struct bead_grid *grid, size_t index);
 
-/* The parts of a chain's energy, those lost included: their sum, less the work of a drive, is the energy at the start, J. */
+/* The parts of a chain's energy, including losses: their sum, less the work of a drive, is the energy at the start, J. */
 struct bead_budget {
     double kinetic;
-    double contacts, wall; /* elastic, above the chain at rest, less the work of what precompresses it */
-    double gravity;        /* potential: minus the work of gravity on a tilt, and that of pendulums */
-    double springs;        /* that hold beads at their places */
+    double contacts, wall; /* elastic, relative to the chain at rest, less the work of the precompression */
+    double gravity;        /* potential: minus the work of gravity, on a tilt and on pendulums */
+    double springs;        /* of springs that hold beads at their places */
     double dissipated;     /* lost to damping and to an absorbing end */
-    double work;           /* of the drive, which is in the sum of the others */
-    /* For every bead, J, with its share of contacts and of gravity included (their sum is that of the parts but the lost one); of
-     * every contact, N, less the static force; of every bead, m/s. Borrowed. */
+    double work;           /* of the drive, contained in the sum of the others */
+    /* For every bead, J, including its share of contacts and gravity (they add up to all parts but the dissipated one); for every
+     * contact, N, less the static force; for every bead, m/s. Borrowed. */
     const double *energy, *force, *velocity;
 };
 
 /* One chain at one time. Arrays are borrowed until the call returns. They have one value for every
- * bead (or contact) of the chain, are indexed by its number, and are valid in the spans asked for;
- * a field that nobody asked for is NULL. SI units. */
+ * bead (or contact) of the chain, are indexed by its number, and are valid in the spans asked for; a field that no sink asked for
+ * is NULL. SI units. */
 struct bead_sample {
     size_t chain;  /* index in the scene */
-    size_t index;  /* of the receiving sink's own grid */
+    size_t index;  /* in the receiving sink's own grid */
     double time;   /* s */
     size_t active; /* beads >= active are exactly at rest, all their values 0 (or static) */
     const double *field[BEAD_FIELD_COUNT];
-    const struct bead_budget *budget; /* where a sink asks for it; NULL in stored samples */
+    const struct bead_budget *budget; /* if a sink asks for it; NULL in stored samples */
     /* Values of the comparison run: the same chain run a second time with another accuracy, at the same time. Its beads >=
-     * comparison_active are at rest. NULL where nobody asked. */
+     * comparison_active are at rest. NULL if no sink asked. */
     const double *comparison[BEAD_FIELD_COUNT];
     size_t comparison_active;
-    /* The sample of a run with a hundredth of the tolerance, which tells the error of this one; NULL where nobody asked, in stored
+    /* The sample of a run with a hundredth of the tolerance, which tells the error of this one; NULL if no sink asked, in stored
      * samples, and where no such run is possible. */
     const struct bead_sample *check;
 };

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes: what chain to strike and what pictures are wanted.
+/* Scenes: which chain to strike, and which pictures to make.
  *
  *   struct bead_scene *scene;
  *   err = bead_scene_load(path, NULL, &scene, &msg);
  *   ... read it, make chains from it (chain.h), run it (session.h) ...
  *   bead_scene_free(scene);
  *
- * A scene is plain data, checked and with every default filled in; it is not changed after loading.
- * All numbers are SI. The keys, units, defaults, ranges and help of the settings below are in one
- * table for each structure (options.h), from which parser, help and error messages are made. */
+ * A scene is plain data, checked and with every default filled in; it does not change after loading. All numbers are SI. The keys,
+ * units, defaults, ranges and help of the settings below are in one table for each structure (options.h), which makes parser, help
+ * and error messages. */
 #ifndef BEADREEL_SCENE_H
 #define BEADREEL_SCENE_H
 
@@ -26,25 +26,25 @@ BEAD_BEGIN
 struct bead_place {
     size_t line, column;
 };
-/* The scene's text as a tree, of which each node knows its place. */
+/* The scene's text as a tree; each node knows its place. */
 struct bead_yaml;
 struct bead_node;
 
 struct bead_material {
     char *name;
     char *label;    /* what pictures call it */
-    double mass;    /* kg, of one bead; from density and radius where not given; NaN for walls only */
-    double radius;  /* m; NaN where the material serves for walls only */
+    double mass;    /* kg, of one bead; if not given, from density and radius; NaN for walls only */
+    double radius;  /* m; NaN if the material is for walls only */
     double modulus; /* Pa, Young's */
     double poisson;
     double yield;     /* Pa, yield strength; 0: not known */
     double colour[3]; /* sRGB 0..1, how beads of it are drawn */
-    /* Standard deviations of beads of it, as parts of the value; 0: they are all alike. Their density is that of the material. */
+    /* Standard deviations of its beads, as parts of the value; 0: all beads are alike. Their density is the material's. */
     double radius_tolerance, modulus_tolerance;
-    double gap;    /* m: free space to the left of a bead of it, where it is not the first */
-    double spring; /* N/m: of a spring that holds each bead of it at its place */
-    size_t of;     /* the material that it is with other values, or itself */
-    bool own;      /* the scene's or the user's own, of the name of a ready one */
+    double gap;    /* m: free space to the left of each of its beads, except the first of the chain */
+    double spring; /* N/m: of a spring that holds each of its beads in place */
+    size_t of;     /* the material that it is a variant of, or itself */
+    bool own;      /* the scene's or the user's own, with the name of a ready one */
 };
 
 enum bead_spins { BEAD_SPINS_UP, BEAD_SPINS_DOWN, BEAD_SPINS_DIGITS, BEAD_SPINS_RANDOM };
@@ -58,7 +58,7 @@ struct bead_segment {
     enum bead_spins spins;
     bool spins_given; /* the scene has `spins`: these cells count for the magnetism of the chain */
     char *digits;     /* BEAD_SPINS_DIGITS: '0' and '1', one a cell */
-    double magnetism; /* BEAD_SPINS_RANDOM: the nearest that `count` allows is taken, majority up */
+    double magnetism; /* BEAD_SPINS_RANDOM: rounded to the nearest that `count` allows, majority up */
     uint64_t seed;
     char *sensor; /* name of the sensor on this (single) bead, or NULL */
     struct bead_place place;
@@ -68,7 +68,7 @@ enum bead_wall { BEAD_WALL_NONE, BEAD_WALL_RIGID, BEAD_WALL_MATERIAL };
 
 struct bead_law; /* law.h */
 
-/* A pair force and the numbers that its row asks for. */
+/* A pair force and the numbers that its row needs. */
 struct bead_law_spec {
     const struct bead_law *row; /* NULL: the system has no contacts */
     double power, coefficient;  /* of power: the exponent, and the force at a compression of 1 m, N/m^power */
@@ -102,7 +102,7 @@ struct bead_equation_spec {
     enum bead_start_kind start;
     size_t mode;                 /* number of the mode (mode), or of waves in the domain (cosine, simple wave) */
     double amplitude, width, at; /* of modes, pulses, waves; a pulse is amplitude sech^2((x - at) / width) */
-    enum bead_moving moving;     /* fput, shock: the pulse is one of the strain, and goes both ways or one */
+    enum bead_moving moving;     /* fput, shock: the pulse is in the strain, and goes both ways or one */
     struct bead_soliton solitons[BEAD_SOLITONS];
     size_t soliton_count;
 };
@@ -141,7 +141,7 @@ struct bead_chain_spec {
     /* For beads: */
     size_t striker_material;
     double striker_velocity;   /* m/s */
-    struct bead_start *starts; /* besides the striker's velocity, which bead 0 has: by rising numbers of beads */
+    struct bead_start *starts; /* besides bead 0's velocity, the striker's: by rising numbers of beads */
     size_t start_count;
     struct bead_drive drive; /* zeros: nothing is driven */
     struct bead_segment *segments;
@@ -149,27 +149,27 @@ struct bead_chain_spec {
     enum bead_wall wall;
     size_t wall_material; /* BEAD_WALL_MATERIAL */
     bool absorbs;         /* BEAD_WALL_NONE: a dashpot holds the last bead */
-    double impedance;     /* kg/s: force over velocity of the dashpot; NaN: that of the chain */
+    double impedance;     /* kg/s: force over velocity of the dashpot; NaN: the chain's impedance */
     struct bead_law_spec law;
     double precompression;      /* N, >= 0: static force in every contact */
-    double gap;                 /* m, >= 0: free space between every two beads behind the striker, besides those of materials */
+    double gap;                 /* m, >= 0: free space between every two beads behind the striker, besides the gaps of materials */
     double tilt;                /* rad, >= 0: the wall end is the lower one */
-    double cradle;              /* m: length of the pendulums that the beads are; 0: they are none */
+    double cradle;              /* m: the beads are pendulums of this length; 0: they are not */
     double damping_coefficient; /* N (s/m)^exponent */
     double damping_exponent;
     double damping_compression; /* exponent of the compression, in m, that multiplies the damping; 0: it does not depend on it */
     /* For the other systems: */
     struct bead_equation_spec equation;
-    const struct bead_node *node; /* where the scene says it; NULL: made without a scene */
+    const struct bead_node *node; /* its place in the scene; NULL: made without a scene */
 };
 
-/* Beads of sweeps whose chains may be of unlike lengths. */
+/* Beads in sweeps whose chains may differ in length. */
 #define BEAD_LAST   SIZE_MAX
 #define BEAD_MIDDLE 0
 
 /* Measurements of every chain of a sweep. */
 struct bead_sweep_measures {
-    bool peak;       /* the largest bead force, first passage, over `beads`, or at each of `sensors` where there are some */
+    bool peak;       /* the largest bead force, first passage, over `beads`, or at each of `sensors` if there are any */
     size_t beads[2]; /* counted from the last random bead: 3, 5 are the third to the fifth behind it; or BEAD_LAST, BEAD_MIDDLE */
     char **sensors;  /* names */
     size_t sensor_count;
@@ -180,20 +180,20 @@ struct bead_sweep_measures {
 struct bead_over_key {
     char *path;    /* "chain.striker.velocity" */
     char *unit;    /* SI, of the values; "" where they have none */
-    char **text;   /* [count] values as scenes have them */
+    char **text;   /* [count] values as written in scenes */
     double *value; /* [count] in this unit; NaN: not a number */
     size_t count;
     bool seed;  /* values are averaged over: the path ends in `seed` */
-    int digits; /* of values between two ends, in names: as many as tell them apart, four or more; 0: as they are written */
+    int digits; /* of values between two ends, in names: enough to distinguish them, four or more; 0: as written */
 };
 enum bead_combine { BEAD_COMBINE_GRID, BEAD_COMBINE_PAIRS };
 struct bead_over {
-    struct bead_over_key *keys; /* the last one changes first; of `pairs` all change together */
-    size_t key_count;           /* 0: the sweep is one over spins */
+    struct bead_over_key *keys; /* the last one changes first; with `pairs` all change together */
+    size_t key_count;           /* 0: the sweep is over spins */
     enum bead_combine combine;
 };
 
-/* Configurations that are drawn alike: `up` of the random cells are up. */
+/* Configurations with the same statistics: `up` of the random cells are up. */
 struct bead_sweep_group {
     double magnetism; /* of the chain: bead_chain_magnetism; NaN where spins are given one by one */
     size_t up;
@@ -207,16 +207,16 @@ struct bead_sweep_spec {
     char *title; /* the same as pictures show it */
     size_t chain;
     size_t cells;                    /* random cells */
-    size_t asked;                    /* what the scene gives as `cells`; 0: the pattern is the scene's own chain */
+    size_t asked;                    /* the scene's `cells`; 0: the pattern is the scene's own chain */
     size_t fixed;                    /* cells behind them, where `cells` is given */
     size_t last;                     /* the last random bead */
     bool own_magnetism;              /* every segment has its own: one group */
-    struct bead_sweep_group *groups; /* by rising magnetism; those of given spins in their order */
+    struct bead_sweep_group *groups; /* by rising magnetism; given spins in their order */
     size_t group_count;
     char **spins;          /* [group_count], one digit a random cell, where the scene gives them; else NULL */
-    size_t configurations; /* of each group; one where there is only one way to arrange the spins */
+    size_t configurations; /* of each group; one if there is only one way to arrange the spins */
     uint64_t seed;
-    bool whole; /* no bead is dropped behind the front */
+    bool whole; /* do not drop beads behind the front */
     struct bead_over over;
     struct bead_sweep_measures measures;
 };
@@ -224,11 +224,11 @@ struct bead_sweep_spec {
 struct bead_simulate {
     double until;        /* s; NaN: until the first pulse has passed the end of the chain */
     double accuracy;     /* relative error wanted in first-passage peak forces */
-    bool accuracy_given; /* else outputs may want more (sink.h) */
-    bool statistical;    /* of sweeps: errors of a hundredth of the standard error are enough; then accuracy is that of all else */
-    char *method;        /* "auto" or a name from methods.h */
-    double step;         /* s; 0: chosen from accuracy */
-    bool verify;         /* accuracy as a guarantee: shorter steps until two runs agree to it */
+    bool accuracy_given; /* else outputs may ask for more (sink.h) */
+    bool statistical; /* of sweeps: errors of a hundredth of the standard error are enough; accuracy is then for everything else */
+    char *method;     /* "auto" or a name from methods.h */
+    double step;      /* s; 0: chosen from accuracy */
+    bool verify;      /* accuracy as a guarantee: shorter steps until two runs agree to within it */
 };
 
 enum bead_show {
@@ -308,8 +308,8 @@ struct bead_shown {
     enum bead_field field;
     struct bead_span beads; /* {0, SIZE_MAX}: all */
     double time[2];         /* s; NaN: start or end of the run */
-    double every;           /* s between samples; 0: what the output needs */
-    bool trust;             /* say from when on two runs of different accuracy differ: image, movie, plot */
+    double every;           /* s between samples; 0: as the output needs */
+    bool trust;             /* mark when two runs of different accuracy begin to differ: image, movie, plot */
     bool theory;            /* the front that theory predicts, in space-time images; the solitary wave beside profiles */
 };
 
@@ -319,7 +319,7 @@ enum bead_orientation {
     BEAD_ORIENTATION_AUTO,
     BEAD_TIME_RIGHT, /* time to the right, bead 0 at the bottom */
     BEAD_TIME_DOWN,  /* time down, bead 0 at the left */
-    BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; of pictures without axes only */
+    BEAD_MATRIX      /* time to the right, bead 0 on top, as in Octave's imagesc; only for pictures without axes */
 };
 
 /* Things that light up on the stage by their force: contacts, or whole beads. */
@@ -330,7 +330,7 @@ enum { BEAD_MOST_VIEWS = 8 };
 struct bead_views_asked {
     unsigned kinds[BEAD_MOST_VIEWS];         /* a bead_view_kind; those of `own` count from BEAD_VIEW_KINDS on */
     const struct bead_view_type *const *own; /* as in bead_own; NULL: none */
-    size_t count;                            /* 0: of the kinds without the key `views`, such as plots, which draw curves */
+    size_t count;                            /* 0 for kinds without the key `views`, such as plots, which draw curves */
     bool axes;                               /* false: bare pixels */
     double magnify;                          /* factor on displacements; 0: automatic */
     enum bead_orientation orientation;
@@ -348,12 +348,12 @@ struct bead_colours_asked {
 struct bead_paper {
     double size[2]; /* pixels, or metres where size_is_length */
     bool size_is_length;
-    double dpi; /* of lengths, and of rasters in vector files */
+    double dpi; /* for sizes in metres, and for rasters in vector files */
     enum bead_style style;
     enum bead_theme theme;
-    enum bead_background background; /* what is painted behind it all */
+    enum bead_background background; /* what is painted behind everything */
     bool outlines;                   /* letters of SVG are outlines, not text */
-    char *font;                      /* family of all letters; "auto": that of the style */
+    char *font;                      /* family of all letters; "auto": the style's */
 };
 
 /* Pictures, image and plot, of one or several panels. */
@@ -364,7 +364,7 @@ struct bead_still_asked {
     bool letters; /* (a), (b), ... at the panels */
 };
 
-/* For an output that is a panel. */
+/* Of an output that is a panel. */
 struct bead_panel_asked {
     size_t row;   /* from 0 */
     size_t chain; /* number of the only chain shown; SIZE_MAX: all */
@@ -373,11 +373,11 @@ struct bead_panel_asked {
 
 /* Numbers of beads or contacts, rising. */
 struct bead_listed {
-    size_t *all; /* NULL: none are listed; BEAD_LAST: of each chain, where these differ */
+    size_t *all; /* NULL: none are listed; BEAD_LAST: of each chain, if these differ */
     size_t count;
 };
 
-/* A measured curve at one place: times that rise, s, and values, in the unit of the output's field. */
+/* A measured curve at one place: rising times, s, and values, in the unit of the output's field. */
 struct bead_measured {
     struct bead_wave_point *points;
     size_t count;
@@ -389,15 +389,15 @@ struct bead_curves_asked {
     size_t modes;                             /* how many, `show: modes` */
     double profile_times[BEAD_PROFILE_TIMES]; /* s, rising: `show: profiles` */
     size_t profile_time_count;
-    bool uncertainty;            /* tables: with columns for it */
-    struct bead_listed beads;    /* that have curves or rows; none: the beads with sensors have curves, and all beads rows */
-    struct bead_listed contacts; /* the same; `show: sensitivities`: none: those of the beads with sensors, or the last that has a
-                                    maximum */
-    bool overlay;                /* the curves of all chains have one panel */
-    enum bead_parts parts;       /* of the energy */
-    enum bead_taper window;      /* of spectra */
-    double segment;              /* s: length of what is transformed; NaN: automatic */
-    double frequencies[2];       /* Hz, that are shown; NaN: automatic */
+    bool uncertainty;         /* tables: with columns for it */
+    struct bead_listed beads; /* that have curves or rows; none: curves for the beads with sensors, rows for all beads */
+    struct bead_listed
+        contacts; /* the same; for `show: sensitivities`, none: those of the beads with sensors, or the last with a maximum */
+    bool overlay; /* the curves of all chains share one panel */
+    enum bead_parts parts;          /* of the energy */
+    enum bead_taper window;         /* of spectra */
+    double segment;                 /* s: length of a transformed stretch; NaN: automatic */
+    double frequencies[2];          /* Hz, range shown; NaN: automatic */
     struct bead_measured *measured; /* [measured_count], beside the curves of the first places */
     size_t measured_count;
 };
@@ -405,8 +405,8 @@ struct bead_curves_asked {
 /* Contents of plots and tables of sweeps. */
 struct bead_sweep_curves_asked {
     enum bead_sweep_show show;
-    char *threshold; /* how the threshold is found: a name of statistics.h */
-    char *against;   /* of sweeps over keys: the one along the axis; "": the first that is no seed */
+    char *threshold; /* the way to find the threshold: a name of statistics.h */
+    char *against;   /* of sweeps over keys: the one along the axis; "": the first that is not a seed */
     char *measure;   /* of sweeps over keys: what is shown; "": peak forces */
 };
 
@@ -414,20 +414,21 @@ struct bead_sweep_curves_asked {
 
 struct bead_trajectory_asked {
     unsigned fields; /* BEAD_FIELD_BITs */
-    char *xdmf;      /* file beside it, by which ParaView opens it, as `path`; NULL: none */
+    char *xdmf;      /* file beside it, with which ParaView opens it, as `path`; NULL: none */
 };
 
 struct bead_image_asked {
-    enum bead_sampling sampling; /* what of the samples within a pixel is shown: mean or largest */
+    enum bead_sampling sampling; /* what a pixel shows of its samples: their mean or the largest */
     double at;                   /* s; time of a still with views other than spacetime; NaN: end */
 };
 
 /* A text that a movie shows while something happens. */
 struct bead_caption {
-    double at;      /* s of the motion: from when on */
+    double at;      /* s of the motion: when it begins */
     double until;   /* s of the motion; NaN: not given */
-    double lasting; /* s of the film; NaN: not given. Neither: until the next caption, the last one as long as it takes to read */
-    double pause;   /* s of the film for which the motion pauses when the caption appears */
+    double lasting; /* s of the film; NaN: not given. Neither given: until the next caption; the last one as long as it takes to
+                       read */
+    double pause;   /* s of the film: how long the motion pauses when the caption appears */
     char *text;
 };
 /* A text that a movie ties to a thing on the stage. */
@@ -442,7 +443,7 @@ struct bead_note {
 /* A point of the curve of speed. */
 struct bead_speed {
     double at;     /* s of the motion */
-    double factor; /* s of the motion for one of the film, > 0 */
+    double factor; /* s of the motion per s of the film, > 0 */
 };
 
 /* The title card, shown before the motion. */
@@ -460,7 +461,7 @@ struct bead_sound_asked {
 };
 
 struct bead_movie_asked {
-    double fps, duration; /* 1/s, s; duration is that of the film, not of the motion */
+    double fps, duration; /* 1/s, s; duration of the film, not of the motion */
     enum bead_quality quality;
     enum bead_layout layout;       /* arrangement of chains and views */
     enum bead_type type;           /* size of letters */
@@ -468,12 +469,12 @@ struct bead_movie_asked {
     size_t caption_count;
     struct bead_note *notes; /* as listed */
     size_t note_count;
-    bool race;             /* of two chains: say at the front that leads by how much */
+    bool race;             /* of two chains: say at the leading front by how much it leads */
     enum bead_inset inset; /* a drawing beside the curve below a stage */
     double *stops;         /* s of the motion, rising: chapters, and where slides wait */
     size_t stop_count;
     char *slides;              /* an HTML file that plays the film from stop to stop, relative to the output directory; "": none */
-    struct bead_speed *speeds; /* by rising times; NULL: as even as `duration` asks */
+    struct bead_speed *speeds; /* by rising times; NULL: constant, from `duration` */
     size_t speed_count;
     struct bead_card card;
     struct bead_sound_asked sound;
@@ -481,36 +482,36 @@ struct bead_movie_asked {
     size_t window;           /* beads in it */
     char *poster;            /* a PNG file of one frame, relative to the output directory; "": none */
     double poster_at;        /* s of the motion; NaN: where there is most to see */
-    size_t modes;            /* how many the view modes shows */
+    size_t modes;            /* how many the view `modes` shows */
     enum bead_profile_of profile;
-    double strobe; /* s of the motion from sample to sample, between which pictures blend; 0: every picture has its own */
+    double strobe; /* s of the motion between samples, between which pictures blend; 0: every picture has its own sample */
     enum bead_codec_asked codec;
-    enum bead_subtitles_of subtitles; /* WORDS: where there are no captions, what happens */
+    enum bead_subtitles_of subtitles; /* WORDS: if there are no captions, what happens */
 };
 
 struct bead_plot_asked {
     enum bead_scale scale;         /* axis of the peaks */
     double range[2];               /* ends of the axis of forces; NaN: automatic */
     enum bead_normalise normalise; /* of sensors */
-    size_t contact;     /* `show: contact`: which; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
-    double compression; /* the same: of the smaller bead, as a part of its radius */
+    size_t contact;     /* `show: contact`: its number; BEAD_CONTACT_AUTO: the first between beads of the chain, if it has one */
+    double compression; /* `show: contact`: of the smaller bead, as a part of its radius */
 };
 
 struct bead_sheet_asked {
-    size_t configurations; /* how many of each magnetism at most; 0: as many as have room */
-    double *magnetism;     /* the rows, as asked; NULL: as many as have room */
+    size_t configurations; /* the most of each magnetism; 0: as many as fit */
+    double *magnetism;     /* the rows, as asked; NULL: as many as fit */
     size_t magnetism_count;
 };
 
 /* One file of `outputs`. A key that does not belong to the kind is an error in the scene; settings of other kinds are zero, and
- * shared ones that the kind has no key for are automatic: all beads, all times, ... */
+ * shared settings without a key in the kind are automatic: all beads, all times, ... */
 struct bead_output {
     enum bead_output_kind kind;
-    const struct bead_sink_type *own; /* that makes it; NULL: one of the library's kinds */
+    const struct bead_sink_type *own; /* the sink that makes it; NULL: one of the library's kinds */
     char *path;                       /* as written; relative to the output directory; NULL: a panel */
     const char *file;                 /* of the scene, for messages */
     const struct bead_node *node;     /* its entry there; NULL: made without a scene */
-    size_t entry;                     /* number of that in the list, where an entry may name several files */
+    size_t entry;                     /* number of the entry in the list; an entry may name several files */
     struct bead_shown shown;
     struct bead_views_asked views;
     struct bead_colours_asked colours;
@@ -534,24 +535,24 @@ struct bead_own {
     const struct bead_sink_type *const *sinks; /* sink.h: of outputs whose key is the sink's name */
 };
 
-/* A number of the scene that is to be found from what was measured. */
+/* A number of the scene that is fitted to measured curves. */
 struct bead_fit_key {
     char *path, *unit;   /* "chain.striker.velocity", "m/s" */
     double first, value; /* as in the scene; as found */
-    double error;        /* standard error of that */
+    double error;        /* standard error of `value` */
 };
 enum { BEAD_FIT_KEYS = 8 };
 struct bead_fit {
     struct bead_fit_key *keys;
     size_t count;
-    size_t points; /* that were compared; 0: not yet */
+    size_t points; /* how many were compared; 0: not yet */
     double rms;    /* of their residuals, in the unit of the field */
 };
 
 struct bead_scene {
     char *file;             /* name for messages */
-    struct bead_own own;    /* as given when it was loaded */
-    struct bead_yaml *tree; /* what was read, settings of the command line applied */
+    struct bead_own own;    /* as given on loading */
+    struct bead_yaml *tree; /* the file with the settings of the command line applied */
     char *text;             /* the whole YAML as run, settings of the command line applied (a copy that parses to this scene) */
     char *title;            /* "" where none */
     char *author;           /* "" where none */
@@ -561,12 +562,12 @@ struct bead_scene {
     size_t chain_count;
     struct bead_sweep_spec *sweeps; /* NULL: the chains are run, each once */
     size_t sweep_count;
-    uint64_t fingerprint; /* of all that the results of the sweeps follow from; 0 where there are none */
+    uint64_t fingerprint; /* of everything that the sweeps' results depend on; 0 if there are none */
     struct bead_simulate simulate;
     struct bead_output *outputs;
     size_t output_count;
     struct bead_fit fit;
-    char *doubts; /* numbers without a unit that can hardly be meant, a line each, for warnings; NULL: none */
+    char *doubts; /* numbers without a unit that are hardly meant, a line each, for warnings; NULL: none */
 };
 
 /* A change of a scene: the value goes where the path leads, before the scene is read. */
@@ -578,16 +579,16 @@ struct bead_override {
     const char *value;       /* in YAML */
     const struct bead_node *node; /* instead of `value`: copied */
 };
-/* All that changes a scene, each laid over what is there by then. NULL or zeros: nothing. */
+/* All changes of a scene, each laid over the result of the ones before. NULL or zeros: none. */
 struct bead_overrides {
     const struct bead_override *all;
     size_t count;
-    const char *const *settings; /* of --set, laid last: "simulate.step=0.1 us", "outputs.0.size=[640, 360]" */
+    const char *const *settings; /* of --set, applied last: "simulate.step=0.1 us", "outputs.0.size=[640, 360]" */
     size_t setting_count;
-    const char *config;         /* file of the user's own settings, which give what is said nowhere else: bead_config. NULL: none */
-    const struct bead_own *own; /* what the program adds; NULL: nothing, or what the scene that is changed has */
-    const char *name;           /* of a scene that is loaded, in messages and in what it makes; NULL: its path */
-    struct bead_chain_spec *shown; /* chains that the outputs are to show, those of several runs; NULL: the scene's own */
+    const char *config; /* file of the user's own settings, which fill in whatever else is left open: bead_config. NULL: none */
+    const struct bead_own *own;    /* what the program adds; NULL: nothing, or the additions of the scene that is changed */
+    const char *name;              /* of a loaded scene, in messages and in its files; NULL: its path */
+    struct bead_chain_spec *shown; /* chains for the outputs to show, from several runs; NULL: the scene's own */
     size_t shown_count;
 };
 

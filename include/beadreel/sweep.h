@@ -9,9 +9,10 @@
  *               ... spins, magnetism, peaks ...
  *   bead_sweep_close(sweep);
  *
- * A panel is one sweep of the scene. Configurations go by rising magnetism. Spins are draws of Philox4x32-10 under the sweep's
- * seed, stream (number up) 2^32 + (number within the magnetism): more configurations or magnetisms leave those before as they are.
- * Results depend on nothing but the scene: not on threads, on what else is in it, or on where a run was stopped and resumed.
+ * A panel is one sweep of the scene. Configurations are in the order of rising magnetism. Spins are draws of Philox4x32-10 under
+ * the sweep's seed, stream (number up) 2^32 + (number within the magnetism): more configurations or magnetisms leave the earlier
+ * ones as they are. Results depend only on the sweep: not on threads, on what else is in the scene, or on where a run was stopped
+ * and resumed.
  *
  * In the file (HDF5; SI): /scene, the scene's text; for panel p the group /sweeps/p with the attributes name and seed and
  *   configuration [n]     number within the panel, from 0
@@ -21,8 +22,8 @@
  *   peak_force [n][place] N, peak_time [n][place] s, peak_uncertainty [n][place] N, peak_time_uncertainty [n][place] s (older files
  *                         have none), peak_bead [n][place], peak_open [n][place]
  *   bead [beads], bead_force, last_force [n][bead] N, bead_energy, last_energy [n][bead] J      where decay is measured
- *   finer_bead_force ...  the same of runs of a sample of them with a hundredth of the tolerance; 0: none
- *   reference_...         the same of the chain with all random cells up */
+ * finer_bead_force ... the same from runs of a sample of them with a hundredth of the tolerance; 0: none
+ * reference_... the same for the chain with all random cells up */
 #ifndef BEADREEL_SWEEP_H
 #define BEADREEL_SWEEP_H
 
@@ -47,7 +48,7 @@ struct bead_summary {
 };
 
 /* The two regimes: F = plateau below the threshold, exp(-rate (1 - M^2)) above it. The number of domains of reversed cells grows as
- * 1 - M^2, and each takes the same part of the wave. */
+ * 1 - M^2, and each takes away the same part of the wave. */
 struct bead_threshold {
     double plateau, plateau_error; /* mean over all M <= 0.2 of the means */
     double rate, rate_error;
@@ -67,11 +68,11 @@ struct bead_sweep_panel {
 
 struct bead_sweep_peak {
     double force;            /* N: largest bead force of the first passage */
-    double time;             /* s; NaN where the wave has not come */
+    double time;             /* s; NaN where the wave never arrived */
     double uncertainty;      /* N: measured by a finer run, for one in 64 chains; 0: not measured */
-    double time_uncertainty; /* s: likewise; NaN: not known */
+    double time_uncertainty; /* s: measured the same way; NaN: not known */
     uint32_t bead;           /* where */
-    uint32_t open;           /* 1: at the end of the run a force there was rising, and higher than before */
+    uint32_t open;           /* 1: at the end of the run a force there was still rising, and the highest so far */
 };
 
 struct bead_sweep_configuration {
@@ -109,25 +110,25 @@ struct bead_sweep_settings {
     size_t size;              /* of this structure: BEAD_DEFAULT */
     int threads;              /* 0: all cores */
     const char *instructions; /* as in bead_job */
-    const char *journal;      /* results as they come, to go on from; NULL: none */
+    const char *journal;      /* file of results so far, to resume from; NULL: none */
     size_t part, parts;       /* only part 1..parts; 0, 0: all */
     const volatile sig_atomic_t *stop;
     void (*progress)(void *context, const struct bead_progress *progress);
     void *progress_context;
 };
-/* Compute what is not known. What the journal holds is taken from there; a last record that is not whole is ignored. A journal of
- * another scene, version or part is refused. *computed gets how many chains
- * were computed now; may be NULL. Errors: MEMORY, NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */
+/* Compute what is not known. Results in the journal are taken from there; an incomplete last record is ignored. A journal of
+ * another scene, version or part is refused. *computed gets how many chains were computed now; may be NULL. Errors: MEMORY,
+ * NUMBERS, SCENE, USAGE (journal), IO, STOPPED. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_run(struct bead_sweep *sweep, const struct bead_sweep_settings *settings,
                                                    uint64_t *computed, struct bead_message *msg);
 
 /* Write what is known to `path`, whole or not at all. Errors: IO, MEMORY. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_write(const struct bead_sweep *sweep, const char *path, struct bead_message *msg);
-/* Read one; overrides change the outputs of its scene. Everything in the file is checked. The sweep has a scene of its own.
- * Errors: IO, FORMAT, MEMORY, SCENE, USAGE (an override of what was computed). */
+/* Read one; overrides change the outputs of its scene. Everything in the file is checked. The sweep has its own scene. Errors: IO,
+ * FORMAT, MEMORY, SCENE, USAGE (an override of what was computed). */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_open(const char *path, const struct bead_overrides *overrides,
                                                     struct bead_sweep **sweep, struct bead_message *msg);
-/* Put parts together, in any order; all must be there, once, and of the same scene and version. Errors: those of open; USAGE. */
+/* Merge parts, in any order; all must be there, once each, from the same scene and version. Errors: those of open; USAGE. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_merge(const char *const *paths, size_t count, struct bead_sweep **sweep,
                                                      struct bead_message *msg);
 
@@ -141,13 +142,13 @@ struct bead_sweep_statistics {
     double clean; /* N: force at this place without disorder */
     struct bead_sweep_row *rows;
     size_t row_count;
-    double *values;  /* normalised forces, those of a row together */
-    size_t *indices; /* and the configurations that they are of */
+    double *values;  /* normalised forces, row by row */
+    size_t *indices; /* and their configurations */
     struct bead_threshold threshold;
     bool has_threshold;
 };
-/* Statistics of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. `threshold`: how it is
- * found, a name of --list thresholds; NULL: the first. Errors: MEMORY; USAGE (no such name); NUMBERS where the clean chain is not
+/* Statistics of the configurations known; fills *statistics, to be freed with bead_sweep_statistics_free. `threshold`: the way to
+ * find it, a name of --list thresholds; NULL: the first. Errors: MEMORY; USAGE (no such name); NUMBERS where the clean chain is not
  * known. */
 BEAD_API BEAD_CHECK enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t panel, size_t place,
                                                           const char *threshold, struct bead_sweep_statistics *statistics,

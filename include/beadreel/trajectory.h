@@ -6,7 +6,7 @@
  * Several chains of a scene share one particles group, one after the other; /parameters/beadreel/chains
  * says where each begins.
  *
- * In the file, all in double and SI units, only what was asked for:
+ * In the file, all in double and SI units, only the fields asked for:
  *   /particles/chain/displacement/value    [time][bead]     u
  *   /particles/chain/position/value        [time][bead][3]  x = rest position + u; y tells chains apart; z = 0
  *   /particles/chain/velocity/value        [time][bead][3]  y = z = 0
@@ -33,9 +33,9 @@ BEAD_BEGIN
 
 struct bead_trajectory;
 
-/* HDF5 reads the file in a process of its own, a child of the calling one, until the trajectory is closed: there it has no files,
- * no network and little memory, and a file that makes it fail is an error here. Overrides change the stored scene's outputs (not
- * its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY, SCENE. */
+/* HDF5 reads the file in a separate process, a child of the calling one, until the trajectory is closed. That process has no other
+ * files, no network and little memory; if a file makes it crash, that is an error here. Overrides change the stored scene's outputs
+ * (not its physics). On failure *trajectory is NULL; errors: IO, FORMAT, MEMORY, SCENE. */
 BEAD_API BEAD_CHECK enum bead_error bead_trajectory_open(const char *path, const struct bead_overrides *overrides,
                                                          struct bead_trajectory **trajectory, struct bead_message *msg);
 BEAD_API void bead_trajectory_close(struct bead_trajectory *trajectory);

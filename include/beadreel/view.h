@@ -4,8 +4,8 @@
  *   create -> place (rectangle) -> decorate (axes: once) -> feed (samples, in time order) and draw (contents at a time), repeated
  *
  * A view knows neither files nor codecs, nor where the rectangle lies in the picture. The same view serves PNG, PDF, SVG and
- * movies. A view of your own is such a table: hand it to a session (bead_job.own), whose scenes then find it by its name. Its views
- * may be drawn by several threads at once, each view by one. */
+ * movies. A view of your own is such a table: hand it to a session (bead_job.own), whose scenes then find it by its name. Several
+ * threads may draw its views at once, each view by one. */
 #ifndef BEADREEL_VIEW_H
 #define BEADREEL_VIEW_H
 
@@ -29,17 +29,17 @@ struct bead_rgb {
 };
 
 struct bead_look {
-    bool dark, clear;          /* clear: nothing is painted behind what is drawn */
+    bool dark, clear;          /* clear: no background is painted */
     char family[64];           /* Pango font family: "STIX" on paper, "Lato" on screens */
     double title, label, tick; /* font sizes, px */
     double line;               /* width of axes and curves, px */
     double gap;                /* the usual distance between things, px */
-    double margin;             /* between the page's border and what is on it, px */
+    double margin;             /* between the page's border and its contents, px */
     struct bead_rgb background, panel, ink, faint, accent;
     struct bead_rgb axis; /* lines and ticks */
 };
 
-/* Colour of the curve of this number, from 0; six, then again. */
+/* Colour of the curve with this number, from 0; repeats after six. */
 BEAD_API struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index);
 
 enum bead_align { BEAD_ALIGN_START, BEAD_ALIGN_MIDDLE, BEAD_ALIGN_END, BEAD_ALIGN_BASELINE };
@@ -52,12 +52,12 @@ struct bead_text_style {
     enum bead_align across, down; /* where (x, y) lies in the text's box: start, middle, end; down also baseline */
     bool upwards;                 /* turned by 90 degrees, read from bottom to top; across/down then mean the screen's axes */
 };
-/* BEAD_ALIGN_MIDDLE of `down` is the middle of digits and capitals, which looks right beside ticks. */
+/* For `down`, BEAD_ALIGN_MIDDLE means the middle of digits and capitals, which looks right beside ticks. */
 /* Draw Pango markup at (x, y). */
 BEAD_API void bead_text_draw(cairo_t *cr, const struct bead_text_style *style, double x, double y, const char *markup);
 /* Size of its logical box, before turning. */
 BEAD_API void bead_text_size(cairo_t *cr, const struct bead_text_style *style, const char *markup, double *width, double *height);
-/* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters where it is too long. */
+/* Plain text to markup: escapes & < >; `out` of `size` bytes; cut between characters if too long. */
 BEAD_API void bead_text_escape(const char *text, char *out, size_t size);
 
 /* ---- views ---- */
@@ -77,54 +77,54 @@ struct bead_view_setup {
     enum bead_field field;
     struct bead_span beads;      /* shown; last is a bead (or contact) of the chain, never SIZE_MAX */
     double time[2];              /* s: span of the picture's time axis */
-    struct bead_colours colours; /* the range is that of all chains and all times */
+    struct bead_colours colours; /* their range covers all chains and all times */
     const struct bead_look *look;
     bool axes;       /* axes and labels around the plot */
-    bool ticks_only; /* no labels on the vertical axis: plots are low, or the plot at the left has them */
+    bool ticks_only; /* no labels on the vertical axis: plots are low, or the plot to the left has them */
     enum bead_titles titles;
     bool name_left;     /* the title of the axis along the chain is left of its numbers, where vertical axes have theirs */
-    int beyond[2];      /* px: panels along the chain reach so far left and right of the plot, for what is beside the beads there */
-    bool over_beads;    /* a view above or below draws the beads: what belongs to a bead is there */
-    int head;           /* stage: px at its top that are left free, for the heading */
-    bool small;         /* stage: one of a grid; fewer beads are in view */
-    unsigned elsewhere; /* stage: parts of its key that another stage of the picture has; bead_key_part */
-    bool own_colour;    /* profile: in the colour of the chain's number; others are on the same axis */
+    int beyond[2];      /* px: how far panels along the chain reach left and right of the plot, for things beside the beads */
+    bool over_beads;    /* a view above or below draws the beads, and has what belongs to them */
+    int head;           /* stage: px to leave free at its top, for the heading */
+    bool small;         /* stage: one in a grid; fewer beads are in view */
+    unsigned elsewhere; /* stage: parts of the key that another stage of the picture shows; bead_key_part */
+    bool own_colour;    /* profile: in the colour of the chain's number, with others on the same axis */
     bool bead_labels;   /* label the bead axis; false where a view below shares it */
     enum bead_orientation orientation; /* spacetime; AUTO: as TIME_RIGHT */
     bool time_shared;                  /* spacetime, sensors: no labels on the time axis; a view below has them */
     bool against;                      /* spacetime with time to the right: one title above for both axes */
-    bool fill;                         /* spacetime: show only what has passed, with a cursor at the present (movies) */
-    bool hold;                         /* profile: with the largest values so far */
-    bool cells;                        /* profile: the largest value over a cell and its passage, rather than that of each bead */
-    bool ghost;                        /* and what comes, dimmed: all samples are fed before the first is drawn */
+    bool fill;                         /* spacetime: show only the past, with a cursor at the present (movies) */
+    bool hold;                         /* profile: also the largest values so far */
+    bool cells;                        /* profile: the largest value over a cell and its passage, not each bead's */
+    bool ghost;                        /* and the future, dimmed: all samples are fed before the first frame is drawn */
     enum bead_sampling sampling;       /* spacetime */
     double magnify;                    /* beads, stage: factor on displacements, > 0 */
     enum bead_light light;             /* stage */
-    bool fine;                         /* stage: of several values in each pixel, for pictures that stand still */
+    bool fine;                         /* stage: several values in each pixel, for still pictures */
     const struct bead_camera *camera;  /* beads, profile: show its window; spacetime: mark it at the present. NULL: all beads */
     size_t modes;                      /* modes: how many */
     bool marked;                       /* spacetime in stills: a thin line at the time `mark`, s */
     double mark;
     bool theory;  /* spacetime: the front that theory predicts */
     bool trust;   /* spacetime, sensors: samples have a comparison run's values; mark where the two differ */
-    int coloured; /* profile: px at the left of the plot for the colours of images, which have no bar then; its axis is theirs */
+    int coloured; /* profile: px at the left of the plot for the colours of images, whose bar this axis replaces */
 };
 
 struct bead_view; /* each type's own */
 
 /* The place of a thing in the frame at present, px. */
 struct bead_spot {
-    double x, y, r;         /* centre and radius; of what has none, those of a bead there */
-    bool below;             /* it is not in view: its place in the row of all beads */
+    double x, y, r;         /* centre and radius; for things without, those of a bead there */
+    bool below;             /* not in view: the place is in the row of all beads */
     struct bead_rect stage; /* room for a note; it is painted anew for each frame */
     struct bead_rect row;   /* and the row, if the spot is in it */
-    double front;           /* the foremost contact that the wave has been at */
-    bool arrived;           /* it has been at the end */
+    double front;           /* the foremost contact that the wave has reached */
+    bool arrived;           /* it has reached the end */
 };
 
 struct bead_view_type {
     const struct bead_view_info *info;
-    /* BEAD_FIELD_BITs it reads of samples. */
+    /* BEAD_FIELD_BITs that it reads from samples. */
     unsigned (*fields)(const struct bead_view_setup *setup);
     /* On failure *view is NULL, or what `destroy` frees. */
     enum bead_error (*create)(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg);
@@ -135,14 +135,14 @@ struct bead_view_type {
     enum bead_error (*decorate)(struct bead_view *view, cairo_t *cr, struct bead_message *msg);
     /* A sample of this view's chain. */
     enum bead_error (*feed)(struct bead_view *view, const struct bead_sample *sample, struct bead_message *msg);
-    /* Contents as of `time` (that of the last sample fed, or between the last two) into the plot rectangle of `frame`, where the
-     * static layer is `background`; adds what changed since the last draw. */
+    /* Draws the contents at `time` (of the last sample fed, or between the last two) into the plot rectangle of `frame`, over the
+     * static layer `background`; adds what changed since the last draw. */
     enum bead_error (*draw)(struct bead_view *view, double time, struct bead_frame *frame, const struct bead_frame *background,
                             struct bead_changes *changes, struct bead_message *msg);
-    /* Instead of draw, of a frame that nobody will see. NULL: what is drawn does not depend on frames before. */
+    /* Instead of draw, for a frame that is not shown. NULL: drawing does not depend on earlier frames. */
     void (*pass)(struct bead_view *view, double time);
-    /* The place of a thing now that `draw` was called; false: the view does not show it. `number`: of the bead or contact. NULL:
-     * the view takes no notes. */
+    /* The place of a thing after `draw`; false: the view does not show it. `number`: of the bead or contact. NULL: the view takes
+     * no notes. */
     bool (*find)(struct bead_view *view, enum bead_note_of of, size_t number, struct bead_spot *spot);
     /* Draws the contents into a vector file: curves as paths, rasters with nearest-neighbour filter. */
     enum bead_error (*vector)(struct bead_view *view, double time, cairo_t *cr, struct bead_message *msg);
@@ -150,28 +150,28 @@ struct bead_view_type {
 
     /* ---- with BEAD_OVERLAYS ---- */
 
-    /* Before place: `other`, of another chain, is drawn by `view`, which alone is decorated and drawn from then on; both are fed,
-     * and destroyed by their owner, `other` not before `view`. Errors: UNSUPPORTED (too many). */
+    /* Before place: `view` also draws `other`, of another chain, and alone is decorated and drawn from then on; both are fed, and
+     * destroyed by their owner, `other` not before `view`. Errors: UNSUPPORTED (too many). */
     enum bead_error (*overlay)(struct bead_view *view, struct bead_view *other, struct bead_message *msg);
 
     /* ---- for layouts; NULL where there is nothing to say ---- */
 
     /* Room that the view needs left and right of its plot rectangle, px. NULL: none. */
     void (*margins)(const struct bead_look *look, int *left, int *right);
-    /* The view never needs more than this height in a plot of this width, px. NULL: it can use any. */
+    /* The most height that the view can use in a plot of this width, px. NULL: any. */
     double (*most_height)(const struct bead_view_setup *setup, double width);
-    /* ... nor more than this width in a plot of this height. NULL: it can use any. */
+    /* The most width that it can use in a plot of this height. NULL: any. */
     double (*most_width)(const struct bead_view_setup *setup, double height);
 
     /* ---- with BEAD_SHOWS_ALL_TIMES: their range is known only after the last sample ---- */
 
-    /* Least and largest value seen, of pixels or curves; low > high where there was none. */
+    /* Least and largest value seen, of pixels or curves; low > high if there was none. */
     void (*extremes)(const struct bead_view *view, double *low, double *high);
-    /* The magnitude that only a short and narrow event exceeds; INFINITY: nothing is known. NULL: the view has no such. */
+    /* The magnitude that only a short and narrow event exceeds; INFINITY: unknown. NULL: the view has none. */
     double (*typical)(const struct bead_view *view);
-    /* Before decorate and draw. An image takes the colours, curves take `values` as the ends of their axis. */
+    /* Before decorate and draw. An image uses the colours; curves use `values` as the ends of their axis. */
     void (*set_range)(struct bead_view *view, const struct bead_colours *colours, const double values[2]);
-    /* With trust: the first time at which what was drawn differs visibly from the comparison run; INFINITY: none. */
+    /* With trust: the first time at which the picture differs visibly from the comparison run; INFINITY: none. */
     double (*horizon)(struct bead_view *view);
 };
 
