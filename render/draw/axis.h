@@ -64,8 +64,8 @@ BEAD_INTERNAL double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *l
 BEAD_INTERNAL double bead_colour_bar_draw_lying(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
                                                 const char *si_unit, struct bead_rect bar, bool over, bool under);
 
-/* The colours of values beside a vertical axis, which then stands for a bar; past the ends of the range, those of the ends. The
- * axis is linear or logarithmic. Nothing in an empty rectangle. */
+/* The colours of values beside a vertical axis, which then replaces a bar; beyond the range, the colours of its ends. The axis is
+ * linear or logarithmic. Nothing in an empty rectangle. */
 BEAD_INTERNAL void bead_colour_axis_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
                                          const struct bead_axis *axis, struct bead_rect bar);
 

@@ -65,7 +65,7 @@ static double px_of_share(const struct bead_lanes *l, double room)
     return shares > 0 ? fmax(0, room) / shares : 0;
 }
 
-/* What a lane gets of `part` px. */
+/* The pixels of `part` that a lane gets. */
 static double within(const struct bead_lane *lane, double part)
 {
     return part < lane->least ? ceil(lane->least) : lane->most > 0 && down(part) > lane->most ? down(lane->most) : part;

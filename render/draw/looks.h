@@ -22,9 +22,9 @@ struct bead_dashes {
     int count;
     double lengths[6]; /* on and off, in widths of the line */
 };
-/* That of number `index`, from 0; after BEAD_DASH_DOTTED they begin again. */
+/* Pattern number `index`, from 0; after BEAD_DASH_DOTTED they repeat. */
 const struct bead_dashes *bead_look_dashes(size_t index);
-/* Another family for all letters; NULL, "auto": as it is. */
+/* Another family for all letters; NULL, "auto": no change. */
 void bead_look_font(struct bead_look *look, const char *family);
 /* Paint the whole page, or a rectangle of a panel, in the look's colours; nothing if it is clear. */
 void bead_look_paint(const struct bead_look *look, cairo_t *cr);

@@ -76,7 +76,7 @@ static enum bead_error make_areas(struct bead_still *b, const double time[2], st
         size_t count = count_of(b, c);
         setup.beads.last = setup.beads.last < count ? setup.beads.last : count - 1;
         if (setup.beads.first > setup.beads.last)
-            return bead_output_wrong(b->output, msg, "beads: begin behind the end of the chain");
+            return bead_output_wrong(b->output, msg, "beads: begin beyond the end of the chain");
         b->beads.last = setup.beads.last > b->beads.last ? setup.beads.last : b->beads.last;
         b->tops[c + 1] = (int)((long long)b->across * (long long)(c + 1) / (long long)chains);
         setup.places = b->tops[c + 1] - b->tops[c];

@@ -79,7 +79,7 @@ struct heading {
     struct words words;
     struct bead_text_style letter, name, magnetism, label;
     double gap;
-    bool comma; /* "ordered, M = 1" as in legends; else M stands apart, in its colour */
+    bool comma; /* "ordered, M = 1" as in legends; else M is apart, in its colour */
 };
 
 static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)

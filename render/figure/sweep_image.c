@@ -63,8 +63,8 @@ static enum bead_error make_film(struct ensemble *e, size_t i, struct bead_messa
     bead_sweep_chain_destroy(made);
     e->places = i == 0 ? film->places : e->places;
     if (film->places != e->places)
-        return bead_output_wrong(e->output, msg, "image: chains have %zu and %zu beads; a mean is one of chains as long", e->places,
-                                 film->places);
+        return bead_output_wrong(e->output, msg, "image: chains have %zu and %zu beads; a mean needs chains of equal length",
+                                 e->places, film->places);
     return bead_new(&film->values, (TIMES + 1) * film->places, msg, "the samples of %zu chains", e->count);
 }
 

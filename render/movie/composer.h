@@ -51,7 +51,7 @@ struct bead_note_boxes {
     size_t count;
     struct bead_note_box box[BEAD_NOTES_SHOWN];
 };
-/* Those of the frame drawn last. */
+/* The boxes in the last frame drawn. */
 const struct bead_note_boxes *bead_composer_notes(const struct bead_composer *composer);
 
 /* Errors: SCENE (size, colour map), MEMORY, IO. On failure *composer is NULL. */
@@ -72,7 +72,7 @@ BEAD_CHECK enum bead_error bead_composer_pass(struct bead_composer *composer, do
 /* The interest of the frame at `time`: of several chains, the difference of their values; of one, the mean distance of its values
  * from zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
-/* Of a bead, the mean of both contacts, or of a contact; 0 of other fields. */
+/* The static force of a bead (the mean of its contacts) or of a contact; 0 for other fields. */
 double bead_force_at_rest(const struct bead_chain *chain, enum bead_field field, size_t index);
 /* Takes a sample for that alone; and, before it is asked, brings it to the frame at the last sample. */
 void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);

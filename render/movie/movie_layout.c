@@ -14,7 +14,7 @@
 static const double wide_frame = 1.5;
 /* Margin around a stage and films that have room for it, in units of the usual one. */
 static const double wide_margin = 2;
-/* Of the width of a stage, for labels behind the dashes of their curves. */
+/* Part of the width of a stage that labels behind the dashes of their curves may take. */
 static const double label_part = 0.85;
 /* The best width of a cell, in heights; the costs of a level, of an empty cell, and of axes without names. */
 static const double best_shape = 0.8, level_costs = 0.7, hole_costs = 1, never = 100;

@@ -71,8 +71,8 @@ struct bead_movie_chain {
     bool values[BEAD_MOST_VIEWS];           /* and its vertical one */
 };
 
-/* What a frame may lack: the images that its layout is named for; numbers on vertical axes, some or all; names, titles, facts, a
- * scale of its colours. */
+/* A frame may lack the images that its layout is named for; some or all numbers on vertical axes; names, titles, facts, a scale of
+ * its colours. */
 enum bead_lack { BEAD_LACKS_NOTHING, BEAD_LACKS_IMAGES, BEAD_LACKS_NUMBERS, BEAD_LACKS_WORDS };
 
 struct bead_movie_layout {

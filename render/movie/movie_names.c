@@ -5,7 +5,7 @@
 #include "render/draw/looks.h"
 #include "render/movie/composer_private.h"
 
-/* Of a curve before the name of its chain, in units of the label's font size. */
+/* Length of the piece of curve before the name of its chain, in units of the label's font size. */
 static const double sample_length = 1.8;
 
 bool bead_composer_shares_curves(const struct bead_composer *c)

@@ -16,7 +16,7 @@ static const double wide = 1.5, wide_inset = 0.03;
 /* The curve has at least this part of the area of all plots; images have at most this part of a frame. */
 static const double curve_part = 0.28, most_images = 0.25;
 
-/* First the images become smaller, then the beads, then there is less air, then the curve's axis stands for the bar, then there are
+/* First the images become smaller, then the beads, then there is less air, then the curve's axis replaces the bar, then there are
  * no images and no curve. */
 const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS] = {
     {0.447, 0.15, true, true, 1},    {0.43, 0.15, true, true, 1},     {0.41, 0.15, true, true, 1},
@@ -325,7 +325,7 @@ static bool place_beside(const struct stage *s, int y, int bottom)
 /* The curve, and below it a row for each other view. */
 static bool place_below(const struct stage *s, int y, int bottom)
 {
-    if (s->w->inset > 0) /* it stands beside the curve */
+    if (s->w->inset > 0) /* it is beside the curve */
         return false;
     const double n = (double)s->w->chain_count, rows = (double)s->other_count;
     double room = s->area.width - left_of(s, true) - (n - 1) * left_of(s, false) - bar_room(s) - right_of(s),

@@ -160,7 +160,7 @@ double bead_badge_width(const struct bead_look *look, const struct bead_facts *f
     char text[MOST_FACT];
     double factors[2], most = 0;
     bead_film_factors(facts->film, factors);
-    /* Of rounded numbers between these, the ones with the most digits are as wide as that. */
+    /* The third is as wide as the widest rounded number between the two others. */
     const double all[] = {factors[0], factors[1], factors[0] < factors[1] ? 1.88 * pow(10, floor(log10(factors[0]))) : factors[0]};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         say_pace(facts, all[i], text, sizeof text);

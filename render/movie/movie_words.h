@@ -55,7 +55,7 @@ struct bead_heading {
     const struct bead_chain *chain;
     struct bead_rgb colour; /* of the name */
     bool lines;             /* two: the label is below the name */
-    bool below;             /* M stands in that line, too */
+    bool below;             /* M is in that line, too */
     double size;            /* of the name, a part of the usual one */
 };
 bool bead_heading_has(const struct bead_chain *chain);
@@ -72,8 +72,8 @@ double bead_heading_name(const struct bead_look *look, const struct bead_heading
 #define BEAD_SMALLER_LABEL 0.85
 /* The part of its usual size in which its label fits; 1: in full, or not at all. */
 double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
-/* M stands beside the name or, in the second line, before the label. A label that does not fit in such a part of its size is left
- * out, M never. */
+/* M is beside the name or, in the second line, before the label. A label that does not fit in such a part of its size is left out,
+ * M never. */
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double label,
                        struct bead_rect rect);
 /* px, of a chain's name above its image as small as may be; 0: it has none. */

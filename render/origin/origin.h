@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files of pictures, films and pages say of how they were made: "beadreel 0.1.0, scene:", and the scene from the next line
- * on. One table (origin.c) says for each format who writes this, and how it is found again. */
+/* What the files of pictures, films and pages say about how they were made: "beadreel 0.1.0, scene:", and the scene from the next
+ * line on. One table (origin.c) says for each format who writes this, and how it is found again. */
 #pragma once
 
 #include <stdbool.h>

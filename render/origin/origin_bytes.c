@@ -40,7 +40,7 @@ bool origin_write_at(const struct origin_file *file, off_t at, const void *bytes
     return pwrite(file->descriptor, bytes, count, at) == (ssize_t)count;
 }
 
-/* What follows the place moves on: it is kept in memory, so that blocks belong near the end of long files. */
+/* Moves the rest of the file on. The rest is kept in memory, so insert blocks near the end of long files. */
 bool origin_insert(struct origin_file *file, off_t at, struct origin_block *block)
 {
     const size_t rest = (size_t)(file->size - at);

@@ -42,7 +42,7 @@ uint64_t origin_little(struct origin_span span, size_t at, size_t bytes);
 bool origin_find_head(struct origin_span text, struct origin_span *version, size_t *end);
 /* Writes a text that says how its file was made, and no other. False: it was another. */
 bool origin_offer(struct origin_span span, FILE *text);
-/* Writes what stands between `open` and the next `close` with the names of its characters resolved. False: there is no such. */
+/* Writes the text between `open` and the next `close`, with the names of its characters resolved. False: there is none. */
 bool origin_offer_element(struct origin_span span, const char *open, const char *close, FILE *text);
 /* A block of bytes that is put together. */
 struct origin_block {

@@ -62,7 +62,7 @@ static void unescape(struct origin_span text, FILE *file)
     }
 }
 
-/* What stands between `open` and the next `close`. False: there is no such. */
+/* Finds the text between `open` and the next `close`. False: there is none. */
 static bool between(struct origin_span span, const char *open, const char *close, struct origin_span *found)
 {
     const char *begin = memmem(span.bytes, span.length, open, strlen(open)), *limit = (const char *)span.bytes + span.length;

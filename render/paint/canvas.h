@@ -23,7 +23,7 @@ BEAD_INTERNAL const struct bead_canvas_backend *bead_canvas_backend_info(size_t 
  * start; creating a canvas does it too. NULL: of the first back end. */
 BEAD_INTERNAL void bead_canvas_prepare(const char *backend);
 /* Rectangles of up to width x height pixels can be painted with it. backend NULL: the first that works on this machine. All pixels
- * are the same from osmesa and egl, and from plain but for one level of 255 here and there; those of plain are the same on every
+ * are the same from osmesa and egl, and from plain except for one level of 255 here and there; those of plain are the same on every
  * machine. Errors: GRAPHICS (also where a named back end lacks its library, or free addresses for it), MEMORY, USAGE (no such back
  * end). On failure *canvas is NULL. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_canvas_create(const char *backend, int width, int height, struct bead_canvas **canvas,

@@ -10,7 +10,7 @@
 static const double gap = 0.45, farthest = 2.5;
 /* The most that names may take of a panel's share of the page. */
 static const double widest_names = 0.2;
-/* Of the lines' heights: names in lines closer than this touch, since few letters fill their line. */
+/* As a part of the lines' heights: names closer than this touch; it is below 1, since few letters fill their line. */
 static const double closest = 0.85;
 
 static void size_of(const struct graph_cell *cell, const struct bead_look *look, size_t s, double *width, double *height)

@@ -218,7 +218,7 @@ void graph_legend_draw(const struct graph_legend *legend, const struct bead_look
         const struct graph_entry *entry = &legend->entries[i];
         double x = legend->box.x + entry->x, y = legend->box.y + entry->y;
         draw_sample(entry, look, em, cr, x, y);
-        /* Lines are higher where they have letters of mathematics; entries of a row are written on one line all the same. */
+        /* Lines with letters of mathematics are higher; entries of a row are still written on one line. */
         style.down = entry->wraps ? BEAD_ALIGN_START : BEAD_ALIGN_MIDDLE;
         bead_text_draw_lines(cr, &style, legend->wrap, x + sample_width(em), y - (entry->wraps ? entry->height / 2 : 0),
                              entry->markup);

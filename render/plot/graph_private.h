@@ -136,7 +136,7 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
 void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 
-/* Might the names of a panel's curves stand at the ends of their lines, by what they are called and how wide that is? */
+/* May the names of a panel's curves be at the ends of their lines, by their words and widths? */
 bool graph_ends_wanted(const struct graph_layout *layout, size_t cell);
 /* Do the ends of the lines leave room for that? */
 bool graph_ends_fit(const struct graph_cell *cell, const struct bead_look *look);

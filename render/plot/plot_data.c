@@ -106,7 +106,7 @@ static void overlay_row(struct bead_plot_data *data, size_t first, size_t into, 
     data->panels[into].series_count = *used - from;
 }
 
-/* What all chains show, where each has one curve: the bead, the time; NULL: they differ, or the legend says it. */
+/* The bead or time that all chains show if each has one curve; NULL: they differ, or the legend says it. */
 static const char *common_label(const struct bead_plot_data *data)
 {
     const char *label = data->panels[0].series_count > 0 ? data->panels[0].series[0].label : NULL;

@@ -101,22 +101,22 @@ void plot_tell_apart(struct bead_series *series, size_t index);
 struct bead_series plot_line(const double *x, const double *y, size_t count, const char *label, size_t index);
 /* The bar of a value that is known to `uncertainty`; NaN: marks would hide it, or it is not known. */
 double plot_bar(double value, double uncertainty);
-/* That of a mean: its standard error, and how well the values are known if that shows; 0: none. Errors of chains may be alike, so
- * that the mean is no better known than they are. */
+/* The bar of a mean: its standard error, and the uncertainty of the values if that shows; 0: none. Errors of chains may be alike,
+ * so that the mean is no better known than they are. */
 double plot_bar_of_mean(const struct bead_summary *mean, double uncertainty);
 
 /* ---- spectra: spectral_axes.c ---- */
 
 /* The largest value of a spectrum. */
 double plot_spectral_largest(const struct bead_spectral *spectral);
-/* Where an automatic axis of frequencies ends for it, Hz: beyond the highest band of its medium (NULL: none), else with the last
- * amplitude that is not small beside the largest; a transfer has all. */
+/* The end of its automatic axis of frequencies, Hz: beyond the highest band of its medium (NULL: none), else at the last amplitude
+ * that is not small beside the largest; a transfer shows all. */
 double plot_spectral_reach(const struct bead_output *output, const struct bead_spectral *spectral, const struct bead_medium *medium,
                            double largest);
 /* The range of frequencies, Hz: as asked, else from 0 to `reach`. Errors: SCENE: it is empty. */
 BEAD_CHECK enum bead_error plot_spectral_frequencies(const struct bead_output *output, double reach, double range[2],
                                                      struct bead_message *msg);
-/* Where the axis of amplitudes begins; NaN: by what it shows. */
+/* The lower end of the axis of amplitudes; NaN: it follows from the data. */
 double plot_spectral_low(const struct bead_output *output, double largest);
 /* Amplitudes, which become decibels of the largest, as colours; the exact bands over them, as plot_bands_of has them. */
 struct bead_graph_image plot_spectral_image(struct bead_spectral *spectral, double largest, const char *title);

@@ -42,8 +42,8 @@ static size_t add(struct bead_series *series, char (*labels)[256], int n, const 
     return 2;
 }
 
-/* What the second moment grows like where energy runs freely, as in an ordered chain, and where it diffuses: from where its fit
- * begins, for as long. Returns how many series. */
+/* Adds how the second moment grows where energy runs freely, as in an ordered chain, and where it diffuses: from the beginning of
+ * its fit, for as long. Returns the number of series. */
 static size_t add_theory(struct bead_series *series, const double *fit, double (*laws)[LAW])
 {
     static const struct {

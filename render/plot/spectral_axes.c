@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What axes and colours of spectra show, of single runs and of sweeps. */
+/* Axes and colours of spectra, of single runs and of sweeps. */
 #include <math.h>
 
 #include "render/plot/plot_private.h"

@@ -70,7 +70,7 @@ static const char *name_series(struct panel *p, const char *place, const char *s
 
 /* ---- force against magnetism ---- */
 
-/* Of all magnetisms. */
+/* The number of configurations of all magnetisms. */
 static size_t configurations(const struct bead_sweep_statistics *s)
 {
     size_t count = 0;

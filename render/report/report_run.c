@@ -144,7 +144,7 @@ static enum bead_error report_create(const struct bead_output *output, const str
     return BEAD_OK;
 }
 
-/* Those of a chain that are kept. */
+/* The fields of a chain that are kept. */
 static unsigned report_fields(const struct bead_sink *s, const struct report_chain *c)
 {
     return BEAD_FIELD_BIT(s->output->shown.field) | (c->beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Places of beads or contacts along a plot. All are equally wide, unless beads of unlike radii are drawn above or below: then each
- * is as wide there as on the plot, and every number stands under its bead. */
+ * is as wide there as on the plot, and every number is under its bead. */
 #pragma once
 
 #include "beadreel/view.h"
@@ -17,5 +17,5 @@ double bead_along_border(const struct bead_view_setup *setup, size_t number);
 double bead_along_place(const struct bead_view_setup *setup, double number);
 /* Have both the same numbers, and, where beads are drawn beside these, each within half a radius of the same place? */
 bool bead_along_alike(const struct bead_view_setup *setup, const struct bead_view_setup *other);
-/* The axis: see bead_axis_along_chain. Its ticks stand at their beads. Returns the title. */
+/* The axis: see bead_axis_along_chain. Its ticks are at their beads. Returns the title. */
 const char *bead_along_axis(struct bead_axis *axis, const struct bead_view_setup *setup, double length, double em, bool horizontal);

@@ -9,8 +9,8 @@ static const double part_of_wave = 0.05, least_load = 1e-3;
 enum { HEAD = 9, MEETING = 40 };
 /* In each frame, the speed moves this part of the way towards that of the head. */
 static const double steadiness = 0.1;
-/* The window stands where waves meet if it is off by this part of a step: chosen, not derived; less makes
- * one more short pan, more lets them meet beside the middle. */
+/* A window within this part of a step of where waves meet stays there. Chosen, not derived: less makes one more short pan, more
+ * lets them meet beside the middle. */
 static const double negligible = 0.1;
 
 double bead_pan_eased(double t)
@@ -112,8 +112,8 @@ static double to_meeting(const struct bead_step_camera *c, double place, double 
 }
 
 /* How far the next pan goes; 0: none is due. Half of it has passed when the head is half a step from the middle. Pans end where
- * waves meet, the last as early as may be, and the window stands there until they have passed through each other and do not fit
- * into it any more. */
+ * waves meet, the last as early as possible, and the window stays there until they have passed through each other and no longer fit
+ * into it. */
 static double next_pan(const struct bead_step_camera *c, double place, double other, double most)
 {
     const double way = copysign(1, c->speed), off = way * (place - c->goal), takes = BEAD_PAN_FRAMES * fabs(c->speed);

@@ -171,9 +171,9 @@ void bead_stage_compose(struct bead_view *v)
 
 /* ---- without a background ---- */
 
-/* Of black and grey floors the same light is sent, and the same part of what is behind is seen: the picture on black is the colour,
- * and what the grey floor adds says how much is seen through. Linear light of the grey floor; radii above the lower edge in which
- * the picture fades. */
+/* Black and grey floors send the same light and let the same part of the background through: the picture on black is the colour,
+ * and what the grey floor adds tells the transparency. Linear light of the grey floor; radii above the lower edge in which the
+ * picture fades. */
 static const float grey = 0.5f, fade = 0.6f;
 
 static void make_floors(struct bead_view *v)

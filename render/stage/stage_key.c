@@ -196,7 +196,7 @@ static size_t count_waves(const struct bead_chain *chain)
     return count;
 }
 
-/* What says so, left of the rest of the key; returns its width, 0 where there is one wave. */
+/* Draws the words for that, left of the rest of the key; returns their width, 0 where there is one wave. */
 static double draw_followed(cairo_t *cr, const struct bead_view_setup *setup, double right, double middle)
 {
     const struct bead_look *look = setup->look;

@@ -12,7 +12,7 @@ struct bead_tale;
 
 enum { BEAD_TALE_WORDS = 1600 };
 
-/* Of `field` at these beads (or contacts) of all chains, which are borrowed. On failure *tale is NULL. Errors: MEMORY. */
+/* The tale of `field` at these beads (or contacts) of all chains, which are borrowed. On failure *tale is NULL. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_tale_create(const struct bead_chain *const *chains, size_t count, enum bead_field field,
                                             struct bead_span beads, struct bead_tale **tale, struct bead_message *msg);
 void bead_tale_destroy(struct bead_tale *tale);

@@ -89,7 +89,7 @@ void bead_theory_line_feed(struct bead_theory_line *l, const struct bead_sample 
         l->next++;
 }
 
-/* Of the wave as it was last seen whole: the forces of a cell's contacts are unlike. 0: never. */
+/* The force of the wave when it was last seen whole, the largest over a cell, whose contacts have unlike forces. 0: never. */
 static double force_of(const struct bead_theory_line *l)
 {
     const size_t cell = bead_compacton_of_dimers(l->setup.chain) ? 2 : 1;

@@ -34,7 +34,8 @@ static void stage_destroy(struct bead_view *v)
     free(v);
 }
 
-/* On a floor, balls meet above one that is smaller than a quarter of both: these stand apart, with air around what is between. */
+/* On a floor, balls meet above one that is smaller than a quarter of both: these are drawn apart, with air around the one between.
+ */
 static void part_from_others(struct bead_view *v, size_t i)
 {
     for (size_t j = i - 1; j-- > 0 && v->place[i] - v->place[j] < 2 * v->largest;) {

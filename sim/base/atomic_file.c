@@ -120,7 +120,7 @@ static enum bead_error cannot_write(const char *part, int error, struct bead_mes
                                        : strerror(error));
 }
 
-/* What is renamed to `path` would take the place of a pipe or a device for good. */
+/* A file renamed to `path` would replace a pipe or a device for good. */
 static enum bead_error check_place(const char *path, struct bead_message *msg)
 {
     struct stat found;

@@ -6,7 +6,7 @@
 #include "sim/base/internal.h"
 
 double bead_log(double x);                      /* ln x, to 2 units in the last place */
-double bead_cbrt(double x);                     /* cube root, x >= 0; rounded correctly but for one case in 2^45 */
+double bead_cbrt(double x);                     /* cube root, x >= 0; rounded correctly except for one case in 2^45 */
 BEAD_INTERNAL double bead_two_fifths(double x); /* x^{2/5}, x >= 0; the same */
 double bead_three_halves(double x);             /* x^{3/2}, x >= 0; the same */
 

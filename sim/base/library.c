@@ -17,7 +17,7 @@ static bool is_absent(const char *why)
     return strstr(why, strerror(ENOENT)) != NULL;
 }
 
-/* Of several failures, the one to tell is of a library that is there. */
+/* If several libraries fail, the message names one that exists. */
 static enum bead_error open_first(const struct bead_library_info *info, void **library, struct bead_message *msg)
 {
     char why[512] = "";

@@ -22,7 +22,7 @@ uint64_t bead_memory_left(void);
 /* `what` begins the message: "chain.yaml:3:1: chain: 100 beads". Up to BEAD_MEMORY_SMALL bytes pass unchecked. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_memory_check(uint64_t bytes, const char *what, struct bead_message *msg);
 /* Are that many bytes of addresses free? The kernel is asked, so all its limits count (ulimit -v, -d, strict overcommit); nothing
- * is kept. For libraries that fall or hang where an allocation of their own fails. */
+ * is kept. For libraries that crash or hang when one of their allocations fails. */
 BEAD_INTERNAL bool bead_memory_room(uint64_t bytes);
 /* For Mesa and AV1: 4 GiB, more than any film of 3840 x 2160 takes in all (3.6 GB with AV1, 1 GB with H.264). */
 static inline bool bead_memory_ample(void)

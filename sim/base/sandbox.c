@@ -195,7 +195,7 @@ static bool is_among(int descriptor, const int *descriptors, size_t count)
     return i < count;
 }
 
-/* Beside stderr. Locks of files that are being written are those of who asks. */
+/* Beside stderr. Locks of files that are being written belong to the asking process. */
 static void close_others(const int *descriptors, size_t count)
 {
     int last = STDERR_FILENO;
@@ -264,7 +264,7 @@ enum bead_error bead_sandbox_ask(const char *path, bead_sandbox_work *work, cons
     if (process < 0) {
         close(ends[0]);
         return bead_fail(msg, error == ENOMEM ? BEAD_ERROR_MEMORY : BEAD_ERROR_IO,
-                         "%s: cannot be read: no process can be made for it: %s", path, strerror(error));
+                         "%s: cannot be read: no process can be started for it: %s", path, strerror(error));
     }
     enum bead_error err = bead_file_read_open(ends[0], path, most + 1, answer, length, msg);
     const bool known = bead_sandbox_end(process, &status);
@@ -273,7 +273,6 @@ enum bead_error bead_sandbox_ask(const char *path, bead_sandbox_work *work, cons
     free(*answer);
     *answer = NULL;
     return known && WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL
-               ? bead_fail(msg, BEAD_ERROR_FORMAT, "%s: damaged: what reads it fails over it (%s)", path,
-                           strsignal(WTERMSIG(status)))
+               ? bead_fail(msg, BEAD_ERROR_FORMAT, "%s: damaged: its reader crashes on it (%s)", path, strsignal(WTERMSIG(status)))
                : bead_fail(msg, BEAD_ERROR_IO, "%s: cannot be read: the process that reads it has ended", path);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Confines what reads untrusted files: in a process of its own, which computes only, and, a little, whole programs. */
+/* Confines readers of untrusted files to a separate process, which only computes; and, less strictly, whole programs. */
 #pragma once
 
 #include <stdbool.h>
@@ -14,7 +14,7 @@
 BEAD_INTERNAL bool bead_sandbox_is_there(void);
 /* From now on this process reads and writes descriptors that it holds, and computes: it opens no file, makes no connection, runs no
  * program (seccomp, and landlock where there is one), and takes at most 512 MiB more memory. For a process of one thread, as there
- * is no way back. What the kernel cannot do is left out. */
+ * is no way back. Whatever the kernel does not support is left out. */
 BEAD_INTERNAL void bead_sandbox_enter(void);
 /* For programs, which read scenes of strangers: from now on this process makes no connection and runs no program. Sanitizers, which
  * run programs themselves, are left alone. */

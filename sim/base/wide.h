@@ -41,7 +41,7 @@ static inline struct bead_pair bead_wide_pair(bead_wide x)
     return (struct bead_pair){(double)x, (double)(x - (double)x)};
 }
 
-/* Functions of double, rounded correctly but for one case in 2^50. sim/base/elementary.h has quicker ones. */
+/* Functions of double, rounded correctly except for one case in 2^50. sim/base/elementary.h has quicker ones. */
 static inline double bead_sin(double x)
 {
     return (double)bead_wide_sin(x);

@@ -120,7 +120,7 @@ static void write_spins(const struct bead_segment *segment, char *digits)
         memset(digits, segment->spins == BEAD_SPINS_UP ? '1' : '0', segment->count);
 }
 
-/* Is one cell the other turned round? The same both ways round: it is not. */
+/* Is one cell the mirror image of the other, and different from it? */
 static bool mirrors(const struct bead_segment *a, const struct bead_segment *b)
 {
     bool same = a->cell_beads == b->cell_beads, turned = same;

@@ -31,7 +31,7 @@ double bead_chain_omega(const struct bead_chain *chain, double energy);
 /* About how long a wave of this energy takes from end to end, s: the sum of sqrt(m/K) over the contacts, m the mass of the heavier
  * bead, K the largest stiffness that the energy allows. Within a factor of a few. */
 BEAD_INTERNAL double bead_chain_passage(const struct bead_chain *chain, double energy);
-/* What of it is the time in which beads cross gaps, at the largest velocity of the start, s. */
+/* The part of it in which beads cross gaps, at the largest velocity of the start, s. */
 BEAD_INTERNAL double bead_chain_flight(const struct bead_chain *chain);
 /* The largest velocity at the start, m/s, or that which the energy of displaced beads can give one of them, if that is larger: the
  * unit of velocities. */

@@ -25,7 +25,7 @@ static const double slack = 1e-6;
 /* Samples of a grid that widens, while their distance from its start doubles. */
 enum { DOUBLING = 32 };
 
-/* How many spacings from the start that sample is. */
+/* The distance of that sample from the start, in spacings. */
 static double widened(size_t index)
 {
     const size_t doubled = index / DOUBLING;

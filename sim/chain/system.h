@@ -2,9 +2,9 @@
 /* Systems: what a chain of a scene can be, one const row each. Beads that push each other are one, equations such as that of
  * Korteweg and de Vries are others.
  *
- * Everything that depends on the system is asked of its row: first the traits, then what the numbers of its samples mean. To add a
- * system: a file and a row in sim/equation/systems.c, and its keys in sim/scene/scene_equation.c. Every row has all words and
- * functions but those for which NULL is allowed below. */
+ * A row has everything that depends on the system: first the traits, then what the numbers of its samples mean. To add a system: a
+ * file and a row in sim/equation/systems.c, and its keys in sim/scene/scene_equation.c. Every row has all words and functions,
+ * except those for which NULL is allowed below. */
 #pragma once
 
 #include <stdbool.h>

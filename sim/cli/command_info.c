@@ -64,7 +64,7 @@ static void print_options(FILE *out, const struct bead_chain_spec *spec)
                 spec->damping_coefficient, spec->damping_exponent, spec->damping_compression);
 }
 
-/* How far the model holds, at the most that the striker's energy allows. */
+/* Prints how close the chain comes to the limits of the model, at the most that the striker's energy allows. */
 static void print_validity(FILE *out, const struct bead_chain *chain)
 {
     const struct bead_validity most = bead_validity_bound(chain);
@@ -118,7 +118,7 @@ static void print_chain(FILE *out, const struct bead_chain *chain, size_t index)
         fprintf(out, "  sensor %s on bead %zu\n", sensors[i].name, sensors[i].bead);
 }
 
-/* What is varied: `beads` is the number of the last one. */
+/* Prints what the sweep varies; `beads` is the number of the last bead. */
 static void print_sweep_spec(FILE *out, const struct bead_sweep_spec *spec, size_t beads)
 {
     size_t configurations = 0;

@@ -141,15 +141,15 @@ static const struct command_option rows[] = {
     {"list", 0, "WHAT", "list %s", .apply = set_list},
     {"info", 0, "FILE", "describe a scene, a trajectory or the results of a sweep", .text = COMMAND(job.input),
      .action = COMMAND_INFO},
-    {"verify", 0, "FILE", "say whether a finished trajectory, or a sweep's file, is to the bit what was written",
+    {"verify", 0, "FILE", "say whether a finished trajectory, or a sweep's file, is bit for bit what was written",
      .text = COMMAND(job.input), .action = COMMAND_VERIFY},
-    {"reproduce", 0, "FILE", "make a picture, film, table or trajectory again, by the scene stored in it: same bits?",
+    {"reproduce", 0, "FILE", "make a picture, film, table or trajectory again, from the scene stored in it: same bits?",
      .text = COMMAND(job.input), .action = COMMAND_REPRODUCE},
     {"crate", 0, NULL, "describe the run for archives, beside its files: ro-crate-metadata.json", .flag = COMMAND(crate)},
     {"configuration", 0, "N",
      "only chain N of a sweep (NAME:N of several sweeps), or chain NAME of several chains, into the file -o",
      .text = COMMAND(job.configuration)},
-    {"diff", 0, NULL, "of two trajectories: show the second less the first, into the file -o", .flag = COMMAND(job.difference)},
+    {"diff", 0, NULL, "show the second of two trajectories minus the first, into the file -o", .flag = COMMAND(job.difference)},
     {"sheet", 0, NULL, "draw only a contact sheet, of a sweep or of a random chain, into the file -o", .flag = COMMAND(job.sheet),
      .draws = true},
     {"allow-outside", 0, NULL, "let the scene write outside the directory -o (absolute paths, `..`); for scenes you trust",
@@ -252,8 +252,8 @@ static void put_colons(char *value)
     }
 }
 
-/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]", and of a run of places "30..auto". What is written as in a
- * scene stays so; lists of words, with a single separator, may have one alone. To be freed; NULL: out of memory. */
+/* "0.2ms:1ms" as a scene has it: "[0.2ms, 1ms]"; "30:" is "[30, auto]", and of a run of places "30..auto". Values written as in a
+ * scene stay so; lists of words, with a single separator, may have just one. To be freed; NULL: out of memory. */
 static char *as_list(const char *given, const char *separators, bool run)
 {
     BEAD_FREED char *value = strdup(given);

@@ -168,7 +168,7 @@ bool command_catch_faults(void);
 void command_take_room(void);
 /* Prints words with names of files, or other text that may come from anybody, without control characters. */
 BEAD_PRINTF(2, 3) void command_print(FILE *out, const char *format, ...);
-/* The same of all that is written to `file`, once it is let go. Errors: `err`, MEMORY. */
+/* The same for everything that is written to `file`, once it is released. Errors: `err`, MEMORY. */
 struct command_held {
     FILE *file;
     char *text;

@@ -41,7 +41,7 @@ struct making {
     const char *output, *file; /* NULL: none */
 };
 
-/* That of the file's name, or else the only one of its ending. `names`: all. */
+/* The output with the file's name, or else the only one with its ending. `names`: all. */
 static struct making find_output(const struct bead_scene *scene, const char *path, bool by_ending, char *names, size_t size)
 {
     struct making alike = {.output = NULL};
@@ -107,8 +107,8 @@ static bool names_input(const struct command *command, const char *path, struct 
     return found;
 }
 
-/* Tables have no room for a scene: one of the directory that names this file, rather as another file of results has
- * it, which is as it was run, than as its own file has it now. */
+/* Tables have no room for a scene: finds one in the directory that names this file. Those in other files of results come first,
+ * since they are as they were run, then scene files as they are now. */
 static enum bead_error find_beside(const struct command *command, struct command_origin *origin, const volatile sig_atomic_t *stop,
                                    struct bead_message *msg)
 {
@@ -130,9 +130,9 @@ static enum bead_error find_beside(const struct command *command, struct command
     free(entries);
     if (!found && bead_stop_is_asked(stop))
         return stopped(stop, msg);
-    return found
-               ? BEAD_OK
-               : bead_fail(msg, BEAD_ERROR_FORMAT, "%s: no scene is stored in it, nor one that names it in a file beside it", path);
+    return found ? BEAD_OK
+                 : bead_fail(msg, BEAD_ERROR_FORMAT,
+                             "%s: no scene is stored in it, and no file beside it has a scene that names it", path);
 }
 
 static int remove_one(const char *path, const struct stat *, int, struct FTW *)
@@ -205,7 +205,7 @@ static enum bead_error compare(const struct command *command, const struct comma
                      command->job.output ? "; the new file is there to compare" : "; -o DIRECTORY keeps the new file");
 }
 
-/* What is run to make the file again. */
+/* A run that makes the file again. */
 struct attempt {
     const char *input;  /* a scene or a trajectory */
     const char *output; /* a directory, or the file */
@@ -273,7 +273,7 @@ static enum bead_error write_scene(const char *path, const char *scene, struct b
     return bead_file_close(file, path, msg);
 }
 
-/* Where a file was drawn from a trajectory, which knows less than a run: of that trajectory, made again. */
+/* A file that was drawn from a trajectory, which knows less than a run, is drawn from that trajectory, made again. */
 static enum bead_error draw_again(const struct command *command, const struct command_origin *origin, struct attempt *attempt,
                                   const char *keeper, const volatile sig_atomic_t *stop, struct bead_message *msg)
 {
@@ -290,8 +290,8 @@ static enum bead_error draw_again(const struct command *command, const struct co
     return make_again(command, origin, attempt, stop, msg);
 }
 
-/* Tries one way after the other, for what a file says of its run depends on what it was made of, and on what else was asked for: by
- * itself; as one of all files of its scene; of the scene's trajectory. `made`: what the scene makes it as; none: -o made it of one.
+/* Tries one way after the other, because what a file says about its run depends on its source and on the other outputs: by itself;
+ * as one of all files of its scene; from the scene's trajectory. `made`: the output that makes it; none: -o made it from one.
  */
 static enum bead_error try_all(const struct command *command, const struct command_origin *origin, const struct bead_scene *scene,
                                struct making made, const char *directory, const volatile sig_atomic_t *stop,

@@ -280,7 +280,7 @@ static enum bead_error open_and_play(const struct command *command, const volati
         err = command_crate(command, session, date, msg);
     if (err == BEAD_ERROR_STOPPED && *stop)
         bead_fail(msg, err, "stopped by signal %d (%s)%s", (int)*stop, strsignal(*stop),
-                  is_forgotten(session) ? "; the same command begins anew: no output {sweep: sweep.h5} keeps the chains" : "");
+                  is_forgotten(session) ? "; the same command starts over: no output {sweep: sweep.h5} keeps the chains" : "");
     if (command_is_json(command))
         command_print_result(session, err, command_status(err, *stop), bead_clock() - began, msg);
     command_guard(NULL);

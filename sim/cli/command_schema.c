@@ -19,7 +19,8 @@ static void put_only(struct bead_json *json, const char *key, const char *inner,
     bead_json_close(json, "}");
 }
 
-/* The definition called `name`. Headings are names of definitions but for blanks and brackets: "outputs (movie)", outputs:movie. */
+/* The definition called `name`. Headings are names of definitions, except for blanks and brackets: "outputs (movie)",
+ * outputs:movie. */
 static void put_reference(struct bead_json *json, const char *key, const char *name)
 {
     char path[120];
@@ -229,7 +230,7 @@ static void put_has_key(struct bead_json *json, const char *name, const char *ke
     bead_json_close(json, "}");
 }
 
-/* Kinds of which each is told by its first key, which no other has. `next` gives the tables; NULL behind the last. */
+/* Kinds that are recognised by their first key, which no other has. `next` gives the tables; NULL behind the last. */
 typedef const struct bead_options *(*next_kind)(size_t index);
 
 static void put_kinds(struct bead_json *json, const char *name, next_kind next)

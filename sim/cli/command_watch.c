@@ -77,7 +77,7 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
     BEAD_TRY(bead_scene_find(command->job.input, path, sizeof path, msg));
     (void)changed(path, &last);
     if (!S_ISREG(last.st_mode))
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--watch: %s is no file, which could be saved again", path);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--watch: %s is not a file that could be saved again", path);
     enum bead_error err = BEAD_OK;
     for (text = read_text(path); !*stop;) {
         err = command_run(command, stop, msg);
@@ -140,7 +140,7 @@ enum bead_error command_new(const struct command *command, struct bead_message *
     FILE *file = err ? NULL : printed ? stdout : fopen(path, "wx");
     if (!err && !file)
         err = bead_fail(msg, errno == EEXIST ? BEAD_ERROR_USAGE : BEAD_ERROR_IO,
-                        errno == EEXIST ? "--new: %s is there already; give another name with -o FILE.yaml"
+                        errno == EEXIST ? "--new: %s exists already; give another name with -o FILE.yaml"
                                         : "--new: %s: cannot be made: %s",
                         path, strerror(errno));
     bool written = file && write_new(file, realpath(found, schema) ? schema : found, text, own, printed ? own : path);

@@ -8,8 +8,8 @@
 static const double near = 0.1;
 /* Between two looks the fastest soliton moves by this part of the narrowest one's width. */
 static const double look_part = 0.5;
-/* Unlikeness by a distance of the whole ring, relative to that by a height off by `near`: heights distinguish solitons, places only
- * those of equal height. */
+/* How much a distance of the whole ring counts, relative to a height off by `near`: heights distinguish solitons, places only those
+ * of equal height. */
 static const double place_weight = 0.01;
 
 bool bead_kdv_is_crest(const double *u, size_t points, size_t i)

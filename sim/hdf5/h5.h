@@ -46,7 +46,7 @@ void bead_h5_stay_in_process(void);
 /* Make a new file, or open one for reading. `path` must outlive the bead_h5, which must not move while the file is open. */
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg);
 void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct bead_message *msg);
-/* Is the finished file at `path` what was written, to the bit? *bytes gets its length. Errors: IO, MEMORY, FORMAT (it is not, or
+/* Is the finished file at `path`, bit for bit, what was written? *bytes gets its length. Errors: IO, MEMORY, FORMAT (it is not, or
  * has no digests). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_message *msg);
 /* Close the file, if open; a failure to write the rest is kept. */

@@ -17,7 +17,7 @@
 /* Room for what is read at once: a chunk of any trajectory, or a row of one with many beads, which is no longer than its file. */
 static const size_t least_room = 16 << 20, most_room = 1 << 30;
 
-/* Both processes see it. What the other one writes is not trusted by who asks. */
+/* Both processes see it. The asking process does not trust what the other one writes. */
 struct shared {
     struct bead_h5_question question;
     char name[256];
@@ -82,7 +82,7 @@ static void tell_end(struct bead_h5 *h5)
     const bool known = bead_sandbox_end(h5->apart->process, &status);
     h5->apart->process = -1;
     if (known && WIFSIGNALED(status) && WTERMSIG(status) != SIGKILL)
-        bead_h5_fail(h5, false, "damaged: HDF5 fails over it (%s)", strsignal(WTERMSIG(status)));
+        bead_h5_fail(h5, false, "damaged: HDF5 crashes on it (%s)", strsignal(WTERMSIG(status)));
     else
         bead_h5_fail(h5, false, "cannot be read: the process that reads it has ended");
 }
@@ -176,7 +176,7 @@ void bead_h5_apart_open(struct bead_h5 *h5, bead_h5_answerer answer)
         bead_h5_ask(h5, NULL, (struct bead_h5_question){.what = BEAD_H5_OPEN}, NULL);
     else
         h5->error = bead_fail(h5->msg, errno == ENOMEM ? BEAD_ERROR_MEMORY : BEAD_ERROR_IO,
-                              "%s: cannot be read: no process can be made for it: %s", h5->path, strerror(errno));
+                              "%s: cannot be read: no process can be started for it: %s", h5->path, strerror(errno));
     if (h5->error)
         bead_h5_apart_close(h5);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads HDF5 files in a process of its own, in a sandbox: a file that leads HDF5 astray ends that process, and whoever takes it
- * over by a file finds nothing to write to.
+/* Reads HDF5 files in a separate process, in a sandbox: a file that leads HDF5 astray ends only that process, and an attacker who
+ * takes it over by a file finds nothing to write to.
  *
  * The functions that read (h5_read.c) ask that process where there is one; there, the same functions read (h5_serve.c). Questions,
  * answers and data are in memory that both share; a byte through a socket passes the turn. */

@@ -257,9 +257,9 @@ static bool shrinks(const struct disk *disk, const struct kept *kept)
            entries(before) > entries(kept->bytes);
 }
 
-/* Of the pieces of one step, what comes `first`, or the rest. Returns whether there was any. A piece that lies in two pages could
- * be halved. Its end, which may point to new blocks, comes before its head, which says how much of it is in use; where less of it
- * is, the other way round. */
+/* Writes the part of one step's pieces that comes `first`, or the rest. Returns whether there was any. A piece in two pages could
+ * be halved. Its end, which may point to new blocks, comes before its head, which says how much of it is in use; if that becomes
+ * less, the other way round. */
 static bool put_half(struct disk *disk, int step, bool first)
 {
     bool any = false;

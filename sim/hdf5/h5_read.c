@@ -93,7 +93,7 @@ static const char *strange(const struct bead_h5 *h5, hid_t dataset)
     if (layout == H5D_VIRTUAL || (layout >= 0 && H5Pget_external_count(list) != 0))
         return "is stored in another file";
     if ((layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED) || H5Pget_nfilters(list) != 0)
-        return "is compressed, filtered or stored as this program stores nothing";
+        return "is compressed, filtered or stored in a way that this program never uses";
     if (!type_is_own(type))
         return "is of a type that this program does not write";
     const hssize_t values = space < 0 ? -1 : H5Sget_simple_extent_npoints(space);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opens a file in a process apart, and answers there what is asked of it: see h5_apart.h. */
+/* Opens a file in a process apart, and answers requests there: see h5_apart.h. */
 #include "sim/hdf5/h5_apart.h"
 #include "sim/hdf5/h5_private.h"
 

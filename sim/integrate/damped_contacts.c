@@ -54,7 +54,7 @@ struct contact_curve {
     struct bead_polynomial compression;
 };
 
-/* What changes its sign where a contact opens, or closes although compressed. */
+/* A number that changes its sign where a contact opens, or closes although compressed. */
 static double push(const struct bead_stepper *s, size_t k, double d, double change)
 {
     const double force = s->table.damping > 0 ? closed_force(s, k, d, change) : d;

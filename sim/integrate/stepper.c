@@ -112,7 +112,7 @@ static void hold(struct bead_stepper *s)
     s->end.a[s->driven] = bead_drive_at(s->chain, bead_drive_end(s->chain, s->t0, s->t1)).x[2];
 }
 
-/* Where the acceleration of such a bead jumps, that of `end` begins the next step. */
+/* Where the acceleration of such a bead jumps, the next step begins with the acceleration of `end`. */
 static void go_on_behind_jump(struct bead_stepper *s)
 {
     const double end = bead_drive_end(s->chain, s->t0, s->t1);

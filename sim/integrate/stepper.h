@@ -69,7 +69,7 @@ struct bead_stepper {
     void *memory;
 };
 
-/* How a step integrates a force that is known over it: as this quadrature on 0..1, exact for polynomials of lower degree than its
+/* The quadrature on 0..1 by which a step integrates a force that is known over it; exact for polynomials of lower degree than its
  * order. */
 struct bead_quadrature {
     size_t nodes;
@@ -107,7 +107,7 @@ static inline double bead_stepper_compression(const struct bead_stepper *stepper
     return stepper->table.static_compression[k] + (state->u[k] - state->u[k + 1]);
 }
 
-/* Chain as it starts: at rest but for the striker, and what the scene says besides. Errors: MEMORY. */
+/* The chain at the start: at rest except for the striker and whatever else the scene moves. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct bead_method *method,
                                                const struct bead_kernels *kernels, bool full, struct bead_stepper **stepper,
                                                struct bead_message *msg);

@@ -35,8 +35,8 @@ static const struct bead_option sweep_image_rows[] = {
     BEAD_FILE_ROW("image", BEAD_PICTURE_FILES, "mean.png"),
     {"show", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(sweep_curves.show), .initial = "mean", .choices = sweep_shows,
      .values = sweep_values,
-     .help = "what of all chains is shown at each bead and time; deviation: the standard deviation; quartiles: what a quarter, or "
-             "three quarters, of the chains are below"},
+     .help = "what is shown of all chains at each bead and time; deviation: the standard deviation; quartiles: the value that a "
+             "quarter, or three quarters, of the chains are below"},
 };
 static const struct bead_option_rows sweep_image_shared[] = {
     {BEAD_OPTIONS(bead_field_row)},       {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(bead_beads_row)},
@@ -52,7 +52,7 @@ static BEAD_OUTPUT_CHECK(check_sweep_image)
 {
     const struct bead_scene *scene = reader->scene;
     if (scene->sweep_count > 1 || scene->sweeps[0].group_count > 1)
-        return BEAD_WRONG_KEY(reader, at, "image", "is one of all chains, but there are several %s: give one",
+        return BEAD_WRONG_KEY(reader, at, "image", "is the mean of all chains, but there are several %s: give one",
                               scene->sweep_count > 1 ? "sweeps" : "magnetisms");
     return bead_output_check_field(reader, at, output);
 }

@@ -78,7 +78,7 @@ struct bead_show_type {
     bool of_powers;               /* powers of time are found in it: its times widen */
 };
 BEAD_INTERNAL const struct bead_show_type *bead_show_type(enum bead_show show);
-/* What curves of the chains of a sweep are, as of a single run; BEAD_SHOW_COUNT: there are none. */
+/* The `show` of a single run that curves of a sweep's chains correspond to; BEAD_SHOW_COUNT: there is none. */
 BEAD_INTERNAL enum bead_show bead_sweep_lines(enum bead_sweep_show show);
 /* The row of the output's `show`; NULL: its kind has no such key. */
 const struct bead_show_type *bead_output_show(const struct bead_output *output);
@@ -86,7 +86,7 @@ const struct bead_show_type *bead_output_show(const struct bead_output *output);
 /* All tables of outputs, those of panels last; NULL behind them. */
 const struct bead_options *bead_output_options(size_t index);
 
-/* Panels have the keys of images or plots but for those of files. */
+/* Panels have the keys of images or plots, except those of files. */
 extern const struct bead_option_family bead_output_family;
 extern const struct bead_options bead_image_panel_options, bead_plot_panel_options, bead_panel_options;
 /* Maps within the keys of movies. */

@@ -65,8 +65,7 @@ static enum bead_error find_kind(const struct bead_reader *reader, const struct 
         if (!bead_given(at, bead_output_key(kind)))
             continue;
         if (found++ > 0)
-            return BEAD_WRONG_KEY(reader, at, bead_output_key(kind),
-                                  "is a second kind beside `%s`; give each file an entry of its own",
+            return BEAD_WRONG_KEY(reader, at, bead_output_key(kind), "is a second kind beside `%s`; give each file its own entry",
                                   bead_output_key(output->kind));
         output->kind = kind;
     }

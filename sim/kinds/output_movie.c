@@ -99,11 +99,10 @@ static const struct bead_option movie_rows[] = {
     {"layout", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.layout), .initial = "auto", .choices = layouts,
      .help = "arrangement of the chains. stage: large beads of each, below them one profile for all, in their colours, and small "
              "space-time images, whose future is dimmed; images: large space-time images below each other, side by side or both, "
-             "whatever leaves most to see in a frame of this shape; of these stacked: below each other; columns: side by side; "
-             "grid: both (type becomes smaller where they need it, and what has no room for names is refused); overlay: one axis "
-             "for the profiles of all chains; beside: the space-time images at the right of the "
-             "other views; auto: stage where `views` has it, which is the default of one to four chains, else images, and overlay "
-             "where `views` is profile alone"},
+             "whichever shows most in a frame of this shape; stacked: always below each other; columns: side by side; grid: both "
+             "(type becomes smaller where needed, and a layout without room for names is refused); overlay: one axis for the "
+             "profiles of all chains; beside: the space-time images to the right of the other views; auto: stage where `views` has "
+             "it, which is the default of one to four chains, else images, and overlay where `views` is profile alone"},
     {"type", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.type), .initial = "normal", .choices = types,
      .help = "size of the letters. normal: labels have 3 % of the frame's shorter side; large: 4 %, for the last row of a lecture "
              "hall"},
@@ -114,19 +113,18 @@ static const struct bead_option movie_rows[] = {
     {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(movie.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
      .help = "how many modes the view `modes` shows", .example = "4"},
     {"fps", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.fps), .initial = "60", .low = 1, .high = 240,
-     .help = "frames per second; a GIF has at most 50, its delays being whole hundredths of a second of which players want two: of "
-             "more, every second frame is in it, or every third and so on",
+     .help = "frames per second; a GIF has at most 50, since its delays are whole hundredths of a second and players want at least "
+             "two: of more, it has every second frame, or every third, and so on",
      .example = "30"},
     {"duration", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.duration), .unit = "s", .initial = "auto", .low = 0.01, .high = 36000,
      .word = "auto", .word_value = NAN,
-     .help = "how long the movie shows the motion; a title card adds to it. auto: 10 s, and of a stage as long as lets a wave pass "
+     .help = "how long the movie shows the motion; a title card adds to it. auto: 10 s; with a stage so long that a wave passes "
              "about eight beads a second, at most 30 s",
      .example = "15 s"},
     {"strobe", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.strobe), BEAD_TIME_OF_MOTION, .initial = "none", .word = "none",
      .word_value = 0,
-     .help =
-         "show the motion only at multiples of this time, the period of something fast, and blend between them: what is slow is "
-         "seen, and nothing flickers",
+     .help = "show the motion only at multiples of this time, the period of something fast, and blend between them, so that slow "
+             "motion is seen and nothing flickers",
      .example = "64"},
     {"speed", BEAD_OPTION_CUSTOM,
      .shape = "a factor such as 1/4000, or a list such as [{at: 0 ms, factor: 1/4000}, {at: 1 ms, factor: 1/500}]",
@@ -138,15 +136,15 @@ static const struct bead_option movie_rows[] = {
      .help = "texts below the picture, in mp4, mov, mkv and webm also chapters and subtitles: see outputs.captions",
      .example = "[{at: 0.2 ms, text: The front has left the striker}]"},
     {"subtitles", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.subtitles), .initial = "captions", .choices = subtitles,
-     .help =
-         "in mp4, mov, mkv and webm. captions: their texts; words: where there are none, a sentence for each chain that says what "
-         "happens, from its numbers, for those who do not see"},
+     .help = "in mp4, mov, mkv and webm. captions: their texts; words: if there are none, a sentence for each chain that says from "
+             "its numbers what happens, for those who cannot see"},
     {"notes", BEAD_OPTION_CUSTOM, .shape = "a list such as [{at: 0.4 ms, bead: front, text: The front}]", .like = "[outputs.notes]",
      .read = bead_output_read_notes,
-     .help = "texts on the stage, each with a tip to a bead, a contact, the front or the wall, which it follows: see outputs.notes",
+     .help =
+         "texts on the stage, each of which points to a bead, a contact, the front or the wall, and follows it: see outputs.notes",
      .example = "[{at: 0.4 ms, for: 2 s, bead: front, text: \"Five beads, $F \\\\sim \\\\delta^{3/2}$\"}]"},
     {"race", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(movie.race), .initial = "false",
-     .help = "of two chains on a stage: say at the front that leads by how many beads, until it arrives"},
+     .help = "with two chains on a stage: say at the leading front by how many beads it leads, until it arrives"},
     {"inset", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.inset), .initial = "none", .choices = insets,
      .help = "a picture in the picture, beside the curve below a stage. cell: the cells of the chains, as `show: cell` draws them"},
     {"stops", BEAD_OPTION_CUSTOM, .shape = "a list of times such as [0.4 ms, 1.2 ms]", .like = "[number]",
@@ -155,7 +153,7 @@ static const struct bead_option movie_rows[] = {
      .example = "[0.4 ms, 1.2 ms]"},
     {"slides", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none or FILE.html", .like = "text", .read = read_slides,
      .help = "the film, mp4 or webm, in one page for a browser, which needs no network: it plays from stop to stop when a key is "
-             "pressed. Not beside `poster`",
+             "pressed. Not with `poster`",
      .example = "talk.html"},
     {"card", BEAD_OPTION_CUSTOM, .initial = "false", .shape = "true, false, a time such as 3 s, or a map",
      .like = "flag|number|outputs.card", .read = bead_output_read_card,
@@ -163,7 +161,7 @@ static const struct bead_option movie_rows[] = {
     {"sound", BEAD_OPTION_CUSTOM, .initial = "off", .shape = "off, wall, contact NUMBER, contact last or sensor NAME",
      .like = "text", .read = read_sound,
      .help = "what is heard, slowed like the picture: the force on the wall, of a contact (0 is that of the striker) or on the "
-             "bead with a sensor; silent in title cards and pauses, just below full level at its largest, several chains from left "
+             "bead with a sensor; silent in title cards and pauses, with its peak just below full level, several chains from left "
              "to right. AAC in mp4 and mov, Opus in webm and mkv. A pulse that takes a tenth of a second is felt rather than "
              "heard: `speed` with factors of 1/100 to 1/10 makes tones of contacts' vibrations",
      .example = "wall"},
@@ -176,13 +174,13 @@ static const struct bead_option movie_rows[] = {
      .help = "one frame as a picture; in mp4 files also the cover", .example = "poster.png"},
     {"poster-at", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.poster_at), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto",
      .word_value = NAN,
-     .help = "time of the motion that the poster shows; auto: when the chains differ most, or where there is one, when there is "
-             "most to see",
+     .help =
+         "time of the motion that the poster shows; auto: when the chains differ most, or with one chain when there is most to see",
      .example = "0.8 ms"},
     {"quality", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.quality), .initial = "standard", .choices = qualities,
-     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and a picture "
-             "that does not change for as long as that lasts: a variable rate, while all others have a constant one; high and "
-             "lossless have a stage of nine values in each pixel, as `--frame` and stills do"},
+     .help = "quality of the encoding; a draft has at most 30 pictures per second, each shown for several frames, and for longer "
+             "if it does not change: a variable rate, while all others have a constant one; high and lossless average nine values "
+             "in each pixel of a stage, as `--frame` and stills do"},
     {"codec", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(movie.codec), .initial = "auto", .choices = codecs,
      .help =
          "auto: the file's usual one; av1: in mp4, mkv and webm half the size or less, encoded more slowly, with SVT-AV1 (libaom "

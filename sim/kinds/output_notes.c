@@ -47,7 +47,7 @@ static const struct bead_option note_rows[] = {
     {"chain", BEAD_OPTION_CUSTOM, .shape = "all, or the name of a chain", .like = "text", .read = read_chain,
      .help = "in which chain; default: the first", .example = "Clean"},
     {"arrow", BEAD_OPTION_FLAG, offsetof(struct bead_note, arrow), .initial = "true",
-     .help = "a tip from the text to what it is about"},
+     .help = "a pointer from the text to what it is about"},
 };
 static const struct bead_option_rows shared[] = {{bead_caption_rows, 4}, {NULL, 0}};
 const struct bead_options bead_note_options = {"outputs.notes", "a list of texts, each tied to a thing on the stage",

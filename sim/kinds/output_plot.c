@@ -51,14 +51,14 @@ static const struct bead_option sweep_plot_rows[] = {
      .values = sweep_plot_values,
      .help =
          "force against magnetism, with median, mean, or both; or how peaks decay along the chain (measure: {decay: true}), "
-         "without the last sixteenth of the random beads, whose largest force has not come when the front arrives at the end. Of "
+         "without the last sixteenth of the random beads, whose largest force is yet to come when the front arrives at the end. Of "
          "sweeps over keys: force against a key, with mean and standard error, median and quartiles, or both; or spreading, how "
          "far energy has spread in time, averaged over seeds. plane, colours of the mean: over several `sweeps`, by number of "
          "random cells and magnetism, with the threshold; over two keys, by both. " BEAD_SWEEP_LINES_HELP},
     {"scale", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.scale), .initial = "linear", .choices = sweep_scales,
      .values = sweep_scale_values,
-     .help = "of sweeps over keys: the scale of both axes, with `show: spectrum` and `transfer` that of amplitudes; log: with the "
-             "power law that fits each curve against a key, its slope in the legend"},
+     .help = "of sweeps over keys: the scale of both axes, with `show: spectrum` and `transfer` that of amplitudes; log: also the "
+             "power law fitted to each curve against a key, with its slope in the legend"},
     {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(plot.range), .initial = "auto",
      .shape = "auto, or [low, high] in units of the clean chain's peak, in N over keys", .word = "auto", .word_value = NAN,
      .like = "auto|[2 number]", .read = bead_output_read_sweep_range,

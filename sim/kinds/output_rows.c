@@ -30,8 +30,8 @@ const struct bead_option_family bead_output_family = {"outputs", "outputs of kin
 
 const struct bead_option bead_field_row[1] = {
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
-     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; compression, by how much the "
-             "beads of a contact overlap, damped or not; strain: of fput and shock"},
+     .help = "the field to show; force is the bead force, the mean of the two contacts of a bead; compression, how far the beads "
+             "of a contact overlap, damped or not; strain: of fput and shock"},
 };
 const struct bead_option bead_time_row[1] = {
     {"time", BEAD_OPTION_PAIR, BEAD_OF_OUTPUT(shown.time), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto",
@@ -45,14 +45,13 @@ const struct bead_option bead_beads_row[1] = {
 const struct bead_option bead_every_row[1] = {
     {"every", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(shown.every), .unit = "s", .of_motion = true, .initial = "auto", .low = 1e-12,
      .high = 1e3, .word = "auto",
-     .help =
-         "time between samples; auto: as short as the output needs; of spreading, whose laws are powers of time, that only for the "
-         "first 64 samples, and then 32 more each time that the time since the first doubles",
+     .help = "time between samples; auto: as short as the output needs; for spreading, whose laws are powers of time, only the "
+             "first 64 samples are so close, then there are 32 more each time that the time since the first doubles",
      .example = "1 us"},
 };
 const struct bead_option bead_trust_row[1] = {
     {"trust", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.trust), .initial = "false",
-     .help = "compute twice, to different accuracy, and mark when the two start to differ by more than 1 % of the range of the "
+     .help = "compute twice, with different accuracies, and mark when the two start to differ by more than 1 % of the range of the "
              "picture"},
 };
 
@@ -81,8 +80,8 @@ const struct bead_option bead_theme_rows[3] = {
      .help = "colours of background and text; auto: dark for movies, else light"},
     {"background", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(paper.background), .initial = "theme", .choices = backgrounds,
      .help =
-         "what is painted behind it all; none: nothing, the picture is transparent there, in the panels too, and letters and "
-         "lines have the colours of the theme. Stills of all formats can have none, and movies in webm, mov, apng, png and webp"},
+         "what is painted behind everything; none: nothing, so that the picture, with its panels, is transparent; letters and "
+         "lines keep the colours of the theme. Stills of all formats can have none, and movies in webm, mov, apng, png and webp"},
 };
 const struct bead_option bead_caption_row[1] = {
     {"caption", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(still.caption),
@@ -105,7 +104,7 @@ const struct bead_option bead_range_row[1] = {
      .shape = "auto, or [low, high] in the unit of the field", .word = "auto", .word_value = NAN, .like = "auto|[2 number]",
      .read = bead_output_read_colour_range,
      .help = "values at the ends of the colour bar; auto: the range of the data, up to 1 % more for a round number; images leave "
-             "out a strike, short and narrow, that would take more than half of it, and say beside the bar how high it is",
+             "out a short and narrow strike that would take more than half of it, and write its height beside the bar",
      .example = "[0, 45 N]"},
 };
 const struct bead_option bead_magnify_row[1] = {
@@ -120,8 +119,8 @@ const struct bead_option bead_light_row[1] = {
 };
 const struct bead_option bead_axes_row[1] = {
     {"axes", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(views.axes), .initial = "true",
-     .help = "axes, labels and colour bar around the picture; false: nothing but the views: of a stage fewer and larger beads, "
-             "in an image of spacetime alone bead 0 in the top row (see orientation)"},
+     .help = "axes, labels and colour bar around the picture; false: only the views: a stage has fewer and larger beads, an image "
+             "of spacetime alone has bead 0 in the top row (see orientation)"},
 };
 const struct bead_option bead_orientation_row[1] = {
     {"orientation", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(views.orientation), .initial = "auto", .choices = orientations,
@@ -134,9 +133,8 @@ const struct bead_option bead_orientation_row[1] = {
 
 const struct bead_option bead_theory_row[1] = {
     {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",
-     .help =
-         "over spacetime: a dashed line from the first bead, as fast as Nesterenko's solitary wave with the force that the pulse "
-         "has, with that speed; of a striker's wave in equal Hertzian beads, or two kinds in turn, without precompression"},
+     .help = "over spacetime: a dashed line from the first bead, as fast as Nesterenko's solitary wave with the pulse's force, and "
+             "its speed in words; for a striker's wave in equal Hertzian beads, or two kinds in turn, without precompression"},
 };
 /* Keys of images and of panels that are images. */
 const struct bead_option bead_image_rows[3] = {
@@ -155,39 +153,37 @@ const struct bead_option bead_curves_rows[9] = {
     {"modes", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(curves.modes), .initial = "5", .low = 1, .high = BEAD_MODES,
      .help = "how many modes `show: modes` shows", .example = "4"},
     {"field", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(shown.field), .initial = "force", .choices = fields,
-     .help = "the field that `show: profiles` shows, and that `show: sensors`, and spectra, show of beads; of transfer and "
-             "dispersion, velocity unless said otherwise"},
+     .help = "the field that `show: profiles` shows, and that `show: sensors` and spectra show of beads; default for transfer and "
+             "dispersion: velocity"},
     {"beads", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.beads),
      .shape = "a number, last, 10..20, or a list of such; 0 is the striker", .like = "number|last|[number|last]",
      .read = bead_output_read_listed,
-     .help = "with `show: sensors`, and of spectra, the beads whose `field` is shown, instead of those with a sensor; with `show: "
+     .help = "with `show: sensors` and spectra, the beads whose `field` is shown, instead of those with a sensor; with `show: "
              "bead-peaks`, only these; with `show: energy`, beads past which the energy is shown, too",
      .example = "[20, 40]"},
     {"contacts", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(curves.contacts),
      .shape = "a number, last, 10..20, or a list of such; contact j is between beads j and j + 1, and bead 0 is the striker",
      .like = "number|last|[number|last]", .read = bead_output_read_listed,
-     .help =
-         "with `show: sensors`, the contacts whose force is shown over time, besides or instead of beads; with `show: peaks` of "
-         "tables, only these; and those of `show: sensitivities`: without it both contacts of each bead with a sensor, or else "
-         "the last contact whose force has had its maximum. Derivatives are good to 1e-6 of the largest of their kind where "
-         "peaks are well-conditioned (laws with a power below 1.2: to 1e-4); none with damping. A run more, and about one for "
-         "each contact",
+     .help = "with `show: sensors`, the contacts whose force is shown over time, besides or instead of beads; with `show: peaks` "
+             "of tables, only these; with `show: sensitivities`, those whose peaks are derived: by default both contacts of each "
+             "bead with a sensor, or else the last contact whose force has had its maximum. Derivatives are good to 1e-6 of the "
+             "largest of their kind where peaks are well-conditioned (laws with a power below 1.2: to 1e-4); none with damping. "
+             "They take one more run, and about one for each contact",
      .example = "[40, last]"},
     {"at", BEAD_OPTION_CUSTOM, BEAD_TIME_OF_MOTION, .shape = "a list of times", .like = "number|[number]",
      .read = bead_output_read_profile_times,
      .help = "the times at which `show: profiles` shows the chain; one curve each, at most 12", .example = "[0.2 ms, 0.4 ms]"},
     {"parts", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.parts), .initial = "form", .choices = energy_parts,
-     .help =
-         "the parts of `show: energy`. form: kinetic, of contacts, of the wall, of gravity, of springs, dissipated; place: of the "
-         "front, that is of the first pulse up to where the force of contacts falls to a tenth; of what is behind it; reflected, "
-         "that of beads which pass energy back; dissipated"},
+     .help = "the parts of `show: energy`. form: kinetic, of contacts, of the wall, of gravity, of springs, dissipated; place: of "
+             "the front, that is of the first pulse up to where the contact force falls to a tenth; of what is behind it; "
+             "reflected, that of beads that pass energy back; dissipated"},
     {"window", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(curves.window), .initial = "hann", .choices = windows,
-     .help = "what spectra weigh their samples by: Hann's window, for motion that goes on, or none, for pulses that end"},
+     .help = "how spectra weight their samples: with Hann's window, for motion that goes on, or none, for pulses that end"},
     {"segment", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(curves.segment), .unit = "s", .of_motion = true, .initial = "auto", .low = 0,
      .high = 1e12, .open = BEAD_OPEN_LOW, .word = "auto", .word_value = NAN,
-     .help = "the length of what spectra transform at once: lines are as wide as one or two over it. Half-overlapping segments are "
-             "averaged by their squares (Welch); a spectrogram has a column for each, every eighth of its length. auto: all of "
-             "`time`; of a spectrogram 2 sqrt(time / frequencies that are shown), which tells as many times as frequencies apart",
+     .help = "the length that spectra transform at once: lines are one or two over it wide. Half-overlapping segments are averaged "
+             "by their squares (Welch); a spectrogram has a column for each, every eighth of its length. auto: all of `time`; in a "
+             "spectrogram 2 sqrt(time / range of frequencies shown), which resolves as many times as frequencies",
      .example = "0.2 ms"},
     {"frequencies", BEAD_OPTION_PAIR, BEAD_OF_OUTPUT(curves.frequencies), .unit = "Hz", .initial = "auto", .low = 0, .high = 1e12,
      .word = "auto", .word_value = NAN,
@@ -217,7 +213,7 @@ const struct bead_option bead_plot_rows[7] = {
      .help = "one panel for the curves of all chains, instead of one each; peaks always have one"},
     {"theory", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(shown.theory), .initial = "false",
      .help = "with `show: profiles` of `field: contact-force`: Nesterenko's solitary wave beside the highest pulse of each time, "
-             "in chains of equal Hertzian beads without precompression, with the speed that it has by its force; with `show: "
+             "in chains of equal Hertzian beads without precompression, with the speed that follows from its force; with `show: "
              "spreading`: how the second moment grows where energy runs freely, as t^2, and where it diffuses, as t"},
     {"normalise", BEAD_OPTION_CHOICE, BEAD_OF_OUTPUT(plot.normalise), .initial = "none", .choices = normalisings,
      .help = "what the forces at sensors are divided by; first: the largest force at the first sensor of the same chain; max: the "
@@ -230,7 +226,7 @@ const struct bead_option bead_plot_rows[7] = {
 const struct bead_option bead_measured_row[1] = {
     {"measured", BEAD_OPTION_CUSTOM, .shape = "a file of comma-separated values, or a list of some; see outputs.measured",
      .like = "text|outputs.measured|[outputs.measured]", .read = bead_output_read_measured,
-     .help = "with `show: sensors`: curves that were measured, in the order of what is shown, beside the computed ones, and in a "
-             "panel below the differences, measured - computed",
+     .help = "with `show: sensors`: measured curves, in the order of the computed ones, drawn over these, and in a panel below the "
+             "differences, measured - computed",
      .example = "{file: scope.csv, columns: [time, force], time: 1 us, gain: 25 N}"},
 };

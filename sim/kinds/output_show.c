@@ -44,31 +44,31 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                          .why_not = "a chain at rest has no times",
                          .without_contacts = "lists beads and contacts, which equations do not have"},
     [BEAD_SHOW_ENERGY] = {.keys = KEYS("every", "time", "parts", "beads"),
-                          .why_not = "the energy budget is one of the whole chain over time",
-                          .without_contacts = "is the budget of beads and contacts, which equations do not have",
+                          .why_not = "the energy budget is for the whole chain over time",
+                          .without_contacts = "needs beads and contacts, which equations do not have",
                           .ends = PLOT | TABLE,
                           .of_run = true},
     [BEAD_SHOW_SENSITIVITIES] = {.keys = KEYS("contacts"),
-                                 .why_not = "sensitivities are those of peaks",
-                                 .without_contacts = "has the derivatives of peaks of contacts, which equations do not have",
+                                 .why_not = "sensitivities are for peaks",
+                                 .without_contacts = "needs peaks of contacts, which equations do not have",
                                  .of_run = true},
     [BEAD_SHOW_EXTREMES] = {.keys = KEYS("every", "time", "field"),
-                            .why_not = "extremes are those of all beads over time",
+                            .why_not = "extremes are for all beads over time",
                             .ends = TABLE,
                             .of_field = true},
     [BEAD_SHOW_SPREADING] = {.keys = KEYS("every", "time", "theory"),
-                             .why_not = "spreading is that of the energies of all beads over time",
-                             .without_contacts = "is one of the energies of beads, which equations do not have",
+                             .why_not = "spreading is about the energies of all beads over time",
+                             .without_contacts = "needs energies of beads, which equations do not have",
                              .ends = PLOT | TABLE,
                              .own_times = true,
                              .of_powers = true},
     [BEAD_SHOW_BANDS] = {.keys = KEYS(NULL),
-                         .why_not = "bands are those of a chain at rest",
-                         .without_contacts = "has the bands of cells of beads, which equations do not have",
+                         .why_not = "bands describe a chain at rest",
+                         .without_contacts = "needs cells of beads, which equations do not have",
                          .vibrations = true},
     [BEAD_SHOW_EIGENMODES] = {.keys = KEYS("scale"),
-                              .why_not = "eigenmodes are those of a chain at rest",
-                              .without_contacts = "has the modes of beads; an equation has `show: modes`",
+                              .why_not = "eigenmodes describe a chain at rest",
+                              .without_contacts = "needs beads; for an equation use `show: modes`",
                               .vibrations = true},
     [BEAD_SHOW_SPECTRUM] = {.keys = KEYS("every", "time", "field", "beads", "contacts", "overlay", "scale", SPECTRA),
                             .why_not = of_frequencies,
@@ -82,14 +82,14 @@ static const struct bead_show_type shows[BEAD_SHOW_COUNT] = {
                                .of_places = true},
     [BEAD_SHOW_TRANSFER] = {.keys = KEYS("every", "time", "field", "beads", "contacts", "overlay", "scale", SPECTRA),
                             .why_not = of_frequencies,
-                            .without_contacts = "is that of driven beads, which equations do not have",
+                            .without_contacts = "needs driven beads, which equations do not have",
                             .ends = PLOT | TABLE,
                             .of_field = true,
                             .of_places = true,
                             .of_motion = true},
     [BEAD_SHOW_DISPERSION] = {.keys = KEYS("every", "time", "field", SPECTRA),
-                              .why_not = "a dispersion is that of all beads of the cells that a chain repeats",
-                              .without_contacts = "is one of beads; an equation has its own",
+                              .why_not = "a dispersion takes all beads of the cells that a chain repeats",
+                              .without_contacts = "needs beads; an equation has its own dispersion",
                               .ends = PLOT | TABLE,
                               .of_field = true,
                               .of_motion = true},
@@ -141,7 +141,7 @@ static enum bead_error check_moments(const struct bead_reader *reader, const str
     return BEAD_OK;
 }
 
-/* Those listed must have what is shown. */
+/* The places listed must have what is shown. */
 static enum bead_error check_listed(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
     const struct bead_scene *scene = reader->scene;
@@ -149,7 +149,7 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     const struct bead_show_type *show = &shows[curves->show];
     const bool of_contacts = bead_field_info(output->shown.field)->of_contacts;
     if (curves->show == BEAD_SHOW_SPECTROGRAM && curves->beads.count + curves->contacts.count > 1)
-        return BEAD_WRONG_KEY(reader, at, "beads", "are several places; a spectrogram is that of one");
+        return BEAD_WRONG_KEY(reader, at, "beads", "are several places; a spectrogram shows one");
     for (size_t i = 0; i < 2 && !show->of_places; i++) {
         const struct bead_listed *listed = i ? &curves->contacts : &curves->beads;
         if (listed->count > 0 && listed->all[listed->count - 1] == BEAD_LAST)
@@ -163,7 +163,7 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     if (of_contacts && !(curves->beads.count == 0 && curves->contacts.count > 0))
         return BEAD_WRONG_KEY(reader, at, "field", "is one of contacts: say which `contacts`, instead of beads or sensors");
     if (!of_contacts && output->shown.field != BEAD_FIELD_FORCE && curves->contacts.count > 0)
-        return BEAD_WRONG_KEY(reader, at, "field", "is one of beads, but contacts, which have forces, would share its axis");
+        return BEAD_WRONG_KEY(reader, at, "field", "belongs to beads, but contacts, which have forces, would share its axis");
     return BEAD_OK;
 }
 

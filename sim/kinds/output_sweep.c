@@ -120,8 +120,8 @@ const struct bead_option bead_threshold_row[1] = {
 
 const struct bead_option bead_against_row[2] = {
     {"against", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(sweep_curves.against), .initial = "",
-     .help = "of sweeps `over` keys: the key along the axis; else the first that is no seed. Seeds are averaged over, and each "
-             "combination of the others has a curve of its own. Of plots over spins: `domain length`, `spin correlation` or `spin "
+     .help = "of sweeps `over` keys: the key along the axis; default: the first that is not a seed. Seeds are averaged over, and "
+             "each combination of the others has its own curve. Of plots over spins: `domain length`, `spin correlation` or `spin "
              "correlation at 2` (--list measures), a point for each configuration, instead of magnetism",
      .example = "chain.striker.velocity"},
     {"measure", BEAD_OPTION_TEXT, BEAD_OF_OUTPUT(sweep_curves.measure), .initial = "",

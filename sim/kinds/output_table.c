@@ -40,20 +40,14 @@ static const struct bead_option table_rows[] = {
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
      .help =
          "tables of peaks: columns that say how well each and its time are known, from a second, coarser run, and where many peaks "
-         "answer "
-         "strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, and so "
-         "do those that come later and are not known as well as asked, and all that a later maximum may overtake. Tables "
-         "of sensors, measures, modes, the energy, extremes, profiles, spreading, spectra and sensitivities: columns with five "
-         "times the "
-         "difference to a run with a hundredth of the tolerance (equations: a tenth, and at most half of the longest step; shock: "
-         "three quarters as many cells; a "
-         "given step: half "
-         "of it), against time the largest so far, of extremes that of the size, of profiles, spectra and sensitivities that of "
-         "the worst "
-         "place, frequency or bead; a measure of a "
-         "motion that the two runs do not share has the note `unpredictable`. Of a trajectory with `uncertainty` tables of "
-         "sensors, extremes and profiles have what it says of their field; of other numbers from a trajectory nothing is known "
-         "(nan). false: no such "
+         "respond strongly to errors, from a third, finer one; a peak that is not known to a tenth has the state `unpredictable`, "
+         "and so do those that come later and are not known as well as asked, and all that a later maximum may overtake. Tables of "
+         "sensors, measures, modes, the energy, extremes, profiles, spreading, spectra and sensitivities: columns with five times "
+         "the difference to a run with a hundredth of the tolerance (equations: a tenth, and at most half of the longest step; "
+         "shock: three quarters as many cells; a given step: half of it), against time the largest so far, of extremes that of the "
+         "size, of profiles, spectra and sensitivities that of the worst place, frequency or bead; a measure of a motion that the "
+         "two runs do not share has the note `unpredictable`. Of a trajectory with `uncertainty`, tables of sensors, extremes and "
+         "profiles have what it says about their field; of other numbers from a trajectory nothing is known (nan). false: no such "
          "runs"},
 };
 static const struct bead_option_rows table_shared[] = {

@@ -39,7 +39,7 @@ static const struct bead_option trajectory_rows[] = {
              "again or longer",
      .example = "true"},
     {"xdmf", BEAD_OPTION_CUSTOM, .initial = "false", .shape = "true or false", .like = "flag", .read = read_xdmf,
-     .help = "an .xdmf file beside it, by which ParaView (its XDMF Reader) opens it: beads where they are, at each time",
+     .help = "an .xdmf file beside it, with which ParaView (its XDMF Reader) opens it: beads where they are, at each time",
      .example = "true"},
 };
 static const struct bead_option_rows trajectory_shared[] = {

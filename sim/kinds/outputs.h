@@ -107,7 +107,7 @@ BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_plot_trust);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_panels);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_captions);
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_notes);
-/* Is a caption, or a note, that was just read as it must be? */
+/* Is a caption or a note that was just read valid? */
 BEAD_CHECK enum bead_error bead_output_check_said(struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_caption *said);
 /* Notes have all but the last, `pause`. */
@@ -128,7 +128,7 @@ BEAD_CHECK enum bead_error bead_scene_read_outputs(struct bead_reader *reader, c
 
 /* Traits that all outputs of the program's own share; their settings, by the table that their sink makes of it. */
 extern const struct bead_output_type bead_own_output;
-/* Is every sink whole, with a name that is no kind's? Errors: USAGE. */
+/* Is every sink complete, with a name that is not a kind's? Errors: USAGE. */
 BEAD_CHECK enum bead_error bead_output_check_own(const struct bead_own *own, struct bead_message *msg);
 
 /* Settings of which a kind has no key. */

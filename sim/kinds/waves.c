@@ -39,23 +39,23 @@ static BEAD_OPTION_READER(read_columns)
 
 static const struct bead_option file_rows[] = {
     {"file", BEAD_OPTION_TEXT, WAVE(name),
-     .help = "comma-separated values, seen from the directory of the scene, as an oscilloscope saves them: lines before the names "
-             "of the columns, and before the first numbers, are passed over; what is read becomes a part of the scene",
+     .help = "comma-separated values, relative to the directory of the scene, as an oscilloscope saves them: lines before the "
+             "names of the columns, and before the first numbers, are skipped; what is read becomes part of the scene",
      .example = "scope.csv"},
     {"columns", BEAD_OPTION_CUSTOM, .shape = "two names or numbers of columns", .like = "[2 text|number]", .read = read_columns,
      .help = "the columns of time and value; [1, 2] unless given", .example = "[time, force]"},
     {"time", BEAD_OPTION_NUMBER, WAVE(time), .unit = "s", .initial = "1 s", .low = 0, .high = 1e6, .open = BEAD_OPEN_LOW,
-     .help = "what 1 is in the column of time", .example = "1 us"},
+     .help = "what 1 means in the column of time", .example = "1 us"},
 };
 static const struct bead_option measured_rows[] = {
     {"gain", BEAD_OPTION_CUSTOM, .shape = "a number in the unit of `field`", .like = "number",
-     .help = "what 1 is in the column of values", .example = "25 N"},
+     .help = "what 1 means in the column of values", .example = "25 N"},
     {"offset", BEAD_OPTION_CUSTOM, .shape = "a number in the unit of `field`", .like = "number",
-     .help = "what 0 is in the column of values", .example = "-0.3 N"},
+     .help = "what 0 means in the column of values", .example = "-0.3 N"},
     {"start", BEAD_OPTION_NUMBER, WAVE(start), .unit = "s", .initial = "0 s", .low = -1e6, .high = 1e6,
      .help = "the time of the motion, from the strike on, at which the column of time is 0", .example = "12 us"},
     {"points", BEAD_OPTION_CUSTOM, .shape = "`time value, ...`", .like = "text",
-     .help = "what was read of a file: runs keep this instead of its name", .example = "0 0, 1e-6 0.25"},
+     .help = "what was read from a file: runs keep this instead of its name", .example = "0 0, 1e-6 0.25"},
 };
 static const struct bead_option_rows measured_shared[] = {{BEAD_OPTIONS(file_rows)}, {NULL, 0}};
 const struct bead_options bead_measured_options = {"outputs.measured", "a measured curve", BEAD_OPTIONS(measured_rows),
@@ -79,7 +79,7 @@ static const char *field_of(const char *line, size_t index, size_t *length)
     return line;
 }
 
-/* Is the field this name? Blanks and quotation marks around it count for nothing. */
+/* Is the field this name? Ignores blanks and quotation marks around it. */
 static bool is_named(const char *field, size_t length, const char *name)
 {
     static const char around[] = " \"";

@@ -18,14 +18,14 @@ struct bead_compacton {
     double speed;          /* beads/s */
 };
 
-/* Is the chain one of such beads? After it has been made. The striker and the wall may be others. */
+/* Has the chain such beads? Call it once the chain is made. The striker and the wall may differ. */
 BEAD_INTERNAL bool bead_compacton_is_of(const struct bead_chain *chain);
 /* Or one of dimers. */
 BEAD_INTERNAL bool bead_compacton_of_dimers(const struct bead_chain *chain);
 /* For both: contacts that the wave covers; its speed, beads/s, by its largest force, N. */
 BEAD_INTERNAL double bead_compacton_width(const struct bead_chain *chain);
 BEAD_INTERNAL double bead_compacton_speed(const struct bead_chain *chain, double force);
-/* That of the highest pulse in the forces of the contacts 0 to count - 1. False: there is none. */
+/* Finds the wave of the highest pulse in the forces of contacts 0 to count - 1. False: there is none. */
 BEAD_INTERNAL bool bead_compacton_find(const struct bead_chain *chain, const double *forces, size_t count,
                                        struct bead_compacton *found);
 /* The force at contact n. */

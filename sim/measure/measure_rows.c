@@ -290,12 +290,12 @@ static const struct row {
     int n;
 } rows[] = {
     {{"magnetism", "", "M = |N_up - N_down| / (N_up + N_down); thesis, Eq. 15"}, magnetism, 0},
-    {{BEAD_ORDER_DOMAIN, "cells", "mean number of cells in a row that are turned alike"}, order, 0},
+    {{BEAD_ORDER_DOMAIN, "cells", "mean number of cells in a row with equal orientation"}, order, 0},
     {{BEAD_ORDER_CORRELATION, "",
-      "mean of s_i s_(i+1), s = 1 up and -1 reversed: 1 if all are turned alike, -1 in up down up down ..., where M = 0"},
+      "mean of s_i s_(i+1), s = 1 up and -1 reversed: 1 if all are alike, -1 in up down up down ..., where M = 0"},
      order,
      1},
-    {{BEAD_ORDER_SECOND, "", "mean of s_i s_(i+2), 1 in both"}, order, 2},
+    {{BEAD_ORDER_SECOND, "", "mean of s_i s_(i+2), 1 in both of these cases"}, order, 2},
     {{"front arrival", "s", "first time at which the force of the last contact exceeds 1e-4 of the largest so far"}, arrival, 0},
     {{"front speed", "m/s", "least squares of the times of the first maxima over the second half of the chain"}, front_speed, 0},
     {{"front speed in beads", "1/s", "the same, in beads per second"}, front_speed, 1},

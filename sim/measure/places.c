@@ -2,7 +2,7 @@
 /* Finds the places of curves over time: see places.h. */
 #include "sim/measure/places.h"
 
-/* Of `limit` beads, or contacts. */
+/* The index of a listed place among `limit` beads or contacts. */
 static size_t index_of(size_t listed, size_t limit)
 {
     return listed == BEAD_LAST ? limit - 1 : listed;

@@ -18,7 +18,7 @@ BEAD_INTERNAL void bead_profile_times_destroy(struct bead_profile_times *moments
 /* The samples they are taken from: at the moments themselves where these have a common spacing, else so close that straight lines
  * between them do. */
 BEAD_INTERNAL struct bead_needs bead_profile_times_needs(const struct bead_profile_times *moments);
-/* Are the moments times of samples? Else profiles are on straight lines between two. */
+/* Are the moments times of samples? Else profiles are interpolated linearly between two. */
 bool bead_profile_times_are_samples(const struct bead_profile_times *moments);
 /* Errors: UNSUPPORTED where the samples lack the field. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_profile_times_feed(struct bead_profile_times *moments,

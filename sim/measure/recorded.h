@@ -7,7 +7,7 @@
 #include "beadreel/error.h"
 #include "sim/base/internal.h"
 
-/* Begins as zeros but for `curves`. */
+/* Begins as zeros, except for `curves`. */
 struct bead_recorded {
     size_t curves, count, room[2];
     double *times, *values; /* [count], rising; [count][curves] */

@@ -75,7 +75,7 @@ static enum bead_error place_cells(struct bead_spectra *s, size_t c, struct bead
     return BEAD_OK;
 }
 
-/* Where a transfer is from: the driven bead, or its contact, to the right if there is one. */
+/* The place that a transfer is relative to: the driven bead, or its contact, the right one if there is one. */
 static struct bead_place_shown driven_place(const struct bead_spectra *s, const struct bead_chain *chain)
 {
     const struct bead_drive *drive = &bead_chain_spec(chain)->drive;
@@ -86,7 +86,7 @@ static struct bead_place_shown driven_place(const struct bead_spectra *s, const 
     return place;
 }
 
-/* Those of curves; of a transfer, the driven place behind them. */
+/* Lists the places of the curves; for a transfer, the driven place behind them. */
 static enum bead_error place_listed(struct bead_spectra *s, size_t c, struct bead_message *msg)
 {
     const struct bead_chain *chain = s->context.chains[c];

@@ -427,7 +427,7 @@ static enum bead_error unknown_key(const struct bead_reader *reader, const struc
                           "must be in \"quotes\"");
     snprintf(word, sizeof word, "%.*s", (int)strcspn(at->key, " [{"), at->key);
     if (strlen(word) < strlen(at->key) && bead_options_find(options, word))
-        return bead_wrong(reader, at, "unknown key; is the colon missing behind `%s`?", word);
+        return bead_wrong(reader, at, "unknown key; is the colon missing after `%s`?", word);
     if (!at->up->up && reader->tables && reader->tables->home(at->key, near, sizeof near))
         return bead_wrong(reader, at, "unknown key; did you mean `%s`?", near);
     const struct called *here = called_here(at->key, options);
@@ -466,7 +466,7 @@ static enum bead_error no_map(const struct bead_reader *reader, const struct bea
     if (at->node->kind == BEAD_NODE_SCALAR)
         snprintf(word, sizeof word, "%.*s", (int)strcspn(at->node->text, " "), at->node->text);
     if (*word && bead_options_find(options, word))
-        snprintf(hint, sizeof hint, "; is the colon missing behind `%s`?", word);
+        snprintf(hint, sizeof hint, "; is the colon missing after `%s`?", word);
     return bead_wrong(reader, at, "is %s; must be a map of keys and values: %s%s", bead_node_show(at->node, shown, sizeof shown),
                       options->help, hint);
 }

@@ -115,7 +115,7 @@ struct bead_option_rows {
     size_t count;
 };
 
-/* Tables of which a map is read by one: the kinds of outputs, the equations. A key of another one is told from an unknown one. */
+/* Tables of which one reads a map: the kinds of outputs, the equations. A key of another table is not called unknown. */
 struct bead_option_family {
     const char *section; /* "outputs": their headings are "outputs (movie)" */
     const char *of;      /* "outputs of kind" */
@@ -136,8 +136,8 @@ const struct bead_option *bead_options_row(const struct bead_options *options, s
 /* The row of a key; NULL: there is none. */
 const struct bead_option *bead_options_find(const struct bead_options *options, const char *key);
 
-/* Read the map at `at` into `settings`, defaults included. What no row tells about keeps its value.
- * Errors: SCENE, MEMORY; what was filled in before stays and is freed with its structure. */
+/* Read the map at `at` into `settings`, defaults included. Members without a row keep their value. Errors: SCENE, MEMORY; what was
+ * filled in before stays and is freed with its structure. */
 BEAD_CHECK enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_at *at,
                                              const struct bead_options *options, void *settings);
 

@@ -63,7 +63,7 @@ static inline bool bead_table_is_judged(const struct bead_sink *sink)
 {
     return sink->table->checked && sink->output->curves.uncertainty;
 }
-/* What the trajectory says of the errors of a field; NaN: unknown. */
+/* What the trajectory says about the errors of a field; NaN: unknown. */
 static inline double bead_table_bound(const struct bead_sink *sink, size_t chain, enum bead_field field)
 {
     return sink->bounds[chain * BEAD_FIELD_COUNT + (size_t)field];

@@ -26,7 +26,7 @@ static bool was_closed(const struct bead_stepper *s, size_t k)
     return !s->was_closed || s->was_closed[k];
 }
 
-/* What an open contact, whose beads move apart without a force, still had stored: its elastic energy falls. */
+/* The energy still stored in contacts that are open, whose beads move apart without a force: it falls. */
 static double left_behind(const struct bead_stepper *s)
 {
     const size_t n = bead_stepper_contacts(s);

@@ -12,9 +12,9 @@ struct bead_front {
     size_t strongest;     /* contact with the largest force at the end of the last step */
 };
 
-/* Is it too late for it to arrive? Of the energy of the beads that have not parted for good from those before them, the last
- * contact would get too little even if it got all of it. With damping, which spreads a pulse, also if no contact has as much any
- * more. Never true of springs, precompression or a tilt. */
+/* Is it too late for the front to arrive? True if the last contact would get too little even from all the energy of the beads that
+ * have not parted for good from those before them. With damping, which spreads a pulse, also if no contact has as much any more.
+ * Never true with springs, precompression or a tilt. */
 bool bead_front_is_lost(const struct bead_front *front, const struct bead_stepper *stepper);
 /* Follows the last step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *stepper, struct bead_message *msg);

@@ -91,7 +91,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
         return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` is for forces without damping; use rk8, rk4 or auto", file,
                          name);
     if (bead_is_driven(chain->spec) && method->composition)
-        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` does not know drives; use rk8, rk4, rkn8 or auto", file,
+        return bead_fail(msg, BEAD_ERROR_SCENE, "%ssimulate.method: `%s` does not support drives; use rk8, rk4, rkn8 or auto", file,
                          name);
     if (method->events && chain->law->one_sided && isnan(bead_chain_exponent(chain)))
         return bead_fail(msg, BEAD_ERROR_SCENE,

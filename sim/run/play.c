@@ -331,7 +331,7 @@ enum bead_error bead_play(const struct bead_play *play, struct bead_played *play
 
 /* How much faster than the front signals behind it may be, tried one after the other; 0: all beads are kept. In chains of dimers
  * with random spins they are 1.26 times as fast, a little more where the front has come far and is weak. In chains of equal cells
- * none is faster, and where some are, this is seen at once. */
+ * none is faster; where some are, this shows at once. */
 static const double widenings[] = {[BEAD_PLAY_USUAL] = 1.3, 1.8, 0, [BEAD_PLAY_ALIKE] = 1, 1.4, 1.8, 0};
 
 enum bead_error bead_play_cut(struct bead_play *play, size_t *try, struct bead_played *played, struct bead_message *msg)

@@ -143,7 +143,7 @@ void bead_due_pass(const struct bead_play *play, const struct bead_due *due);
 
 /* True if a consumer wants the uncertainties of peaks. */
 bool bead_compare_peaks(const struct bead_play *play);
-/* How far maxima of a chain are apart that are not the same, s: half its shortest period. 0: no consumer wants the uncertainties of
+/* The least time between two different maxima of a chain, s: half its shortest period. 0: no consumer wants the uncertainties of
  * peaks. */
 double bead_compare_apart(const struct bead_play *play, size_t chain);
 /* Creates the comparison runs and the check runs that consumers want. Errors: MEMORY, SCENE, NUMBERS. */

@@ -154,8 +154,8 @@ struct nearby {
     double rate; /* kg/s: the slope of a steep one here */
 };
 
-/* What a quadrature makes too much of x^power, where x is the distance from a point `at` of the interval 0..1: 0 before that point,
- * or turned over there. */
+/* The error of a quadrature of x^power, where x is the distance from a point `at` of the interval 0..1: 0 before that point, or
+ * turned over there. */
 static double quadrature_error(const struct bead_quadrature *q, double power, double at, bool turned)
 {
     double sum = -(pow(1 - at, power + 1) - (turned ? pow(at, power + 1) : 0)) / (power + 1);
@@ -265,8 +265,8 @@ double bead_step_control_graded(const struct bead_step_control *control, const s
     return h;
 }
 
-/* What decays with the rate lambda and the amplitude A changes a velocity over a step of length z / lambda by more than the
- * accelerations at both ends say, by A times this: the error of the trapezoidal rule for exp(-z). */
+/* The error of the trapezoidal rule for exp(-z). If an acceleration decays with the rate lambda and the amplitude A, its effect on
+ * a velocity over a step of length z / lambda differs by A times this from what the accelerations at both ends say. */
 static double trapezoidal_error(double z)
 {
     const double left = bead_exp(-z);

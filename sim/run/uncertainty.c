@@ -21,8 +21,8 @@ static const double few = 0.003;
 enum { SHORT = 64 };
 /* Relative uncertainty of a peak that is not predictable: chosen, where .03 and .3 were tried as well. */
 static const double lost = 0.1;
-/* How many of a chain's peaks that are called predictable may be overtaken later, on average, were logarithms of late maxima normal
- * deviates. That is supposed, not measured: a longer tail would overtake more often. */
+/* How many of a chain's peaks that are called predictable may be overtaken later, on average, if logarithms of late maxima are
+ * normal deviates. That is assumed, not measured: a longer tail would overtake more often. */
 static const double overtaken = 1e-3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
@@ -60,7 +60,7 @@ static const struct bead_peak *same_in(const struct bead_uncertainty_of *of, con
     return NULL;
 }
 
-/* What is not known of a peak: a part of it, and because of what happens when, s; and how far its own time is off, s. */
+/* The doubt about a peak: as a part of it; the time of its cause, s; and how far its own time is off, s. */
 struct doubt {
     double part, time, shift;
 };
@@ -91,8 +91,8 @@ static struct doubt doubt_by(const struct bead_uncertainty_of *of, const struct 
     return (struct doubt){most.part / largest, most.time, most.shift};
 }
 
-/* The peak itself in another run; NULL: that has another maximum in its place. The highest may have moved, unless the run has that
- * of the other, too. */
+/* The peak itself in another run; NULL: another maximum took its place. The highest may have moved, unless this run also has the
+ * other run's highest. */
 static const struct bead_peak *itself_in(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p,
                                          const struct bead_maxima *by, size_t i)
 {
@@ -132,7 +132,7 @@ struct differences {
     double fine, answer; /* that to the coarser run, in units of the error if errors are proportional to the tolerance */
 };
 
-/* Of a peak that answers strongly, and is not lost; false: it does not. */
+/* Finds the differences of a peak that responds strongly, and is not lost; false: it does not. */
 static bool find_differences(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i,
                              struct differences *d)
 {
@@ -220,7 +220,7 @@ static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct 
     return measured;
 }
 
-/* How far the highest maximum and the second are apart, s, if either may be the highest, as both are off by `part`; else 0. */
+/* The time between the highest maximum and the second, s, if either may be the highest, since both are off by `part`; else 0. */
 static double rival_distance(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double part)
 {
     const struct maxima run = maxima_of(of, p->peaks, p->second, i);

@@ -35,10 +35,9 @@ static const struct bead_option rows[] = {
     {"outputs", BEAD_OPTION_CUSTOM, .required = true, .shape = "a list such as [{image: force.png}]", .read = read_outputs,
      .help = "the files to make, at least one: see outputs", .example = "[{image: force.png}, {table: peaks.csv}]"},
     {"fit", BEAD_OPTION_CUSTOM, .shape = "a list of keys of the scene", .like = "[text]", .read = bead_scene_read_fit,
-     .help =
-         "keys whose values are found by least squares, from those given, such that the first chain runs as the first plot with "
-         "`measured` has it, before anything else is made; `table: FILE, show: fit` lists them with standard errors, which "
-         "suppose that the measured values are off by chance, independently and all alike",
+     .help = "keys whose values are fitted by least squares, starting from those given, so that the first chain runs as measured "
+             "in the first plot with `measured`, before anything else is made; `table: FILE, show: fit` lists them with standard "
+             "errors, which assume that the errors of measured values are random, independent and equally large",
      .example = "[chain.striker.velocity]"},
 };
 const struct bead_options bead_scene_options = {"scene", "keys at the top of the file", BEAD_OPTIONS(rows), NULL, NULL};

@@ -12,10 +12,8 @@
 
 static const struct bead_option wall_rows[] = {
     {"absorbing", BEAD_OPTION_NUMBER, CHAIN(impedance), .unit = "kg/s", .required = true, .low = 0, .high = 1e12,
-     .help =
-         "a dashpot instead of a wall, which holds the last bead with this times its velocity: the impedance. Waves in a chain of "
-         "impedance Z0 leave ((Z - Z0) / (Z + Z0))^2 of their energy where they are long. `wall: absorbing` takes that of the "
-         "chain",
+     .help = "impedance Z of a dashpot instead of a wall: it holds the last bead with Z times its velocity. Of the energy of long "
+             "waves in a chain of impedance Z0 it reflects ((Z - Z0) / (Z + Z0))^2. `wall: absorbing` takes Z0",
      .example = "20 kg/s"},
 };
 const struct bead_options bead_wall_options = {"chain.wall", "an absorbing end of a given impedance", BEAD_OPTIONS(wall_rows), NULL,
@@ -280,15 +278,13 @@ static const struct bead_option chain_rows[] = {
      .example = "[{bead: 0, velocity: 1 m/s}, {bead: last, velocity: -1 m/s}]"},
     {"drive", BEAD_OPTION_CUSTOM, .shape = "a map such as {force: sine, amplitude: 1 N, frequency: 5 kHz}", .like = "chain.drive",
      .read = bead_scene_read_drive,
-     .help = "a bead that is driven; where the striker has no velocity of its own, nothing else moves at first; needs "
-             "simulate.until: see chain.drive",
+     .help = "a bead that is driven; unless the striker has a velocity, nothing else moves at first; needs simulate.until: see "
+             "chain.drive",
      .example = "{bead: 0, displacement: sine, amplitude: 0.1 um, frequency: 5 kHz, ramp: 1 ms}"},
     {"wall", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none, rigid, absorbing or a material", .like = "text|chain.wall",
      .read = read_wall,
-     .help =
-         "the wall behind the last bead; absorbing: a dashpot of the impedance of the chain, sqrt(k m), through which long waves "
-         "leave; of waves in beads that nothing presses together it sends 3 % of the energy back: see `reflected energy` in "
-         "--list measures",
+     .help = "the wall behind the last bead; absorbing: a dashpot with the impedance of the chain, sqrt(k m), through which long "
+             "waves leave; without precompression it reflects 3 % of their energy: see `reflected energy` in --list measures",
      .example = "brass"},
     {"law", BEAD_OPTION_CUSTOM, .initial = "hertz",
      .shape = "a law of --list laws: its name, or a map of its settings such as {power: 2.5, coefficient: 1e9}",

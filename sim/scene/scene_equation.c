@@ -82,7 +82,7 @@ static const struct bead_option solitons_rows[] = {
      .example = "[{speed: 16, at: -8}, {speed: 4, at: 0}]"},
 };
 
-/* The name of a table is the key that a start is told by. */
+/* The name of a table is the key that tells the kind of start. */
 static const struct bead_option_family start_family = {"chain.start", "starts with"};
 static const struct start {
     enum bead_start_kind kind;
@@ -211,7 +211,7 @@ static const struct bead_option kdv_rows[] = {
     {"dispersion", BEAD_OPTION_NUMBER, EQUATION(dispersion), .initial = "1", .low = -1e6, .high = 1e6, .help = "b in that equation",
      .example = "4.84e-4"},
     {"variable", BEAD_OPTION_CHOICE, EQUATION(variable), .initial = "displacement", .choices = variables,
-     .help = "the field as which the unknown is shown"},
+     .help = "the field that shows the unknown"},
 };
 static const struct bead_option shock_rows[] = {
     {"speed", BEAD_OPTION_NUMBER, EQUATION(speed), .initial = "1", .low = 0, .high = 1e6, .open = BEAD_OPEN_LOW,

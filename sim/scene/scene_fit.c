@@ -28,7 +28,7 @@ static enum bead_error read_key(const struct bead_reader *reader, const struct b
     if (err == BEAD_ERROR_MEMORY)
         return bead_no_memory(reader);
     if (err || node->kind != BEAD_NODE_SCALAR)
-        return bead_wrong(reader, at, "the scene has no number `%s`: give it a value to begin with", key->path);
+        return bead_wrong(reader, at, "the scene has no number `%s`: give it an initial value", key->path);
     if (!(key->unit = strdup(bead_scene_unit_of(reader, node->text))))
         return bead_no_memory(reader);
     if (bead_units_read(reader->units, node->text, *key->unit ? key->unit : "1", &key->first, why, sizeof why))

@@ -7,8 +7,8 @@
 #include "beadreel/scene.h"
 #include "sim/yaml/yaml.h"
 
-/* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. What a scene says
- * itself goes before; what a scene takes of them becomes a part of its text, so that its files say all of it. */
+/* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. The scene's own
+ * values go first; what a scene takes from the settings becomes part of its text, so that its files have all of it. */
 struct bead_config_colormap {
     char *name, *file;
 };

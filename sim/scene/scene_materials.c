@@ -48,21 +48,21 @@ static const struct bead_option rows[] = {
     {"colour", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "\"#rrggbb\"", .like = "text", .read = read_colour,
      .help = "colour in pictures; auto: each of up to five materials has its own, more are alike", .example = "\"#c08040\""},
     {"label", BEAD_OPTION_TEXT, offsetof(struct written, label), .initial = "",
-     .help = "what pictures call it; default: its name, as words: large steel. A wall of it has the label up to the first comma",
+     .help = "what pictures call it; default: its name, as words: large steel. A wall shows the label up to the first comma",
      .example = "\"steel, 4.76 mm\""},
     {"tolerance", BEAD_OPTION_MAP, .map = &bead_tolerance_options,
      .help = "how much beads of it differ from one another, each on its own: tables of peaks of single runs then have a column "
              "`deviation_N`, the standard deviation of each peak that follows, to first order and three digits, or of the larger "
-             "of two maxima if either may be the highest (state `rival`); none with damping. "
-             "Those of 100 beads take as long as 40 runs, of 500 as 150; see materials.NAME.tolerance",
+             "of two maxima if either may be the highest (state `rival`); none with damping. For 100 beads this takes as long as "
+             "40 runs, for 500 as 150; see materials.NAME.tolerance",
      .example = "{radius: 0.1 %, modulus: 2 %}"},
 };
 
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
                                                    BEAD_OPTIONS(rows), NULL, NULL};
 
-/* Of a scene's materials, as unlike in lightness as in hue: grey, plum, sand, green, rust. More materials are those of a taper or
- * of disorder: all have the first. */
+/* Colours of a scene's materials, as unlike in lightness as in hue: grey, plum, sand, green, rust. If there are more, they come
+ * from a taper or disorder, and all have the first. */
 static const unsigned long auto_colours[] = {0x9aa4b2, 0x5d5468, 0xd8c7a8, 0x4a8a78, 0x8f4f45};
 enum { AUTO_COLOURS = sizeof auto_colours / sizeof *auto_colours };
 
@@ -102,7 +102,7 @@ static enum bead_error check_mass(const struct bead_reader *reader, const struct
     else if (density)
         w->mass = w->density * (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
     if (!radius && w->radius_tolerance > 0)
-        return BEAD_WRONG_KEY(reader, at, "tolerance", "is one of the radius, which this material does not have");
+        return BEAD_WRONG_KEY(reader, at, "tolerance", "is for the radius, which this material does not have");
     const double volume = (4.0 / 3) * 3.14159265358979323846 * w->radius * w->radius * w->radius;
     if (mass && w->mass > BEAD_HEAVIEST * volume && bead_units_bare(bead_at_key(at, key).node->text))
         bead_doubt(reader, (const struct bead_at[]){bead_at_key(at, key)}, "kg", "g");

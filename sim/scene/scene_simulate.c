@@ -41,10 +41,9 @@ static const struct bead_option rows[] = {
      .example = "2.8 ms"},
     {"accuracy", BEAD_OPTION_CUSTOM, .initial = "1e-6", .shape = "from 1e-14 to 0.1, or statistical", .like = "number|statistical",
      .read = read_accuracy,
-     .help =
-         "requested relative error of first-passage peak forces; the step follows from it; 1e-11 if not given and a table of "
-         "the energy is made. statistical: for sweeps of random cells, errors of a hundredth of the standard error of the means, "
-         "found with a few of the chains and told at the end",
+     .help = "requested relative error of first-passage peak forces; the step follows from it; by default 1e-11 if a table of the "
+             "energy is made. statistical: for sweeps of random cells, errors of a hundredth of the standard error of the means, "
+             "found with a few of the chains and reported at the end",
      .example = "1e-8"},
     {"method", BEAD_OPTION_CUSTOM, .initial = "auto", .shape = "auto or a method of --list methods", .like = "text",
      .read = read_method, .help = "integrator", .example = "rk4"},
@@ -52,9 +51,9 @@ static const struct bead_option rows[] = {
      .initial = "auto", .low = 1e-15, .high = 1e3, .word = "auto", .help = "time step; auto: follows from accuracy",
      .example = "0.1 us"},
     {"verify", BEAD_OPTION_FLAG, SIMULATE(verify), .initial = "false",
-     .help = "accuracy as a guarantee: runs with a tenth of the tolerance, and a tenth of that, until two agree about every peak "
-             "of contacts and beads to what was asked. Peaks for which they never do are told at the end, with how well they are "
-             "known; all results are written, and the exit status is 1",
+     .help = "accuracy as a guarantee: repeats the run with a tenth of the tolerance, and a tenth of that, until two runs agree "
+             "about every peak of contacts and beads as well as asked. Peaks on which they never agree are listed at the end, with "
+             "how well they are known; all results are written, and the exit status is 1",
      .example = "true"},
 };
 const struct bead_options bead_simulate_options = {"simulate", "how long and how exactly to compute", BEAD_OPTIONS(rows), NULL,

@@ -24,7 +24,7 @@ static const struct bead_option measure_rows[] = {
     {"beads", BEAD_OPTION_CUSTOM, MEASURE(beads), .initial = "[3, 5]",
      .shape = "last, or [first, last], counted from the last random bead, with `over` from the striker",
      .like = "last|[2 number|last]", .read = read_places,
-     .help = "the beads of which the largest force is taken; with `over`, unless said, the one in the middle of each chain",
+     .help = "the beads of which the largest force is taken; with `over`, by default the one in the middle of each chain",
      .example = "[1, 8]"},
     {"sensor", BEAD_OPTION_CUSTOM, .shape = "the name of a sensor, or a list of some", .like = "text|[text]", .read = read_sensors,
      .help = "take the peak force at these sensors instead", .example = "first"},

@@ -61,7 +61,7 @@ static enum bead_error read_parts(const struct bead_reader *reader, const struct
     node.text = name;
     named.node = &node;
     if (parts == 0)
-        return bead_wrong(reader, at, "is none of them; the number must be from 1 on");
+        return bead_wrong(reader, at, "is none of them; the number must be 1 or more");
     if (*count + parts > BEAD_YAML_NODES)
         return bead_wrong(reader, at, "makes %zu beads of a cell; at most %d are allowed", *count + parts, BEAD_YAML_NODES);
     enum bead_error err = bead_scene_find_material(reader, &named, true, &material);
@@ -177,7 +177,7 @@ static const struct bead_option disorder_rows[] = {
      .help = "the beads of each `cell` are in random order, each order as likely as the others: trimers in six ways, where `spins` "
              "has two"},
     {"alike", BEAD_OPTION_COUNT, offsetof(struct bead_variation, alike), .initial = "1", .low = 1, .high = BEAD_SCENE_BEADS,
-     .help = "so many beads in a row draw alike: with 2 and two materials, dimers of two equal beads", .example = "2"},
+     .help = "how many beads in a row share each draw: with 2 and two materials, dimers of two equal beads", .example = "2"},
     {"seed", BEAD_OPTION_SEED, offsetof(struct bead_variation, seed), .initial = "0",
      .help = "seed; the same seed gives the same beads on every machine", .example = "7"},
 };

@@ -93,7 +93,7 @@ static enum bead_error open_scene(struct bead_session *s, struct bead_message *m
     if (s->scene->sweep_count > 0)
         return bead_session_open_sweep(s, msg);
     if (s->job.parts > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep to divide", s->job.input);
     enum bead_error err = create_chains(s, msg);
     if (!err)
         err = bead_session_list_outputs(s, msg);

@@ -68,7 +68,7 @@ static enum bead_error limit_to_files(struct bead_session *s, struct bead_output
     return err;
 }
 
-/* What an output takes of samples must be there, as far as the chains go: of other beads no file has values. */
+/* The beads that an output needs must be in the file, as far as the chains go: beyond, no file has values. */
 static enum bead_error check_beads(const struct bead_trajectory *t, const struct bead_made *m, struct bead_message *msg)
 {
     const struct bead_span *held = &t->span, *needed = &m->needs.beads;
@@ -149,7 +149,7 @@ enum bead_error bead_session_open_trajectory(struct bead_session *s, struct bead
         return bead_fail(msg, BEAD_ERROR_USAGE, "%s is a trajectory: say what to draw with -o FILE (png, pdf, svg, mp4, ...)",
                          s->job.input);
     if (s->job.parts > 0)
-        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep that could be parted", s->job.input);
+        return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: %s has no sweep to divide", s->job.input);
     BEAD_TRY(check_settings(s, msg));
     const enum bead_source_kind source = s->job.difference        ? BEAD_OF_DIFFERENCE
                                          : s->job.other_count > 0 ? BEAD_OF_TRAJECTORIES

@@ -144,7 +144,7 @@ bool bead_output_needs_end(const struct bead_output *output);
 const struct bead_output *bead_session_keeper(const struct bead_scene *scene);
 /* List the outputs and mark those that --only asks for. Errors: USAGE (--only names no output), MEMORY. */
 BEAD_CHECK enum bead_error bead_session_list_outputs(struct bead_session *session, struct bead_message *msg);
-/* Is the output made, for all that --only says? It may be named `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4. */
+/* Does --only let the output be made? It may be named `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4. */
 bool bead_session_is_asked(const struct bead_session *session, const struct bead_output *output);
 /* The type that makes an output, or one of sweeps; NULL: this program cannot make it. */
 const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, const struct bead_output *output, bool of_sweep);
@@ -203,13 +203,13 @@ struct bead_chain_spec *bead_session_shown(const struct bead_session *session, s
 BEAD_CHECK enum bead_error bead_session_join(struct bead_session *session, struct bead_message *msg);
 const struct bead_trajectory *bead_session_file(const struct bead_session *session, size_t index);
 const struct bead_trajectory *bead_session_file_of(const struct bead_session *session, size_t *number);
-/* What the trajectories say of the errors of their samples. Errors: MEMORY. */
+/* Takes what the trajectories say about the errors of their samples. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_session_bound(struct bead_session *session, struct bead_message *msg);
 void bead_session_part(struct bead_session *session);
 
 /* session_scene.c: the session's scene. Errors: USAGE, those of bead_scene_load and bead_sweep_open. */
 BEAD_CHECK enum bead_error bead_session_load(struct bead_session *session, struct bead_message *msg);
-/* The scene with nothing but a sheet, the file `-o`, of a sweep of its chain where it has none. */
+/* The scene with only a sheet, the file `-o`; of a sweep of its chain if it has no sweep. */
 BEAD_CHECK enum bead_error bead_session_choose_sheet(struct bead_session *session, const struct bead_scene *scene,
                                                      struct bead_scene **changed, struct bead_message *msg);
 

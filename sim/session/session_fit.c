@@ -152,7 +152,7 @@ static enum bead_error prepare(struct fit *f, struct bead_least_squares *search,
     f->every = pace.resolution / finer;
     f->end = 1.1 * survey(f, output, search) + 10 * f->every;
     bead_chain_destroy(chain);
-    return err || search->size > 0 ? err : bead_output_wrong(output, msg, "measured: has no values but 0 within these times");
+    return err || search->size > 0 ? err : bead_output_wrong(output, msg, "measured: has only zeros within these times");
 }
 
 enum bead_error bead_session_fit(struct bead_session *s, struct bead_message *msg)

@@ -91,7 +91,7 @@ static enum bead_error read_joined(const struct bead_stored *stored, double time
 
 /* ---- their errors ---- */
 
-/* Are the samples of both at the same times? Others are on straight lines between two, which no bound tells of. */
+/* Are the samples of both at the same times? Others are interpolated linearly, an error that no bound includes. */
 static bool are_together(const struct bead_trajectory *a, const struct bead_trajectory *b)
 {
     static const double near = 1e-6;

@@ -41,7 +41,7 @@ static enum bead_error claim(struct bead_session *s, struct bead_made *m, struct
         const char *claimed_by = bead_file_claimed_by(m->claims[i]);
         if (claimed_by && !*s->warning[SESSION_NO_LOCKS])
             snprintf(s->warning[SESSION_NO_LOCKS], sizeof s->warning[SESSION_NO_LOCKS],
-                     "no locks on this file system: until the end, %.400s and its like keep other runs away", claimed_by);
+                     "this file system has no locks: until the end, files such as %.400s keep other runs away", claimed_by);
     }
     return BEAD_OK;
 }

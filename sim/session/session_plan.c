@@ -154,7 +154,7 @@ static enum bead_error plan_comparison(const struct bead_session *s, FILE *out, 
     if (!(asked->step > 0))
         fprintf(out, "accuracy %.3g instead of %.3g, ", factor * asked->accuracy, asked->accuracy);
     fprintf(out, "steps of %s%s\n", time_words(s, pace.step, false).text,
-            !samples && factor > 1 && !(asked->step > 0) ? "; a third one if many peaks answer strongly" : "");
+            !samples && factor > 1 && !(asked->step > 0) ? "; a third one if many peaks respond strongly" : "");
     return BEAD_OK;
 }
 
@@ -207,8 +207,7 @@ static void plan_skips(const struct bead_session *s, FILE *out)
         fprintf(out, "skipped: drawing (no picture asked for)\n");
     const size_t target = bead_session_target(s);
     if (target > 0)
-        fprintf(out, "skipped: beads so far behind the front that nothing of them reaches contact %zu: no output sees them\n",
-                target);
+        fprintf(out, "skipped: beads too far behind the front to affect contact %zu: no output sees them\n", target);
     if (!s->trajectory && bead_chain_spec(s->chains[0])->system->has_striker)
         fprintf(out, "skipped: beads ahead of the front, until it comes (exactly at rest)%s\n",
                 s->job.full_window ? ": computed all the same, as asked" : "");

@@ -81,7 +81,7 @@ static size_t list_peaks(const struct bead_peak *peaks, size_t count, bool of_be
     return listed;
 }
 
-/* Those of the check run, at its own peaks. */
+/* Finds the sensitivities of the check run, at its own peaks. */
 static enum bead_error check_sensitivities(struct bead_session *s, size_t chain, struct bead_sensitive *list,
                                            const unsigned char *mark, struct bead_message *msg)
 {

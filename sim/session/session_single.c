@@ -122,7 +122,7 @@ static enum bead_error no_kind(const char *file, enum bead_source_kind source, s
         return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` is a directory; name the file to make in it, with one of %s", file,
                          names);
     const bool of_one = source == BEAD_OF_SWEEP && bead_output_kind_of(file, BEAD_OF_CONFIGURATION) != BEAD_OUTPUT_KINDS;
-    return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` ends like none of %s%s; `%s/` would be a directory", file, names,
+    return bead_fail(msg, BEAD_ERROR_USAGE, "--output: `%s` must end like one of %s%s; `%s/` would be a directory", file, names,
                      of_one ? "; --configuration N makes it of chain N of the sweep" : "", file);
 }
 
@@ -205,7 +205,7 @@ static bool choose_places(struct bead_session *s, const char *field, char place[
     *key = field && strcmp(field, bead_field_info(BEAD_FIELD_CONTACT_FORCE)->name) == 0 ? "contacts" : "beads";
     snprintf(place, 24, "[%zu]", middle(s));
     snprintf(s->warning[SESSION_CHOSEN], sizeof s->warning[SESSION_CHOSEN],
-             "no bead has a sensor: shown is %.*s %zu, in the middle; --set outputs.0.%s='[1, 2]' shows others",
+             "no bead has a sensor: this shows %.*s %zu, in the middle; --set outputs.0.%s='[1, 2]' shows others",
              (int)strlen(*key) - 1, *key, middle(s), *key);
     return true;
 }

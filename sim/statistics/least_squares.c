@@ -119,7 +119,7 @@ static void solve(struct search *s)
 
 static enum bead_error same(const struct search *s, struct bead_message *msg)
 {
-    return bead_fail(msg, BEAD_ERROR_NUMBERS, "fit: what was measured does not tell %s%s from the other parameters",
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "fit: the measured values cannot tell %s%s from the other parameters",
                      s->fit->names[0], s->fit->parameters > 2 ? ", or one of those behind it," : "");
 }
 
@@ -162,7 +162,7 @@ static enum bead_error descend(struct search *s, struct bead_message *msg)
         if (!(gain > 0)) /* the minimum, as exactly as runs are */
             return BEAD_OK;
     }
-    return bead_fail(msg, BEAD_ERROR_NUMBERS, "fit: no minimum within %d rounds: begin closer to it", MOST_ROUNDS);
+    return bead_fail(msg, BEAD_ERROR_NUMBERS, "fit: no minimum within %d rounds: start closer to it", MOST_ROUNDS);
 }
 
 /* Square roots of the diagonal of rms^2 (J'J)^-1. */

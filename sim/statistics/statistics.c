@@ -45,8 +45,8 @@ void bead_summary_of(double *values, size_t count, struct bead_summary *s)
 /* The normal quantile of .0013, both tails. */
 static const double z = 3.2159797607880902;
 
-/* That of Student's distribution: M. Abramowitz and I. A. Stegun, Handbook of Mathematical Functions, 26.7.5. From four degrees of
- * freedom on, the tails are .0013 to .0016. */
+/* The quantile of Student's distribution: M. Abramowitz and I. A. Stegun, Handbook of Mathematical Functions, 26.7.5. From four
+ * degrees of freedom on, the tails are .0013 to .0016. */
 static double student(double freedom)
 {
     const double z2 = z * z, g1 = (z2 + 1) / 4, g2 = ((5 * z2 + 16) * z2 + 3) / 96,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Statistics of many random chains: summaries, the threshold between two regimes, lengths and exponents of decay.
  *
- * Forces are in units of that of the chain with all cells up (M = 1), or in N: nothing here depends on it but where it says so.
- * Sums go in fixed order; resampling draws from Philox, keyed by a seed: equal input gives equal bits. */
+ * Forces are in units of that of the chain with all cells up (M = 1), or in N: nothing here depends on it unless it says so. Sums
+ * go in fixed order; resampling draws from Philox, keyed by a seed: equal input gives equal bits. */
 #pragma once
 
 #include <stddef.h>

@@ -267,7 +267,7 @@ size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t ind
     return index % over->keys[key].count;
 }
 
-/* Where the file, or what was laid over it, has this value of a key. */
+/* The node of a key's value, in the file or in what was laid over it. */
 static const struct bead_node *node_of_value(const struct bead_sweep *sweep, size_t panel, const char *path, size_t value)
 {
     const struct bead_node *over = bead_node_get(bead_sweep_node(bead_yaml_root(sweep->scene->tree), panel), "over", NULL),

@@ -35,7 +35,7 @@ size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t 
     return number;
 }
 
-/* Where the part of a path before this one begins; a number goes with what it counts. */
+/* The beginning of the part of a path before this one; a number belongs to what it counts. */
 static const char *part_before(const char *path, const char *part)
 {
     do {

@@ -10,7 +10,7 @@ struct bead_sweep_point {
     size_t value;                /* number of that value of the key */
     double x;                    /* it, in the key's unit; its number where it is no number */
     struct bead_summary summary; /* N, or in the measure's unit */
-    double uncertainty;          /* of the mean, the same: that of its values, whose errors may be alike; NaN: unknown */
+    double uncertainty;          /* of the mean: as large as that of its values, whose errors may be alike; NaN: unknown */
 };
 struct bead_sweep_curve {
     char name[200];                  /* "count 20": the values of the other keys; "" where there are none */

@@ -21,7 +21,7 @@ struct work {
     size_t every;           /* one chain in so many has one */
 };
 
-/* Of a chain, and of its check run; NULL: there is none. */
+/* The measures of a chain, and of its check run; NULL: there is none. */
 struct measured {
     struct bead_measures *run, *check;
 };

@@ -134,8 +134,8 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     return err;
 }
 
-/* Are the errors of this configuration measured? Chains over keys are unlike, and the decay of each magnetism is a mean of its own,
- * so that more of a few are. */
+/* Are the errors of this configuration measured? Chains over keys are unlike, and the decay of each magnetism is a separate mean,
+ * so more are measured if there are few. */
 static bool is_sampled(const struct sweep_panel *panel, size_t index)
 {
     const struct bead_sweep_spec *spec = panel->shown.spec;
@@ -149,7 +149,7 @@ static bool is_sampled(const struct sweep_panel *panel, size_t index)
     return index % bead_sample_every(spec->groups[g].configurations) == 0;
 }
 
-/* Long chains' errors differ. By that of the clean chain all decay is divided. */
+/* Long chains differ in their errors. The decay of all chains is divided by that of the clean one. */
 static bool is_measured(const struct measure *m)
 {
     const bool any = m->panel->profiles || m->panel->shown.places > 0;
@@ -302,7 +302,7 @@ static void find_pilot(void *, size_t index, size_t *panel, size_t *configuratio
     *configuration = 0;
 }
 
-/* Where a chain of the panel needed more beads, as of hard and soft materials, the others do not try with fewer. */
+/* If one chain of the panel needed more beads, as with hard and soft materials, the others do not try with fewer. */
 static enum bead_error play_pilot(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
 {
     const struct work *w = context;
@@ -343,7 +343,7 @@ static enum bead_error play_tried(void *context, size_t index, const struct bead
     return m.lost ? BEAD_OK : err;
 }
 
-/* Is the standard error of the mean of `members` such forces a hundred times as large as what these are off by? */
+/* Is the standard error of the mean of `members` such forces a hundred times as large as their errors? */
 static bool means_allow(const struct trial *coarse, const struct trial *fine, size_t count, size_t members)
 {
     double mean = 0, squares = 0, off = 0;

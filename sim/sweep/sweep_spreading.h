@@ -14,7 +14,8 @@ struct bead_sweep_spread {
     double mean[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], error[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES]; /* standard errors */
     struct bead_summary exponent[2]; /* of the chains, of second moment and participation */
     double offset[2];                /* mean of ln y at t = 1 s */
-    /* Of the means, by the chains that were run twice: the largest until each time, and of the exponents; NaN: not asked for. */
+    /* Uncertainty of the means, by the chains that were run twice: the largest up to each time; and of the exponents. NaN: not
+     * asked for. */
     double uncertainty[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES], of_exponent[2];
 };
 struct bead_sweep_spreads {

@@ -92,13 +92,13 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     return BEAD_OK;
 }
 
-/* How well the forces of a place and their times are known, if they were not measured: by the worst of those that were, as parts.
+/* Uncertainty of the forces of a place and of their times, where it was not measured: the worst of those that were, as parts.
  */
 struct worst {
     double force, time;
 };
 
-/* Of each place; to be freed with free(). Errors: MEMORY. */
+/* The worst of each place; to be freed with free(). Errors: MEMORY. */
 static enum bead_error find_worst(const struct out *o, size_t panel, struct worst **worst, struct bead_message *msg)
 {
     const size_t places = bead_sweep_panel(o->sweep, panel)->places;

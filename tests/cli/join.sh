@@ -85,10 +85,10 @@ for order in "u20.h5 u40.h5" "u40.h5 u20.h5"; do
     ok "... a chain by its name" eval '"$beadreel" '"$order"' -o one.svg --set "outputs=[{plot: one.svg, panels: [[{show: sensors, beads: 10, chain: u40}]]}]" >"$T/out" && grep -qF "u40" one.svg && ! grep -qF "u20" one.svg'
     ok "... a race" exits 0 "$beadreel" $order -o race.mp4 --set 'outputs=[{movie: race.mp4, race: true, size: [320, 240], fps: 4, duration: 1 s}]'
     ok "nothing asked for: a bead in the middle" exits 0 "$beadreel" $order -o both.svg
-    ok "... says which" eval 'says "shown is bead 10" && grep -qF "bead 10" both.svg'
+    ok "... says which" eval 'says "this shows bead 10" && grep -qF "bead 10" both.svg'
 done
-ok "... not where a setting says it" eval '"$beadreel" u20.h5 u40.h5 -o both.svg --set "outputs.0.contacts=[3]" >"$T/out" 2>&1 && grep -qF "contact 3" both.svg && ! grep -qF "shown is" "$T/out" && ! grep -qF "bead 10" both.svg'
-ok "... nor where there are sensors" eval '"$beadreel" u20.h5 sensor.h5 -o both.svg >"$T/out" 2>&1 && grep -qF "far" both.svg && ! grep -qF "shown is" "$T/out"'
+ok "... not where a setting says it" eval '"$beadreel" u20.h5 u40.h5 -o both.svg --set "outputs.0.contacts=[3]" >"$T/out" 2>&1 && grep -qF "contact 3" both.svg && ! grep -qF "this shows" "$T/out" && ! grep -qF "bead 10" both.svg'
+ok "... nor where there are sensors" eval '"$beadreel" u20.h5 sensor.h5 -o both.svg >"$T/out" 2>&1 && grep -qF "far" both.svg && ! grep -qF "this shows" "$T/out"'
 ok "... of contacts where these alone are stored" eval 'long f1.h5 --set "outputs.0.fields=[contact-force]" && "$beadsim" f1.h5 u40.h5 -o c.csv >"$T/out" 2>&1 && [ "$(sorted c.csv)" = "f1/contact_10 time_s u40/contact_10 " ]'
 pair "one begins later: from there" u20 late 'show: sensors, beads: 10' 'late/bead_10 time_s u20/bead_10 '
 ok "... to where both end" eval 'awk -F, "NR == 2 && !(\$1 > 1.999e-4 && \$1 < 2.001e-4) || NR > 1 && \$1 > 9.01e-4 {bad = 1} NR > 1 && (\$2 > \$3 + 1e-3 || \$3 > \$2 + 1e-3) {bad = 1} END {exit bad || NR < 340}" 1.csv'

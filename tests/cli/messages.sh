@@ -18,13 +18,13 @@ ok "... in brackets" told 'chain.striker.443 m/s: unknown key; in { } a comma en
     "chain: {beads: [{bead: brass}], striker: {velocity: 0,443 m/s}}$end"
 ok "part of a material's name" told 'there is no material `steel`; did you mean `large-steel` or `small-steel`?' "chain: {beads: [{bead: steel}]}$end"
 ok "no outputs" told 'scene.yaml:1:1: outputs: is missing: the files to make, at least one: see outputs; such as `outputs: [{image: force.png}' 'chain: {beads: [{bead: brass}]}'
-ok "a missing colon, of a value" told 'simulate: is `until 2 ms`; must be a map of keys and values: how long and how exactly to compute; is the colon missing behind `until`?' \
+ok "a missing colon, of a value" told 'simulate: is `until 2 ms`; must be a map of keys and values: how long and how exactly to compute; is the colon missing after `until`?' \
     "chain: {beads: [{bead: brass}]}\nsimulate:\n  until 2 ms$end"
-ok "... of a list" told 'chain.beads [{bead: unknown key; is the colon missing behind `beads`?' "chain:\n  beads [{bead: brass}]\n  wall: rigid$end"
-ok "... of a map" told 'is the colon missing behind `striker`?' "chain:\n  striker {bead: brass}\n  beads: [{bead: brass}]$end"
+ok "... of a list" told 'chain.beads [{bead: unknown key; is the colon missing after `beads`?' "chain:\n  beads [{bead: brass}]\n  wall: rigid$end"
+ok "... of a map" told 'is the colon missing after `striker`?' "chain:\n  striker {bead: brass}\n  beads: [{bead: brass}]$end"
 ok "... of a word" told "could not find expected ':'; a key ends with a colon and a space: is one missing here, or in the line before?" "chain:\n  beads: [{bead: brass}]\n  wall rigid$end"
 ok "... of a section" told 'scene.yaml:2:8: not YAML: mapping values are not allowed in this context; is a colon missing in the line before?' "chain\n  beads: [{bead: brass}]$end"
-ok "... of an entry" told 'is the colon missing behind `bead`?' "chain:\n  beads:\n  - bead brass$end"
+ok "... of an entry" told 'is the colon missing after `bead`?' "chain:\n  beads:\n  - bead brass$end"
 ok "a key in the wrong place" told 'scene.yaml:1:1: colormap: unknown key; did you mean `outputs.N.colormap`?' "colormap: grey\nchain: {beads: [{bead: brass}]}$end"
 ok "... of --set" fails 2 "$beadreel" clean-vs-delocalised --set colormap=grey
 ok "... as well" says '--set:1:1: colormap: unknown key; did you mean `outputs.N.colormap`?'
@@ -50,7 +50,7 @@ ok "a step that is too long" told 'scene.yaml:2:18: simulate.step: 0.001 s is to
     "chain: {beads: [{bead: brass, count: 9}]}\nsimulate: {step: 1 ms, until: 9 ms, method: rk4}$end"
 ok "... for an equation" told 'scene.yaml:2:18: simulate.step: 9 is too long for' \
     "chain: {equation: fput, points: 31, start: {mode: 1, amplitude: 1}}\nsimulate: {step: 9, until: 99}$end"
-ok "a method that does not suit the scene" told 'scene.yaml:2:20: simulate.method: `pefrl` does not know drives' \
+ok "a method that does not suit the scene" told 'scene.yaml:2:20: simulate.method: `pefrl` does not support drives' \
     "chain: {precompression: 20 N, beads: [{bead: brass, count: 9}], drive: {displacement: sine, amplitude: 10 nm, frequency: 1 kHz}}\nsimulate: {method: pefrl, until: 1 ms}$end"
 ok "an odd size of a film" told 'scene.yaml:2:32: size: 641 x 361 is odd, and this codec needs even sizes; the nearest is 642 x 362' "chain: {beads: [{bead: brass}]}\noutputs: [{movie: a.mp4, size: [641, 361]}]"
 
@@ -70,7 +70,7 @@ outputs: [{table: peaks.csv}]
 YAML
 for name in a.bmp b.heic c.PS d.avi e.xyz f.lammpst; do
     ok "-o $name" fails 2 "$beadreel" good.yaml -o $name
-    ok "... says what there is" says "--output: \`$name\` ends like none of .h5, .png, .pdf, .svg, .eps, .jpg"
+    ok "... says what there is" says "--output: \`$name\` must end like one of .h5, .png, .pdf, .svg, .eps, .jpg"
     ok "... and makes no directory" test ! -e $name
 done
 ok "... each once" test "$(grep -o '\.png' err | wc -l)" -eq 1

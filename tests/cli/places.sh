@@ -42,7 +42,7 @@ wrong() { # KEYS MESSAGE
 }
 ok "a bead that is not there" wrong 'show: sensors, beads: 21' 'outputs.0.beads: is 21, but the last bead is 20'
 ok "a contact that is not there" wrong 'show: sensors, contacts: 21' 'outputs.0.contacts: is 21, but the last contact is 20'
-ok "contacts have no velocity" wrong 'show: sensors, contacts: 3, field: velocity' 'outputs.0.field: is one of beads'
+ok "contacts have no velocity" wrong 'show: sensors, contacts: 3, field: velocity' 'outputs.0.field: belongs to beads'
 ok "tables of peaks of contacts have no beads" wrong 'beads: 3' 'outputs.0.beads: belongs to `show: sensors, bead-peaks, energy, spectrum, spectrogram, transfer`'
 
 cat >two.yaml <<'YAML'

@@ -133,7 +133,7 @@ printf 'GIF89a\x01\0\x01\xfe\0\0\0!\xfe!beadreel , scene:\n\0\0\0\0\0\0\0\0\0\0\
 ok "a head without a version is none" fails 1 "$beadreel" --reproduce unsaid.gif
 ok "..." says "no scene is stored in it"
 ok "a table alone has no scene" fails 1 "$beadreel" --reproduce alone/a.csv
-ok "... and says so" says "no scene is stored in it, nor one that names it in a file beside it"
+ok "... and says so" says "no scene is stored in it, and no file beside it has a scene that names it"
 cp new/a.csv alone && cp light.yaml alone/run.yaml
 ok "its scene's file beside it serves" exits 1 "$beadreel" --reproduce alone/a.csv
 ok "... but was run with another value" says "a.csv: other bits from line"

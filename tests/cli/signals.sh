@@ -106,9 +106,9 @@ sweeping() { # OUTPUT...
     status_is 143 && says "stopped by signal 15"
 }
 ok "a sweep without a file is stopped" sweeping a.csv
-ok "... which loses its chains" says "the same command begins anew: no output {sweep: sweep.h5} keeps the chains"
+ok "... which loses its chains" says "the same command starts over: no output {sweep: sweep.h5} keeps the chains"
 ok "a sweep with one is stopped" sweeping a.csv a.h5
-ok "... which loses nothing" eval '! says "begins anew" >/dev/null && [ -s "$T/swept/a.h5.part" ]'
+ok "... which loses nothing" eval '! says "starts over" >/dev/null && [ -s "$T/swept/a.h5.part" ]'
 
 # A run that is stopped over the results of an earlier one.
 short=(--set simulate.until='1 ms')

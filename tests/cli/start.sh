@@ -82,5 +82,5 @@ ok "--watch of nothing" fails 2 "$beadreel" nothing.yaml --watch
 ok "--watch of standard input" fails 2 timeout 20 "$beadsim" - --watch -o made
 mkfifo pipe.yaml
 ok "--watch of a pipe" fails 2 timeout 20 "$beadsim" pipe.yaml --watch -o made
-ok "... says why not" says "--watch: pipe.yaml is no file, which could be saved again"
+ok "... says why not" says "--watch: pipe.yaml is not a file that could be saved again"
 finish

@@ -353,7 +353,7 @@ else
     ok "... into the same bytes" cmp merged.h5 sweep.h5
     intrude fault 'raise(SIGSEGV);'
     ok "a fault within HDF5 ends no program" fails 1 env LD_PRELOAD="$T/fault.so" "$beadsim" --info read.h5
-    ok "... it is damage" says "read.h5: damaged: HDF5 fails over it (Segmentation fault)"
+    ok "... it is damage" says "read.h5: damaged: HDF5 crashes on it (Segmentation fault)"
     ok "... nor one that draws" fails 1 env LD_PRELOAD="$T/fault.so" "$beadreel" read.h5 -o fault.png
     ok "... nor one that merges" fails 1 env LD_PRELOAD="$T/fault.so" "$beadsim" --merge parts/*.h5 -o fault.h5
     ok "... and nothing is left" test "$(echo fault.* intruded*)" = "fault.c fault.so intruded*"
@@ -368,7 +368,7 @@ else
     ok "... has not much memory" says "intruder: memory: Cannot allocate memory"
     ok "... and has written nothing" test ! -e intruded
     ok "a fault within libpng ends no program" fails 1 env LD_PRELOAD="$T/png_fault.so" "$beadreel" --reproduce read.png
-    ok "... it is damage" says "read.png: damaged: what reads it fails over it (Segmentation fault)"
+    ok "... it is damage" says "read.png: damaged: its reader crashes on it (Segmentation fault)"
     # reads FUNCTION RESULT PARAMETERS ARGUMENTS WHAT COMMAND... : a program in which FUNCTION, which reads WHAT, does what else it can.
     reads() {
         printf '%s\n' '#define _GNU_SOURCE' '#include <dlfcn.h>' '#include <errno.h>' '#include <stdio.h>' '#include <sys/socket.h>' '#include <unistd.h>' \
@@ -420,7 +420,7 @@ else
     kill -KILL $first
     wait $first 2>/dev/null
     ok "the claim of a killed run is taken over" exits 0 lockless "$beadsim" run.yaml -o shared
-    ok "... with a word" says "warning: no locks on this file system: until the end, shared/run.h5.part.lock and its like"
+    ok "... with a word" says "warning: this file system has no locks: until the end, files such as shared/run.h5.part.lock"
     ok "... and nothing stays" test "$(ls shared)" = run.h5
 fi
 finish

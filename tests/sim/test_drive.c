@@ -281,7 +281,7 @@ static void compositions_are_refused(void **state)
     struct bead_stepping stepping;
     struct bead_message msg = {""};
     assert_int_equal(bead_run_stepping(b.chain, &b.scene->simulate, 1, &stepping, &msg), BEAD_ERROR_SCENE);
-    assert_non_null(strstr(msg.text, "does not know drives"));
+    assert_non_null(strstr(msg.text, "does not support drives"));
     release(&b);
 }
 

@@ -227,7 +227,7 @@ static void an_answer_is_whole_or_none(void **state)
     assert_null(answer);
     assert_int_equal(ask(fault, "a half", &answer, &length, &msg), BEAD_ERROR_FORMAT);
     assert_null(answer);
-    assert_string_equal(msg.text, "a.png: damaged: what reads it fails over it (Segmentation fault)");
+    assert_string_equal(msg.text, "a.png: damaged: its reader crashes on it (Segmentation fault)");
     assert_int_equal(ask(leave_early, "a half", &answer, &length, &msg), BEAD_ERROR_IO);
     assert_null(answer);
 }
