@@ -172,7 +172,7 @@ static enum bead_error make(struct lines_plot *plot, struct bead_message *msg)
 {
     struct sweep_page *page = plot->page;
     const bool images = page->output->curves.show == BEAD_SHOW_DISPERSION;
-    BEAD_TRY(bead_sweep_lines_find(page->context->sweep, page->output, page->context->sweep_settings, &plot->lines, msg));
+    BEAD_TRY(bead_sweep_lines_find(page->context->sweep, page->output, page->context->sweep_settings, false, &plot->lines, msg));
     BEAD_TRY(sweep_page_reserve(page, images ? plot->lines.count : plot->lines.of[0].mean.columns, msg));
     BEAD_TRY(plot_new(&page->store, &plot->panels, page->count, msg));
     BEAD_TRY(images ? fill_images(plot, msg) : fill_curves(plot, msg));

@@ -89,7 +89,8 @@ BEAD_OUTPUT_CHECK(bead_output_check_sweep_curves)
         if (spreading && isnan(reader->scene->simulate.until))
             return BEAD_WRONG_KEY(reader, at, "show",
                                   "is spreading, of chains that run as long as each other: give `simulate: {until: ...}`");
-        if (!spreading && output->kind == BEAD_OUTPUT_TABLE && !output->curves.uncertainty)
+        if (!spreading && bead_sweep_lines(output->sweep_curves.show) == BEAD_SHOW_COUNT && output->kind == BEAD_OUTPUT_TABLE &&
+            !output->curves.uncertainty)
             return BEAD_WRONG_KEY(reader, at, "uncertainty", "is false, but a sweep measures that of peaks as it runs");
         if (decay && !sweep->measures.decay)
             return BEAD_WRONG_KEY(reader, at, "show", "decay is not measured; must have `measure: {decay: true}` in every sweep");

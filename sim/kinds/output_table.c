@@ -112,10 +112,12 @@ static const struct bead_option sweep_table_rows[] = {
          "the first of "
          "every 64 chains, over keys of at least five, and of all with more than 600 beads; the others, and means, are uncertain "
          "by the worst of these. Of spreading, one of 64 chains of each curve is measured, at least five, and the mean is "
-         "uncertain by their mean and by how much that of all may differ from it; so is decay, of each magnetism. A measure of a "
+         "uncertain by their mean and by how much that of all may differ from it; so are curves of chains, each by its worst row, "
+         "and decay, of each magnetism. A measure of a "
          "chain that is not run twice is as uncertain, in parts of itself, as the worst. " BEAD_SWEEP_LINES_HELP},
     {"uncertainty", BEAD_OPTION_FLAG, BEAD_OF_OUTPUT(curves.uncertainty), .initial = "true",
-     .help = "with `show: spreading`: how well its numbers are known, from second runs of some chains; false: no such runs"},
+     .help = "with `show: spreading`, or curves of chains: how well the numbers are known, from second runs of some chains; false: "
+             "no such runs"},
 };
 static const struct bead_option_rows sweep_table_shared[] = {
     {BEAD_OPTIONS(bead_threshold_row)}, {BEAD_OPTIONS(bead_against_row)}, BEAD_SWEEP_LINES_ROWS, {NULL, 0}};

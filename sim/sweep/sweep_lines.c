@@ -9,7 +9,9 @@
 #include "sim/kinds/output_kinds.h"
 #include "sim/measure/places.h"
 #include "sim/measure/sink_grid.h"
+#include "sim/run/method_choice.h"
 #include "sim/run/run_kinds.h"
+#include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
@@ -17,8 +19,8 @@
 struct bead_sweep_line_chain {
     struct bead_sweep_chain *made;
     const struct bead_chain *chain;
-    struct bead_spectra *spectra;
-    struct bead_spectral found;
+    struct bead_spectra *spectra, *check; /* of its run; of a finer one, NULL: there is none */
+    struct bead_spectral found, finer;
     size_t curve;
 };
 
@@ -26,12 +28,15 @@ void bead_sweep_lines_free(struct bead_sweep_lines *lines)
 {
     for (size_t i = 0; lines->chains && i < lines->chain_count; i++) {
         bead_spectra_destroy(lines->chains[i].spectra);
+        bead_spectra_destroy(lines->chains[i].check);
         bead_sweep_chain_destroy(lines->chains[i].made);
         free(lines->chains[i].found.values);
+        free(lines->chains[i].finer.values);
     }
     for (size_t i = 0; lines->of && i < lines->count; i++) {
         free(lines->of[i].mean.values);
         free(lines->of[i].error);
+        free(lines->of[i].uncertainty);
     }
     free(lines->chains);
     free(lines->of);
@@ -82,26 +87,44 @@ static enum bead_error make_chain(const struct bead_sweep *sweep, const struct b
 
 static enum bead_error take(void *context, const struct bead_sample *sample, struct bead_message *msg)
 {
-    const struct bead_sweep_line_chain *own = context;
-    return bead_spectra_feed(own->spectra, sample, msg);
+    return bead_spectra_feed(context, sample, msg);
 }
 
-/* All are sampled alike: as closely as the quickest wants. */
-static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, double end, double every,
-                               struct bead_sweep_lines *lines, struct bead_message *msg)
+/* Sets out a run of a chain, whose samples are collected in *spectra: as closely as the quickest wants, all alike. */
+static enum bead_error watch_chain(const struct bead_sweep *sweep, const struct bead_sweep_lines *lines, size_t index, double end,
+                                   double every, struct bead_spectra **spectra, struct bead_sweep_watch *watch,
+                                   struct bead_message *msg)
+{
+    struct bead_run_context context = context_of(sweep, &lines->chains[index], end);
+    context.native = (struct bead_grid){0, every, end, false};
+    BEAD_TRY(bead_spectra_create(&lines->output, &context, spectra, msg));
+    *watch = (struct bead_sweep_watch){.index = index,
+                                       .end = end,
+                                       .fields = bead_spectra_needs(*spectra).fields,
+                                       .every = every,
+                                       .finer = spectra == &lines->chains[index].check,
+                                       .take = take,
+                                       .context = *spectra};
+    return BEAD_OK;
+}
+
+/* All chains, and, to check them, a sample of each curve's again, and long ones, whose errors differ more. */
+static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, bool checked, double end,
+                               double every, struct bead_sweep_lines *lines, struct bead_message *msg)
 {
     BEAD_FREED struct bead_sweep_watch *watches = NULL;
-    BEAD_TRY(bead_new(&watches, lines->chain_count, msg, "the curves of %zu chains", lines->chain_count));
-    for (size_t i = 0; i < lines->chain_count; i++) {
+    BEAD_FREED size_t *met = NULL;
+    size_t count = 0;
+    BEAD_TRY(bead_new(&watches, 2 * lines->chain_count, msg, "the curves of %zu chains", lines->chain_count));
+    BEAD_TRY(bead_new(&met, lines->count, msg, "the curves of %zu chains", lines->chain_count));
+    for (size_t i = 0; i < lines->chain_count; i++)
+        BEAD_TRY(watch_chain(sweep, lines, i, end, every, &lines->chains[i].spectra, &watches[count++], msg));
+    for (size_t i = 0; checked && i < lines->chain_count; i++) {
         struct bead_sweep_line_chain *own = &lines->chains[i];
-        struct bead_run_context context = context_of(sweep, own, end);
-        context.native = (struct bead_grid){0, every, end, false};
-        BEAD_TRY(bead_spectra_create(&lines->output, &context, &own->spectra, msg));
-        const struct bead_needs needs = bead_spectra_needs(own->spectra);
-        watches[i] =
-            (struct bead_sweep_watch){.index = i, .end = end, .fields = needs.fields, .every = every, .take = take, .context = own};
+        if (met[own->curve]++ % bead_sample_every(lines->of[own->curve].chains) == 0 || bead_is_long(own->chain))
+            BEAD_TRY(watch_chain(sweep, lines, i, end, every, &own->check, &watches[count++], msg));
     }
-    return bead_sweep_watch(sweep, watches, lines->chain_count, settings, msg);
+    return bead_sweep_watch(sweep, watches, count, settings, msg);
 }
 
 /* ---- means ---- */
@@ -129,18 +152,50 @@ static enum bead_error reduce(const struct bead_sweep_lines *lines, size_t curve
     return BEAD_OK;
 }
 
+/* How well one mean is known, as that of spreading is. */
+static double bound(const struct bead_sweep_lines *lines, size_t curve, size_t number, double *values)
+{
+    struct bead_summary sample;
+    size_t used = 0;
+    for (size_t c = 0; c < lines->chain_count; c++) {
+        const struct bead_sweep_line_chain *own = &lines->chains[c];
+        if (own->curve == curve && own->check && isfinite(own->found.values[number]) && isfinite(own->finer.values[number]))
+            values[used++] = own->found.values[number] - own->finer.values[number];
+    }
+    if (used == 0)
+        return NAN;
+    bead_summary_of(values, used, &sample);
+    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, lines->of[curve].chains);
+}
+
+/* Of the worst row of each column, since errors cross zero along a curve. */
+static enum bead_error find_uncertainties(const struct bead_sweep_lines *lines, size_t curve, double *values,
+                                          struct bead_message *msg)
+{
+    struct bead_sweep_line *line = &lines->of[curve];
+    BEAD_TRY(bead_new(&line->uncertainty, line->mean.columns + 1, msg, "the mean of %zu chains", line->chains));
+    for (size_t p = 0; p < line->mean.columns; p++) {
+        line->uncertainty[p] = NAN;
+        for (size_t k = 0; k < line->mean.rows; k++) /* fmax ignores NaN */
+            line->uncertainty[p] = fmax(line->uncertainty[p], bound(lines, curve, p * line->mean.rows + k, values));
+    }
+    return BEAD_OK;
+}
+
 /* The curves of one chain, which must be as many as those of the first, and as long. */
 static enum bead_error add(const struct bead_sweep *sweep, struct bead_sweep_lines *lines, size_t index, struct bead_message *msg)
 {
     struct bead_sweep_line_chain *own = &lines->chains[index];
     struct bead_sweep_line *line = &lines->of[own->curve];
     BEAD_TRY(bead_spectra_of(own->spectra, 0, &own->found, msg));
+    if (own->check)
+        BEAD_TRY(bead_spectra_of(own->check, 0, &own->finer, msg));
     const struct bead_spectral *first = &lines->chains[0].found, *found = &own->found;
     if (found->columns != first->columns || found->rows != first->rows)
         return bead_output_wrong(&lines->output, msg,
                                  "show: chains have %zu and %zu curves or wave numbers; those of a sweep must have as many",
                                  first->columns, found->columns);
-    if (line->chains++ == 0) {
+    if (!line->chain) {
         bead_sweep_curve_name(sweep, 0, index, SIZE_MAX, line->name);
         line->mean = *found;
         line->mean.values = NULL;
@@ -151,7 +206,7 @@ static enum bead_error add(const struct bead_sweep *sweep, struct bead_sweep_lin
 }
 
 enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const struct bead_output *output,
-                                      const struct bead_sweep_settings *settings, struct bead_sweep_lines *lines,
+                                      const struct bead_sweep_settings *settings, bool checked, struct bead_sweep_lines *lines,
                                       struct bead_message *msg)
 {
     const size_t count = bead_sweep_panel(sweep, 0)->configurations;
@@ -168,10 +223,14 @@ enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const stru
         lines->count = lines->chains[i].curve >= lines->count ? lines->chains[i].curve + 1 : lines->count;
     }
     BEAD_TRY(bead_new(&lines->of, lines->count, msg, "the curves of %zu chains", count));
-    BEAD_TRY(run_all(sweep, settings, end, every, lines, msg));
+    for (size_t i = 0; i < count; i++)
+        lines->of[lines->chains[i].curve].chains++;
+    BEAD_TRY(run_all(sweep, settings, checked, end, every, lines, msg));
     for (size_t i = 0; i < count; i++)
         BEAD_TRY(add(sweep, lines, i, msg));
     for (size_t i = 0; i < lines->count; i++)
         BEAD_TRY(reduce(lines, i, values, msg));
+    for (size_t i = 0; checked && i < lines->count; i++)
+        BEAD_TRY(find_uncertainties(lines, i, values, msg));
     return BEAD_OK;
 }

@@ -3,6 +3,8 @@
  * a sweep over keys, for each combination of the other keys. */
 #pragma once
 
+#include <stdio.h>
+
 #include "beadreel/sweep.h"
 #include "sim/measure/spectra.h"
 
@@ -11,6 +13,7 @@ struct bead_sweep_line {
     size_t chains;                    /* that it is the mean of */
     struct bead_spectral mean;        /* of amplitudes, of ratios */
     double *error;                    /* [columns][rows]: standard errors; NaN of one chain */
+    double *uncertainty;              /* [columns]: of the worst row, by second runs of some chains; NaN: unknown */
     const struct bead_chain *chain;   /* the first of them, */
     const struct bead_medium *medium; /* and the cell that it repeats; NULL: none */
 };
@@ -22,9 +25,12 @@ struct bead_sweep_lines {
     struct bead_sweep_line_chain *chains;
     size_t chain_count;
 };
-/* Runs all chains of the sweep: to `until`, else to the time at which the last front arrives. To be freed even after an error.
- * Errors: those of bead_sweep_watch and bead_spectra_of. */
+/* Runs all chains of the sweep: to `until`, else to the time at which the last front arrives; `checked`: some of them twice, as for
+ * spreading. To be freed even after an error. Errors: those of bead_sweep_watch and bead_spectra_of. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const struct bead_output *output,
-                                                               const struct bead_sweep_settings *settings,
+                                                               const struct bead_sweep_settings *settings, bool checked,
                                                                struct bead_sweep_lines *lines, struct bead_message *msg);
+/* Writes them as comma-separated values. Errors: as above. */
+BEAD_CHECK enum bead_error bead_sweep_lines_write(FILE *file, const struct bead_sweep *sweep, const struct bead_output *output,
+                                                  const struct bead_sweep_settings *settings, struct bead_message *msg);
 BEAD_INTERNAL void bead_sweep_lines_free(struct bead_sweep_lines *lines);

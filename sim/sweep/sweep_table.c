@@ -7,7 +7,6 @@
 #include "sim/base/memory.h"
 #include "sim/base/number.h"
 #include "sim/kinds/output_kinds.h"
-#include "sim/measure/places.h"
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_data.h"
@@ -341,93 +340,9 @@ static enum bead_error write_spreading(const struct out *o, struct bead_message 
     return err;
 }
 
-/* ---- curves of chains ---- */
-
-static void lines_head(const struct out *o, const struct bead_sweep_lines *lines)
-{
-    const struct bead_curves_asked *curves = &lines->output.curves;
-    char name[160];
-    fprintf(o->file, "%s,curve,configurations", curves->show == BEAD_SHOW_SENSORS ? "time_s" : "frequency_Hz");
-    for (size_t p = 0; p < lines->of[0].mean.columns; p++) {
-        const struct bead_place_shown place = bead_place_shown(&lines->output, lines->of[0].chain, p);
-        bead_table_place_name(&place, curves->beads.all || curves->contacts.all, name, sizeof name);
-        for (int error = 0; error < 2; error++) {
-            fputc(',', o->file);
-            bead_table_text(o->file, name);
-            fputs(error ? "_error" : "", o->file);
-        }
-    }
-    fputc('\n', o->file);
-}
-
-static bool lines_have(const struct bead_sweep_line *line, size_t row)
-{
-    bool has = false;
-    for (size_t p = 0; p < line->mean.columns; p++)
-        has = has || !isnan(line->mean.values[p * line->mean.rows + row]);
-    return has;
-}
-
-static void write_line(const struct out *o, const struct bead_sweep_lines *lines, const struct bead_sweep_line *line)
-{
-    const bool sensors = lines->output.curves.show == BEAD_SHOW_SENSORS;
-    const double *ends = lines->output.curves.frequencies;
-    for (size_t k = 0; k < line->mean.rows; k++) {
-        const double x = (sensors ? line->mean.first : 0) + (double)k * line->mean.step;
-        if ((!sensors && (x < ends[0] || x > ends[1])) || !lines_have(line, k))
-            continue;
-        bead_write_number(o->file, x);
-        fputc(',', o->file);
-        bead_table_text(o->file, line->name);
-        fprintf(o->file, ",%zu", line->chains);
-        for (size_t p = 0; p < line->mean.columns; p++) {
-            number(o->file, line->mean.values[p * line->mean.rows + k]);
-            number(o->file, line->error[p * line->mean.rows + k]);
-        }
-        fputc('\n', o->file);
-    }
-}
-
-/* The strongest line of each wave number and band, with the error at the nearest frequency. */
-static void write_strongest(const struct out *o, const struct bead_sweep_line *line)
-{
-    const struct bead_spectral *mean = &line->mean;
-    const size_t bands = line->medium ? line->medium->cell.count : 1;
-    for (size_t i = 0; i < mean->columns * bands; i++) {
-        const struct bead_spectral_line found = bead_spectral_line(mean, line->medium, i / bands, i % bands);
-        const double *ends = o->output->curves.frequencies;
-        if (found.found < ends[0] || found.found > ends[1])
-            continue;
-        bead_table_text(o->file, line->name);
-        fprintf(o->file, ",%zu", line->chains);
-        number(o->file, mean->first + (double)(i / bands) * mean->between);
-        fprintf(o->file, ",%zu", i % bands + 1);
-        number(o->file, found.exact);
-        number(o->file, found.found);
-        number(o->file, found.amplitude);
-        const double row = round(found.found / mean->step);
-        number(o->file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
-        fputc('\n', o->file);
-    }
-}
-
 static enum bead_error write_lines(const struct out *o, struct bead_message *msg)
 {
-    struct bead_sweep_lines lines;
-    enum bead_error err = bead_sweep_lines_find(o->sweep, o->output, o->settings, &lines, msg);
-    const bool dispersion = o->output->curves.show == BEAD_SHOW_DISPERSION;
-    if (!err && dispersion)
-        fputs("curve,configurations,wave_number_cell_pi,band,exact_Hz,found_Hz,amplitude,amplitude_error\n", o->file);
-    else if (!err)
-        lines_head(o, &lines);
-    for (size_t i = 0; i < lines.count && !err; i++) {
-        if (dispersion)
-            write_strongest(o, &lines.of[i]);
-        else
-            write_line(o, &lines, &lines.of[i]);
-    }
-    bead_sweep_lines_free(&lines);
-    return err;
+    return bead_sweep_lines_write(o->file, o->sweep, o->output, o->settings, msg);
 }
 
 static const struct kind {

@@ -62,6 +62,18 @@ ok "on paper, the curves of one place have one column" wide 3 24
 ok "... those of two both" wide "[3, 12]" 50
 ok "... and says how many there are" grep -q "mean of 5 chains" m.svg
 ok "means of spectra" exits 0 "$beadsim" m.yaml -o . --set 'outputs=[{table: s.csv, show: spectrum, beads: [3, 12], field: velocity, every: 2 us}]'
+# All five chains of a curve are run twice. Columns: what, curve, number, means and standard errors of two, two uncertainties.
+known() { # KEYS : roughly, and to nine digits
+    local a
+    for a in 1e-4 1e-9; do "$beadsim" m.yaml -q -o $a --set simulate.accuracy=$a --set "outputs=[{table: k.csv, $1}]" || return 1; done
+    awk -F, 'function size(x) {return x < 0 ? -x : x} FNR == 1 {next} NR == FNR {for (c = 4; c < 8; c += 2) exact[$1, $2, c] = $c; next}
+        {for (c = 4; c < 8; c += 2) {e = size($c - exact[$1, $2, c]); u = $(8 + (c - 4) / 2); bad += !(e <= u); column = $2 SUBSEP c
+            off[column] = e > off[column] ? e : off[column]; said[column] = u; high[column] = size($c) > high[column] ? size($c) : high[column]}}
+        END {for (c in off) {n++; bad += !(off[c] > 0) || said[c] > 10 * off[c] && said[c] > 1e-3 * high[c]} print bad, n; exit bad || n != 4}' 1e-9/k.csv 1e-4/k.csv
+}
+ok "means of curves are off by less than they say" known 'show: sensors, beads: [3, 12], field: velocity, every: 2 us'
+ok "... of spectra" known 'show: spectrum, beads: [3, 12], field: velocity, every: 2 us'
+ok "... not where nothing is asked" eval '"$beadsim" m.yaml -q -o . --set "outputs=[{table: k.csv, show: sensors, beads: [3, 12], field: velocity, every: 2 us, uncertainty: false}]" && cmp k.csv <(cut -d, -f1-7 m.csv)'
 ok "... beside the chains alone" alone 5 m.yaml '{table: one.csv, show: spectrum, beads: [3, 12], field: velocity, every: 2 us, uncertainty: false}'
 ok "... are means of amplitudes" means s.csv 0 "magnetism 0" 2
 

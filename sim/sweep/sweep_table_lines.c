@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Writes tables of the curves of an ensemble: see sweep_lines.h. */
+#include <math.h>
+#include <stdio.h>
+
+#include "sim/base/number.h"
+#include "sim/measure/places.h"
+#include "sim/output/table.h"
+#include "sim/sweep/sweep_lines.h"
+
+static void number(FILE *file, double value)
+{
+    fputc(',', file);
+    if (isfinite(value))
+        bead_write_number(file, value);
+}
+
+/* The heading of a place's column: its name, and what the column has of it. */
+static void write_heading(FILE *file, const struct bead_sweep_lines *lines, size_t column, const char *what)
+{
+    const struct bead_curves_asked *curves = &lines->output.curves;
+    const struct bead_place_shown place = bead_place_shown(&lines->output, lines->of[0].chain, column);
+    char name[160];
+    bead_table_place_name(&place, curves->beads.all || curves->contacts.all, name, sizeof name);
+    fputc(',', file);
+    bead_table_text(file, name);
+    fputs(what, file);
+}
+
+static void lines_head(FILE *file, const struct bead_sweep_lines *lines)
+{
+    const size_t columns = lines->of[0].mean.columns;
+    fprintf(file, "%s,curve,configurations", lines->output.curves.show == BEAD_SHOW_SENSORS ? "time_s" : "frequency_Hz");
+    for (size_t p = 0; p < columns; p++) {
+        write_heading(file, lines, p, "");
+        write_heading(file, lines, p, "_error");
+    }
+    for (size_t p = 0; lines->of[0].uncertainty && p < columns; p++)
+        write_heading(file, lines, p, "_uncertainty");
+    fputc('\n', file);
+}
+
+static bool lines_have(const struct bead_sweep_line *line, size_t row)
+{
+    bool has = false;
+    for (size_t p = 0; p < line->mean.columns; p++)
+        has = has || !isnan(line->mean.values[p * line->mean.rows + row]);
+    return has;
+}
+
+static void write_line(FILE *file, const struct bead_sweep_lines *lines, const struct bead_sweep_line *line)
+{
+    const bool sensors = lines->output.curves.show == BEAD_SHOW_SENSORS;
+    const double *ends = lines->output.curves.frequencies;
+    for (size_t k = 0; k < line->mean.rows; k++) {
+        const double x = (sensors ? line->mean.first : 0) + (double)k * line->mean.step;
+        if ((!sensors && (x < ends[0] || x > ends[1])) || !lines_have(line, k))
+            continue;
+        bead_write_number(file, x);
+        fputc(',', file);
+        bead_table_text(file, line->name);
+        fprintf(file, ",%zu", line->chains);
+        for (size_t p = 0; p < line->mean.columns; p++) {
+            number(file, line->mean.values[p * line->mean.rows + k]);
+            number(file, line->error[p * line->mean.rows + k]);
+        }
+        for (size_t p = 0; line->uncertainty && p < line->mean.columns; p++)
+            number(file, line->uncertainty[p]);
+        fputc('\n', file);
+    }
+}
+
+/* The strongest line of each wave number and band, with the error at the nearest frequency. */
+static void write_strongest(FILE *file, const struct bead_sweep_lines *lines, const struct bead_sweep_line *line)
+{
+    const struct bead_spectral *mean = &line->mean;
+    const size_t bands = line->medium ? line->medium->cell.count : 1;
+    for (size_t i = 0; i < mean->columns * bands; i++) {
+        const struct bead_spectral_line found = bead_spectral_line(mean, line->medium, i / bands, i % bands);
+        const double *ends = lines->output.curves.frequencies;
+        if (found.found < ends[0] || found.found > ends[1])
+            continue;
+        bead_table_text(file, line->name);
+        fprintf(file, ",%zu", line->chains);
+        number(file, mean->first + (double)(i / bands) * mean->between);
+        fprintf(file, ",%zu", i % bands + 1);
+        number(file, found.exact);
+        number(file, found.found);
+        number(file, found.amplitude);
+        const double row = round(found.found / mean->step);
+        number(file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
+        if (line->uncertainty)
+            number(file, line->uncertainty[i / bands]);
+        fputc('\n', file);
+    }
+}
+
+enum bead_error bead_sweep_lines_write(FILE *file, const struct bead_sweep *sweep, const struct bead_output *output,
+                                       const struct bead_sweep_settings *settings, struct bead_message *msg)
+{
+    struct bead_sweep_lines lines;
+    enum bead_error err = bead_sweep_lines_find(sweep, output, settings, output->curves.uncertainty, &lines, msg);
+    const bool dispersion = output->curves.show == BEAD_SHOW_DISPERSION;
+    if (!err && dispersion)
+        fprintf(file, "curve,configurations,wave_number_cell_pi,band,exact_Hz,found_Hz,amplitude,amplitude_error%s\n",
+                output->curves.uncertainty ? ",uncertainty" : "");
+    else if (!err)
+        lines_head(file, &lines);
+    for (size_t i = 0; i < lines.count && !err; i++) {
+        if (dispersion)
+            write_strongest(file, &lines, &lines.of[i]);
+        else
+            write_line(file, &lines, &lines.of[i]);
+    }
+    bead_sweep_lines_free(&lines);
+    return err;
+}
