@@ -22,7 +22,7 @@ struct bead_insets {
 
 /* A row or a column. */
 struct bead_lane {
-    size_t line;     /* where rows have columns of their own: each line of lanes begins anew */
+    size_t line;     /* where each row has its own columns: the number of its line of lanes */
     double gap;      /* px before it */
     double keep[2];  /* px before and after it at least, for labels that reach out of its boxes */
     double least;    /* px; its size unless it has a share */

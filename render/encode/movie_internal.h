@@ -4,7 +4,7 @@
 
 #include "beadreel/movie.h"
 
-/* File extensions that can be written, with a description of the codec: row `index`, NULL behind the last. */
+/* File extensions that can be written, with a description of the codec: row `index`, NULL after the last. */
 struct bead_codec_info {
     const char *extension, *description;
 };

@@ -28,7 +28,7 @@ struct bead_composer_setup {
     const struct bead_scene *scene;
     const char *canvas;                  /* canvas back end; NULL: the first that works */
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
-    const struct bead_text_watch *watch; /* told of all texts; NULL: none */
+    const struct bead_text_watch *watch; /* gets all texts; NULL: none */
     bool interest;                       /* will bead_composer_interest be asked? */
     bool held;                           /* frames show the largest forces since the one before */
     bool fine;                           /* see bead_view_setup */

@@ -33,7 +33,7 @@ struct bead_movie_wants {
     bool headings;        /* some chain has one */
     double heading_width; /* of the widest with its label beside the name; where cells are narrower, it goes below. 0: no labels */
     double label_width;   /* of the widest label */
-    double heading_least; /* of the widest without label, as small as may be; where cells are narrower, M goes below */
+    double heading_least; /* of the widest without label, at its smallest; where cells are narrower, M goes below */
     bool trust;           /* a line about the horizon, left out after the other words */
     int caption_lines;    /* reserved at the bottom */
     double caption_line;  /* height of one */
@@ -45,7 +45,7 @@ struct bead_movie_wants {
     bool colourless;      /* no view shows values as colours: no bar */
     bool same_beads;      /* all chains have the same bead axis: only the lowest is labelled */
     double keyed_heading; /* of the widest such heading with the key of its stage beside it */
-    double name_least;    /* of the first chain's name above its image, as small as may be */
+    double name_least;    /* of the first chain's name above its image, at its smallest */
     double key_width;     /* of one key for all stages, where these have none of their own */
     double key_brief;     /* without the name of what the light shows */
     double key_part;      /* of its widest part, where it has two lines */

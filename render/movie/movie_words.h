@@ -62,13 +62,13 @@ bool bead_heading_has(const struct bead_chain *chain);
 /* px, of the label alone, and of one line with the name; 0: no label. */
 double bead_label_width(const struct bead_look *look, const struct bead_chain *chain);
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
-/* px, of the name as small as it may be, and M unless that is below it. */
+/* px, of the name at its smallest, and M unless that is below it. */
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain, bool m);
 /* The part of its usual size in which its name fits, or the smallest; whatever the heading's own. */
 double bead_heading_name(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
-/* Left free beside headings, in units of the ticks' size; chosen by eye. */
+/* Free space beside headings, in units of the ticks' size; chosen by eye. */
 #define BEAD_HEADING_AIR 1.3
-/* So much smaller are labels that else have no room; chosen by eye. */
+/* The size of labels that would otherwise have no room, as a part of the usual one; chosen by eye. */
 #define BEAD_SMALLER_LABEL 0.85
 /* The part of its usual size in which its label fits; 1: in full, or not at all. */
 double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
@@ -76,7 +76,7 @@ double bead_heading_label(const struct bead_look *look, const struct bead_headin
  * M never. */
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double label,
                        struct bead_rect rect);
-/* px, of a chain's name above its image as small as may be; 0: it has none. */
+/* px, of a chain's name above its image at its smallest; 0: it has none. */
 double bead_name_least(const struct bead_look *look, const struct bead_chain *chain);
 /* The part of its usual size in which it fits, or the smallest. */
 double bead_name_size(const struct bead_look *look, const struct bead_chain *chain, double width);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Notes on the stage, each with a tip to what it is about. The stage is painted anew for each frame, and with it notes vanish. */
+/* Notes on the stage, each pointing to what it is about. The stage is repainted for each frame, which erases the notes. */
 #include <math.h>
 
 #include "render/draw/markup.h"

@@ -32,5 +32,5 @@ BEAD_CHECK enum bead_error bead_origin_read(const char *path, char **scene, char
 /* As above, from the bytes of a file. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_origin_find(const char *path, const void *bytes, size_t length, char **scene, char *version,
                                             size_t size, struct bead_message *msg);
-/* The endings of row `index` of the table: ".jpg, .jpeg"; NULL behind the last. */
+/* The endings of row `index` of the table: ".jpg, .jpeg"; NULL after the last. */
 const char *bead_origin_endings(size_t index);

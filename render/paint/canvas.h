@@ -15,7 +15,7 @@ struct bead_canvas;
 struct bead_canvas_backend {
     const char *name, *description;
 };
-/* Row `index`, NULL behind the last; where none is named, the first that works is taken. */
+/* Row `index`, NULL after the last; where none is named, the first that works is taken. */
 BEAD_INTERNAL const struct bead_canvas_backend *bead_canvas_backend_info(size_t index);
 
 /* For back ends that use OpenGL, sets LP_NUM_THREADS and LIBGL_ALWAYS_SOFTWARE=1 in the environment unless they are set: Mesa then

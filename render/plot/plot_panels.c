@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Common to the kinds of plots: panels, their headings, and curves that can be told apart. */
+/* Shared by the kinds of plots: panels, their headings, and distinguishable curves. */
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>

@@ -97,7 +97,7 @@ enum { PLOT_BAND_POINTS = 202, PLOT_BAND_VALUES = 2 * PLOT_BAND_POINTS };
 struct bead_series plot_bands_of(const struct bead_medium *medium, double *at);
 /* Sets colour, dashes and marks that distinguish curve `index` from the others, in greyscale too. */
 void plot_tell_apart(struct bead_series *series, size_t index);
-/* Line `index`, told apart from the others. */
+/* Line `index`, distinguishable from the others. */
 struct bead_series plot_line(const double *x, const double *y, size_t count, const char *label, size_t index);
 /* The bar of a value that is known to `uncertainty`; NaN: marks would hide it, or it is not known. */
 double plot_bar(double value, double uncertainty);

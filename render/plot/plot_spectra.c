@@ -47,7 +47,7 @@ static void make_axes(struct bead_plot_data *data, const double frequencies[2], 
     }
 }
 
-/* The bar says of what the amplitudes are, and the title of a spectrogram where. */
+/* The bar says which amplitudes they are; the title of a spectrogram says where. */
 static void make_images(struct bead_plot_data *data)
 {
     for (size_t p = 0; p < data->count; p++) {

@@ -81,7 +81,7 @@ struct bead_spans {
 
 /* Differences between the drawings of the row, now and before. */
 struct bead_spans bead_beads_row_changes(const struct bead_view *v);
-/* Distance, px, by which the contents of the lens can be moved left in the frame. 0: they do not move, or must be painted anew. */
+/* Distance, px, by which the contents of the lens can be moved left in the frame. 0: they do not move, or must be repainted. */
 int bead_beads_lens_moves(const struct bead_view *v);
 /* Differences in the lens after everything has moved left by this many pixels. */
 struct bead_spans bead_beads_lens_changes(const struct bead_view *v, int by);

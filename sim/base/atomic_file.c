@@ -268,7 +268,7 @@ static struct owner this_process(void)
     return own;
 }
 
-/* Whose claim it is; false: it does not say so, perhaps not yet. */
+/* Finds whose claim it is; false: the file does not say, perhaps not yet. */
 static bool read_owner(const char *beside, struct owner *owner)
 {
     const int descriptor = open(beside, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

@@ -20,8 +20,8 @@ BEAD_INTERNAL void bead_sandbox_enter(void);
  * run programs themselves, are left alone. */
 BEAD_INTERNAL void bead_sandbox_confine(void);
 
-/* Like fork(), into the sandbox. The new process keeps standard error and the descriptors, and no other; signals that
- * ask programs to stop are for who asks, and a fault ends it without a word. */
+/* Like fork(), into the sandbox. The new process keeps standard error and the descriptors, and no other; signals that ask programs
+ * to stop are left to the asking process, and a fault ends it silently. */
 BEAD_INTERNAL pid_t bead_sandbox_fork(const int *descriptors, size_t count);
 /* Ends it; false: another part of the program has waited for it. */
 BEAD_INTERNAL bool bead_sandbox_end(pid_t process, int *status);

@@ -49,7 +49,7 @@ struct bead_chain_axis {
 };
 BEAD_INTERNAL struct bead_chain_axis bead_chain_axis(const struct bead_chain *chain, bool of_contacts);
 
-/* Law `index`; NULL behind the last. */
+/* Law `index`; NULL after the last. */
 const struct bead_law *bead_law_info(size_t index);
 /* Has the row what every row needs? Errors: USAGE, with the name of what is missing. */
 BEAD_CHECK enum bead_error bead_law_check(const struct bead_law *law, struct bead_message *msg);

@@ -29,7 +29,7 @@ struct bead_system {
     /* The motion; NULL: by the forces of its contacts. */
     const struct bead_equation *equation;
 
-    /* The fields of its samples, the one to show by default first; BEAD_FIELD_COUNT behind the last. NULL: equation.variable alone.
+    /* The fields of its samples, the one to show by default first; BEAD_FIELD_COUNT after the last. NULL: equation.variable alone.
      */
     const enum bead_field *fields;
     /* Name, unit and title of a field; called for fields that the system has. */

@@ -59,7 +59,7 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    struct bead_job job; /* what a session is told of it */
+    struct bead_job job; /* what a session gets of it */
     bool json, watch, no_config, crate;
     bool piped;                             /* the one file goes to standard output */
     struct bead_config *config;             /* the user's own settings, owned; NULL: none */
@@ -75,7 +75,7 @@ int command_main(const struct command_program *program, int argc, char **argv);
 
 /* Options and the input of a command line into `command`, whose arrays have room for argc strings. Errors: USAGE. */
 enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg);
-/* The user's own settings, and what --info says of them. Errors: those of bead_config_load; SCENE (no such canvas). */
+/* The user's own settings, and what --info says about them. Errors: those of bead_config_load; SCENE (no such canvas). */
 enum bead_error command_load_config(struct command *command, struct bead_message *msg);
 /* Changes of scenes: --set, and the user's own settings. */
 struct bead_overrides command_overrides(const struct command *command);

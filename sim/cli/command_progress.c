@@ -116,7 +116,7 @@ void command_meter_tell(void *context, const struct bead_progress *progress)
             meter->said = now; /* what takes no time needs no line */
     }
     bool wait = now - meter->said < (meter->mode == COMMAND_PROGRESS_PLAIN ? SAY_EVERY : REDRAW);
-    if (wait && (!fresh || meter->mode == COMMAND_PROGRESS_PLAIN)) /* nothing more may be told of a stage */
+    if (wait && (!fresh || meter->mode == COMMAND_PROGRESS_PLAIN)) /* nothing more may be reported about a stage */
         return;
     meter->said = now;
     double done = progress->done >= 0 ? fmin(progress->done, 1) : 0, elapsed = now - meter->began;

@@ -196,7 +196,7 @@ static void print_text(const struct command *command, const struct bead_session 
     print_warnings(command, session);
 }
 
-/* -o -: of several files nobody knows which. */
+/* -o -: with several files it would be unclear which one. */
 static enum bead_error check_piped(const struct bead_session *session, struct bead_message *msg)
 {
     struct bead_planned planned;

@@ -230,7 +230,7 @@ static void put_has_key(struct bead_json *json, const char *name, const char *ke
     bead_json_close(json, "}");
 }
 
-/* Kinds that are recognised by their first key, which no other has. `next` gives the tables; NULL behind the last. */
+/* Kinds that are recognised by their first key, which no other has. `next` gives the tables; NULL after the last. */
 typedef const struct bead_options *(*next_kind)(size_t index);
 
 static void put_kinds(struct bead_json *json, const char *name, next_kind next)

@@ -13,9 +13,9 @@ struct bead_medium {
     struct bead_jacobi cell;
 };
 
-/* The first of each of the cells that a chain repeats, reversed ones not told apart, left to right, under the precompression
- * alone; cells that differ from each other have no bands. The array is the caller's, to be freed by bead_media_free, also after
- * errors. Errors: MEMORY. */
+/* The first of each kind of cell that a chain repeats, reversed or not, left to right, under the precompression alone; cells that
+ * differ from each other have no bands. The array is the caller's, to be freed by bead_media_free, also after errors. Errors:
+ * MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_media_find(const struct bead_chain *chain, struct bead_medium **media, size_t *count,
                                                          struct bead_message *msg);
 BEAD_INTERNAL void bead_media_free(struct bead_medium *media, size_t count);

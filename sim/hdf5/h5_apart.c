@@ -73,7 +73,7 @@ static _Noreturn void live(struct bead_h5 *asked, int file, int turn, struct sha
     _exit(0);
 }
 
-/* ---- who asks ---- */
+/* ---- the asking process ---- */
 
 /* It ended without being asked to. */
 static void tell_end(struct bead_h5 *h5)

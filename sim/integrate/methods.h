@@ -20,7 +20,7 @@ struct bead_method_info {
     double theta_max;        /* largest stable step in units of 1/omega */
 };
 
-/* Row `index`, NULL behind the last. */
+/* Row `index`, NULL after the last. */
 BEAD_INTERNAL const struct bead_method_info *bead_method_info(size_t index);
 BEAD_INTERNAL const struct bead_method_info *bead_method_find(const char *name);
 

@@ -28,7 +28,7 @@ struct bead_output_type {
     /* Their first row is the kind's own key, which has the file as its value. */
     const struct bead_options *options;               /* in scenes that are run once; NULL: the kind needs a sweep */
     const struct bead_options *sweep_options;         /* in scenes with sweeps; NULL: it shows a single run */
-    BEAD_OUTPUT_CHECK((*checks[BEAD_OUTPUT_CHECKS])); /* in scenes that are run once, in this order; NULL behind the last */
+    BEAD_OUTPUT_CHECK((*checks[BEAD_OUTPUT_CHECKS])); /* in scenes that are run once, in this order; NULL after the last */
     BEAD_OUTPUT_CHECK((*check_sweep));                /* in scenes with sweeps; NULL: nothing to check */
     bool shows;                                       /* has `show`: bead_output_show */
     bool stores_samples;                              /* of a run: pictures can be drawn from its file */
@@ -36,7 +36,7 @@ struct bead_output_type {
     bool draws;
     bool only_in_scenes;                /* of a sweep, or of several trajectories: a file name alone means another kind */
     bool shows_configurations;          /* of a sweep, or of a chain that could be one: --sheet */
-    const char *shown_of[BEAD_SOURCES]; /* what `show` is where a file name alone asks for it; NULL: its default */
+    const char *shown_of[BEAD_SOURCES]; /* the `show` that a file name alone asks for; NULL: its default */
 };
 
 /* The type of a kind, and its key: "image". */
@@ -83,7 +83,7 @@ BEAD_INTERNAL enum bead_show bead_sweep_lines(enum bead_sweep_show show);
 /* The row of the output's `show`; NULL: its kind has no such key. */
 const struct bead_show_type *bead_output_show(const struct bead_output *output);
 
-/* All tables of outputs, those of panels last; NULL behind them. */
+/* All tables of outputs, those of panels last; NULL after them. */
 const struct bead_options *bead_output_options(size_t index);
 
 /* Panels have the keys of images or plots, except those of files. */

@@ -19,7 +19,7 @@
 #include "beadreel/sink.h"
 #include "sim/base/internal.h"
 
-/* A measure of chains, and its method: row `index`, NULL behind the last. */
+/* A measure of chains, and its method: row `index`, NULL after the last. */
 struct bead_measure_info {
     const char *name, *unit; /* unit "": a number */
     const char *help;        /* definition, with its source where it is not this project's */

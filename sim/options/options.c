@@ -36,7 +36,7 @@ static void add_fault(struct bead_faults *faults, const char *line)
         end[i] = line[i] && (unsigned char)line[i] < ' ' ? ' ' : line[i];
 }
 
-/* One line: what is to say of the value at a place. */
+/* A message of one line about the value at a place. */
 static void write_line(const struct bead_reader *reader, const struct bead_at *at, const char *what, struct bead_message *line)
 {
     char path[256] = "", shown[256];

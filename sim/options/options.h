@@ -35,9 +35,9 @@ struct bead_at {
 struct bead_options;
 struct bead_scene;
 
-/* All tables of a document, for what messages say of a key in the wrong place. */
+/* All tables of a document, for messages about a key in the wrong place. */
 struct bead_option_tables {
-    const struct bead_options *(*table)(size_t index);      /* NULL behind the last */
+    const struct bead_options *(*table)(size_t index);      /* NULL after the last */
     bool (*home)(const char *key, char *text, size_t size); /* where a key belongs that is not one of the top: "chain.wall" */
 };
 
@@ -131,7 +131,7 @@ struct bead_options {
 };
 #define BEAD_OPTIONS(rows) rows, sizeof(rows) / sizeof *(rows)
 
-/* The rows by number, shared ones last; NULL behind the last. */
+/* The rows by number, shared ones last; NULL after the last. */
 const struct bead_option *bead_options_row(const struct bead_options *options, size_t index);
 /* The row of a key; NULL: there is none. */
 const struct bead_option *bead_options_find(const struct bead_options *options, const char *key);
@@ -154,7 +154,7 @@ const char *bead_option_allowed(const struct bead_option *option, char *text, si
 
 /* Fail with `file:line:column: key.path: ...`. */
 enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_at *at, const char *format, ...) BEAD_PRINTF(3, 4);
-/* Tell that a number without a unit can hardly be meant in `unit`, but in `likely`. */
+/* Warn that a number without a unit is hardly meant in `unit`, but in `likely`. */
 void bead_doubt(const struct bead_reader *reader, const struct bead_at *at, const char *unit, const char *likely);
 /* Fail at the place of a key in the map at `at`. */
 #define BEAD_WRONG_KEY(reader, at, key, ...) bead_wrong(reader, (const struct bead_at[]){bead_at_key(at, key)}, __VA_ARGS__)
@@ -191,6 +191,6 @@ enum { BEAD_CHOICES = 30 }; /* the most, where a list of them is made */
 BEAD_CHECK enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
                                             unsigned *value);
 BEAD_CHECK enum bead_error bead_read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value);
-/* One line of text, without control characters and what Unicode reserves, that turns nothing written behind it: a key, say. */
+/* One line of text, without control characters and what Unicode reserves, that does not turn the text after it: a key, say. */
 BEAD_CHECK enum bead_error bead_check_text(const struct bead_reader *reader, const struct bead_at *at, const char *text);
 BEAD_CHECK enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text);

@@ -55,7 +55,7 @@ struct table {
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
     bool checked;   /* a check run gives columns of `uncertainty`, if asked for */
-    bool of_fields; /* its numbers are values of fields, which are as uncertain as a trajectory says of these */
+    bool of_fields; /* its numbers are values of fields, as uncertain as a trajectory says */
 };
 
 /* Has the table columns of uncertainties? Those of numbers of which a trajectory knows none have NaN. */

@@ -17,8 +17,8 @@ struct bead_peaks;
 /* of_beads: mean of a bead's two contact forces; else contact forces. Only those in `span` are searched. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
                                              struct bead_peaks **peaks, struct bead_message *msg);
-/* Also keeps a rival of each, which a change of the chain may make the highest: of the maxima above half the highest the last one,
- * which answers most strongly, or the one before the highest if that is the last. Before the first step. Errors: MEMORY. */
+/* Also keeps a rival of each, which a change of the chain may make the highest: of the maxima above half the highest, the last one,
+ * which responds most strongly, or the one before the highest if that is the last. Before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, const struct bead_stepper *stepper,
                                                   struct bead_message *msg);
 /* Also keeps the second highest maximum of each, if it is above this part of the highest: one that errors of the run may have made

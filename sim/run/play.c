@@ -73,7 +73,7 @@ static enum bead_error advance(struct pass *pass, struct bead_runner *runner, do
     const enum bead_error err = bead_play_run(runner, &way, msg);
     if (err == BEAD_ERROR_NUMBERS && played->check_runs && runner >= played->check_runs &&
         runner < played->check_runs + played->count) {
-        bead_runner_destroy(runner); /* what it would have told is unknown */
+        bead_runner_destroy(runner); /* what it would have shown is unknown */
         return BEAD_OK;
     }
     /* One chain that ends without its front does not stop the others. */

@@ -106,7 +106,7 @@ double bead_play_comparison_factor(const struct bead_play *play, bool samples);
  * other, from *try to the last, which keeps all; *try is then that of the results. */
 enum bead_play_try { BEAD_PLAY_USUAL, BEAD_PLAY_ALIKE = 3 }; /* of random chains; of one that may have equal cells */
 BEAD_CHECK enum bead_error bead_play_cut(struct bead_play *play, size_t *try, struct bead_played *played, struct bead_message *msg);
-/* Fails with what is to be said of a chain that its front does not pass. */
+/* Fails with the message about a chain that its front does not pass. */
 enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_message *msg);
 
 /* The extent to which one run is played. */

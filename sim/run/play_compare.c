@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Comparison runs: makes another run of each chain, at another tolerance, and a finer one of each chain whose peaks answer
+/* Comparison runs: makes another run of each chain, at another tolerance, and a finer one of each chain whose peaks respond
  * strongly, and finds the errors of the peaks from them. */
 #include <math.h>
 #include <stdlib.h>
@@ -11,9 +11,9 @@
 #include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
 
-/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks answer. Not where
- * forces jump as contacts close: errors of contacts that hardly touch fall more slowly than the tolerance, and an answer to so
- * much more of it says too little. */
+/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks respond. Not where
+ * forces jump as contacts close: errors of contacts that hardly touch fall more slowly than the tolerance, and the response to a
+ * much larger one says too little. */
 static const double coarser = 30;
 /* If a run knows its energy no better than the coarser one, errors are as large as the whole difference. */
 static const double least_factor = 2;

@@ -12,9 +12,9 @@
  * of the ratio 1/q; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale q, lies between .8 and
  * 1.2: with a probability of (atan 1.2/q - atan .8/q) / pi, .0013 for q = .01 (and .013 for .1). */
 static const double safety = 5;
-/* A finer run is worth its cost if more than this part of the peaks answers strongly; else those are uncertain by their whole
+/* A finer run is worth its cost if more than this part of the peaks responds strongly; else those are uncertain by their whole
  * difference to the coarser run, which is more than enough for most of them. Empirical: with .005 and .01, two chains of
- * test_uncertainty are off by more than they say; any such part fails where the few are a chain's late, chaotic maxima. */
+ * test_uncertainty are off by more than they say; any such part fails if the few are a chain's late, chaotic maxima. */
 static const double few = 0.003;
 /* A chain of fewer peaks is always measured: that takes no time, and one peak alone may agree by chance. Empirical: miss_c17 of
  * tests/errors needs it, and longer chains of its kind may be missed. */
@@ -142,7 +142,7 @@ static bool find_differences(const struct bead_uncertainty_of *of, const struct 
     return safety * d->answer > of->accuracy && d->fine > 0 && safety * d->fine <= lost;
 }
 
-/* The usual ratio of the measured error to the answer, the geometric mean of those of the peaks that answer strongly and differ by
+/* The usual ratio of the measured error to the answer, the geometric mean over the peaks that respond strongly and differ by
  * `least` or more. At most factor - 1: the coarser run is not the better one. 0: there are none. */
 static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
 {

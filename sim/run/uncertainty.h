@@ -71,7 +71,7 @@ struct bead_uncertain_peaks {
     double *uncertainty, *time_uncertainty;              /* N, s: out */
 };
 
-/* True if more than a few peaks of a chain's contacts [0] and beads [1] answer to the coarser run so strongly that a finer one is
+/* True if more than a few peaks of a chain's contacts [0] and beads [1] respond so strongly to the coarser run that a finer one is
  * needed, or if there are so few that it costs nothing. */
 bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 /* Sets the uncertainties, at least the accuracy asked for, as a part of force or time. Returns the time from which peaks are not
@@ -80,8 +80,8 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
 /* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
  */
 double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from);
-/* The factor by which a maximum after the horizon `from` may exceed what the late runs say of it, such that hardly one of all peaks
- * that are higher yet is overtaken: 1 or more. */
+/* The factor by which a maximum after the horizon `from` may exceed what the late runs say, so that hardly one of all peaks that
+ * are even higher is overtaken: 1 or more. */
 double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from);
 /* True if peak i is not predictable: it comes after the horizon and is not known as accurately as asked, or one that comes after
  * both, it and the horizon, may be higher. */

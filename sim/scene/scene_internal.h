@@ -49,7 +49,7 @@ BEAD_CHECK enum bead_error bead_sweep_chain_node(struct bead_yaml *yaml, const s
                                                  const struct bead_node *sweep, const char *digits, struct bead_node **chain,
                                                  struct bead_message *msg);
 
-/* The sweep number `index` of a scene, NULL behind the last; is `sweeps` a list of some? */
+/* The sweep number `index` of a scene, NULL after the last; is `sweeps` a list? */
 const struct bead_node *bead_sweep_node(const struct bead_node *root, size_t index);
 
 /* A scene like that of `yaml`, but with one chain instead of the sweep number `index`, and without outputs. Errors: SCENE, MEMORY.

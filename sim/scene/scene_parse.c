@@ -178,7 +178,7 @@ enum bead_error bead_scene_change(const struct bead_scene *before, const struct 
     return make_scene(before->file, before->text, strlen(before->text), before->tree, &before->own, overrides, scene, msg);
 }
 
-/* Results are no scenes; what the parser would say of their bytes helps nobody. */
+/* Results are no scenes; what the parser would say about their bytes helps nobody. */
 static enum bead_error check_ending(const char *path, struct bead_message *msg)
 {
     if (bead_output_ends_like(bead_output_endings(BEAD_OUTPUT_TRAJECTORY), path))

@@ -19,11 +19,11 @@ extern const struct bead_options bead_scene_options, bead_material_options, bead
     bead_striker_options, bead_starting_options, bead_segment_options, bead_damping_options, bead_wall_options, bead_cradle_options,
     bead_piecewise_options, bead_drive_options, bead_simulate_options, bead_soliton_options, bead_sweep_options,
     bead_sweep_measure_options, bead_over_options, bead_taper_options, bead_disorder_options;
-/* The laws that have settings, the equations, and their starts: NULL behind the last. */
+/* The laws that have settings, the equations, and their starts: NULL after the last. */
 const struct bead_options *bead_law_options(size_t index);
 const struct bead_options *bead_equation_options(size_t index);
 const struct bead_options *bead_start_options(size_t index);
-/* All tables of scenes, and number `index` of those with a heading; NULL behind the last. */
+/* All tables of scenes, and number `index` of those with a heading; NULL after the last. */
 extern const struct bead_option_tables bead_scene_tables;
 const struct bead_options *bead_scene_section(size_t index);
 

@@ -173,7 +173,7 @@ BEAD_CHECK enum bead_error bead_session_finish_all(struct bead_session *session,
 /* The first contact or bead of which an output wants anything, where only peaks of a passage are wanted: beads far behind the front
  * may be dropped. 0: all are wanted. */
 size_t bead_session_target(const struct bead_session *session);
-/* Warn of the first chain that its front did not pass. */
+/* Warn about the first chain that its front did not pass. */
 void bead_session_find_lost(struct bead_session *session, const struct bead_played *played);
 /* session_validity.c: could the model fail? Then the peaks of contacts are wanted. */
 void bead_session_doubt(struct bead_session *session);
@@ -186,17 +186,17 @@ BEAD_CHECK enum bead_error bead_session_judge_sweep(struct bead_session *session
 /* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);
 
-/* session_sensitivity.c: what outputs want to know of the peaks of the last pass, into its outcomes. Errors: MEMORY, NUMBERS,
- * STOPPED. */
+/* session_sensitivity.c: puts what outputs want to know about the peaks of the last pass into its outcomes. Errors: MEMORY,
+ * NUMBERS, STOPPED. */
 BEAD_CHECK enum bead_error bead_session_find_sensitivities(struct bead_session *session, struct bead_message *msg);
 void bead_session_free_sensitivities(struct bead_session *session);
 
 /* session_again.c: a trajectory. */
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
 
-/* session_join.c: opens the other trajectories of the job, then gives the session the chains of all, or their difference. Errors:
+/* session_join.c: open the other trajectories of the job, then give the session the chains of all, or their difference. Errors:
  * USAGE, those of bead_trajectory_open. Between, the chains that outputs are to show: NULL, those of the scene. The files, the
- * session's trajectory first; NULL behind the last. That of chain `*number` of the session, and its number there. Closes the
+ * session's trajectory first; NULL after the last. The file of chain `*number` of the session, and its number there. Close the
  * others. */
 BEAD_CHECK enum bead_error bead_session_open_others(struct bead_session *session, struct bead_message *msg);
 struct bead_chain_spec *bead_session_shown(const struct bead_session *session, size_t *count);

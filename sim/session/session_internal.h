@@ -4,13 +4,13 @@
 
 #include "beadreel/session.h"
 
-/* Output number `index` of those that the session knows; false behind the last. Strings are the session's. */
+/* Output number `index` of those that the session knows; false after the last. Strings are the session's. */
 struct bead_planned {
     const char *name, *path, *kind; /* as in bead_result; path NULL: not made */
     bool made;                      /* not left out by --only, and a kind that the program makes */
 };
 bool bead_session_planned(const struct bead_session *session, size_t index, struct bead_planned *planned);
-/* Name of the `index`-th output that none of the job's sinks can make (pictures in beadsim); NULL behind the last. */
+/* Name of the `index`-th output that none of the job's sinks can make (pictures in beadsim); NULL after the last. */
 const char *bead_session_skipped(const struct bead_session *session, size_t index);
 /* Refuses a file that the session reads: what is read is not replaced. Errors: USAGE. */
 enum bead_error bead_session_spare_inputs(const struct bead_session *session, const char *file, struct bead_message *msg);

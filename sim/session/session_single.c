@@ -74,8 +74,8 @@ static bool converts(const struct bead_output *output, const char *file, enum be
 }
 
 /* The fit of an output of the scene to the file: 4 by its name, 0 none. Among outputs with the keys asked for, those with the same
- * ending go before those of its kind, and of each the first wins; if keys are asked for, the kind that the ending alone means:
- * images rather than plots. */
+ * ending precede those of its kind, and the first of each wins; if keys are asked for, the kind that the ending alone means: images
+ * rather than plots. */
 static int rank(const struct bead_output *output, const struct bead_job *job, enum bead_source_kind source, bool sweep)
 {
     if (!bead_output_made_of(output->kind, source))
@@ -281,7 +281,7 @@ static void add_look(const char *look, const char *below, const struct panel *pa
         all[(*count)++] = laid;
 }
 
-/* The changes, then what the job's options say of the output of entry number `entry`, then its settings and config. */
+/* The changes, then the job's options for the output of entry number `entry`, then its settings and config. */
 static enum bead_error change(const struct bead_session *s, const struct bead_scene *scene, const struct changes *changes,
                               size_t entry, struct bead_scene **changed, struct bead_message *msg)
 {
@@ -433,7 +433,8 @@ static enum bead_error choose_set_frame(struct bead_session *s, const struct bea
     return err;
 }
 
-/* What is drawn from a trajectory is told as a scene that names this file and keeps the sample times: it makes the same file again.
+/* Describes a file drawn from a trajectory as a scene that names this file and keeps the sample times: it makes the same file
+ * again.
  */
 static enum bead_error tell(const struct bead_session *s, const struct bead_scene *stored, struct bead_scene **changed,
                             struct bead_message *msg)

@@ -31,7 +31,7 @@ struct bead_group_results {
     size_t count;
 };
 
-/* A method to find M_c: row `index`, NULL behind the last. */
+/* A method to find M_c: row `index`, NULL after the last. */
 struct bead_threshold_info {
     const char *name;
     const char *formula;
@@ -70,9 +70,9 @@ struct bead_decay_profiles {
     size_t first, cell; /* where the wave has formed; beads of a cell, over which forces differ however clean the wave is */
 };
 /* Fits the means of the logarithms, that is, geometric means: the logarithm of a wave's force is a sum over the domains it has
- * passed, so its mean is that of the typical wave, and spreads least. The range of both is that of the force: one length, over
- * which the exponential holds whatever the disorder is, and which has as many domains at any. Errors are deviations over
- * `resamples` bootstrap samples of the rows, the range found anew in each; NaN below two rows. Errors: MEMORY. */
+ * passed, so its mean is that of the typical wave, and spreads least. Both use the force's range: one length, over which the
+ * exponential holds for any disorder, and which has equally many domains at any. Errors are deviations over `resamples` bootstrap
+ * samples of the rows, the range found anew in each; NaN below two rows. Errors: MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_decay_of(const struct bead_decay_profiles *profiles, size_t resamples, uint64_t seed,
                                                        struct bead_decay *of_force, struct bead_decay *of_energy,
                                                        struct bead_message *msg);

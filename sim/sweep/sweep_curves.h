@@ -25,8 +25,8 @@ struct bead_sweep_curves {
     struct bead_sweep_curve *curves;
     size_t count;
 };
-/* A key in words, the end of its path: its last part, `whose` with what it is one of, "striker velocity", and as many more as tell
- * it from the other keys. */
+/* A key in words, the end of its path: its last part, with `whose` also its owner, "striker velocity", and as many more parts as
+ * distinguish it from the other keys. */
 BEAD_INTERNAL void bead_over_key_name(const struct bead_over *over, size_t key, bool whose, char *text, size_t size);
 /* A number for the values that configuration `index` has of all keys that are neither seeds nor `key`, the one along the axis
  * (SIZE_MAX: none): that of its curve; and these values in words. */

@@ -34,14 +34,14 @@ struct sweep_panel {
 struct bead_sweep {
     const struct bead_scene *scene;
     struct bead_scene *own_scene; /* of a file; NULL: the caller's */
-    struct bead_scene *plain;     /* over keys: the scene without the sweep, which each chain's is made of; NULL: over spins */
+    struct bead_scene *plain;     /* over keys: the scene without the sweep, from which each chain's is made; NULL: over spins */
     pthread_mutex_t making;       /* while one is made: units are read with a library of one thread */
     struct sweep_panel *panels;
     size_t panel_count;
     size_t jobs;
     unsigned char *known;    /* [jobs] */
     size_t lost, first_lost; /* chains without results: not passed by their fronts, or diverged; the job of the first */
-    struct bead_message why; /* what is to be said of it */
+    struct bead_message why; /* the message about it */
     size_t part, parts;      /* 1, 1: the whole sweep */
     char *version;
 };

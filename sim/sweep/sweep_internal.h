@@ -27,7 +27,7 @@ struct bead_sweep_progress {
     size_t part, parts;
 };
 bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progress);
-/* One configuration that is run to be looked at. */
+/* One configuration to run and watch. */
 struct bead_sweep_watch {
     size_t panel, index; /* a configuration, or BEAD_SWEEP_CLEAN */
     double end;          /* s; 0: as the front arrives */
@@ -57,8 +57,8 @@ const char *bead_sweep_version(const struct bead_sweep *sweep);
  * of which *count are filled. */
 BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means,
                                      size_t *count);
-/* How well the forces of a place, or their times, are known, as a part of themselves: as the worst of those that were measured;
- * NaN: none was. */
+/* The uncertainty of the forces of a place, or of their times, as a part of themselves: the worst of those measured; NaN: none
+ * was. */
 BEAD_INTERNAL double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 double bead_sweep_time_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 
@@ -71,7 +71,7 @@ struct bead_sweep_decay {
     /* From bead 10, where the wave has formed, to where it has fallen to 1/e, or to the last random bead. */
     struct bead_decay of_force, of_energy;
     double force_participation, energy_participation; /* of last_force, last_energy: means of the ratios, beads */
-    /* How well these are known, of force and of energy; NaN: not measured. */
+    /* Uncertainties of these, of force and of energy; NaN: not measured. */
     struct bead_decay_uncertainty {
         double *peaks; /* [beads] N, J */
         double length, exponent, participation;

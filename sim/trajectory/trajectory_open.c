@@ -213,7 +213,7 @@ static enum bead_error read_outcomes(struct bead_trajectory *t)
     return t->h5.error;
 }
 
-/* What the file says of the errors of its samples: a NaN is unknown, a number below 0 is none. */
+/* Reads what the file says about the errors of its samples: NaN is unknown, a number below 0 is invalid. */
 static enum bead_error read_bounds(struct bead_trajectory *t)
 {
     const size_t count = t->chain_count * BEAD_FIELD_COUNT;
