@@ -82,7 +82,6 @@ struct bead_session {
     struct bead_made *made;
     size_t made_count;
     struct bead_counts counts;
-    uint64_t scout_steps;                     /* steps of passes before the last */
     struct bead_played played;                /* the last pass */
     struct bead_sensitivities *sensitivities; /* [chains] after it; NULL: no output asked for them */
     struct bead_outcome *outcomes;            /* [chains] */

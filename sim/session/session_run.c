@@ -123,10 +123,8 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
             bead_session_ask_needs(s, m);
             p->consumers[i].needs = m->needs;
         }
-        if (again) {
-            s->scout_steps = s->counts.steps;
+        if (again)
             bead_played_free(&s->played);
-        }
     } while (again);
     return err;
 }
@@ -298,7 +296,6 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
         err = scout(s, consumers, msg);
     if (err) /* stopped while scouting, too: no sink has begun */
         return err;
-    s->scout_steps = s->counts.steps;
     struct bead_play p = bead_session_play(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
     err = session_begin(s, consumers, &p.consumer_count, msg);
     p.consumers = consumers;
