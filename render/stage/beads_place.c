@@ -131,7 +131,7 @@ enum bead_error bead_beads_divide(struct bead_view *v, struct bead_message *msg)
     v->row.from = v->ends[0];
     v->zoom = (struct bead_rect){v->plot.x - v->area.x, v->row.rect.y + v->row.rect.height, v->plot.width, (int)zoom};
     set_window(&v->lens, v, large / (2 * v->largest), v->zoom.y + v->zoom.height, large / large_share, false);
-    int line = (int)fmax(1, look->line); /* of its frame, which is drawn once */
+    int line = (int)look->line; /* of its frame, which is drawn once */
     v->lens.rect = (struct bead_rect){v->lens.rect.x + line, v->lens.rect.y + line, v->lens.rect.width - 2 * line,
                                       v->lens.rect.height - 2 * line};
     v->lens.left = v->lens.rect.x;
@@ -165,7 +165,7 @@ static void beads_draw_wall(const struct bead_view *v, cairo_t *cr)
     cairo_rectangle(cr, x, y, width, 2 * half);
     cairo_clip(cr);
     beads_set_colour(cr, v->look.faint, 1);
-    cairo_set_line_width(cr, fmax(1, v->look.line));
+    cairo_set_line_width(cr, v->look.line);
     for (double d = 0; d < 2 * half + width; d += fmax(4, 0.3 * v->look.gap)) {
         cairo_move_to(cr, x, y + d);
         cairo_line_to(cr, x + width, y + d - width);
@@ -283,7 +283,7 @@ enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bea
 {
     if (v->lens.scale > 0) {
         const struct bead_rect *r = &v->lens.rect;
-        double line = fmax(1, v->look.line);
+        double line = v->look.line;
         bead_look_paint_panel(&v->look, cr, v->area.x + r->x, v->area.y + r->y, r->width, r->height);
         if (v->setup.camera)
             return v->label_y < 0 ? BEAD_OK : move_names(v, msg);

@@ -268,7 +268,7 @@ double bead_stage_row_x(const struct bead_view *v, double place)
 
 static void mark_window(struct bead_view *v)
 {
-    const double line = round(fmax(1, v->look.line)), high = v->row.height;
+    const double line = round(v->look.line), high = v->row.height;
     const double from = round(fmax(0, bead_stage_row_x(v, v->left / v->scale)));
     const double to = round(fmin(v->row.width, bead_stage_row_x(v, (v->left + v->strip.width) / v->scale)));
     const double boxes[4][4] = {

@@ -96,7 +96,7 @@ static void add_wall(struct words *w)
 /* They are seen around the beads, which are painted over them. */
 static void draw_rings(const struct bead_view *v, cairo_t *cr)
 {
-    const double line = fmax(1, v->look.line), middle = v->row.y + 0.5 * v->row.height;
+    const double line = v->look.line, middle = v->row.y + 0.5 * v->row.height;
     size_t count;
     const struct bead_sensor *sensors = bead_chain_sensors(v->setup.chain, &count);
     cairo_set_source_rgb(cr, v->look.ink.r, v->look.ink.g, v->look.ink.b);

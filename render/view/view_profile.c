@@ -131,7 +131,7 @@ static double line_width(const struct bead_view *v)
 
 static float profile_y_of(const struct bead_view *v, double value)
 {
-    double place = bead_axis_place(&v->axis, value), line = 0.5 * fmax(1, v->look.line);
+    double place = bead_axis_place(&v->axis, value), line = 0.5 * v->look.line;
     place = place > -0.01 ? fmin(place, 1.2) : -0.01; /* minus infinity on a logarithmic axis, and NaN */
     double y = line + (1 - place) * (v->plot.height - 2 * line);
     return (float)(round(y * steps_per_pixel) / steps_per_pixel);
@@ -264,7 +264,7 @@ static enum bead_error profile_decorate(struct bead_view *v, cairo_t *cr, struct
     double y = v->plot.y + profile_y_of(v, v->base);
     bead_panel_fill(cr, &v->setup, v->plot);
     cairo_set_source_rgba(cr, look->faint.r, look->faint.g, look->faint.b, 0.35);
-    cairo_rectangle(cr, panel.x, round(y - 0.5 * look->line), panel.width, fmax(1, look->line));
+    cairo_rectangle(cr, panel.x, round(y - 0.5 * look->line), panel.width, look->line);
     cairo_fill(cr);
     if (!v->setup.axes)
         return BEAD_OK;
