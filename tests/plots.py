@@ -119,6 +119,19 @@ def differences(panel, curves, legend, units):
     return found
 
 
+def reach(panel, k):
+    """Values at the ends of an axis."""
+    axis, left, top, right, bottom = panel.axes[k], *panel.frame
+    found = [(place - axis.first) / axis.by for place in ((bottom, top) if k else (left, right))]
+    return [{"linear": float, "log": math.exp, "sqrt": lambda v: v * abs(v)}[axis.kind](v) for v in found]
+
+
+def begins_at(file, low):
+    """Logarithmic axes of amplitudes leave out what is less than a millionth of the largest of all panels."""
+    found = [reach(panel, 1)[0] for panel in read(file)]
+    return all(abs(math.log(v / low)) < 0.03 for v in found), f"{file}: amplitudes from {low:.3g} on", found
+
+
 def check(what, file, panels, units, titles, scales=("linear", "linear")):
     """The panels of a plot are these: [(title, [Curve])], their axes have these titles and scales, their numbers are in these units."""
     try:
@@ -260,7 +273,7 @@ def spreading():
                 fitted = [(math.log(t), math.log(v)) for t, v in zip(time, own[column]) if t >= 0.07 * time[-1] * (1 - 1e-12)]
                 x, y = (sum(f[k] for f in fitted) / len(fitted) for k in (0, 1))
                 ends = [0.07 * time[-1], time[-1]]
-                curves.append(Curve(f"exponent {slope:.3f} ± {error:.3f}", ends, [math.exp(y + slope * (math.log(t) - x)) for t in ends]))
+                curves.append(Curve(f"exponent {slope:.3f} ± {error:.3f}".replace("-", "−"), ends, [math.exp(y + slope * (math.log(t) - x)) for t in ends]))
         first = curves[1].points[0]
         for words, power in THEORIES:
             curves.append(Curve(f"theory: {words}", ends, sloping(ends, power, first[1])))
@@ -279,7 +292,7 @@ def chains():
   unit: {mass: 1 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}
   light: {mass: 0.3 kg, radius: 0.5 m, modulus: 1 GPa, poisson: 0}
 chains:
-  - {name: one, precompression: 1 N, striker: {bead: unit, velocity: 1 mm/s}, beads: [{bead: unit, count: 12}]}
+  - {name: one, precompression: 1 N, striker: {bead: unit, velocity: 30 mm/s}, beads: [{bead: unit, count: 12}]}
   - {name: two, precompression: 2 N, damping: {coefficient: 1}, striker: {bead: unit, velocity: 2 mm/s}, beads: [{cell: [unit, light], count: 4}]}
 simulate: {until: 30 ms}
 outputs:
@@ -308,6 +321,8 @@ outputs:
     check("spreading", *spreading(), ("log", "log"))
     check("a spectrum", *alike("spectrum", ["contact 0", "contact 3"], "frequency", f"amplitude of {force}", units=("Hz", "N"),
                                x="frequency_Hz"), ("linear", "log"))
+    table = rows("spectrum.csv")
+    tap.ok(*begins_at("spectrum.svg", 1e-6 * max(max(table[f"{chain}/contact_{k}"]) for chain in NAMES for k in (0, 3))))
     check("a transfer", *alike("transfer", ["bead 3 velocity", "bead 5 velocity"], "frequency", "transfer of velocity", units=("Hz", ""),
                                x="frequency_Hz"))
 
@@ -377,12 +392,14 @@ def keys():
     """Over keys: chains of two magnetisms, four seeds each; curves over time, frequency and magnetism."""
     run("keys.yaml", """chain: {beads: [{cell: [large-steel, aluminium], count: 12, spins: random, magnetism: 0.5, seed: 1}]}
 simulate: {until: 0.4 ms}
-sweep: {over: {chain.beads.0.magnetism: [0, 0.5], chain.beads.0.seed: 1..4}, measure: {beads: [3, 12]}}
+sweep: {over: {chain.beads.0.magnetism: [0.5, 0], chain.beads.0.seed: 1..4}, measure: {beads: [3, 12]}}
 outputs:
   - {table: lines.csv, show: sensors, beads: [3, 12], field: velocity, every: 2 us}
   - {plot: lines.svg, show: sensors, beads: [3, 12], field: velocity, every: 2 us}
   - {table: amplitudes.csv, show: spectrum, beads: [3, 12], frequencies: [1 kHz, 60 kHz]}
   - {plot: amplitudes.svg, show: spectrum, beads: [3, 12], frequencies: [1 kHz, 60 kHz]}
+  - {table: all.csv, show: spectrum, beads: [3, 12]}
+  - {plot: all.svg, show: spectrum, beads: [3, 12], scale: log}
   - {table: spreads.csv, show: spreading}
   - {plot: spreads.svg, show: spreading, theory: true}
   - {table: results.csv}
@@ -392,7 +409,7 @@ outputs:
   - {plot: measured.svg, measure: front speed, show: mean}
   - {table: measured.csv, measure: front speed}
 """)
-    values, count = {"magnetism 0": 0, "magnetism 0.5": 0.5}, 4
+    values, count = {"magnetism 0.5": 0.5, "magnetism 0": 0}, 4
     for name, x, unit, column, quantity, field in (("lines", "time_s", ("s", "m/s"), "_velocity", "velocity", "velocity"),
                                                    ("amplitudes", "frequency_Hz", ("Hz", "N"), "", "amplitude of bead force", "force")):
         table, panels = rows(f"{name}.csv"), []
@@ -406,6 +423,12 @@ outputs:
                 curves.append(Curve(f"{curve}, mean of {count} chains", own[x], mean))
             panels.append((place, bands + curves))
         check(f"means over seeds of {field} and their errors", f"{name}.svg", panels, unit, [x.split("_", maxsplit=1)[0], quantity])
+    table = rows("all.csv")
+    largest = max(table["bead_3"] + table["bead_12"])
+    last = max(f for f, *found in zip(table["frequency_Hz"], table["bead_3"], table["bead_12"]) if max(found) > 1e-3 * largest)
+    tap.ok(*begins_at("all.svg", 1e-6 * largest))
+    found = [1e3 * reach(panel, 0)[1] for panel in read("all.svg")]
+    tap.ok(all(abs(f - last) < 0.005 * last for f in found), "... and frequencies to the last with a thousandth of it", found, last)
     table, panels = rows("spreads.csv"), []
     for curve in values:
         own = where(table, curve=curve)

@@ -343,6 +343,30 @@ static void profiles_have_their_values(void **)
     }
 }
 
+/* Of a string the curve goes through each mass between the ends, where it is zero. */
+static void strings_are_fixed(void **)
+{
+    enum { MASSES = 7 };
+    struct shown s;
+    struct bead_message msg = {""};
+    double values[MASSES];
+    open_shown(&s, "chain: {equation: fput, points: 7, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 10}\noutputs: [{table: "
+                   "a.csv, show: modes}]\n");
+    s.setup.field = BEAD_FIELD_DISPLACEMENT;
+    open_view(&s, BEAD_VIEW_PROFILE);
+    decorate(&s);
+    for (size_t i = 0; i < MASSES; i++)
+        values[i] = 26 + 5 * (double)i;
+    const struct bead_sample sample = {.field = {[BEAD_FIELD_DISPLACEMENT] = values}};
+    require(s.type->feed(s.view, &sample, &msg), &msg);
+    draw(&s, 0);
+    const struct stroke *curve = &strokes.list[1];
+    for (size_t i = 0; i < MASSES + 2; i++)
+        assert_true(
+            passes(curve, LEFT + (double)WIDTH * (double)i / (MASSES + 1), profile_y(i > 0 && i <= MASSES ? values[i - 1] : 0)));
+    close_shown(&s);
+}
+
 /* The thin line of films is explained where its peaks are kept: of forces, and with all beads in view. */
 static void kept_peaks_are_explained(void **)
 {
@@ -751,6 +775,7 @@ int main(void)
         cmocka_unit_test(sensors_of_stages_have_rings),
         cmocka_unit_test(keys_say_what_lights_up),
         cmocka_unit_test(profiles_have_their_values),
+        cmocka_unit_test(strings_are_fixed),
         cmocka_unit_test(kept_peaks_are_explained),
         cmocka_unit_test(images_need_room),
         cmocka_unit_test(bars_have_numbers_at_their_colours),
