@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stills of several panels, and images with a caption or without: made and fed. The first kind of still that still.c asks, and the
- * last. */
+/* Stills of several panels, and images with a caption or without: made and fed. Of the kinds that still.c tries,
+ * panels are the first, images the last. */
 #include "render/figure/panels_private.h"
 
 #include <stdlib.h>

@@ -23,7 +23,7 @@ static bool plot_wanted(const struct bead_output *output)
     return output->views.count == 0;
 }
 
-/* Drawings look at beads, to try them for room. */
+/* Drawings read the beads, to try whether they fit. */
 static bool is_drawing(const struct bead_output *output)
 {
     return bead_schematic_is(output->curves.show);

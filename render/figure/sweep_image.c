@@ -38,7 +38,7 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return BEAD_OK;
 }
 
-/* All must be as long, and run to one time: `until`, or the last arrival of a front. */
+/* All must have equal lengths, and run to one time: `until`, or the last arrival of a front. */
 static enum bead_error find_end(struct ensemble *e, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(e->sweep)->simulate.until;

@@ -89,7 +89,7 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
 {
     const struct bead_output *output = film->output;
     const struct bead_chain *first = film->context.chains[0];
-    /* Only of waves that a strike began is something short left out, not of impacts that all are short. */
+    /* Leaves out something short only for waves that began with a strike, not for impacts, which are all short. */
     const bool struck = bead_chain_spec(first)->system->has_striker && !film->times.held;
     const double typical = film->preview && struck ? bead_preview_typical(film->preview) : INFINITY;
     const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),

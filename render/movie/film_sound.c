@@ -247,7 +247,7 @@ enum bead_error bead_film_sound_feed(struct bead_film_sound *sound, const struct
     if (!v->heard)
         return BEAD_OK;
     size_t room = bead_grid_count(&sound->film->times.grid);
-    if (!v->force) { /* the arrays of the chain may not be there before */
+    if (!v->force) { /* earlier, the arrays of the chain may not exist */
         v->rest = bead_force_at_rest(sound->film->context.chains[sample->chain], v->field, v->index);
         v->force = malloc(room * sizeof *v->force);
     }

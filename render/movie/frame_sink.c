@@ -13,7 +13,7 @@
 struct bead_sink {
     struct bead_film film;
     char *path;
-    bool search, found;      /* the frame is that of a poster; its number is known */
+    bool search, found;      /* the frame is a poster's; its number is known */
     struct bead_poster peak; /* while it is searched for */
     size_t frame, next;      /* which one; the next to pass */
     double seen;             /* s: time that all chains have reached; NaN: none */

@@ -6,7 +6,7 @@
 static const double title_line = 1.35, between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
 /* An overlaid profile's part of the height of all, and the least, with titles and without. */
 static const double overlay_part = 0.3, overlay_least[] = {1.6, 3.4};
-/* An overlaid profile takes what no cell can use, after all of these: any share far below theirs does. */
+/* An overlaid profile takes what no cell can use: any share far below theirs will do. */
 static const double last_share = 1e-6;
 /* Part of a cell's width for images at the right of other views. */
 static const double images_part = 0.64;

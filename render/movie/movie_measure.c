@@ -336,7 +336,7 @@ static enum bead_error measure(struct bead_composer *c, struct bead_message *msg
 
 /* ---- the size of type ---- */
 
-/* Type of the next try, in parts of that before. Chosen: what is found is at most 7 % smaller than it need be; nearer to 1 takes
+/* Type of the next try, as a part of the last one's. Chosen: the result is at most 7 % smaller than necessary; nearer to 1 takes
  * more tries, each of which measures all words. */
 static const double smaller = 0.93;
 
@@ -380,8 +380,8 @@ static enum bead_error refuse_layout(const struct bead_composer *c, struct bead_
         c->setup.width, c->setup.height, c->wants.chain_count);
 }
 
-/* Where words have no room even without images, as in many columns on a phone, or none is left for the images that the layout is
- * named for, type becomes smaller, as long as it can be read. Frames that are too small for all that in any layout have less. */
+/* If words have no room even without images, as in many columns on a phone, or no room is left for the images that the layout is
+ * named for, type becomes smaller, as long as it can be read. Frames too small for that in any layout show less. */
 enum bead_error bead_composer_arrange(struct bead_composer *c, struct bead_message *msg)
 {
     const enum bead_layout asked = c->setup.output->movie.layout;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The samples of a scouting run: what is typical of them, for the range of colours, and all of them where they are few, for images
- * that show their future. */
+/* The samples of a scouting run: typical values, for the range of colours, and, if they are few, all of them, for images that show
+ * their future. */
 #include "render/movie/film.h"
 
 #include <math.h>

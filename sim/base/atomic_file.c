@@ -56,8 +56,8 @@ bool bead_file_is_inside(const char *path)
     return true;
 }
 
-/* Does a symbolic link in `path` lead out of `base`? Old kernels, and some containers, have no openat2: there any link at the end
- * of `path` is taken to do so. */
+/* Does a symbolic link in `path` lead out of `base`? Old kernels, and some containers, have no openat2: there, any link at the end
+ * of `path` counts as one. */
 static bool leads_out(int base, const char *path)
 {
     const struct open_how how = {.flags = O_PATH | O_DIRECTORY | O_CLOEXEC, .resolve = RESOLVE_BENEATH};
@@ -182,7 +182,7 @@ enum bead_error bead_file_close(FILE *file, const char *part, struct bead_messag
     int failed = fflush(file) != 0 || ferror(file);
     int error = errno;
     if (!failed && (error = sync_open(fileno(file))))
-        failed = 1; /* this descriptor hears of all failures since it wrote; commit opens another */
+        failed = 1; /* this descriptor reports all failures since it wrote; commit opens another */
     if (fclose(file) != 0 && !failed) {
         failed = 1;
         error = errno;
@@ -282,7 +282,7 @@ static bool read_owner(const char *beside, struct owner *owner)
     return read;
 }
 
-/* Was it a process of this machine that is there no more? */
+/* Was it a process of this machine that no longer exists? */
 static bool is_gone(const struct owner *owner, const struct owner *own)
 {
     return strcmp(own->boot, "?") != 0 && strcmp(own->space, "?") != 0 && strcmp(owner->boot, own->boot) == 0 &&

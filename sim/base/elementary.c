@@ -89,8 +89,8 @@ struct bead_pair bead_pair_times(struct bead_pair a, double b)
     return sum(p.high, p.low + a.low * b);
 }
 
-/* Turned back by whole quarters, to within pi / 4, for the Taylor series, whose next term is below 2^-63; the leading terms are
- * added last, and what the angle has beyond a double, to first order. W. J. Cody, W. Waite, Software Manual for the Elementary
+/* Reduces the angle by whole quarters, to within pi / 4, for the Taylor series, whose next term is below 2^-63; adds the leading
+ * terms last, and the part of the angle beyond a double to first order. W. J. Cody, W. Waite, Software Manual for the Elementary
  * Functions (Prentice-Hall, 1980), chapter 8. */
 void bead_turn_to(struct bead_pair angle, double *cosine, double *sine)
 {

@@ -57,7 +57,7 @@ static enum bead_error read_open(int file, const char *path, size_t room, char *
     return BEAD_OK;
 }
 
-/* Files below /proc say that they are empty; some of them would be waited for without end. */
+/* Files below /proc claim to be empty; some of them would be waited for endlessly. */
 static enum bead_error read_whole(int file, const char *path, size_t most, char **bytes, size_t *length, struct bead_message *msg)
 {
     struct stat found;

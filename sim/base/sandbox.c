@@ -52,7 +52,7 @@ static const uint16_t allowed[] = {
 };
 enum { ALLOWED = sizeof allowed / sizeof *allowed };
 
-/* Connections and programs; rings, by which these could be asked for, too; what looks into other processes or changes the kernel.
+/* Connections and programs; rings, which could ask for these; calls that look into other processes or change the kernel.
  */
 static const uint16_t refused[] = {
     SYS_socket,
@@ -90,8 +90,8 @@ bool bead_sandbox_is_there(void)
 
 static const uint32_t does = SECCOMP_RET_ALLOW, fails = SECCOMP_RET_ERRNO | EPERM;
 
-/* The listed calls have the one end, all others the other one. Those above `first_foreign` are a second set of the same calls,
- * under other numbers (x32). */
+/* The listed calls get one result, all others the other. Those above `first_foreign` are a second set of the same calls, under
+ * other numbers (x32). */
 static void filter_calls(const uint16_t *calls, size_t count, uint32_t listed, uint32_t others, unsigned flags)
 {
     static const uint32_t first_foreign = 0x40000000;
@@ -168,7 +168,7 @@ void bead_sandbox_enter(void)
     filter_calls(allowed, ALLOWED, does, fails, 0);
 }
 
-/* SPEC_ALLOW: else older kernels slow the whole run down, for the sake of secrets that are in no run. */
+/* SPEC_ALLOW: else older kernels slow the whole run down, to protect secrets that no run has. */
 void bead_sandbox_confine(void)
 {
     if (!SANITIZED && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0)

@@ -38,8 +38,8 @@ static void add_kind(struct kind *kind, const struct bead_material *material, si
     widen(&kind->modulus, material->modulus, first);
 }
 
-/* By material, as the scene numbers them, the striker left out; NULL: no memory. To be freed. From the specification: a chain of
- * 1e8 beads is not laid to be described. */
+/* Counts beads by material, in the scene's numbering, without the striker; NULL: no memory. To be freed. From the specification: a
+ * chain of 1e8 beads is not built just to describe it. */
 static struct kind *kinds_of(const struct bead_chain *chain)
 {
     const struct bead_material *materials = bead_chain_scene(chain)->materials;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --crate: what was run, when, with which program, and what came of it, as archives read it: RO-Crate 1.1, profile Process Run
- * Crate. */
+/* --crate: what was run, when, with which program, and what it made, in the form that archives read: RO-Crate 1.1, profile Process
+ * Run Crate. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>

@@ -45,7 +45,8 @@ static void save_addresses(void)
         (void)mallopt(M_ARENA_MAX, 1);
 }
 
-/* Libraries take a stack of the usual size for granted: of less, main's is raised as far as it may be, and threads get it anyway.
+/* Libraries expect a stack of the usual size: a smaller one of main is raised as far as allowed, and threads get the usual size
+ * anyway.
  */
 void command_take_room(void)
 {

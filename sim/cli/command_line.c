@@ -99,7 +99,7 @@ static enum bead_error set_shard(struct command *command, const char *value, str
     return BEAD_OK;
 }
 
-/* --help alone is for people. With a value it prints what the man pages and the shell's completion are made of. */
+/* --help alone is for people. With a value it prints the source of the man pages and the shell's completion. */
 static enum bead_error set_help(struct command *command, const char *value, struct bead_message *msg)
 {
     static const struct {
@@ -264,7 +264,7 @@ static char *as_list(const char *given, const char *separators, bool run)
     const bool words = *separators && !separators[1];
     char *text = NULL;
     size_t size = 0;
-    /* A minus that begins a number, or its exponent, parts nothing: `-5:5`, `1e-3`. */
+    /* A minus that begins a number, or its exponent, separates nothing: `-5:5`, `1e-3`. */
     const bool minus = strchr(value, ':') || strchr(value, ',') || *value == '-' || strstr(value, "e-") || strstr(value, "E-");
     const char *parts = minus && strchr(separators, '-') ? ":," : separators;
     if (!*parts || *value == '[' || (!words && !value[strcspn(value, parts)]))
@@ -348,7 +348,7 @@ static enum bead_error take_input(struct command *command, int argc, char **argv
 enum bead_error command_parse(struct command *command, int argc, char **argv, struct bead_message *msg)
 {
     struct option options[ROWS + 1] = {0};
-    char letters[2 * ROWS + 2] = ":"; /* a leading colon: tell apart missing values */
+    char letters[2 * ROWS + 2] = ":"; /* a leading colon: report missing values separately */
     size_t used = 1;
     for (size_t i = 0; i < ROWS; i++) {
         int takes = rows[i].argument ? required_argument : rows[i].apply == set_help ? optional_argument : no_argument;

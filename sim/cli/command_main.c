@@ -34,7 +34,7 @@ static const char *row_help(const struct command_program *program, const struct 
     return text;
 }
 
-/* Behind an option, in lines that go on below each other. */
+/* Prints help after an option, in aligned lines. */
 static void print_wrapped(const char *text, FILE *out)
 {
     enum { INDENT = 26, WIDTH = 132 - INDENT };
@@ -182,7 +182,7 @@ static enum bead_error catch_signals(struct bead_message *msg)
     return failed ? bead_fail(msg, BEAD_ERROR_IO, "cannot catch signals: %s", strerror(errno)) : BEAD_OK;
 }
 
-/* HDF5 files, and others that may have a scene in them, are read in a sandbox: where the kernel has none, their reader should know.
+/* HDF5 files, and others that may have a scene in them, are read in a sandbox: if the kernel has none, the user should know.
  */
 static void warn_of_files(const struct command *command)
 {
@@ -238,8 +238,8 @@ static enum bead_error act(const struct command *command, struct bead_message *m
     return (command->watch ? command_watch : command_run)(command, &stop_signal, msg);
 }
 
-/* All that was said must have been written. A reader that has gone, as `head` does, has read enough: like other programs, this one
- * then ends by SIGPIPE, without a word. */
+/* All output must have been written. A reader that has gone, like `head`, has read enough: like other programs, this one then ends
+ * silently, by SIGPIPE. */
 static enum bead_error finish_output(struct bead_message *msg)
 {
     struct pollfd out = {.fd = STDOUT_FILENO, .events = POLLOUT};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the scene in a file that was made of it. */
+/* Finds the scene in a file that was made from it. */
 #include <string.h>
 
 #include "sim/cli/command_line.h"

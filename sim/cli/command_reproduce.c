@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --reproduce: makes a file again from the scene that it was made of, and compares. */
+/* --reproduce: makes a file again from the scene that made it, and compares. */
 #include <dirent.h>
 #include <errno.h>
 #include <ftw.h>
@@ -76,7 +76,7 @@ static bool is_scene_file(const char *path)
     return strcasecmp(ending(path), ".yaml") == 0 || strcasecmp(ending(path), ".yml") == 0;
 }
 
-/* The scene of a file, or that a file of results has in it. Errors: as of command_find_origin. */
+/* The scene in a scene file, or in a file of results. Errors: as of command_find_origin. */
 static enum bead_error read_origin(const struct command *command, const char *path, struct command_origin *origin)
 {
     size_t length = 0;

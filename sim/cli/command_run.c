@@ -41,7 +41,7 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* Facts about a file: which output of the scene it is, where -o gives it another name, and who made it. */
+/* Facts about a file: which output of the scene it is, if -o gives it another name, and what made it. */
 static void print_origin(const struct bead_result *result)
 {
     const char *name = result->name ? base_name(result->name) : "", *makers = result->makers ? result->makers : "";

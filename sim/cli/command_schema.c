@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The JSON Schema of scenes (draft 7), from the tables that read them: editors complete keys by it and find what is wrong. */
+/* The JSON Schema of scenes (draft 7), from the tables that read them: with it editors complete keys and find mistakes. */
 #include "sim/cli/command_line.h"
 
 #include <string.h>

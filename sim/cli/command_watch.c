@@ -81,7 +81,7 @@ enum bead_error command_watch(const struct command *command, const volatile sig_
     enum bead_error err = BEAD_OK;
     for (text = read_text(path); !*stop;) {
         err = command_run(command, stop, msg);
-        if (err && !*stop) /* a wrong scene is mended and saved again */
+        if (err && !*stop) /* the user mends a wrong scene and saves it again */
             command_complain(command->program, err, msg);
         while (!*stop && !changed(path, &last))
             (void)nanosleep(&pause, NULL);
@@ -113,7 +113,7 @@ static void put_shell_word(FILE *out, const char *path)
     fputc('\'', out);
 }
 
-/* The scene, after a line by which editors complete and check its keys; its comments name the file at `path` instead of `own`. */
+/* The scene, after a line with which editors complete and check its keys; its comments name the file at `path` instead of `own`. */
 static bool write_new(FILE *file, const char *schema, const char *text, const char *own, const char *path)
 {
     fprintf(file, "# yaml-language-server: $schema=%s\n", schema);

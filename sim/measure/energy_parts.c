@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* A pulse ends where the force falls to this part of its maximum; what is below this part of what it had is another. */
+/* A pulse ends where the force falls to this part of its maximum; a force below this part of its earlier one belongs to another. */
 static const double valley = 0.1;
 
 enum { FORMS = 6, PLACES = 4, BESIDE = 2 };

@@ -118,8 +118,8 @@ static void note_time(const struct reading *r, double time)
     bead_time_text(time, "s", r->note + snprintf(r->note, NOTE, "at "), NOTE - 3);
 }
 
-/* Notes that a motion is lost: velocities of the check run differ by more than what may be uncertain of a number that can be
- * predicted. Two such motions say nothing about the error of what is measured of either. */
+/* Notes that a motion is lost: velocities of the check run differ by more than the uncertainty that a predictable number may have.
+ * Two such motions say nothing about the errors of their measures. */
 static void note_lost(const struct reading *r, const struct bead_moment *moment, const struct bead_moment *check)
 {
     const double *mass = bead_chain_mass(r->m->chain), *v = moment->velocity;

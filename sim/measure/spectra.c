@@ -17,7 +17,7 @@ static const double pi = 3.14159265358979323846;
 static const double fine = 2.5;
 /* Steps from segment to segment of a spectrogram in units of their length. */
 enum { STEPS = 8, MOST_VALUES = 1 << 26, FEWEST = 16 };
-/* Half of the power of Hann's window is left within this part of its length, and half of that of a line within so many steps. */
+/* Half of the power of Hann's window is within this part of its length, and half the power of a line within that many steps. */
 static const double half_time = 0.364, half_line = 1.44;
 /* There is no transfer where the drive has a smaller part of its largest amplitude. */
 static const double driven = 1e-3;
@@ -323,8 +323,9 @@ static enum bead_error find_width(struct work *w, double *width, struct bead_mes
     return BEAD_OK;
 }
 
-/* With segments of length L, of a time T and a width B of frequencies, half powers tell T/(0.364 L) times and B L/1.44 frequencies
- * apart: as many of both if L = 2.0 sqrt(T/B). A line that runs over all of them in this time is then as narrow as it can be. */
+/* With segments of length L, of a time T and a width B of frequencies, half powers resolve T/(0.364 L) times and B L/1.44
+ * frequencies: as many of both if L = 2.0 sqrt(T/B). A line that crosses all frequencies in this time is then as narrow as it can
+ * be. */
 static enum bead_error balance(struct work *w, size_t *samples, struct bead_message *msg)
 {
     const size_t taken = w->curves->taken, half = taken / 2;
@@ -447,7 +448,7 @@ struct bead_spectral_line bead_spectral_line(const struct bead_spectral *d, cons
     }
     if (line.amplitude > 0)
         line.found = (double)best * d->step;
-    /* Row 0 has nothing but rounding: the mean is taken away. */
+    /* Row 0 has only rounding errors: the mean is subtracted. */
     if (best > 1 && best + 1 < d->rows && a[best - 1] > 0 && a[best + 1] > 0) {
         const double left = bead_log(a[best - 1]), middle = bead_log(a[best]), right = bead_log(a[best + 1]),
                      bend = left - 2 * middle + right;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of sensors: a row for each time, a column for the force on each bead with a sensor, or for what is asked of others. */
+/* Tables of sensors: a row for each time, a column for the force on each bead with a sensor, or for the places asked for. */
 #include "sim/measure/places.h"
 #include "sim/output/table.h"
 

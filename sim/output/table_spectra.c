@@ -25,7 +25,7 @@ static enum bead_error spectra_sample(struct bead_sink *sink, const struct bead_
     return bead_spectra_feed(sink->spectra, sample, msg);
 }
 
-/* Spectra of a chain and of its check run, if there is one; if it ended early the run's again, which are not looked at. */
+/* Spectra of a chain and of its check run, if there is one; if it ended early, those of the run again, which are not read. */
 static enum bead_error spectra_of_both(const struct bead_sink *sink, size_t chain, struct bead_spectral *found,
                                        struct bead_spectral *check, struct bead_message *msg)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `fit`: before anything else, finds the values of keys with which the first chain runs as it was measured. Each try is a scene
- * with other values, and a run of its first chain. */
+/* `fit`: before anything else, finds the values of keys with which the first chain runs as measured. Each try is a scene with other
+ * values, and a run of its first chain. */
 #include <stdlib.h>
 
 #include "sim/base/memory.h"

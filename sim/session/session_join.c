@@ -43,7 +43,7 @@ static const struct bead_field_info *difference_field(enum bead_field field)
     return &fields[field];
 }
 
-/* Values at a time: those stored there, or on the straight line between the two samples around it. */
+/* Values at a time: stored ones, or linearly interpolated between the two samples around it. */
 static enum bead_error read_at(const struct joined_chain *of, double time, unsigned fields, double *const into[BEAD_FIELD_COUNT],
                                struct bead_message *msg)
 {
@@ -221,7 +221,7 @@ static void add_file(struct bead_session *s, struct bead_joined *j, struct bead_
         s->native.start += s->native.every * ceil((t->grid.start - s->native.start) / s->native.every - 1e-6);
 }
 
-/* A difference is one of chains that are alike. */
+/* A difference needs chains that are alike. */
 static enum bead_error check_alike(const struct bead_session *s, const struct bead_joined *j, struct bead_message *msg)
 {
     const struct bead_trajectory *a = s->trajectory, *b = j->others[0];

@@ -174,7 +174,7 @@ static enum bead_error read_frame(const struct bead_session *s, struct bead_fram
                : BEAD_OK;
 }
 
-/* Leaves nothing of a film but its beads. */
+/* Leaves only the beads of a film. */
 static enum bead_error bare_beads(const struct bead_scene *scene, struct bead_output *output, struct bead_message *msg)
 {
     if (!bead_scene_has_beads(scene))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The one output that the command line names, by -o FILE, --frame, --sheet or --configuration: which output of the scene it is or
- * what makes a new one, and what the options change of it. */
+ * what makes a new one, and what the options change in it. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <strings.h>
@@ -29,7 +29,7 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
-/* Does the name end like a file, with a letter among two to eight letters and digits? Numbers and `.d` are of directories. */
+/* Does the name end like a file, with a letter among two to eight letters and digits? Numbers and `.d` belong to directories. */
 static bool ends_like_file(const char *name)
 {
     const char *ending = extension(name);
@@ -192,7 +192,7 @@ static size_t middle(const struct bead_session *s)
     return last > first ? first + (last - first) / 2 : first;
 }
 
-/* The places that curves of a new output are of, as `key`; false: sensors, or those that the command line says. */
+/* The places of a new output's curves, as `key`; false: sensors, or those that the command line gives. */
 static bool choose_places(struct bead_session *s, const char *field, char place[24], const char **key)
 {
     const struct bead_trajectory *t;

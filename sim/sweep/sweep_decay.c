@@ -68,7 +68,7 @@ static const double *profile_of(const struct decay_panel *p, size_t row, size_t 
     return p->sweep->panels[p->index].profiles + (PROFILES * row + which) * p->shown->beads;
 }
 
-/* How well a mean over all chains is known, as spreading's is: by the mean difference of those that were run twice, and by how much
+/* The uncertainty of a mean over all chains, found as for spreading: the mean difference of those that were run twice, and how much
  * that of all may differ from it. */
 static double bound(const struct decay_panel *p, size_t used, size_t all)
 {
@@ -117,7 +117,7 @@ static void bound_fits(const struct decay_panel *p, size_t used, const struct be
     u->exponent = bound(p, used, count);
 }
 
-/* How well the decay of forces, or energies, is known: `means` at each bead, and their fits. */
+/* Finds the uncertainty of the decay of forces, or energies: of `means` at each bead, and of their fits. */
 static enum bead_error find_uncertainty(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, bool energy,
                                         const double *means, const struct bead_decay *of, struct bead_decay_uncertainty *u,
                                         struct bead_message *msg)

@@ -152,7 +152,7 @@ static enum bead_error reduce(const struct bead_sweep_lines *lines, size_t curve
     return BEAD_OK;
 }
 
-/* How well one mean is known, as that of spreading is. */
+/* The uncertainty of one mean, found as for spreading. */
 static double bound(const struct bead_sweep_lines *lines, size_t curve, size_t number, double *values)
 {
     struct bead_summary sample;

@@ -139,8 +139,8 @@ static double difference_of_exponent(const struct chain *chain, const struct cha
     return bead_spreading_exponent(&chain->spreading, n).slope - bead_spreading_exponent(&check->spreading, n).slope;
 }
 
-/* How well the mean over a curve's chains is known: by the mean difference of those that were run twice, and by how much the mean
- * of all may differ from that. `values`: room for one of each. */
+/* The uncertainty of the mean over a curve's chains: the mean difference of those that were run twice, and how much the mean of all
+ * may differ from that. `values`: room for one of each. */
 static double bound(const struct chains *chains, const struct bead_sweep_spread *spread, size_t curve,
                     double (*of)(const struct chain *chain, const struct chain *check, int n, size_t i), int n, size_t i,
                     double *values)
@@ -171,7 +171,7 @@ static void compare(const struct chains *chains, size_t curve, size_t times, dou
         spread->of_exponent[n] = bound(chains, spread, curve, difference_of_exponent, n, 0, values);
 }
 
-/* No second run has said how uncertain this is. */
+/* No second run has shown how uncertain this is. */
 static void know_nothing(size_t times, struct bead_sweep_spread *spread)
 {
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
