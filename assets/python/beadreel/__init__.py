@@ -54,7 +54,7 @@ class Output(type(pathlib.Path())):  # type: ignore[misc]
     """The path of a file that was made; a notebook shows pictures, films, tables and reports."""
 
     def _repr_html_(self) -> str:
-        """What a notebook shows; nothing in it is read from elsewhere."""
+        """What a notebook shows; it contains all that it needs."""
         kind = mimetypes.guess_type(self.name)[0] or ""
         title = html.escape(self.name)
         if self.suffix == ".csv":
@@ -133,10 +133,10 @@ def run(scene: Scene, *, out: str | os.PathLike[str] | None = None, only: str | 
         progress: Progress | None = None, **settings: Any) -> Run:
     """Run a scene, or draw a trajectory (a file *.h5) again, and return what is made, a Run.
 
-    out       folder for the files; None: a temporary one, which goes with the Run
+    out       folder for the files; None: a temporary one, removed with the Run
     only      names of the outputs to make; empty: all
     progress  called with a dictionary (what, done, elapsed_s, left_s) while it runs
-    settings  keys of the scene: simulate={"until": "2 ms"} or simulate__until="2 ms"; in a name, _ stands for -. Of a trajectory,
+    settings  keys of the scene: simulate={"until": "2 ms"} or simulate__until="2 ms"; in a name, _ means -. For a trajectory,
               outputs=[...] says what to draw, an image by default
     """
     folder = tempfile.mkdtemp(prefix="beadreel-") if out is None else out
