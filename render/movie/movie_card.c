@@ -113,9 +113,10 @@ static enum bead_error card_chains(struct card *c, const struct bead_facts *fact
         }
         struct bead_rect rect = {(int)c->left, (int)c->y, (int)c->width, each.heading};
         struct bead_heading heading = {facts->chains[i], look->ink, false, false, 1};
-        heading.size = headed ? bead_heading_name(look, &heading, rect) : 1;
-        if (headed)
+        if (headed) {
+            heading.size = bead_heading_name(look, &heading, rect);
             bead_heading_draw(c->cr, look, &heading, bead_heading_label(look, &heading, rect), rect);
+        }
         if (each.beads > 0) {
             struct bead_view_setup setup = *stage;
             setup.chain = facts->chains[i];
