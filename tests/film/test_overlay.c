@@ -296,11 +296,13 @@ static void cards_say_what_is_shown(void **)
             char scene[2000];
             size_t used = (size_t)snprintf(scene, sizeof scene, "chains:\n"), named = 0, more = 0;
             for (size_t c = 0; c < chains; c++)
-                used += (size_t)snprintf(scene + used, sizeof scene - used,
-                                         "  - {name: Name %zu, beads: [{bead: large-steel, count: 24}]}\n", c);
+                used += (size_t)snprintf(
+                    scene + used, sizeof scene - used, "  - {name: Name %zu%s, beads: [{bead: large-steel, count: 24}]}\n", c,
+                    c == 1 ? " with letters so numerous that all of them have to be smaller than those of the others" : "");
             open_film(&f, scene,
                       with_text ? "magnify: 30, card: {text: What it is about, for: 1 s}" : "magnify: 1, card: {for: 1 s}");
             f.texts.count = 0;
+            f.composer->facts.keyed = with_text; /* in the film, not on the card */
             strokes_begin();
             require(bead_composer_card(f.composer, &changes, &msg), &msg);
             strokes.on = false;
@@ -332,7 +334,9 @@ static void cards_say_what_is_shown(void **)
                 bottom = t->y + t->height;
             }
             assert_true(bottom < HEIGHT && title->y > 0 && named + more == chains && (more > 0) == (chains == CHAINS));
-            assert_true(pace->y > rule);
+            assert_true(pace->y > rule && find(&f.texts, "large steel, striker 0.443 m/s"));
+            const struct text *name = find(&f.texts, "Name 0"), *longer = find(&f.texts, "Name 1");
+            assert_true(!longer || (longer->height < 0.95 * name->height && longer->width > 0.9 * (WIDTH - 2 * left)));
             close_film(&f);
         }
     }
