@@ -18,7 +18,7 @@ void bead_markup(const char *text, char *out, size_t size);
 char *bead_markup_new(const char *text);
 /* Bytes of what two tags enclose, with these, where the first is here; else 0. Lines are not broken within. */
 size_t bead_markup_tagged(const char *text);
-/* The text as it is read, without marks: for chapters, subtitles and those who do not see. Cut where it is too long.
+/* The text as it is read, without marks: for chapters, subtitles and those who cannot see. Cut where it is too long.
  * false: out of memory. */
 bool bead_markup_plain(const char *text, char *out, size_t size);
 /* Quotes plain text, such as names with a `_`, so that bead_markup shows it as it is. Too long a text is cut between characters. */

@@ -322,7 +322,7 @@ static cairo_t *measuring_context(void)
     return cr;
 }
 
-/* Widths and heights of texts, by thread: those who lay out ask for a few texts many times, and Pango is slow. */
+/* Widths and heights of texts, by thread: layouts ask for a few texts many times, and Pango is slow. */
 static GPrivate measured = G_PRIVATE_INIT((GDestroyNotify)g_hash_table_unref);
 enum { MOST_MEASURED = 1024 };
 

@@ -157,7 +157,7 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
 {
     const struct bead_picture_notes *notes = page->notes;
     double scale = 72 / notes->dpi;
-    /* Cairo falls where there is no memory for what PDF and SVG cannot say, which it holds twice as pixels; the rest is small. */
+    /* Cairo crashes without memory for what PDF and SVG cannot express, which it holds twice as pixels; the rest is small. */
     const uint64_t bytes = (uint64_t)page->width * (uint64_t)page->height * 4 * 2 + (32 << 20);
     if (!bead_memory_room(bytes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: needs %.2g GB of free addresses (ulimit -v)", part, 1e-9 * (double)bytes);
@@ -173,7 +173,7 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
     return err ? err : status ? vector_failed(part, status, msg) : BEAD_OK;
 }
 
-/* By way of memory, as cairo writes neither all of SVG nor of PDF, and too much of EPS. */
+/* In memory first, since cairo writes neither all of SVG nor of PDF, and too much of EPS. */
 static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct page *page = context;

@@ -33,7 +33,7 @@ struct bead_svg_parts {
  * names). */
 BEAD_CHECK enum bead_error bead_svg_write(const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg);
 
-/* PDF files: what cairo lacks, a text in place of the figure for those who do not see it, and the scene. */
+/* PDF files: what cairo lacks, a text in place of the figure for those who cannot see it, and the scene. */
 
 /* Writes a whole file of cairo's, in which a tag Figure holds all of the page, and after it an update (ISO 32000-1, 7.5.6) that
  * gives the figure the document's subject as its text (/Alt, 14.9.3), and the document its language and a window with its title.

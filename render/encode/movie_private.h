@@ -93,7 +93,7 @@ struct bead_movie {
     bool failed;
 };
 
-/* Before close: what happens, in words, for those who do not see it; in the finished file of mp4, and before the comment of those
+/* Before close: what happens, in words, for those who cannot see it; in the finished file of mp4, and before the comment of those
  * whose muxers write none. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_describe(struct bead_movie *movie, const char *text, struct bead_message *msg);
 

@@ -48,7 +48,7 @@ static void plain(const char *text, char *out, size_t size)
     out[used] = '\0';
 }
 
-/* "peak force: ordered, M = 1.0: 40 N to 84 N, most at contact 0; ...", for those who do not see the curves. */
+/* "peak force: ordered, M = 1.0: 40 N to 84 N, most at contact 0; ...", for those who cannot see the curves. */
 static void tell(const struct bead_graph *graph, char *out, size_t size)
 {
     size_t used = 0;

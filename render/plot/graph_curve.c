@@ -218,7 +218,7 @@ static void curve_gather(struct pen *pen, struct column *column, struct px at)
 }
 
 /* Whether the line to point i lies on that of an earlier curve, whose marks alternate with this one's: there one line is enough,
- * since dashes on dashes of other colours look like none of them. */
+ * since dashes on dashes of other colours look like neither. */
 static bool is_under_another(const struct graph_cell *cell, const struct bead_series *series, size_t i)
 {
     const struct bead_panel *panel = cell->panel;

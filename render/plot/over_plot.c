@@ -119,7 +119,7 @@ static void add_curve(struct over_panel *p, const struct bead_output *output, co
         add_law(p, curve, at);
 }
 
-/* Axes have prefixes for units of SI; counts of beads are no such. */
+/* Axes have prefixes for units of SI; counts of beads have none. */
 enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
                                      struct bead_over_shown *what, struct bead_message *msg)
 {

@@ -82,7 +82,7 @@ static double bar_of(const struct bead_outcome *outcome, size_t contact)
 
 enum { ROWS = 4 };
 
-/* Fills two series: finished peaks, and hollow marks. Returns why there are some. */
+/* Fills two series: finished peaks, and hollow marks. Returns the reason for these. */
 static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
                                 struct bead_series series[2])
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The story of a run in words, for those who do not see a picture: from the samples that it shows. "In Clean (M = 1) one pulse of
+/* The story of a run in words, for those who cannot see a picture: from the samples that it shows. "In Clean (M = 1) one pulse of
  * 36 N, 5 beads wide, crosses 128 beads in 2.4 ms and keeps its height." */
 #pragma once
 
