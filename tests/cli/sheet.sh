@@ -38,6 +38,14 @@ ok "--sheet of an equation" fails 2 "$beadreel" --sheet fput -o "$T/a.png"
 ok "--sheet of one ordered chain" fails 2 "$beadreel" --sheet "$T/chain.yaml" --set chain.beads.0.spins=up -o "$T/a.png"
 ok "--sheet of one run" fails 2 "$beadreel" --sheet "$T/alone.h5" -o "$T/a.png"
 ok "--sheet and --configuration" fails 2 "$beadreel" --sheet "$T/sweep.yaml" --configuration 1 -o "$T/a.png"
+# Of configurations that are listed, each picture says its magnetism, |up - down| / cells; rows of one magnetism have it in front.
+said() { # FILE PATTERN : words of the sheet that have it
+    (cd "$top/tests" && /usr/bin/python3 -c 'import re, sys, svg_plots
+print(*(t.words for t in svg_plots.texts_of(open(sys.argv[1]).read()) if re.search(sys.argv[2], t.words)), sep="|")' "$1" "$2")
+}
+ok "configurations that are listed" exits 0 "$beadreel" "$T/sweep.yaml" -o "$T/listed" --set 'sweep={cells: 8, spins: ["11101111", "10110100", "00001000"]}' --only sheet.svg
+ok "... have their magnetism" [ "$(said "$T/listed/sheet.svg" '^#')" = "#0  M 0.75|#1  M 0|#2  M 0.75" ]
+ok "... the others have not" [ "$(said "$T/all/sheet.svg" '^#.* M')" = "" ]
 ok "no room" fails 2 "$beadreel" --sheet "$T/sweep.yaml" --set 'outputs.0.size=[90, 60]' -o "$T/a.png"
 ok "... nothing is left" [ ! -e "$T/a.png" ]
 finish
