@@ -157,7 +157,7 @@ static enum bead_error write_sheet(const struct bead_output *output, const struc
 
 static const char *sheet_why(const struct bead_output *)
 {
-    return "small pictures of many configurations, rows by magnetism; nothing but these is run for it";
+    return "small pictures of many configurations, rows by magnetism; only these run";
 }
 
 const struct bead_sink_type bead_contact_sheet_sink = {.name = "sheet",

@@ -265,7 +265,7 @@ static enum bead_error write_sweep(const struct bead_output *, const struct bead
 
 static const char *results_why(const struct bead_output *)
 {
-    return "spins and results of every configuration; until the end in its .part";
+    return "spins and results of every configuration; in its .part until the end";
 }
 
 const struct bead_sink_type bead_sweep_results_sink = {.name = "sweep",
