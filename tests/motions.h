@@ -54,9 +54,11 @@ static inline double *field_at(const struct bead_system *system, struct bead_mot
 
 static inline bool has_measure(const struct bead_system *system, const struct bead_motion *motion, const char *name, double *value)
 {
-    struct bead_measure all[64];
+    struct bead_measure all[64] = {0};
     size_t count = system->equation->measures(motion, all, 64);
     assert_true(count <= 64);
+    for (size_t i = 0; i < count; i++)
+        assert_true(all[i].name[0] != '\0');
     for (size_t i = 0; i < count; i++) {
         if (strcmp(all[i].name, name) == 0) {
             *value = all[i].value;

@@ -54,10 +54,10 @@ ok "a wrong scene" exits 2 "$beadreel" scene.yaml -o none --json --set chains.1.
 ok "... says where" is 'list(j) == '"$keys"' and j["status"] == "failed" and j["exit"] == 2 and j["errors"] == [
     {"file": "--set", "line": 1, "column": 23, "message": "chains.1.beads.0.bead: there is no material `brsas`; did you mean `brass`?"}]'
 ok "... to people, too" says 'did you mean `brass`?'
-cp scene.yaml a:7:b.yaml
-echo 'simulate: {until: 0}' >>a:7:b.yaml
-ok "a file's name with colons" exits 2 "$beadreel" a:7:b.yaml -o none --json
-ok "... is told from the place" is '[(e["file"], e["line"], e["column"]) for e in j["errors"]] == [("a:7:b.yaml", 8, 19)]'
+cp scene.yaml a:7:b:7:8.yaml
+echo 'simulate: {until: 0}' >>a:7:b:7:8.yaml
+ok "a file's name with colons" exits 2 "$beadreel" a:7:b:7:8.yaml -o none --json
+ok "... is told from the place" is '[(e["file"], e["line"], e["column"]) for e in j["errors"]] == [("a:7:b:7:8.yaml", 8, 19)]'
 ok "no scene" exits 2 "$beadreel" nothing --json
 ok "... has no place" is 'j["errors"][0]["file"] is None and j["errors"][0]["line"] is None and "nothing" in j["errors"][0]["message"]'
 ok "a wrong command line" exits 2 "$beadreel" --json --threads x

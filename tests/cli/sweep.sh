@@ -56,6 +56,12 @@ else
     ok "... and says so" lacks " chains"
     ok "... writes the same" same "$T/whole/force.csv" "$T/blocked/force.csv"
     ok "... and takes the journal away" test ! -e "$T/blocked/sweep.h5.part"
+    # Forces and energies along the chains are kept, too.
+    sed 's/cells: 16, configurations: 12/cells: 8, configurations: 3, magnetism: 0.5, measure: {decay: true}/; s/configurations.csv, show: configurations/decay.csv, show: decay/' "$T/sweep.yaml" >"$T/decay.yaml"
+    ok "a sweep that measures decays" exits 0 "$beadsim" "$T/decay.yaml" -o "$T/decays"
+    ok "... cannot write its table" fails 1 env LD_PRELOAD="$T/worn.so" "$beadsim" "$T/decay.yaml" -o "$T/worn"
+    ok "... and goes on" exits 0 "$beadsim" "$T/decay.yaml" -o "$T/worn"
+    ok "... with the same decays" same "$T/decays/decay.csv" "$T/worn/decay.csv"
 fi
 # Few cells behind soft ones: forces still rise when the front arrives at the end, and the table says so.
 ok "a short chain with soft beads" exits 0 "$beadsim" "$T/sweep.yaml" -o "$T/soft" --only configurations.csv --set sweep.cells=8 --set sweep.fixed=3 \
