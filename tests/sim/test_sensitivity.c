@@ -4,6 +4,7 @@
 #include "support.h"
 
 #include "beadreel/session.h"
+#include "sim/adjoint/record.h"
 #include "sim/run/sensitivity.h"
 
 /* ---- chains whose beads are each of a material of their own ---- */
@@ -300,10 +301,45 @@ static void the_contact_meant_is_the_last_with_a_peak(void **state)
     release(&b);
 }
 
+/* Beads that have not been reached by a step are at rest in it, whichever steps were looked at before. */
+static void recorded_steps_are_at_rest_ahead(void **state)
+{
+    (void)state;
+    enum { BEADS = 16, STEPS = 3 };
+    double values[6][BEADS];
+    struct bead_message msg = {""};
+    struct bead_record record = {0};
+    struct bead_stepper s = {.start = {.u = values[0], .v = values[1], .a = values[2]},
+                             .end = {.u = values[3], .v = values[4], .a = values[5]}};
+    for (size_t step = 0; step < STEPS; step++) {
+        s.active = 5 * (step + 1);
+        s.t0 = (double)step;
+        s.t1 = (double)step + 1;
+        for (size_t i = 0; i < 6; i++)
+            for (size_t j = 0; j < BEADS; j++)
+                values[i][j] = j < s.active ? (double)(100 * (step + i / 3) + 10 * (i % 3) + j + 1) : 0;
+        assert_int_equal(bead_record_add(&record, &s, &msg), BEAD_OK);
+    }
+    assert_int_equal(record.steps, STEPS);
+    for (size_t step = STEPS; step-- > 0;) {
+        bead_record_load(&record, step, &s);
+        assert_true(s.active == 5 * (step + 1) && s.t0 == (double)step && s.t1 == (double)step + 1 && s.h == 1);
+        for (size_t i = 0; i < 6; i++)
+            for (size_t j = 0; j < BEADS; j++) {
+                const size_t known = i < 3 && step > 0 ? 5 * step : s.active; /* the start is the end of the step before */
+                assert_true(values[i][j] == (j < known ? (double)(100 * (step + i / 3) + 10 * (i % 3) + j + 1) : 0));
+            }
+    }
+    bead_record_free(&record);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(central_differences), cmocka_unit_test(central_differences_of_a_bead),
-                                       cmocka_unit_test(derivatives_add_up), cmocka_unit_test(collision),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(recorded_steps_are_at_rest_ahead),
+                                       cmocka_unit_test(central_differences),
+                                       cmocka_unit_test(central_differences_of_a_bead),
+                                       cmocka_unit_test(derivatives_add_up),
+                                       cmocka_unit_test(collision),
                                        cmocka_unit_test(the_contact_meant_is_the_last_with_a_peak)};
     return cmocka_run_group_tests_name("sensitivity", tests, NULL, NULL);
 }
