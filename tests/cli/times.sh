@@ -69,4 +69,11 @@ done
 # Times that no grid has are reached between samples.
 ok "a moment next to another" exits 0 "$beadsim" shock --plan --set 'outputs=[{table: t.csv, show: profiles, at: [0, 1e-300, 3.86]}]'
 ok "... takes no samples without number" bash -c "sed -n 's/.*, \([0-9]*\) times every.*/\1/p' '$T/out' | awk '{ exit !(\$1 > 0 && \$1 < 1e5) }'"
+# A run that ends by itself leaves out the beads behind those that outputs see, and says so.
+unseen() { # KEYS : the first contact that is seen
+    printf '%s\n' 'chain: {beads: [{bead: large-steel, count: 40}]}' "outputs: [{table: t.csv, show: peaks$1}]" >unseen.yaml
+    exits 0 "$beadsim" unseen.yaml --plan && { sed -n 's/.*to affect contact \([0-9]*\):.*/\1/p' "$T/out" | tr '\n' ' '; }
+}
+ok "all contacts are seen" [ "$(unseen '')" = "" ]
+ok "... or those from one on" [ "$(unseen ', contacts: [20, 30]')" = "20 " ]
 finish
