@@ -147,7 +147,7 @@ samples='outputs=[{trajectory: run.h5, every: 2 us, fields: [velocity, displacem
 "$beadsim" "$top/tests/errors/draw21.yaml" -o t --quiet "${short[@]}" --set simulate.accuracy=1e-4 --set "$samples" >quiet
 "$beadsim" "$top/tests/errors/draw21.yaml" -o exact --quiet "${short[@]}" --set simulate.accuracy=1e-11 --set "${samples/true/false}" >quiet
 run "$beadsim" --diff t/run.h5 exact/run.h5 --set 'outputs=[{table: off.csv, show: extremes, field: velocity}]' -o t/off.csv
-ok "a difference is not known if one of the two is not" awk -F, 'NR > 1 && NF != 4 {bad++} END {exit bad || NR < 100}' t/off.csv
+ok "a difference is not known if one of the two is not" awk -F, 'NR > 1 && $5 != "nan" {bad++} END {exit bad || NR < 100}' t/off.csv
 redrawn x.csv extremes
 ok "extremes of a trajectory" says_largest t/x.csv 4
 redrawn s.csv 'sensors, beads: [3]'
@@ -198,7 +198,7 @@ sweep: {magnetism: [0.5], configurations: 4, seed: 3}
 outputs: [{table: c.csv, show: configurations}]
 YAML
 said() {
-    paste -d, long/c.csv long-exact/c.csv | awk -F, 'NR > 1 {error = $4 - $13; if (error < 0) error = -error; print error, $9; missed += error > $9; rows++}
+    paste -d, long/c.csv long-exact/c.csv | awk -F, 'NR > 1 {error = $4 - $15; if (error < 0) error = -error; print error, $9; missed += error > $9; rows++}
         END {exit missed || rows != 4}'
 }
 "$beadsim" long.yaml -o long --quiet >quiet
@@ -215,7 +215,7 @@ YAML
 "$beadsim" step.yaml -o step --quiet >quiet
 "$beadsim" step.yaml -o half --quiet --set 'simulate.step=0.5 us' >quiet
 halved() {
-    paste -d, step/c.csv half/c.csv | awk -F, 'NR == 2 {d = 5 * ($4 - $13); if (d < 0) d = -d; print d, $9; exit !(d > 0 && $9 > .999999 * d && $9 < 1.000001 * d)}'
+    paste -d, step/c.csv half/c.csv | awk -F, 'NR == 2 {d = 5 * ($4 - $15); if (d < 0) d = -d; print d, $9; exit !(d > 0 && $9 > .999999 * d && $9 < 1.000001 * d)}'
 }
 ok "a sweep of given steps is compared with half of them" halved
 
