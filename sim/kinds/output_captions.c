@@ -35,7 +35,8 @@ const struct bead_option bead_caption_rows[5] = {
      .help = "time of the motion at which the caption appears", .example = "0.2 ms"},
     {"text", BEAD_OPTION_TEXT, CAPTION(text), .required = true,
      .help = "the text; *x* is set in italics, _0 or _{max} as subscript, ^2 or ^{3/2} as superscript; between two dollar signs, a "
-             "little TeX: letters in italics, \\\\delta, \\\\frac{a}{b}, \\\\sqrt{x}, \\\\ddot{u}, \\\\text{words}, \\\\cdot and the like; "
+             "little TeX: letters in italics, \\\\delta, \\\\frac{a}{b}, \\\\sqrt{x}, \\\\ddot{u}, \\\\text{words}, \\\\cdot and "
+             "the like; "
              "<b>bold</b>, and so with i, u, s, sub and sup; a backslash takes the next character as it is",
      .example = "The front leaves the striker"},
     {"until", BEAD_OPTION_NUMBER, CAPTION(until), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto", .word_value = NAN,
