@@ -321,10 +321,13 @@ double bead_axis_place(const struct bead_axis *axis, double value)
     return bead_scale_place(axis->scale, axis->low, axis->high, value);
 }
 
+/* From here on two decimals show a number. */
+static const double plain_from = 0.0099;
+
 /* Numbers with many digits are shown in multiples of a power of ten; logarithmic axes show powers anyway. */
 static int power_of_numbers(double largest, enum bead_scale scale)
 {
-    bool plain = scale == BEAD_SCALE_LOG || !isfinite(largest) || largest == 0 || (largest >= 0.0099 && largest < 99999);
+    bool plain = scale == BEAD_SCALE_LOG || !isfinite(largest) || largest == 0 || (largest >= plain_from && largest < 99999);
     return plain ? 0 : 3 * (int)floor(log10(largest) / 3 + 1e-9);
 }
 
@@ -334,7 +337,7 @@ void bead_axis_make(struct bead_axis *axis, double low, double high, const char 
     double largest = fmax(fabs(low), fabs(high));
     bool counts = strcmp(si_unit, "1") == 0, number = *si_unit == '\0';
     int exponent = number ? 0 : bead_prefix_exponent(largest, si_unit);
-    const bool below_prefixes = exponent < 0 && largest < 0.0099 * bead_power_of_ten(exponent);
+    const bool below_prefixes = exponent < 0 && largest < plain_from * bead_power_of_ten(exponent);
     if (number || below_prefixes)
         exponent = power_of_numbers(largest, scale);
     *axis = (struct bead_axis){.low = low, .high = high, .scale = scale, .factor = bead_power_of_ten(-exponent)};

@@ -73,6 +73,8 @@ static inline double bead_table_bound(const struct bead_sink *sink, size_t chain
 void bead_table_text(FILE *file, const char *text);
 /* ",a,b" for the numbers a and b, with the fewest digits that read back as the same double. */
 void bead_table_numbers(FILE *file, size_t count, const double *numbers);
+/* ",a"; "," where the number is not finite. */
+void bead_table_known(FILE *file, double number);
 
 /* The name of a chain and a comma, if there are several chains. */
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain);

@@ -50,6 +50,13 @@ void bead_table_numbers(FILE *file, size_t count, const double *numbers)
     }
 }
 
+void bead_table_known(FILE *file, double number)
+{
+    fputc(',', file);
+    if (isfinite(number))
+        bead_write_number(file, number);
+}
+
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain)
 {
     if (sink->context.chain_count == 1)

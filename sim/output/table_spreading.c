@@ -52,25 +52,18 @@ static void spreading_header(struct bead_sink *sink)
 }
 
 /* Numbers that are not known yet are left out. */
-static void write_known(FILE *file, double number)
-{
-    fputc(',', file);
-    if (isfinite(number))
-        bead_write_number(file, number);
-}
-
 static void write_row(struct bead_sink *sink, const struct bead_sample *sample, const double errors[EXPONENTS])
 {
     const struct column *columns = &sink->columns[sample->chain * NUMBERS];
     bead_table_chain_name(sink, sample->chain);
     bead_write_number(sink->file, sample->time);
     for (size_t i = 0; i < NUMBERS; i++) {
-        write_known(sink->file, columns[i].value);
+        bead_table_known(sink->file, columns[i].value);
         if (i >= BEAD_SPREADING_NUMBERS)
-            write_known(sink->file, errors[i - BEAD_SPREADING_NUMBERS]);
+            bead_table_known(sink->file, errors[i - BEAD_SPREADING_NUMBERS]);
     }
     for (size_t i = 0; bead_table_is_judged(sink) && i < NUMBERS; i++)
-        write_known(sink->file, columns[i].uncertainty);
+        bead_table_known(sink->file, columns[i].uncertainty);
     bead_table_end_row(sink);
 }
 

@@ -23,13 +23,6 @@ struct out {
     bool several, places; /* has a column for the sweep's name, and for the place's */
 };
 
-static void number(FILE *file, double value)
-{
-    fputc(',', file);
-    if (isfinite(value))
-        bead_write_number(file, value);
-}
-
 static void head(const struct out *o, const char *columns)
 {
     fprintf(o->file, "%s%s%s\n", o->several ? "sweep," : "", o->places ? "place," : "", columns);
@@ -57,15 +50,15 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
     bead_write_number(o->file, row->magnetism);
     fprintf(o->file, ",%zu", row->count);
     for (size_t i = 0; i < 7; i++)
-        number(o->file, normalised[i]);
+        bead_table_known(o->file, normalised[i]);
     for (size_t i = 0; i < 3; i++)
-        number(o->file, normalised[i] * s->clean);
+        bead_table_known(o->file, normalised[i] * s->clean);
     const double found[] = {s->threshold.plateau, s->threshold.plateau_error, s->threshold.critical, s->threshold.critical_error};
     for (size_t i = 0; i < 4; i++)
-        number(o->file, s->has_threshold ? found[i] : NAN);
-    number(o->file, uncertain * m->mean);
-    number(o->file, uncertain * m->mean * s->clean);
-    number(o->file, s->has_threshold ? uncertain * s->threshold.plateau : NAN);
+        bead_table_known(o->file, s->has_threshold ? found[i] : NAN);
+    bead_table_known(o->file, uncertain * m->mean);
+    bead_table_known(o->file, uncertain * m->mean * s->clean);
+    bead_table_known(o->file, s->has_threshold ? uncertain * s->threshold.plateau : NAN);
     fputc('\n', o->file);
 }
 
@@ -120,8 +113,8 @@ static double time_uncertainty(const struct bead_sweep_peak *peak, const struct 
 /* A row's force and time. */
 static void write_uncertainties(const struct out *o, const struct bead_sweep_peak *peak, const struct worst *worst)
 {
-    number(o->file, force_uncertainty(peak, worst));
-    number(o->file, time_uncertainty(peak, worst));
+    bead_table_known(o->file, force_uncertainty(peak, worst));
+    bead_table_known(o->file, time_uncertainty(peak, worst));
 }
 
 /* The ratio of two forces, which are both uncertain. */
@@ -147,13 +140,13 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
                 const struct bead_sweep_peak *peak = &c.peaks[place], *by = normal ? &clean.peaks[place] : NULL;
                 names(o, p, place);
                 fprintf(o->file, "%zu", i);
-                number(o->file, c.magnetism);
-                number(o->file, by ? peak->force / by->force : NAN);
-                number(o->file, peak->force);
-                number(o->file, peak->time);
+                bead_table_known(o->file, c.magnetism);
+                bead_table_known(o->file, by ? peak->force / by->force : NAN);
+                bead_table_known(o->file, peak->force);
+                bead_table_known(o->file, peak->time);
                 fprintf(o->file, ",%zu,%.*s,%s", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
                 write_uncertainties(o, peak, &worst[place]);
-                number(o->file, by ? ratio_uncertainty(peak, by, &worst[place]) : NAN);
+                bead_table_known(o->file, by ? ratio_uncertainty(peak, by, &worst[place]) : NAN);
                 fputc('\n', o->file);
             }
         }
@@ -195,14 +188,14 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
                 names(o, p, 0);
                 bead_write_number(o->file, d->magnetism);
                 fprintf(o->file, ",%zu,%zu", d->count, j);
-                number(o->file, d->force[j]);
-                number(o->file, d->energy[j]);
+                bead_table_known(o->file, d->force[j]);
+                bead_table_known(o->file, d->energy[j]);
                 for (size_t k = 0; k < sizeof fits / sizeof *fits; k++)
-                    number(o->file, fits[k]);
-                number(o->file, uf->peaks[j]);
-                number(o->file, ue->peaks[j]);
+                    bead_table_known(o->file, fits[k]);
+                bead_table_known(o->file, uf->peaks[j]);
+                bead_table_known(o->file, ue->peaks[j]);
                 for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-                    number(o->file, known[k]);
+                    bead_table_known(o->file, known[k]);
                 fputc('\n', o->file);
             }
         }
@@ -242,8 +235,8 @@ static enum bead_error write_every_point(const struct out *o, struct bead_messag
                 write_key(o, 0, i, k);
             }
             const struct bead_sweep_peak *peak = &c.peaks[place];
-            number(o->file, peak->force);
-            number(o->file, peak->time);
+            bead_table_known(o->file, peak->force);
+            bead_table_known(o->file, peak->time);
             fprintf(o->file, ",%zu,%s", (size_t)peak->bead, peak->open ? "open" : "");
             write_uncertainties(o, peak, &worst[place]);
             fputc('\n', o->file);
@@ -263,11 +256,11 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
         bead_table_text(o->file, curve->name);
         fprintf(o->file, ",%zu", m->count);
         for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
-            number(o->file, numbers[k]);
-        number(o->file, curve->slope);
-        number(o->file, curve->slope_error);
-        number(o->file, curve->points[i].uncertainty);
-        number(o->file, curve->slope_uncertainty);
+            bead_table_known(o->file, numbers[k]);
+        bead_table_known(o->file, curve->slope);
+        bead_table_known(o->file, curve->slope_error);
+        bead_table_known(o->file, curve->points[i].uncertainty);
+        bead_table_known(o->file, curve->slope_uncertainty);
         fputc('\n', o->file);
     }
 }
@@ -324,15 +317,15 @@ static enum bead_error write_spreading(const struct out *o, struct bead_message 
             bead_table_text(o->file, s->name);
             fprintf(o->file, ",%zu", s->chains);
             for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-                number(o->file, s->mean[n][i]);
-                number(o->file, s->error[n][i]);
+                bead_table_known(o->file, s->mean[n][i]);
+                bead_table_known(o->file, s->error[n][i]);
             }
             for (size_t n = 0; n < sizeof fits / sizeof *fits; n++)
-                number(o->file, fits[n]);
+                bead_table_known(o->file, fits[n]);
             for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++)
-                number(o->file, s->uncertainty[n][i]);
+                bead_table_known(o->file, s->uncertainty[n][i]);
             for (int n = 0; n < 2; n++)
-                number(o->file, s->of_exponent[n]);
+                bead_table_known(o->file, s->of_exponent[n]);
             fputc('\n', o->file);
         }
     }

@@ -8,13 +8,6 @@
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_lines.h"
 
-static void number(FILE *file, double value)
-{
-    fputc(',', file);
-    if (isfinite(value))
-        bead_write_number(file, value);
-}
-
 /* The heading of a place's column: its name, and what the column has of it. */
 static void write_heading(FILE *file, const struct bead_sweep_lines *lines, size_t column, const char *what)
 {
@@ -61,11 +54,11 @@ static void write_line(FILE *file, const struct bead_sweep_lines *lines, const s
         bead_table_text(file, line->name);
         fprintf(file, ",%zu", line->chains);
         for (size_t p = 0; p < line->mean.columns; p++) {
-            number(file, line->mean.values[p * line->mean.rows + k]);
-            number(file, line->error[p * line->mean.rows + k]);
+            bead_table_known(file, line->mean.values[p * line->mean.rows + k]);
+            bead_table_known(file, line->error[p * line->mean.rows + k]);
         }
         for (size_t p = 0; line->uncertainty && p < line->mean.columns; p++)
-            number(file, line->uncertainty[p]);
+            bead_table_known(file, line->uncertainty[p]);
         fputc('\n', file);
     }
 }
@@ -82,15 +75,15 @@ static void write_strongest(FILE *file, const struct bead_sweep_lines *lines, co
             continue;
         bead_table_text(file, line->name);
         fprintf(file, ",%zu", line->chains);
-        number(file, mean->first + (double)(i / bands) * mean->between);
+        bead_table_known(file, mean->first + (double)(i / bands) * mean->between);
         fprintf(file, ",%zu", i % bands + 1);
-        number(file, found.exact);
-        number(file, found.found);
-        number(file, found.amplitude);
+        bead_table_known(file, found.exact);
+        bead_table_known(file, found.found);
+        bead_table_known(file, found.amplitude);
         const double row = round(found.found / mean->step);
-        number(file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
+        bead_table_known(file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
         if (line->uncertainty)
-            number(file, line->uncertainty[i / bands]);
+            bead_table_known(file, line->uncertainty[i / bands]);
         fputc('\n', file);
     }
 }
