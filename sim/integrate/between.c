@@ -270,7 +270,7 @@ static const struct bead_patch_piece *piece_at(const struct bead_between *b, con
     return piece;
 }
 
-/* F - H of a contact at x, which is z of a piece, and its derivative by x. */
+/* F - H of a contact at x, z in a piece, and its derivative by x. */
 static void left_out(const struct bead_between *b, const struct patch *p, const struct bead_patch_piece *piece, double z, double x,
                      size_t index, double out[2])
 {
@@ -303,7 +303,7 @@ void bead_between_correct(const struct bead_between *b, const struct bead_steppe
     }
 }
 
-/* The first patch whose contacts do not all come before this one. */
+/* The first patch with this contact or later ones. */
 static size_t patch_from(const struct bead_between *b, size_t contact)
 {
     size_t low = 0, high = b->patches;

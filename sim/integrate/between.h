@@ -25,7 +25,7 @@ void bead_between_destroy(struct bead_between *between);
 /* Finds the contacts of a part of the beads in the last step that may change a velocity by more than `tolerance`, m/s. NULL is
  * allowed. */
 void bead_between_find(struct bead_between *between, const struct bead_stepper *stepper, struct bead_part part, double tolerance);
-/* Their branch points, by contacts. */
+/* Their branch points, in the order of contacts. */
 const struct bead_between_point *bead_between_points(const struct bead_between *between, size_t *count);
 /* m of s = tau +- x^m: forces next to a branch point tau are smooth in x. */
 int bead_between_power(const struct bead_between *between);
@@ -38,5 +38,5 @@ void bead_between_correct_compression(const struct bead_between *between, const 
 /* ... and for the interpolated displacement u[0] of a bead, m, and its derivative u[1] by x. */
 void bead_between_correct_bead(const struct bead_between *between, const struct bead_stepper *stepper, size_t bead, double x,
                                double u[2]);
-/* True if memory ran out: no further corrections. NULL is allowed: false. */
+/* True if memory ran out: there are no more corrections. NULL is allowed: false. */
 bool bead_between_failed(const struct bead_between *between);

@@ -4,11 +4,10 @@
 
 #include "sim/integrate/dense.h"
 
-/* Both are chosen: far above rounding, far below a step. With a tenth or ten times of either, no bit changes in the peaks of eleven
- * damped chains (exponents between .7 and 3, at 1e-4 and 1e-6). A contact that opens and closes within such a part of a step is not
- * seen. */
+/* Choices far above rounding and far below a step: a tenth or ten times either changes no bit of the peaks of eleven damped chains
+ * (exponents between .7 and 3, at 1e-4 and 1e-6). They miss a contact that opens and closes within such a part of a step. */
 
-/* A change of the force's sign within this first part of a step counts as one at its start. */
+/* A force that changes sign within this first part of a step counts as changing at its start. */
 static const double at_once = 1e-6;
 /* A difference quotient over this part of a step. */
 static const double nearby = 1e-4;
@@ -47,14 +46,14 @@ void bead_damped_contacts_update(struct bead_stepper *s)
     }
 }
 
-/* A contact over the step: its compression as samples have it. */
+/* A contact over the step, with its compression as in samples. */
 struct contact_curve {
     const struct bead_stepper *stepper;
     size_t contact;
     struct bead_polynomial compression;
 };
 
-/* A number that changes its sign where a contact opens, or closes although compressed. */
+/* Changes sign where a contact opens, or closes although compressed. */
 static double push(const struct bead_stepper *s, size_t k, double d, double change)
 {
     const double force = s->table.damping > 0 ? closed_force(s, k, d, change) : d;
@@ -103,7 +102,7 @@ double bead_damped_contacts_miss(const struct bead_stepper *s, size_t k)
 {
     const double d = bead_stepper_compression(s, &s->end, k), change = rate(&s->end, k),
                  w = s->chain->inverse_mass[k] + (k + 1 < s->beads ? s->chain->inverse_mass[k + 1] : 0);
-    double off, jump; /* in steps, and what it does to a velocity per step, m/s */
+    double off, jump; /* in steps, and its effect on a velocity per step, m/s */
     if (closes(s, k)) {
         off = d / (change * s->h);
         jump = off * closed_force(s, k, fmax(d, 0), change);
@@ -113,7 +112,7 @@ double bead_damped_contacts_miss(const struct bead_stepper *s, size_t k)
         off = push(s, k, d, change) / slope;
         jump = s->table.damping > 0 ? 0.5 * off * off * slope : 0;
     }
-    return fabs(jump) * s->h * w > s->event_tolerance && fabs(off) < 1 ? -off : 0; /* beyond the step it is another */
+    return fabs(jump) * s->h * w > s->event_tolerance && fabs(off) < 1 ? -off : 0; /* further away is another event */
 }
 
 struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *s)

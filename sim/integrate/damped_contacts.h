@@ -10,16 +10,16 @@
 
 /* A contact that opens or closes within a step. */
 struct bead_damped_contact {
-    double at; /* in units of the step; 1: none does */
+    double at; /* in steps; 1: there is none */
     size_t contact;
 };
 
-/* The first one in the last step. */
+/* The first in the last step. */
 struct bead_damped_contact bead_damped_contacts_first(const struct bead_stepper *stepper);
-/* By how much longer the last step should be, in units of itself, to end where contact k opens or closes; 0: what it misses by
- * changes no velocity by more than the tolerance of events. */
+/* How much longer the last step should be, in units of itself, to end where contact k opens or closes; 0: close enough, no velocity
+ * changes by more than the tolerance of events. */
 double bead_damped_contacts_miss(const struct bead_stepper *stepper, size_t contact);
-/* Force, N, of a contact with damping within the last step, at compression d that grows by `change` m/s: 0 if it is open, or would
+/* Force, N, of a contact with damping within the last step, at compression d that grows by `change` m/s: 0 if it is open or would
  * have to stick. */
 double bead_damped_contacts_within(const struct bead_stepper *stepper, size_t contact, double d, double change);
 /* Sets stepper->closed to the states of all contacts at the end of the last step. */

@@ -55,7 +55,7 @@ static void update_jerks(struct bead_dense *dense, const struct bead_stepper *s)
     dense->jerk[0] = dense->jerk[1];
     dense->jerk[1] = spare;
     const bool back = dense->step == s->steps + 1; /* over recorded steps: this one ends where the one before began */
-    if (dense->step + 1 != s->steps || s->steps == 1 || s->driven != SIZE_MAX) /* that of a drive may jump between steps */
+    if (dense->step + 1 != s->steps || s->steps == 1 || s->driven != SIZE_MAX) /* a drive may jump between steps */
         find_jerks(dense, s, &s->start, dense->jerk[0]);
     if (!back)
         find_jerks(dense, s, &s->end, dense->jerk[1]);

@@ -52,7 +52,7 @@ static void copy_constants(struct bead_events *e, const struct bead_chain *chain
     for (size_t j = 0; chain->spring && j < chain->beads; j++)
         e->pull[j] = chain->spring[j] * chain->inverse_mass[j];
     e->source.pull = e->patch.pulled = chain->spring ? e->pull : NULL;
-    if (chain->spec->drive.displacement) /* what pulls at it does not move it */
+    if (chain->spec->drive.displacement) /* no spring moves it */
         e->pull[chain->spec->drive.bead] = 0;
 }
 

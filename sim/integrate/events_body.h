@@ -97,7 +97,7 @@ static void guess_forces(const struct nodes *nodes, const struct bead_patch_rule
     }
 }
 
-/* Adds to d'' what holds the beads at their places: a cubic in s. */
+/* Adds to d'' the pull that holds beads in place: a cubic in s. */
 static void pull_curvatures(const struct nodes *nodes, const struct bead_patch *patch, const struct pushing *pushing)
 {
     double *const *p = patch->array + BEAD_PATCH_PULL;
@@ -125,7 +125,7 @@ static void pull_ends(const struct bead_patch_piece *piece, const struct bead_pa
     }
 }
 
-/* Adds to d'' what a drive does to a bead between two contacts. */
+/* Adds to d'' the effect of a drive on a bead between two contacts. */
 static void drive_curvatures(const struct nodes *nodes, const struct bead_patch *patch)
 {
     for (ptrdiff_t k = patch->driven - 1; k <= patch->driven; k++) {

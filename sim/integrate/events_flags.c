@@ -34,7 +34,7 @@ static double force_power(const struct bead_patch_rule *rule, double r)
     return rule->hertz ? r * sqrt(r) : pow(r, rule->exponent);
 }
 
-/* Its inverse, without bead_pow if possible, which takes a tenth of the time of a step. */
+/* Its inverse, if possible without bead_pow, which takes a tenth of a step's time. */
 static double force_root(const struct bead_patch_rule *rule, double power)
 {
     const double root = rule->hertz ? bead_cbrt(power) : 0;

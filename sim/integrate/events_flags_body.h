@@ -29,7 +29,7 @@ static inline struct event_ends keep_ends(const struct bead_patch_source *s, con
 static size_t list_near(size_t n, const struct bead_patch_source *source, const struct bead_event_limits *limits,
                         const struct bead_event_flags *flags)
 {
-    /* A compression that dips to zero within the step is less than half its rate at both ends. */
+    /* If a compression dips to zero within the step, it is less than half its rate at both ends. */
     const double near = limits->reach > 0.5 ? limits->reach : 0.5;
     const lanes slow = (lanes){0} + limits->slow;
     const struct bead_patch_source here = *source;

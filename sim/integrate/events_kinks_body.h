@@ -78,8 +78,8 @@ static inline floats kink_curve(const floats c[6], floats s)
     return c[2] + s * (3 * c[3] + s * (6 * c[4] + s * (10 * c[5])));
 }
 
-/* Zero of the quintic between 0 and 1. Starts at that of the cubic s(d) through both ends or, if the rate changes its sign in
- * between, at that of the tangent at the end with the right sign; then two steps of Newton's method. */
+/* Zero of the quintic between 0 and 1. Two steps of Newton's method, from the zero of the cubic s(d) through both ends or, if the
+ * rate changes sign in between, of the tangent at the end with the right sign. */
 static inline floats kink_root(const floats c[6], const struct kink_end *end0, const struct kink_end *end1)
 {
     const floats span = end1->d[1] - end0->d[1], y = -end0->d[1] / span, z = 1 - y;
@@ -191,7 +191,7 @@ static floats sum_stages(const struct bead_kink_method *t, const struct kink_sha
     return most;
 }
 
-/* Contacts that open or close, with a rate at one end of the step at least that agrees. */
+/* Contacts that open or close, with a rate that agrees at one end of the step or both. */
 static inline float_masks simple_kinks(const struct kink_end *end0, const struct kink_end *end1)
 {
     const float_masks closed0 = end0->d[1] > 0, closed1 = end1->d[1] > 0;

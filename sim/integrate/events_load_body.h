@@ -26,7 +26,7 @@ static inline lanes step_of(const double *x, ptrdiff_t k)
     return load_lanes(x + k) - load_lanes(x + k + 1);
 }
 
-/* Cubic Hermite over the step of the difference of two beads' accelerations by what holds them at their places. */
+/* Cubic Hermite over the step of the difference of two beads' accelerations from the springs that hold them in place. */
 static inline void load_pull(const struct bead_patch_source *source, ptrdiff_t from, size_t k, struct bead_patch *patch)
 {
     const double h = source->h, square = h * h;

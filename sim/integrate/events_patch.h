@@ -39,9 +39,9 @@ enum bead_patch_array {
     BEAD_PATCH_RIGHT,
     BEAD_PATCH_IMPULSE, /* N: integrals of f ds and of (1 - s) f ds over the pieces so far */
     BEAD_PATCH_MOMENT,
-    BEAD_PATCH_GIVEN_IMPULSE, /* N: those of the method's quadrature over the whole step */
+    BEAD_PATCH_GIVEN_IMPULSE, /* N: the same by the method's quadrature over the whole step */
     BEAD_PATCH_GIVEN_MOMENT,
-    BEAD_PATCH_PULL, /* h^2 (a_k - a_{k+1}) by what holds beads at their places, m: cubic Hermite over the step; 4 arrays */
+    BEAD_PATCH_PULL, /* h^2 (a_k - a_{k+1}) from springs that hold beads in place, m: cubic Hermite over the step; 4 arrays */
     BEAD_PATCH_PULL_END = BEAD_PATCH_PULL + 3,
     BEAD_PATCH_ARRAYS
 };
@@ -50,8 +50,8 @@ enum bead_patch_array {
 struct bead_patch {
     size_t count;
     double *array[BEAD_PATCH_ARRAYS];
-    const double *pulled;           /* NULL: no bead is held at its place, and BEAD_PATCH_PULL is not set */
-    ptrdiff_t driven;               /* the contact whose left bead has a drive; outside of 1..count + 1: none of these */
+    const double *pulled;           /* NULL: no bead is held in place, and BEAD_PATCH_PULL is not set */
+    ptrdiff_t driven;               /* the contact whose left bead has a drive; outside 1..count + 1: none here */
     double drive[BEAD_GAUSS_NODES]; /* m: h^2 times the acceleration that it gives the bead, at the nodes of the current piece */
     double *force, *curvature; /* BEAD_GAUSS_NODES each: at the nodes of the current piece, f less its static part, N, and d'', m */
     bool *closed;              /* in the current piece */

@@ -9,7 +9,7 @@
 
 /* Elements before and after the constants of the contacts: vectors may begin one before the first and end after the last. */
 enum { BEAD_EVENTS_MARGIN = 16, BEAD_EVENTS_LANES = 8 };
-/* Maxima for a patch: flagged contacts, with whose square the cost grows, so longer patches are cut and lose a little accuracy;
+/* Maxima for a patch: flagged contacts (the cost grows with their square; longer patches are cut and lose a little accuracy);
  * contacts integrated again on each side of a flagged one; all contacts. */
 enum { BEAD_PATCH_FLAGGED = 64, BEAD_PATCH_WIDTH = 1, BEAD_PATCH_MOST = BEAD_PATCH_FLAGGED * (2 * BEAD_PATCH_WIDTH + 1) };
 /* Steps outside the step, beyond which the effect of a branch point is below the precision of a double. */

@@ -37,7 +37,7 @@ typedef void (*bead_force_kernel)(size_t n, const struct bead_contact_table *tab
 static inline double bead_damping_force(const struct bead_contact_table *table, double d, double rate)
 {
     const double a = table->damping_exponent, c = table->damping_compression,
-                 size = table->damping * (a == 1 ? fabs(rate) : pow(fabs(rate), a)); /* powers take longer than all else */
+                 size = table->damping * (a == 1 ? fabs(rate) : pow(fabs(rate), a)); /* powers take most of the time */
     return copysign(c > 0 ? size * (c == 0.5 ? sqrt(fmax(d, 0)) : pow(fmax(d, 0), c)) : size, rate);
 }
 

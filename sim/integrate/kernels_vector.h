@@ -116,13 +116,13 @@ static inline bool any_lane(lane_masks x)
     return BITS_OF(x) != 0;
 }
 
-/* Bytes 0 and 1. */
+/* Stores a byte 0 or 1 for each lane. */
 static inline void store_marks(unsigned char *p, lane_masks x)
 {
 #if LANES == 8
     *(lane_bytes *)p = __builtin_convertvector(x, lane_bytes) & 1;
 #else
-    const uint32_t bytes = BITS_OF(x) * 0x204081u & 0x01010101u; /* bit i goes to 8 i */
+    const uint32_t bytes = BITS_OF(x) * 0x204081u & 0x01010101u; /* bit i moves to bit 8 i */
     memcpy(p, &bytes, LANES);
 #endif
 }

@@ -198,7 +198,7 @@ static void step_nystrom(struct bead_stepper *s, double h)
     s->evaluations += stages * (s->active - s->first);
 }
 
-/* Contacts this near to one that opens or closes are integrated again with it. */
+/* Contacts this close to one that opens or closes are integrated again with it. */
 enum { NEAR = 2 };
 
 static double embedded_difference(const struct bead_stepper *s, const struct terms *terms, size_t bead)

@@ -38,7 +38,7 @@ double bead_polynomial_slope(const struct bead_polynomial *p, double x)
     return slope;
 }
 
-/* The only zero of p - limit from x0 to x0 + width, where it rises: Newton's method, by halves where that leads astray. */
+/* The only zero of p - limit from x0 to x0 + width, where it rises: Newton's method, bisection where that leaves the bracket. */
 static double rising_zero(const struct bead_polynomial *p, double limit, double x0, double width)
 {
     double low = x0, high = x0 + width, x = x0 + 0.5 * width;
@@ -53,8 +53,8 @@ static double rising_zero(const struct bead_polynomial *p, double limit, double 
 }
 
 /* A polynomial over x0 <= x <= x0 + width in Bernstein's form lies between the smallest and the largest of its coefficients b, and
- * has no more zeros there than they have changes of sign (Descartes' rule): halves by de Casteljau's scheme until there is one of
- * these, or they are as small as rounding. */
+ * has no more zeros there than they have sign changes (Descartes' rule). De Casteljau's scheme halves the interval until one sign
+ * change is left, or the width is as small as rounding. */
 static double first_above(const struct bead_polynomial *p, double limit, const double b[8], double x0, double width)
 {
     static const double smallest = 0x1p-50;

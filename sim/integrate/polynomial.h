@@ -12,7 +12,7 @@ struct bead_polynomial bead_polynomial_hermite(const double at0[4], const double
 struct bead_polynomial bead_polynomial_quintic(const double at0[3], const double at1[3]);
 double bead_polynomial_value(const struct bead_polynomial *p, double x);
 double bead_polynomial_slope(const struct bead_polynomial *p, double x);
-/* The smallest x in [0, 1] from which on the polynomial is above a limit; INFINITY: it never is. It misses no maximum. */
+/* The smallest x in [0, 1] at which the polynomial exceeds a limit; INFINITY: it never does. It misses no maximum. */
 double bead_polynomial_first_above(const struct bead_polynomial *p, double limit);
 /* A zero of `f` between 0 and 1, where f(0) and f(1) have different signs, to rounding (Illinois's false position). */
 typedef double (*bead_function)(const void *context, double x);

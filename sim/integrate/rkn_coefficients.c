@@ -218,9 +218,9 @@ static const double rkn12_a[17][17] = {
 };
 const struct bead_tableau bead_tableau_rkn12 = {17, false, rkn12_c, &rkn12_a[0][0], rkn12_b, rkn12_bp, rkn12_bpe, NULL};
 
-/* G. J. Cooper, J. H. Verner 1972 (SIAM J. Numer. Anal. 9, 389): order 8 in 11 stages, for forces that depend on velocities, too;
- * rationals of the square root of 21. Its weights are those of Lobatto's quadrature with five nodes. rk8_av are their a_ij; of
- * displacements, whose rates are the velocities of the stages, rk8_a is its square, and rk8_b the product of the weights and
+/* G. J. Cooper, J. H. Verner 1972 (SIAM J. Numer. Anal. 9, 389): order 8 in 11 stages, also for forces that depend on velocities;
+ * rationals of the square root of 21. Its weights are those of Lobatto's quadrature with five nodes. rk8_av has its a_ij. The rates
+ * of displacements are the velocities of the stages: rk8_a is the square of rk8_av, and rk8_b the product of the weights and
  * rk8_av. */
 static const double rk8_c[11] = {
     0, 0.5, 0.5, 0.8273268353539885, 0.8273268353539885, 0.5, 0.17267316464601143, 0.17267316464601143, 0.5, 0.8273268353539885, 1};

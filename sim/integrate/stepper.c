@@ -101,7 +101,7 @@ static void open_window(struct bead_stepper *s, const struct bead_state *from)
     s->span = (s->active + VECTOR - 1) / VECTOR * VECTOR;
 }
 
-/* Puts a bead whose displacement is given where it should be at the end of the step, without the quadrature error of the method. */
+/* Puts a bead whose displacement is given in its place at the end of the step, without the quadrature error of the method. */
 static void hold(struct bead_stepper *s)
 {
     if (!s->chain->spec->drive.displacement)
@@ -177,7 +177,7 @@ enum bead_error bead_stepper_create(const struct bead_chain *chain, const struct
         s->active = s->driven + 1 > s->active ? s->driven + 1 : s->active;
     }
     open_window(s, &s->end);
-    if (s->closed) /* all beads touch, ahead of the window too */
+    if (s->closed) /* all beads touch, also ahead of the window */
         memset(s->closed, 1, s->beads);
     bead_stepper_evaluate(s, s->end.u, s->end.v, s->end.f, s->end.a);
     *stepper = s;
@@ -262,7 +262,7 @@ void bead_stepper_advance(struct bead_stepper *s, double t1)
 /* Repeats a step in which a contact closes or opens up to that moment; the next begins with the new state and force. */
 static void end_at_closing(struct bead_stepper *s)
 {
-    enum { TRIES = 4 }; /* each misses by the error of samples in the last */
+    enum { TRIES = 4 }; /* each misses by the interpolation error of the one before */
     struct bead_damped_contact first = bead_damped_contacts_first(s);
     unsigned char other = !s->closed[first.contact];
     double longer = first.at - 1;

@@ -40,7 +40,7 @@ struct bead_stepper {
     bead_acceleration_kernel accelerate;
     bool fused;                 /* Hertz's law without static forces: kernels find forces and accelerations in one loop */
     const double *inverse_mass; /* for accelerate: inverse masses, or masses for the printed arithmetic */
-    const double *pull;         /* [beads] 1/s^2: stiffness over mass of what holds beads at their places; NULL: nothing does */
+    const double *pull;         /* [beads] 1/s^2: stiffness of the springs that hold beads in place, over mass; NULL: none */
     struct bead_contact_table table;
     size_t beads;
     size_t active;    /* beads that the last step may have moved */
@@ -69,7 +69,7 @@ struct bead_stepper {
     void *memory;
 };
 
-/* The quadrature on 0..1 by which a step integrates a force that is known over it; exact for polynomials of lower degree than its
+/* The quadrature on 0..1 with which a step integrates a force known over it; exact for polynomials of lower degree than its
  * order. */
 struct bead_quadrature {
     size_t nodes;
@@ -79,7 +79,7 @@ struct bead_quadrature {
 
 struct bead_method {
     struct bead_method_info info;
-    /* From start to end over h; end.a and end.f are those of end.u (and end.v). */
+    /* Steps from start to end over h; end.a and end.f follow from end.u (and end.v). */
     void (*step)(struct bead_stepper *stepper, double h);
     const struct bead_tableau *tableau;         /* of Nystrom methods */
     const struct bead_composition *composition; /* of symplectic methods */
@@ -124,7 +124,7 @@ void bead_stepper_advance(struct bead_stepper *stepper, double t1);
 void bead_stepper_advance_by(struct bead_stepper *stepper, double h, double t1);
 /* Undoes the last step; not twice in a row. */
 void bead_stepper_take_back(struct bead_stepper *stepper);
-/* Forces and accelerations of displacements u (and velocities v) in the active window. */
+/* Finds forces and accelerations at displacements u (and velocities v) in the active window. */
 void bead_stepper_evaluate(struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a);
 /* As above for beads from..to - 1 (whole vectors within the span), if the force before them is known. Counts no evaluations. */
 struct bead_part {
@@ -132,7 +132,7 @@ struct bead_part {
 };
 void bead_stepper_evaluate_part(const struct bead_stepper *stepper, const double *u, const double *v, double *f, double *a,
                                 struct bead_part part);
-/* Adds the accelerations by what holds beads from..to - 1 at their places, by an absorbing end, and by the drive at the time `now`.
+/* Adds the accelerations of beads from..to - 1 from springs that hold them in place, an absorbing end, and the drive at time `now`.
  * v may be NULL where nothing depends on velocities. */
 static inline void bead_stepper_pull(const struct bead_stepper *stepper, const double *u, const double *v, double *a,
                                      struct bead_part part)
@@ -145,14 +145,14 @@ static inline void bead_stepper_pull(const struct bead_stepper *stepper, const d
     if (stepper->driven >= part.from && stepper->driven < part.to)
         bead_drive_apply(stepper->chain, stepper->now, 0, a);
 }
-/* State at stage i of the last step of a Runge-Kutta method, with an element after the last bead; returns the weight of the stage
- * in integrals over the step, 0 where it has none and no state. */
+/* State at stage i of the last step of a Runge-Kutta method, with an element after the last bead. Returns the weight of the stage
+ * in integrals over the step; if that is 0, there is no state. */
 double bead_stage_state(const struct bead_stepper *stepper, size_t i, double *u, double *v);
 /* Energy relative to the static state, J, and momentum, kg m/s. */
 double bead_stepper_energy(const struct bead_stepper *stepper, const struct bead_state *state);
 double bead_stepper_momentum(const struct bead_stepper *stepper, const struct bead_state *state);
 
-/* Error estimate from the embedded method: largest |h sum bpe_i a_i| of the last step, m/s, the difference to the velocities of the
- * method of lower order, and so an upper bound of the error of the step if forces are smooth. Excludes beads at contacts that open
- * or close, whose quadrature is replaced (events.h). 0 for methods without an embedded one. */
+/* Error estimate from the embedded method: largest |h sum bpe_i a_i| of the last step, m/s: the difference from the method of lower
+ * order, and so an upper bound of the step's error if forces are smooth. Excludes beads at contacts that open or close, whose
+ * quadrature is replaced (events.h). 0 for methods without an embedded one. */
 double bead_nystrom_error(const struct bead_stepper *stepper);
