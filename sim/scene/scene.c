@@ -12,7 +12,7 @@ static BEAD_OPTION_READER(read_chains);
 static BEAD_OPTION_READER(read_simulate);
 static BEAD_OPTION_READER(read_outputs);
 
-/* In the order of reading: outputs are checked against chains, chains name materials. */
+/* Read in this order: chains name materials, and outputs are checked against chains. */
 static const struct bead_option rows[] = {
     {"title", BEAD_OPTION_TEXT, offsetof(struct bead_scene, title), .initial = "", .help = "title of the scene",
      .example = "My first wave"},
@@ -47,12 +47,12 @@ static BEAD_OPTION_READER(read_chain)
     struct bead_scene *scene = settings;
     enum bead_error err = bead_not_beside(reader, at, "chains");
     if (err || bead_sweep_node(at->up->node, 0))
-        return err; /* read with the sweep, whose pattern it is */
+        return err; /* the pattern of the sweep, and read with it */
     err = bead_scene_make_chains(reader, 1);
     return err ? err : bead_scene_read_chain(reader, at, &scene->chains[0]);
 }
 
-/* Beads have SI units and equations none: they cannot share the axes of a picture. */
+/* Beads have SI units, equations have none: they cannot share the axes of a picture. */
 static enum bead_error check_kind(const struct bead_reader *reader, const struct bead_at *at, size_t index)
 {
     const struct bead_chain_spec *chains = reader->scene->chains;
@@ -115,8 +115,8 @@ static BEAD_OPTION_READER(read_simulate)
     return BEAD_OK;
 }
 
-/* Outputs cannot be checked without chains. If the chains are wrong, outputs are read as if there were none; if the outputs show
- * several runs, as if the scene had the chains of all. */
+/* Outputs are checked against chains. If the chains are wrong, they are read as if there were no chains; if they show several runs,
+ * as if the scene had all their chains. */
 static BEAD_OPTION_READER(read_outputs)
 {
     struct bead_scene *scene = reader->scene;

@@ -10,7 +10,7 @@ static BEAD_OPTION_READER(read_cell);
 static BEAD_OPTION_READER(read_spins);
 static BEAD_OPTION_READER(read_group);
 
-/* Groups copied out. */
+/* Entries, with groups repeated. */
 enum { MOST_ENTRIES = 40000 };
 
 /* One entry, as written. */
@@ -20,7 +20,7 @@ struct written {
     size_t decoration; /* material; SIZE_MAX: none */
     size_t repeat;
     struct bead_chain_spec *chain;
-    size_t first; /* segment of the chain that it begins with */
+    size_t first; /* its first segment in the chain */
 };
 #define SEGMENT(member) offsetof(struct written, segment.member)
 #define VARIED(...)     BEAD_VARIED_ROW(offsetof(struct written, variation), __VA_ARGS__)
@@ -148,7 +148,7 @@ static enum bead_error check_count(const struct bead_reader *reader, const struc
 
 /* ---- entries ---- */
 
-/* At the end of the chain, which owns it from now on. Room doubles at each power of two. */
+/* Appends a segment to the chain, which owns it from now on. Room doubles at each power of two. */
 static enum bead_error push(const struct bead_reader *reader, struct bead_chain_spec *chain, const struct bead_segment *segment)
 {
     const size_t count = chain->segment_count;
@@ -178,7 +178,7 @@ static size_t *copy_materials(const size_t *materials, size_t count)
     return copy;
 }
 
-/* Once more at the end of the chain. */
+/* Appends a copy of a segment to the chain. */
 static enum bead_error push_copy(const struct bead_reader *reader, struct bead_chain_spec *chain, size_t index)
 {
     const struct bead_segment *from = &chain->segments[index];
@@ -194,7 +194,7 @@ static enum bead_error push_copy(const struct bead_reader *reader, struct bead_c
     return err;
 }
 
-/* The last segment with beads of a material between its own: cells of two, and a last bead. */
+/* Puts beads of a material between those of the last segment: cells of two, and a last bead. */
 static enum bead_error decorate(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
 {
     struct bead_segment *all = &w->chain->segments[w->chain->segment_count - 1];
@@ -259,7 +259,7 @@ static BEAD_OPTION_READER(read_group)
     return read_list(reader, at, w->chain, option->shape);
 }
 
-/* A sweep gives spins to entries of `beads` itself. */
+/* Sweeps give spins only to entries of `beads`, not of groups. */
 static enum bead_error check_random(const struct bead_reader *reader, const struct bead_at *at, const struct written *w)
 {
     for (size_t i = w->first; i < w->chain->segment_count && bead_sweep_node(bead_yaml_root(reader->yaml), 0); i++) {
@@ -269,7 +269,7 @@ static enum bead_error check_random(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
-/* Copies the group as often as `repeat` says. */
+/* Repeats the group `repeat` times. */
 static enum bead_error repeat(const struct bead_reader *reader, const struct bead_at *at, struct written *w)
 {
     const size_t each = w->chain->segment_count - w->first;
@@ -346,7 +346,7 @@ static int by_name(const void *a, const void *b)
     return order ? order : (*p > *q) - (*p < *q);
 }
 
-/* The entry of a segment in the list, or the list where a group of it has the entry. */
+/* The segment's entry in the list, or the list itself if the entry is in a group. */
 static struct bead_at entry_of(const struct bead_at *at, const struct bead_segment *segment)
 {
     for (size_t i = 0; i < at->node->count; i++) {

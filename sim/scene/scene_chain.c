@@ -69,7 +69,7 @@ static BEAD_OPTION_READER(read_law)
         bead_suggest_try(&search, name);
     }
     if (search.best && strcmp(search.best, search.word) == 0)
-        search.best = NULL; /* the right word, the wrong way */
+        search.best = NULL; /* the right word, written the wrong way */
     return bead_wrong(reader, at, "is %s; must be %s%s", bead_node_show(at->node, shown, sizeof shown), option->shape,
                       bead_suggest_text(&search, near, sizeof near));
 }
@@ -124,7 +124,7 @@ struct starting {
 static BEAD_OPTION_READER(read_starting_beads)
 {
     struct starting *starting = settings;
-    const size_t beads = bead_scene_count_beads(starting->chain); /* 0: they are wrong, and say so */
+    const size_t beads = bead_scene_count_beads(starting->chain); /* 0: they are wrong, and reported */
     const double last = beads > 0 ? (double)beads : BEAD_SCENE_BEADS;
     const struct bead_option bead = {.type = BEAD_OPTION_COUNT, .low = 0, .high = last, .word = "last", .word_value = last};
     if (at->node->kind == BEAD_NODE_MAP || (at->node->kind == BEAD_NODE_LIST && at->node->count != 2))
@@ -151,7 +151,7 @@ static const struct bead_option starting_rows[] = {
 const struct bead_options bead_starting_options = {
     "chain.starts", "entries of `start`: beads that move, or are displaced, at time 0", BEAD_OPTIONS(starting_rows), NULL, NULL};
 
-/* Beads that start otherwise than at rest. */
+/* Beads that do not start at rest. */
 enum { MOST_STARTS = 100000 };
 
 static int by_bead(const void *a, const void *b)
@@ -175,7 +175,7 @@ static enum bead_error add_starts(const struct bead_reader *reader, const struct
     return BEAD_OK;
 }
 
-/* The striker's velocity has one place: an entry for bead 0 gives it. */
+/* The striker's velocity is stored once: an entry for bead 0 gives it. */
 static enum bead_error settle_starts(const struct bead_reader *reader, const struct bead_at *at, struct bead_chain_spec *chain)
 {
     const struct bead_at map = *at->up, striker = bead_at_key(&map, "striker");
@@ -308,7 +308,7 @@ const struct bead_options bead_chain_options = {
     "chain", "a chain of beads; `chains` is a list of chains with a `name` each, run and shown together", BEAD_OPTIONS(chain_rows),
     NULL, NULL};
 
-/* Nothing presses beads together that are apart, nor do they pull at each other. */
+/* Beads with gaps between them are not pressed together, and do not pull at each other. */
 static enum bead_error check_gaps(const struct bead_reader *reader, const struct bead_at *at, const struct bead_chain_spec *chain)
 {
     const char *key = chain->precompression > 0 ? "precompression" : chain->tilt > 0 ? "tilt" : "law";

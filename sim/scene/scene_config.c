@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A user's own settings: where their file is, and reading it. */
+/* A user's own settings: finds and reads their file. */
 #include "sim/scene/scene_private.h"
 
 #include <stdlib.h>
@@ -15,7 +15,7 @@ bool bead_colours_are_file(const char *value)
 
 /* ---- where it is ---- */
 
-/* `folder` ends at `end`; relative folders are ignored, as their specification demands. */
+/* `folder` ends at `end`; relative folders are ignored, as the specification requires. */
 static bool look_in(const char *folder, const char *end, const char *below, char *path, size_t size)
 {
     int length = snprintf(path, size, "%.*s%s/beadreel/config.yaml", (int)(end - folder), folder, below);

@@ -45,7 +45,7 @@ static BEAD_OPTION_READER(read_force)
     return read_wave(reader, at, drive, &drive->force);
 }
 
-/* `displacement` and `force` come before, and say which unit it has. */
+/* `displacement` and `force` are read before, and determine its unit. */
 static BEAD_OPTION_READER(read_amplitude)
 {
     struct bead_drive *drive = settings;

@@ -82,7 +82,7 @@ static const struct bead_option solitons_rows[] = {
      .example = "[{speed: 16, at: -8}, {speed: 4, at: 0}]"},
 };
 
-/* The name of a table is the key that tells the kind of start. */
+/* The name of each table is the key that chooses the kind of start. */
 static const struct bead_option_family start_family = {"chain.start", "starts with"};
 static const struct start {
     enum bead_start_kind kind;
@@ -143,7 +143,7 @@ static BEAD_OPTION_READER(read_name)
     struct bead_chain_spec *chain = settings;
     const struct bead_system *system;
     unsigned found = 0;
-    for (size_t i = 0; i < BEAD_CHOICES && (system = bead_system_info(i + 1)); i++) /* row 0 is that of beads */
+    for (size_t i = 0; i < BEAD_CHOICES && (system = bead_system_info(i + 1)); i++) /* row 0: beads */
         names[i] = system->name;
     enum bead_error err = bead_read_choice(reader, at, names, &found);
     if (!err)

@@ -130,7 +130,7 @@ static const char *stem(const char *name, char *text, size_t size)
     return text;
 }
 
-/* Is a scene or a trajectory of nearly this name in the same folder? "; did you mean `waves.yaml`?" */
+/* Suggests a scene or a trajectory with a similar name in the same folder: "; did you mean `waves.yaml`?" */
 static void suggest_file(const char *name, char *text, size_t size)
 {
     static const char *const endings[] = {".yaml", ".yml", ".h5", NULL};
@@ -183,7 +183,7 @@ static bool may_be_ready(const char *name)
     return *name && *name != '/' && *name != '.' && !strstr(name, "/.") && strlen(name) < 1000;
 }
 
-/* "fig7" is thesis/fig7, as long as no other folder has one. */
+/* "fig7" is thesis/fig7, unless another folder has one, too. */
 static bool find_in_folders(const char *name, char *path, size_t size)
 {
     struct listing list = {NULL, 0, NULL};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `fit`: the keys of a scene whose values are found from what was measured. */
+/* `fit`: the keys of a scene whose values are found from measurements. */
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
@@ -15,7 +15,7 @@ void bead_scene_naming(const char *naming[BEAD_NAMINGS])
         naming[2 + kind] = bead_output_key(kind);
 }
 
-/* A key must have a number, which is where the search begins. */
+/* The value of a key must be a number: the search starts there. */
 static enum bead_error read_key(const struct bead_reader *reader, const struct bead_at *at, struct bead_fit_key *key)
 {
     const struct bead_node *node = NULL;

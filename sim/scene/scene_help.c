@@ -7,7 +7,7 @@
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 
-/* In the order of the man page: tables, and those of laws, outputs, equations and their starts. */
+/* In the order of the man page: tables, with those of laws, outputs, equations and their starts. */
 static const struct {
     const struct bead_options *options;
     const struct bead_options *(*member)(size_t index);
@@ -80,7 +80,7 @@ void bead_scene_help(FILE *out)
 
 enum { PARTS = 100 }; /* of all headings, at most */
 
-/* The part of a heading behind the one at `part`: "chain.law (power)" has chain, law and power. NULL: it is the last. */
+/* The part of a heading after the one at `part`: "chain.law (power)" has chain, law and power. NULL: that was the last. */
 static const char *next_part(const char *part)
 {
     part += strcspn(part, ".(");

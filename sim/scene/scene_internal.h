@@ -8,7 +8,7 @@
 #include "sim/yaml/yaml.h"
 
 /* A user's own settings, for all scenes: how pictures look, colour maps, and materials that are not ready ones. The scene's own
- * values go first; what a scene takes from the settings becomes part of its text, so that its files have all of it. */
+ * values go first; settings that a scene uses are copied into its text, so that its files are complete. */
 struct bead_config_colormap {
     char *name, *file;
 };
@@ -20,7 +20,7 @@ struct bead_config {
     struct bead_config_colormap *colormaps;
     size_t colormap_count;
 };
-/* Makes a changed scene from one that has been loaded, which stays as it is. */
+/* Makes a changed copy of a loaded scene. */
 BEAD_CHECK enum bead_error bead_scene_change(const struct bead_scene *before, const struct bead_overrides *overrides,
                                              struct bead_scene **scene, struct bead_message *msg);
 /* The ready materials: a scene with nothing else in it, to be freed with bead_scene_free. Errors: IO, SCENE, MEMORY. */
@@ -38,18 +38,18 @@ bool bead_config_find(char *path, size_t size);
 BEAD_CHECK enum bead_error bead_config_load(const char *path, struct bead_config **config, struct bead_message *msg);
 void bead_config_free(struct bead_config *config);
 
-/* Chains of sweeps as scenes have them. */
+/* The chains of sweeps, as in scenes. */
 
-/* Cells behind the random ones, where `fixed` is not given. */
+/* Cells after the random ones, unless `fixed` is given. */
 #define BEAD_SWEEP_FIXED "15"
 
-/* The value of `chain` for one configuration of the sweep at `sweep`, in the scene at `root`: with `digits` for the
- * random cells, or with `spins: random` (NULL). Parts are shared with the document. Errors: MEMORY. */
+/* The value of `chain` for one configuration of the sweep at `sweep`, in the scene at `root`: with `digits` for the random cells;
+ * NULL: `spins: random`. Parts are shared with the document. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_chain_node(struct bead_yaml *yaml, const struct bead_node *root,
                                                  const struct bead_node *sweep, const char *digits, struct bead_node **chain,
                                                  struct bead_message *msg);
 
-/* The sweep number `index` of a scene, NULL after the last; is `sweeps` a list? */
+/* The sweep number `index` of a scene, NULL after the last. */
 const struct bead_node *bead_sweep_node(const struct bead_node *root, size_t index);
 
 /* A scene like that of `yaml`, but with one chain instead of the sweep number `index`, and without outputs. Errors: SCENE, MEMORY.
@@ -57,5 +57,5 @@ const struct bead_node *bead_sweep_node(const struct bead_node *root, size_t ind
 BEAD_CHECK enum bead_error bead_sweep_single_node(struct bead_yaml *yaml, size_t index, const char *digits,
                                                   struct bead_node **scene, struct bead_message *msg);
 
-/* A number that all keys of the scene but title and outputs go into. Errors: MEMORY. */
+/* A hash of all keys of the scene except title and outputs. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_hash_scene(struct bead_yaml *yaml, uint64_t *hash, struct bead_message *msg);

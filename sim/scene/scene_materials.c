@@ -9,7 +9,7 @@
 #include "sim/base/text.h"
 #include "sim/scene/scene_private.h"
 
-/* As written; a bead_material is made of it. */
+/* As written; becomes a bead_material. */
 struct written {
     char *label;
     double density, mass, modulus, poisson, radius, yield;
@@ -61,8 +61,8 @@ static const struct bead_option rows[] = {
 const struct bead_options bead_material_options = {"materials.NAME", "a material of beads and walls, added to the ready ones",
                                                    BEAD_OPTIONS(rows), NULL, NULL};
 
-/* Colours of a scene's materials, as unlike in lightness as in hue: grey, plum, sand, green, rust. If there are more, they come
- * from a taper or disorder, and all have the first. */
+/* Colours of a scene's materials, which differ in lightness as well as in hue: grey, plum, sand, green, rust. More materials come
+ * from a taper or disorder, and all get the first colour. */
 static const unsigned long auto_colours[] = {0x9aa4b2, 0x5d5468, 0xd8c7a8, 0x4a8a78, 0x8f4f45};
 enum { AUTO_COLOURS = sizeof auto_colours / sizeof *auto_colours };
 
@@ -128,7 +128,7 @@ static struct bead_material *place_material(struct bead_scene *scene, const char
     return grown[scene->material_count].name ? &grown[scene->material_count++] : NULL;
 }
 
-/* Takes the label, or makes one of the name. */
+/* Takes the label, or makes one from the name. */
 static enum bead_error add_material(struct bead_reader *reader, const char *name, struct written *written)
 {
     char *label = *written->label ? strdup(written->label) : bead_words_of(name);
@@ -150,7 +150,7 @@ static enum bead_error add_material(struct bead_reader *reader, const char *name
     return BEAD_OK;
 }
 
-/* Reads a material that has by itself the colour `number`. */
+/* Reads a material, whose colour is number `number` if none is given. */
 static enum bead_error read_one(struct bead_reader *reader, const struct bead_at *at, size_t number)
 {
     struct written written = {0};
@@ -166,7 +166,7 @@ static enum bead_error read_one(struct bead_reader *reader, const struct bead_at
         written.modulus = 1e9;
     }
     enum bead_error added = written.label && (!err || reader->faults) ? add_material(reader, at->key, &written) : BEAD_OK;
-    free(written.label); /* a wrong one is added, too, so that beads of it are not wrong as well */
+    free(written.label); /* added even if wrong, so that beads of it are not reported, too */
     return err ? err : added;
 }
 
@@ -199,7 +199,7 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
         err = bead_yaml_parse(path, text, length, &yaml, reader->msg);
     if (!err) {
         struct bead_at root = {NULL, "", 0, bead_yaml_root(yaml)};
-        reader->yaml = yaml; /* its name is that of messages */
+        reader->yaml = yaml; /* messages show its name */
         err = bead_scene_read_materials(reader, &root, &option, NULL);
         reader->yaml = scene_yaml;
     }
@@ -207,7 +207,7 @@ enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader)
     return err;
 }
 
-/* "; did you mean `large-steel` or `small-steel`?" of `steel`: names that have the word in them; else the nearest. */
+/* For `steel`, "; did you mean `large-steel` or `small-steel`?": names that contain the word, else the nearest. */
 static const char *near_materials(const struct bead_scene *scene, const char *name, char *near, size_t size)
 {
     struct bead_suggest search;

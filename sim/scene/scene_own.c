@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Copies what a scene uses of the user's own settings and files into its document, so that the text stored in trajectories is
- * complete: materials that it names, style and font of outputs that give none, the colours of files. */
+/* Copies the user's own settings that a scene uses into its document, so that the text stored in trajectories is complete:
+ * materials that it names, style and font of outputs that give none, colours from files. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -21,7 +21,7 @@ struct own {
 
 /* ---- materials ---- */
 
-/* Does any value of the tree say `name`? Bare, or behind a count: `2 carbide`. */
+/* Is any value of the tree `name`, alone or after a count: `2 carbide`? */
 static bool names(const struct bead_node *node, const char *name)
 {
     bool any = false;
@@ -34,7 +34,7 @@ static bool names(const struct bead_node *node, const char *name)
     return any;
 }
 
-/* The map under `materials`, made where the scene has none; NULL: no memory. */
+/* The map under `materials`, which is created if the scene has none; NULL: no memory. */
 static struct bead_node *own_materials(struct bead_yaml *yaml)
 {
     struct bead_node *root = bead_yaml_root(yaml), *map = bead_node_get(root, "materials", NULL);
@@ -44,7 +44,7 @@ static struct bead_node *own_materials(struct bead_yaml *yaml)
     return bead_yaml_put(yaml, root, "materials", strlen("materials"), map) ? map : NULL;
 }
 
-/* A pair of the library, where the scene names it and has none of its own; it precedes a ready material of that name. */
+/* Takes a material of the library if the scene names it and does not define it; it takes precedence over a ready one. */
 static enum bead_error take_material(struct own *own, const struct bead_yaml *library, const struct bead_node *key,
                                      const struct bead_node *value)
 {
@@ -113,7 +113,7 @@ static enum bead_error take_default(struct own *own, struct bead_node *entry, co
 
 /* ---- colours ---- */
 
-/* A row of three numbers, between them spaces, tabs or commas; false: it has no such. */
+/* Reads a row of three numbers separated by spaces, tabs or commas; false: it is not one. */
 static bool read_row(const char *line, double rgb[3])
 {
     const char *at = line;
@@ -128,7 +128,7 @@ static bool read_row(const char *line, double rgb[3])
     return at[strspn(at, " \t\r,;")] == '\n' || !at[strspn(at, " \t\r,;")];
 }
 
-/* "#rrggbb #rrggbb ..." of rows that go from 0 to 1 or from 0 to 255, then `turned`. To be freed; NULL: no memory. */
+/* "#rrggbb #rrggbb ..." from rows between 0 and 1 or between 0 and 255, then `turned`. To be freed; NULL: no memory. */
 static char *colours_text(double (*rgb)[3], size_t count, const char *turned)
 {
     double most = 0;
@@ -152,7 +152,7 @@ static char *colours_text(double (*rgb)[3], size_t count, const char *turned)
     return NULL;
 }
 
-/* Errors in words, without the file. */
+/* Errors are texts without the file's name. */
 static char *read_colours(const char *text, const char *turned, char *why, size_t size)
 {
     static const char shape[] = "must be a row of red, green and blue, all from 0 to 255 or all from 0 to 1";
@@ -189,7 +189,7 @@ static char *colours_path(const struct own *own, const struct bead_node *node, c
     return bead_colours_are_file(name) ? bead_yaml_beside(own->reader->yaml, node, name) : strdup("");
 }
 
-/* The file of a map, or of that which NAME_r turns round; "": it has none. */
+/* The file of a map, or of NAME for NAME_r, which reverses it; "": it has none. */
 static char *colours_file(const struct own *own, const struct bead_node *node, const char **turned)
 {
     const size_t length = node->kind == BEAD_NODE_SCALAR ? strlen(node->text) : 0;

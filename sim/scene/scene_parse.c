@@ -25,7 +25,7 @@ static enum bead_error scene_prepare(struct bead_reader *reader)
     return bead_scene_add_ready_materials(reader);
 }
 
-/* The scene is the caller's, where all is well. */
+/* On success, the scene is the caller's. */
 static enum bead_error scene_finish(struct bead_reader *reader, enum bead_error err, struct bead_scene **scene)
 {
     bead_units_free(reader->units);
@@ -60,7 +60,7 @@ enum bead_error bead_scene_materials(struct bead_scene **scene, struct bead_mess
     return scene_finish(&reader, err, scene);
 }
 
-/* The text as run: the very bytes, or what the settings made of them. */
+/* The text as run: the bytes of the file, or the text with the user's settings. */
 static enum bead_error keep_text(const struct bead_reader *reader, const char *text, size_t length, bool changed)
 {
     if (changed)
@@ -69,7 +69,7 @@ static enum bead_error keep_text(const struct bead_reader *reader, const char *t
     return reader->scene->text ? BEAD_OK : bead_no_memory(reader);
 }
 
-/* A hash of the version, all materials, and the text of the scene without the keys that change no result. */
+/* A hash of the version, all materials, and the scene's text without keys that do not change results. */
 static enum bead_error find_fingerprint(const struct bead_reader *reader)
 {
     struct bead_scene *scene = reader->scene;
@@ -133,7 +133,7 @@ static enum bead_error lay_setting(const struct bead_reader *reader, const char 
     return lay(reader, &override);
 }
 
-/* Takes the additions of the program, and checks that laws are complete and have names of their own. */
+/* Takes the additions of the program, and checks that laws are complete and have different names. */
 static enum bead_error take_own(const struct bead_reader *reader, const struct bead_own *own)
 {
     if (!own)
@@ -178,7 +178,7 @@ enum bead_error bead_scene_change(const struct bead_scene *before, const struct 
     return make_scene(before->file, before->text, strlen(before->text), before->tree, &before->own, overrides, scene, msg);
 }
 
-/* Results are no scenes; what the parser would say about their bytes helps nobody. */
+/* Results are not scenes, and a parser's message about their bytes would not help. */
 static enum bead_error check_ending(const char *path, struct bead_message *msg)
 {
     if (bead_output_ends_like(bead_output_endings(BEAD_OUTPUT_TRAJECTORY), path))

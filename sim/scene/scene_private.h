@@ -2,8 +2,8 @@
 /* Inside of scenes, shared by sim/scene*.c: one reader and one option table for each structure. */
 #pragma once
 
-/* In rows: plain numbers for beads that can hardly be meant, and the units that are. Softer than rubber; a bead of half a metre;
- * lighter than foam, heavier than osmium. */
+/* For rows: a plain number beyond the usual ones was hardly meant, and the likely units are suggested. Softer than rubber; a bead
+ * of half a metre; lighter than foam, heavier than osmium. */
 #define BEAD_USUAL_MODULUS .usual = {1e5, 1e13}, .likely = BEAD_LIKELY("GPa", "MPa")
 #define BEAD_USUAL_RADIUS  .usual = {0, 0.25}, .likely = BEAD_LIKELY("mm")
 #define BEAD_LIGHTEST      10.0 /* kg/m3 */
@@ -44,7 +44,7 @@ BEAD_OPTION_READER(bead_scene_read_material);
 /* Fill one structure from the map at `at`; what was filled in before a failure is freed with the scene. */
 BEAD_CHECK enum bead_error bead_scene_read_chain(struct bead_reader *reader, const struct bead_at *at,
                                                  struct bead_chain_spec *chain);
-/* The chains of the scene, of beads where nothing else is said. Errors: MEMORY. */
+/* Makes the chains of the scene, of beads by default. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_make_chains(const struct bead_reader *reader, size_t count);
 /* Reads a chain with the key `equation`. */
 BEAD_CHECK enum bead_error bead_scene_read_equation(struct bead_reader *reader, const struct bead_at *at,
@@ -57,8 +57,8 @@ BEAD_CHECK enum bead_error bead_scene_find_material(const struct bead_reader *re
 /* Add the materials of assets/materials.yaml to the reader's scene. Errors: IO, SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_add_ready_materials(struct bead_reader *reader);
 
-/* Names as people read them: "large steel" of "large-steel"; names that have spaces or capitals stay as they are. To be freed;
- * NULL: out of memory. */
+/* Names as people read them: "large steel" for "large-steel"; names with spaces or capitals stay as they are. To be freed; NULL:
+ * out of memory. */
 char *bead_words_of(const char *name);
 /* Fills in the titles of chains and sweeps. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_find_words(struct bead_reader *reader);
@@ -67,9 +67,9 @@ BEAD_CHECK enum bead_error bead_scene_find_words(struct bead_reader *reader);
 
 /* Is a value of `colormap` the name of a file of colours? */
 bool bead_colours_are_file(const char *value);
-/* Before the document is read, and with the ready materials in the reader's scene: adds what the user's settings (the file
- * `config`; NULL: none) have and the scene lacks, and writes the colours of files in place of their names. *changed: there was
- * something. Errors: SCENE, IO, MEMORY. */
+/* Called before the document is read, with the ready materials in the reader's scene: adds settings of the user (the file `config`;
+ * NULL: none) that the scene lacks, and replaces names of colour files by the colours. *changed: it did any of this. Errors: SCENE,
+ * IO, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_take_own(struct bead_reader *reader, const char *config, bool *changed);
 
 /* ---- beads that differ from their material: radius, mass and modulus of an entry of `beads`, or of the striker, taper, disorder;
@@ -84,22 +84,22 @@ enum bead_varied {
     BEAD_VARIED_COUNT
 };
 
-/* Random values: of their own, or factors. */
+/* Random values: absolute, or factors. */
 struct bead_distribution {
     enum { BEAD_ALWAYS, BEAD_UNIFORM, BEAD_NORMAL } kind;
     bool absolute;
-    double low, high; /* uniform; of normal ones `high` is the standard deviation, a factor */
+    double low, high; /* uniform: limits; normal: `high` is the standard deviation, a factor */
 };
 
 /* The keys of an entry; those not given are zero, or NaN. */
 struct bead_variation {
     double value[BEAD_VARIED_COUNT]; /* SI; NaN: as the material has it */
-    double ratio;                    /* taper: of a radius to the one before; NaN: none */
+    double ratio;                    /* taper: of each radius to the one before; NaN: none */
     double ends[2];                  /* taper: radii of the first and the last bead, m; NaN: those of the materials */
     struct bead_distribution random[BEAD_VARIED_COUNT];
     size_t *materials; /* to draw from, one entry for each part; own; NULL: none */
     size_t material_count;
-    size_t alike; /* so many neighbours draw the same */
+    size_t alike; /* number of neighbours that share a draw */
     bool shuffle; /* the beads of each cell are in random order */
     uint64_t seed;
 };
@@ -108,16 +108,16 @@ extern const struct bead_variation bead_variation_none;
 /* Paths name the elements of lists by their `name` or `sensor`, and outputs by their file. */
 enum { BEAD_NAMINGS = BEAD_OUTPUT_KINDS + 3 };
 void bead_scene_naming(const char *naming[BEAD_NAMINGS]);
-/* The SI unit of a number with one; "" where it has none, or is no number. */
+/* The SI unit of a number with a unit; "" if it has none, or is not a number. */
 const char *bead_scene_unit_of(const struct bead_reader *reader, const char *text);
-BEAD_OPTION_READER(bead_scene_read_fit); /* behind `outputs` */
+BEAD_OPTION_READER(bead_scene_read_fit); /* after `outputs` */
 void bead_scene_free_fit(struct bead_fit *fit);
-BEAD_OPTION_READER(bead_scene_read_drive); /* a key of chains, behind `beads` and `start` */
+BEAD_OPTION_READER(bead_scene_read_drive); /* a key of chains, after `beads` and `start` */
 
 /* A key of entries of `beads`, at the variation's place in their structure. */
 BEAD_OPTION_READER(bead_scene_read_taper);
 
-/* The names in a list, "large-steel" or "2 ptfe" for two of them, as materials: *materials is the caller's, of *count. Errors:
+/* The materials named in a list, "large-steel" or "2 ptfe" for two of them: *count *materials, which are the caller's. Errors:
  * SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_read_cell(struct bead_reader *reader, const struct bead_at *at, size_t **materials,
                                                 size_t *count);
@@ -129,7 +129,8 @@ BEAD_CHECK enum bead_error bead_scene_read_cell(struct bead_reader *reader, cons
         .low = least, .high = most, .open = opened, .help = words, .example = sample, __VA_ARGS__                           \
     }
 
-/* Give `count` segments, left to right, their values: of the cell where all are alike, else of each bead. Errors: SCENE, MEMORY. */
+/* Give `count` segments, left to right, their values: for the cell if all beads are alike, else for each bead. Errors: SCENE,
+ * MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_vary_alike(const struct bead_reader *reader, const struct bead_at *at,
                                                  const struct bead_variation *variation, struct bead_segment *segments,
                                                  size_t count);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `simulate`: until when and how well. */
+/* `simulate`: how long, and how accurately. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -86,7 +86,7 @@ enum bead_error bead_scene_read_simulate(struct bead_reader *reader, const struc
     BEAD_TRY(bead_options_read(reader, at, &bead_simulate_options, simulate));
     simulate->accuracy_given = bead_given(at, "accuracy");
     if (reader->faults && reader->faults->count > 0)
-        return BEAD_OK; /* of the chains: nothing to check against */
+        return BEAD_OK; /* in the chains, so there is nothing to check against */
     BEAD_TRY(bead_scene_system(reader->scene)->equation ? check_equations(reader, at) : BEAD_OK);
     if (simulate->statistical && (reader->scene->sweep_count == 0 || simulate->step > 0))
         return BEAD_WRONG_KEY(reader, at, "accuracy",

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `sweep`, `sweeps`: chains that differ in the spins of their random cells, and what is measured of them. */
+/* `sweep`, `sweeps`: chains that differ in the spins of their random cells, and the measurements. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,7 +12,7 @@ enum { SWEEPS = 64, SENSORS = 64, CONFIGURATIONS = 10000000 };
 #define SWEEP(member)   offsetof(struct bead_sweep_spec, member)
 #define MEASURE(member) offsetof(struct bead_sweep_measures, member)
 
-/* Keys without a reader are read with the chain, or when it is there. */
+/* Keys without a reader are read with the chain, or after it. */
 static BEAD_OPTION_READER(read_measure);
 static BEAD_OPTION_READER(read_sensors);
 static BEAD_OPTION_READER(read_places);
@@ -200,9 +200,9 @@ static enum bead_error read_pattern(struct bead_reader *reader, const struct bea
 
 /* ---- the configurations ---- */
 
-/* Cells of the pattern: random ones, and those that count for the magnetism besides. */
+/* Cells of the pattern: random ones, and others that count for the magnetism. */
 struct cells {
-    size_t random, given, up; /* given, up: that are not random */
+    size_t random, given, up; /* given, up: not random */
 };
 
 static struct cells count_cells(const struct bead_chain_spec *chain, struct bead_sweep_spec *sweep)
@@ -231,7 +231,7 @@ static enum bead_error make_groups(const struct bead_reader *reader, struct bead
     return sweep->groups ? BEAD_OK : bead_no_memory(reader);
 }
 
-/* The group with `total` of all cells up; false: the fixed ones do not allow it. */
+/* Adds the group with `total` cells up; false: the fixed ones do not allow it. */
 static bool add_group(struct bead_sweep_spec *sweep, const struct cells *cells, size_t total)
 {
     double all = (double)(cells->random + cells->given);
@@ -318,7 +318,7 @@ static enum bead_error given_groups(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
-/* Groups of one magnetism, from `magnetism` or `spins` and the random cells of the chain, which has been read. */
+/* Groups of one magnetism each, from `magnetism` or `spins` and the random cells of the chain, which has been read. */
 static enum bead_error read_groups(const struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
 {
     struct cells cells = count_cells(&reader->scene->chains[sweep->chain], sweep);
@@ -342,8 +342,8 @@ static enum bead_error read_groups(const struct bead_reader *reader, const struc
     return list_groups(reader, &magnetism, sweep, &cells);
 }
 
-/* One group: a chain for each combination of the values of keys. Beads are counted from the striker, as the chain has no last
- * random one; where nothing says which are measured, it is the one in the middle. */
+/* One group: a chain for each combination of values. Beads are counted from the striker, as there is no last random cell; by
+ * default, the middle one is measured. */
 static enum bead_error read_points(struct bead_reader *reader, const struct bead_at *at, struct bead_sweep_spec *sweep)
 {
     static const char *const of_spins[] = {"cells", "magnetism", "configurations", "seed", "spins", NULL};

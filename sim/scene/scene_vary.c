@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beads that differ from their material: see scene_private.h. Each value of its own is a material of its own, of the same name. */
+/* Beads that differ from their material: see scene_private.h. Each different value makes another material of the same name. */
 #include "sim/scene/scene_private.h"
 
 #include <math.h>
@@ -9,13 +9,13 @@
 #include "sim/base/random.h"
 #include "sim/base/wide.h"
 
-/* Beads that differ one by one, in a scene: each takes a material. */
+/* Beads of a scene that differ one by one: each has a material. */
 enum { MOST_VARIED = 100000 };
 
 const struct bead_variation bead_variation_none = {
     .value = {NAN, NAN, NAN, NAN, NAN}, .ratio = NAN, .ends = {NAN, NAN}, .alike = 1};
 
-/* `draws`: number of the random numbers; 1003 are those of materials. */
+/* `draws`: number of the stream of random numbers; 1003 is that of materials. */
 static const struct {
     const char *key, *unit;
     size_t offset;
@@ -35,7 +35,7 @@ static double *value_of(struct bead_material *material, enum bead_varied what)
 
 /* ---- materials in lists ---- */
 
-/* The number of beads that "2 ptfe" means; *name is set behind the number. A material may have such a name itself. */
+/* The number of beads that "2 ptfe" means; *name then points after the number. A material may have such a name itself. */
 static size_t parts_of(const struct bead_reader *reader, const char *text, const char **name)
 {
     const size_t digits = strspn(text, "0123456789");
@@ -111,7 +111,7 @@ BEAD_OPTION_READER(bead_scene_read_taper)
 
 /* ---- disorder ---- */
 
-/* A factor, or where that fails a value with its unit. */
+/* Reads a factor, or else a value with its unit. */
 static bool read_end(const struct bead_reader *reader, const char *text, size_t what, bool *absolute, double *value)
 {
     const char *unit = varied[what].unit;
@@ -142,7 +142,7 @@ static BEAD_OPTION_READER(read_distribution)
     snprintf(low, sizeof low, "%.*s", (int)(dots - text - 8), text + 8);
     *d = (struct bead_distribution){.kind = BEAD_UNIFORM};
     bool good = read_end(reader, low, what, &absolute[0], &d->low) && read_end(reader, dots + 2, what, &absolute[1], &d->high);
-    if (absolute[1] && !absolute[0]) { /* "2..4 mm": the unit is that of both */
+    if (absolute[1] && !absolute[0]) { /* "2..4 mm": the unit is for both */
         const size_t used = strlen(low);
         snprintf(low + used, sizeof low - used, "%s", dots + 2 + strspn(dots + 2, " +-.0123456789eE"));
         good = good && read_end(reader, low, what, &absolute[0], &d->low);
@@ -205,7 +205,7 @@ static double draw_value(const struct bead_variation *v, size_t bead, enum bead_
 
 /* ---- beads ---- */
 
-/* A material like another one with other values. */
+/* A copy of a material with other values. */
 static enum bead_error derive(const struct bead_reader *reader, const struct bead_at *at, size_t base,
                               const double value[BEAD_VARIED_COUNT], size_t *made)
 {
@@ -234,7 +234,7 @@ static enum bead_error derive(const struct bead_reader *reader, const struct bea
     return material->name && material->label ? BEAD_OK : bead_no_memory(reader);
 }
 
-/* Values of a material with another radius, at its density. */
+/* Gives a material's values another radius, at its density. */
 static void resize(double value[BEAD_VARIED_COUNT], double radius)
 {
     const double factor = radius / value[BEAD_VARIED_RADIUS];
@@ -302,7 +302,7 @@ static enum bead_error vary_bead(const struct bead_reader *reader, const struct 
     return derive(reader, at, *material, value, material);
 }
 
-/* Room for the materials of each bead, which are those of the cell at first. */
+/* Makes room for the material of each bead, at first that in the cell. */
 static enum bead_error spread(const struct bead_reader *reader, struct bead_segment *segment)
 {
     const size_t beads = segment->cell_beads * segment->count;

@@ -8,7 +8,7 @@ static bool letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (unsigned char)c >= 0x80;
 }
 
-/* One word, in small letters. */
+/* One word in lower case. */
 static bool is_identifier(const char *name)
 {
     for (const char *c = name; *c; c++) {

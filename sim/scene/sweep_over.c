@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `over`: the keys of a scene that a sweep gives other values, one by one. */
+/* `over`: the keys of a scene to which a sweep gives other values, one by one. */
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static enum bead_error add_value(const struct bead_reader *reader, struct bead_o
     return BEAD_OK;
 }
 
-/* {from: 0.1 m/s, to: 10 m/s, count: 9}: its ends as they are written, what is between them to twelve digits. */
+/* {from: 0.1 m/s, to: 10 m/s, count: 9}: its ends as written, the values between to twelve digits. */
 enum spacing { SPACING_EVEN, SPACING_LOG };
 struct range {
     const char *ends[2];
@@ -72,7 +72,7 @@ const struct bead_options bead_over_options = {
     "sweep.over", "instead of a list of values: numbers between two ends, as in {from: 0.1 m/s, to: 10 m/s, count: 9}",
     BEAD_OPTIONS(range_rows), NULL, NULL};
 
-/* ratio^part, 0 <= part < 1, of products of roots: the same bits everywhere. */
+/* ratio^part, 0 <= part < 1, by products of roots: the same bits everywhere. */
 static double power(double ratio, double part)
 {
     double result = 1;
@@ -84,7 +84,7 @@ static double power(double ratio, double part)
     return result;
 }
 
-/* Value `i` as scenes have it; NULL: no memory. */
+/* Value `i` as written in scenes; NULL: no memory. */
 static char *range_value(const struct range *range, const double ends[2], const char *unit, size_t i)
 {
     char *text = NULL;
@@ -96,7 +96,7 @@ static char *range_value(const struct range *range, const double ends[2], const 
     return asprintf(&text, "%.12g%s%s", value, *unit ? " " : "", unit) < 0 ? NULL : text;
 }
 
-/* Two that differ by a unit of the last digit remain two, and whole numbers are written out. */
+/* Enough digits to tell neighbours apart, and to write out whole numbers. */
 static int digits_apart(const double *value, size_t count)
 {
     int digits = 4, whole = 1;
@@ -133,7 +133,7 @@ static enum bead_error read_range(struct bead_reader *reader, const struct bead_
     return BEAD_OK;
 }
 
-/* "1..50": whole numbers. */
+/* Reads whole numbers such as "1..50". */
 static bool read_run(const char *text, long *first, long *last)
 {
     const char *dots = strstr(text, "..");
@@ -147,7 +147,7 @@ static bool read_run(const char *text, long *first, long *last)
     return *end == '\0' && *first <= *last && *last - *first < MOST_VALUES;
 }
 
-/* Files that chains of the sweep will read: any text among the values, or within one, that is the name of a file. */
+/* Notes the files that chains of the sweep will read: any text in the values that is the name of a file. */
 static enum bead_error note_files(struct bead_reader *reader, const struct bead_node *node)
 {
     if (node->kind != BEAD_NODE_SCALAR) {
@@ -203,7 +203,7 @@ static enum bead_error read_key(struct bead_reader *reader, const struct bead_at
     return read_values(reader, at, key);
 }
 
-/* All combinations; with `pairs` as many as each has values. */
+/* All combinations; with `pairs`, as many as each key has values. */
 static enum bead_error count_points(const struct bead_reader *reader, const struct bead_at *at, const struct bead_over *over,
                                     size_t *points)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes of sweeps as trees: the chain that a sweep means, the scene of one configuration, and what of it matters to results. */
+/* Scenes of sweeps as trees: the chain of a sweep, the scene of one configuration, and a hash of the keys that matter to
+ * results. */
 #include "sim/scene/scene_internal.h"
 
 #include <stdlib.h>
@@ -35,20 +36,20 @@ static struct bead_node *word(struct maker *m, const char *text, size_t length)
     return node;
 }
 
-/* The tree is written to the end of lists and maps only; a value that is shared stays as it is. */
+/* The tree only grows at the ends of lists and maps; shared values stay as they are. */
 static void add(struct maker *m, struct bead_node *list, const struct bead_node *item)
 {
     m->failed = m->failed || !bead_yaml_append(m->yaml, list, (struct bead_node *)(uintptr_t)item);
 }
 
-/* NULL: there is no such key. */
+/* Leaves out a key whose value is NULL. */
 static void put(struct maker *m, struct bead_node *map, const char *key, const struct bead_node *value)
 {
     if (value)
         m->failed = m->failed || !bead_yaml_put(m->yaml, map, key, strlen(key), (struct bead_node *)(uintptr_t)value);
 }
 
-/* Copies all pairs of a map except some. */
+/* Copies a map without some of its keys. */
 static void put_rest(struct maker *m, struct bead_node *made, const struct bead_node *map, const char *const *left_out)
 {
     for (size_t i = 0; i + 1 < map->count; i += 2) {
@@ -65,14 +66,14 @@ static const struct bead_node *default_cell(struct maker *m)
     return cell;
 }
 
-/* "0", "0.0" and whatever else is a zero; what is no number is refused where the count is read. */
+/* "0", "0.0" or any other zero; text that is not a number is refused when the count is read. */
 static bool is_zero(const struct bead_node *number)
 {
     char *end = NULL;
     return number && number->kind == BEAD_NODE_SCALAR && strtod(number->text, &end) == 0 && end != number->text && !*end;
 }
 
-/* `cells` random cells and `fixed` more. */
+/* Makes `cells` random cells and `fixed` more. */
 static struct bead_node *made_beads(struct maker *m, const struct bead_node *sweep, const char *digits)
 {
     const struct bead_node *cell = bead_node_get(sweep, "cell", NULL), *fixed = bead_node_get(sweep, "fixed", NULL);
@@ -98,7 +99,7 @@ static bool is_random(const struct bead_node *segment)
     return spins && spins->kind == BEAD_NODE_SCALAR && strcmp(spins->text, "random") == 0;
 }
 
-/* A segment whose spins are no longer random. */
+/* Makes a segment with given spins. */
 static const struct bead_node *settle(struct maker *m, const struct bead_node *segment, const char **digits)
 {
     static const char *const left_out[] = {"spins", "magnetism", "seed", NULL};
@@ -112,7 +113,7 @@ static const struct bead_node *settle(struct maker *m, const struct bead_node *s
     return settled;
 }
 
-/* The beads of the scene's own chain with the spins given. */
+/* Makes the beads of the scene's own chain with the spins given. */
 static const struct bead_node *own_beads(struct maker *m, const struct bead_node *beads, const char *digits)
 {
     if (!digits || !beads || beads->kind != BEAD_NODE_LIST)
