@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Equations: how the systems that are not beads move, one const table each.
+/* Equations: how systems other than beads move, one const table each.
  *
  * The unknown is given at equidistant points x_0 < x_1 < ...; its samples are those of a chain with as many beads, so sinks and
  * views need not know the equation. Numbers have no units: time, length and the unknown are those of the equation. Results must not
@@ -26,7 +26,7 @@ struct bead_motion_settings {
     double step;        /* 0: by the accuracy */
     double end;         /* of the run: the last step ends there; INFINITY: unknown */
     size_t shown;       /* points of samples, where the errors are decided by the grid; 0: all */
-    double part;        /* of the longest step that other bounds than the accuracy allow, for a check run; 0: 1 */
+    double part;        /* of the longest step that bounds other than the accuracy allow, for a check run; 0: 1 */
 };
 
 /* Method and steps of a motion. */
@@ -71,12 +71,12 @@ double bead_step_extremum(double h, double e0, double r0, double e1, double r1, 
 size_t bead_measure_add(struct bead_measure *measures, size_t count, size_t room, const char *name, double value);
 
 bool bead_equation_field_signed(const struct bead_chain_spec *spec, enum bead_field field);
-/* Common to the rows of all equations: coordinates and numbers without units, fields with names of their own. */
+/* Common to the rows of all equations: coordinates and numbers without units, fields with their own names. */
 #define BEAD_EQUATION_WORDS                                                                  \
     .points = "points", .axis = "x", .axis_unit = "", .time_unit = "", .names_fields = true, \
     .field_signed = bead_equation_field_signed
 
-/* The table of systems: row `index`, NULL after the last. Row 0 is that of beads, for chains without the key `equation`. */
+/* The table of systems: row `index`, NULL after the last. Row 0 is beads, for chains without the key `equation`. */
 const struct bead_system *bead_system_info(size_t index);
 
 extern const struct bead_system bead_system_fput, bead_system_kdv, bead_system_shock;

@@ -8,7 +8,7 @@
 static const double cancels = 2, rounding = 1e-22;
 enum { TERMS = 28 };
 
-/* Coefficients of the powers of z in q / 2, f1, f2 and f3: the series of exp in Cox and Matthews' formulas, which has none that
+/* Coefficients of the powers of z in q / 2, f1, f2 and f3: the series of exp in Cox and Matthews' formulas, without terms that
  * cancel. */
 struct series {
     double q[TERMS], f1[TERMS], f2[TERMS], f3[TERMS];

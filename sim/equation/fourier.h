@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Discrete Fourier transforms of any length, with sums and products in the same order on every machine, so that results have the
- * same bits. A library's would not: it may use fused multiply-adds on one processor and none on another.
+ * same bits. Those of a library may use fused multiply-adds on one processor but not on another.
  *
  * Self-sorting (Stockham), with radices 4, 2 and the other prime factors p of the length, at a cost of p each: T. G. Stockham,
  * AFIPS Conf. Proc. 28, 229 (1966). Pairs of real numbers are transformed as complex ones. */

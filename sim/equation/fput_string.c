@@ -211,7 +211,7 @@ static void find_jerks(struct bead_string_stepper *s)
 static bool stop_at_kink(struct bead_string_stepper *s, double h)
 {
     enum { CORRECTIONS = 4 };
-    static const double shortest = 0x1p-40; /* so that time goes on */
+    static const double shortest = 0x1p-40; /* so that time advances */
     find_jerks(s);
     const struct bead_string_kink kink = bead_string_first_kink(s);
     if (!(kink.at < 1))

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* A crest whose height differs by more than this part from the soliton's is another one, or in a collision. */
+/* A crest whose height differs by more than this part from the soliton's is a different one, or in a collision. */
 static const double near = 0.1;
 /* Between two looks the fastest soliton moves by this part of the narrowest one's width. */
 static const double look_part = 0.5;

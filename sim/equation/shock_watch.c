@@ -116,8 +116,8 @@ static double mean_steepening(const struct bead_shock_watch *w, struct family f,
     return (rounds * all + part) / cells;
 }
 
-/* z at cell i (see below), by differences of the sixth order. *error: how much those of the second order differ, which is far more
- * than the error of this difference, but the grid has smeared the front, too. */
+/* z at cell i (see below), by differences of the sixth order. *error: how much those of the second order differ: far more than the
+ * error of this difference, but the grid has also smeared the front. */
 static double steepness(const struct bead_shock_watch *w, struct family f, size_t i, double *error)
 {
     const double *q = f.own + i + GHOSTS, sign = w->spec->epsilon < 0 ? -1 : 1;
@@ -175,8 +175,8 @@ static struct time_left time_left(const struct bead_shock_watch *w, struct famil
     return (struct time_left){left, (high - low) * sqrt(speed) / (most.z * w->dx), left * most.error / most.z};
 }
 
-/* Far from breaking, the waves in between may still change what is to come; close to it, the grid does not resolve the front. A new
- * time that differs from the last by less than its own error says nothing new. */
+/* Far from breaking, the waves in between may still change the time; close to it, the grid does not resolve the front. A new time
+ * that differs from the last by less than its error is no better. */
 static void look(struct bead_shock_watch *w, const struct bead_shock_state *s)
 {
     const struct family to_right = {w->right, w->left, 1}, to_left = {w->left, w->right, -1};

@@ -11,11 +11,11 @@
 #include "sim/run/play.h"
 #include "sim/run/uncertainty.h"
 
-/* Comparison runs for peaks only may be coarser by this factor, and cheaper: they only show how strongly peaks respond. Not where
+/* Comparison runs for peaks alone may be coarser by this factor, and cheaper: they only show how strongly peaks respond. Not if
  * forces jump as contacts close: errors of contacts that hardly touch fall more slowly than the tolerance, and the response to a
- * much larger one says too little. */
+ * much larger one shows too little. */
 static const double coarser = 30;
-/* If a run knows its energy no better than the coarser one, errors are as large as the whole difference. */
+/* If a run's energy is no more accurate than the coarser run's, errors are as large as the whole difference. */
 static const double least_factor = 2;
 /* Check runs of equations, which are not chaotic, and the step of check runs where it is given. */
 static const double tenth = 0.1, half = 0.5;
@@ -57,7 +57,7 @@ double bead_play_comparison_factor(const struct bead_play *p, bool samples)
     return free ? coarser * p->tolerance_factor : p->tolerance_factor;
 }
 
-/* Settings of runs that are compared with the run of a chain, which follows. */
+/* Settings of the runs to compare with a chain's run; the chain is added later. */
 static struct bead_run_settings settings_of(const struct bead_play *p, double tolerance_factor)
 {
     struct bead_run_settings settings = {.simulate = p->simulate,
@@ -122,10 +122,10 @@ enum bead_error bead_compare_create(const struct bead_play *p, struct bead_playe
     return create_checks(p, played, msg);
 }
 
-/* A contact and a bead beside it may have equal uncertainties except for rounding: then the contact counts. */
+/* If a contact and a bead beside it have equal uncertainties, except for rounding, the contact counts. */
 static const double clearly = 1 + 1e-9;
 
-/* Notes the peak with the largest relative uncertainty. Forces that still rise at the end of the run are no peaks. */
+/* Notes the peak with the largest relative uncertainty. Forces still rising at the end of the run are not peaks. */
 static void note_worst(const struct bead_uncertain_peaks kinds[2], struct bead_outcome *outcome)
 {
     double *const which[2] = {&outcome->worst_contact, &outcome->worst_bead};
@@ -148,7 +148,7 @@ struct compared {
     struct bead_uncertain_peaks kinds[2];
 };
 
-/* Adds the peaks of another run, which has reached the end of the chain's run or was over before. */
+/* Adds the peaks of another run, which reached the end of the chain's run or ended before. */
 static void add_run(const struct bead_runner *other, bool is_fine, struct bead_outcome *outcome, struct compared *compared)
 {
     struct bead_outcome found;
@@ -165,7 +165,7 @@ static void add_run(const struct bead_runner *other, bool is_fine, struct bead_o
         compared->of.end = compared->of.end > 0 ? fmin(compared->of.end, over) : fmin(outcome->end, over);
 }
 
-/* Runs a chain again, as far as its run went, and looks for peaks, after some times only if these are given. */
+/* Runs a chain again, as far as its run went, and looks for peaks; if times are given, only after them. */
 static enum bead_error run_again(const struct bead_play *p, const struct bead_runner *run, double tolerance_factor, double apart,
                                  double *const after[2], struct bead_runner *again, struct bead_message *msg)
 {
@@ -186,7 +186,7 @@ static enum bead_error run_again(const struct bead_play *p, const struct bead_ru
     return BEAD_OK;
 }
 
-/* Two more runs for what comes after the horizon, and after the peaks. */
+/* Two more runs for maxima after the horizon, and after the peaks. */
 static enum bead_error run_late(const struct bead_play *p, const struct bead_runner *run, double factor, double *const after[2],
                                 struct bead_runner late[BEAD_UNCERTAINTY_LATE], struct compared *compared, struct bead_message *msg)
 {
@@ -215,7 +215,7 @@ static enum bead_error look_late(const struct bead_play *p, const struct bead_ru
     return run_late(p, run, factor, after, late, compared, msg);
 }
 
-/* Keeps what is found of the peaks: their uncertainties, and which of them are not predictable. */
+/* Stores the uncertainties of the peaks, and marks the unpredictable ones. */
 static enum bead_error keep(const struct compared *compared, double from, struct bead_played *played, size_t chain,
                             struct bead_message *msg)
 {

@@ -6,7 +6,7 @@
 #include "sim/chain/chain_data.h"
 #include "sim/run/play.h"
 
-/* A passage that is not over after this many passages of a wave never will be. */
+/* A passage that is not over after this many passages of a wave never ends. */
 static const double usual_patience = 200;
 
 enum bead_error bead_play_look_for_stop(const volatile sig_atomic_t *stop, double time, struct bead_message *msg)
@@ -33,7 +33,7 @@ enum bead_error bead_play_run(const struct bead_runner *runner, const struct bea
     const struct bead_chain *chain = runner->chain;
     const bool passage = way->patience > 0;
     const double one =
-        passage ? bead_chain_passage(chain, bead_chain_energy(chain)) : 0; /* 0: not known, as of springs that collapse */
+        passage ? bead_chain_passage(chain, bead_chain_energy(chain)) : 0; /* 0: unknown, as for springs that collapse */
     const double give_up = one > 0 ? way->patience * one : INFINITY;
     for (double time; (time = kind->time(runner->run)) < way->until && !(passage && !isnan(kind->over(runner->run)));) {
         BEAD_TRY(bead_play_look_for_stop(way->stop, time, msg));

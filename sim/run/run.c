@@ -17,30 +17,31 @@
 #include "sim/run/peaks.h"
 #include "sim/run/step_control.h"
 
-/* Largest error of a velocity from one contact that opens or closes, in units of accuracy times striker velocity. */
+/* Largest error of a velocity from one contact that opens or closes, in units of accuracy times the striker's velocity. */
 static const double event_part = 0.25;
 
-/* With damping, steps are as long as the tolerance of each event allows. Each contact closes and opens at least once, and errors
- * of n events, which have any sign, add up to sqrt(n) of one. That holds as long as the chain does not make them larger, as one
- * whose contacts hardly touch does; comparison runs find that (tests/errors/grazing.yaml). */
+/* With damping, steps are as long as the tolerance of each event allows. Each contact closes and opens at least once, and the
+ * errors of n events, with either sign, add up to sqrt(n) times one. A chain whose contacts hardly touch amplifies them; comparison
+ * runs find that (tests/errors/grazing.yaml). */
 static double events_sum(const struct bead_chain *chain)
 {
     return sqrt(2 * (double)chain->contacts);
 }
 
-/* Steps between updates of the contacts' speeds, which set the tolerance of their events: few enough that no contact turns unseen
- * in between. */
+/* Steps between updates of the contacts' speeds, which set the tolerance of their events: few enough that no contact turns
+ * unnoticed in between. */
 enum { WEIGH_EVERY = 2 };
-/* Steps between checks of the energy, and after which it is checked before a sample; its largest error relative to the input. */
+/* Steps between checks of the energy, and steps after which a sample needs another check; its largest error relative to the
+ * input. */
 enum { CHECK_EVERY = 64, CHECK_SAMPLES = 8 };
 static const double energy_limit = 1e-2;
 /* Each small step in a stiff spring loses a little energy. Steps become shorter when this multiple of the requested accuracy is
- * lost, and again whenever the loss has doubled. */
+ * lost, and again each time the loss has doubled. */
 static const double drift_part = 2;
 /* A step that would miss the end of the run by no more than this part of itself ends there. */
 static const double last_sliver = 1e-6;
-/* If damping requires steps below this part of the usual length, even where they are as long as is stable, the run would take
- * unreasonably long. */
+/* If damping requires steps below this part of the usual length, even at the limit of stability, the run would take unreasonably
+ * long. */
 static const double shortest = 1e-3;
 
 struct bead_run {
@@ -63,8 +64,8 @@ struct bead_run {
     double lost[2];            /* J, to damping and an absorbing end until the start and the end of the step */
     double absorbed;           /* J, by an absorbing end */
     struct bead_budget budget; /* of the last sample */
-    double *budget_beads;      /* what it points to; NULL: not requested */
-    double drift_bound;        /* of the energy error: beyond it steps become shorter */
+    double *budget_beads;      /* the arrays it points to; NULL: not requested */
+    double drift_bound;        /* of the energy error, beyond which steps become shorter */
     uint64_t checked;          /* step of the last energy check */
     uint64_t hash;
 };
@@ -202,7 +203,7 @@ double bead_run_over(const struct bead_run *run)
 {
     if (!isnan(run->given_up))
         return run->given_up;
-    if (run->behind.reached) /* what follows is to be repeated */
+    if (run->behind.reached) /* the run must be repeated from here on */
         return run->stepper->t1;
     return run->settings.passage == BEAD_PASSAGE_OF_FRONT ? run->front.arrival : run->passing.time;
 }
@@ -212,7 +213,7 @@ struct bead_run_work bead_run_work(const struct bead_run *run)
     return (struct bead_run_work){run->stepper->steps, run->stepper->evaluations, run->hash};
 }
 
-/* Hashes every bit of the state except zeros, that is beads at rest: equal with and without a window. */
+/* Hashes every bit of the state except zeros (beads at rest), to be equal with and without a window. */
 static void hash_state(struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;
@@ -240,8 +241,8 @@ static double energy_off(const struct bead_run *run)
     return run->input > 0 ? fabs(change) / run->input : fabs(change);
 }
 
-/* A contact whose force no longer opposes its compression or extension, which no step length helps; the number of contacts if there
- * is none. */
+/* A contact whose force no longer opposes its compression or extension, which no step length can help; if there is none, the number
+ * of contacts. */
 static size_t collapsed(const struct bead_run *run)
 {
     const struct bead_stepper *s = run->stepper;

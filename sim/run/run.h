@@ -29,24 +29,24 @@ enum bead_passage { BEAD_PASSAGE_NONE, BEAD_PASSAGE_OF_FRONT, BEAD_PASSAGE_OF_PU
 
 struct bead_run_settings {
     const struct bead_chain *chain;
-    const struct bead_simulate *simulate; /* requested accuracy, method and step; usually those of the chain's scene */
+    const struct bead_simulate *simulate; /* requested accuracy, method and step; usually from the chain's scene */
     const struct bead_kernels *kernels;
     double end;                /* s: the last step ends here; INFINITY: unknown, steps keep their length */
     enum bead_passage passage; /* ends the run if `end` is unknown; peaks count until the front arrives, forces still rising then
                                   until the passage is over */
     bool contact_peaks, bead_peaks;
-    const double *peaks_after[2];      /* [contacts], [beads]: after these times only, s; NULL: all. They must outlive the run */
+    const double *peaks_after[2];      /* [contacts], [beads]: only after these times, s; NULL: all. They must outlive the run */
     bool rivals;                       /* and their rivals: see peaks.h */
-    double peaks_apart;                /* s: and the second highest maxima, at least so far from the highest; 0: none */
+    double peaks_apart;                /* s: and the second highest maxima, at least this far from the highest; 0: none */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
-    size_t target;                     /* with that: the first contact or bead whose peaks are wanted; 0: all are */
+    size_t target;                     /* then the first contact or bead whose peaks are wanted; 0: all are */
     bool budget;                       /* samples include the energy budget */
     bool states;                       /* the outcome includes all beads when the front arrives and at the end */
     bool full_window, hash;
     struct bead_record *record; /* keeps every step; NULL: none */
     double tolerance_factor;    /* of a comparison run: times the requested accuracy, or step; 0: 1 */
-    bool other_grid;            /* a check run: on a coarser grid, where that decides the errors of an equation */
+    bool other_grid;            /* a check run: on a coarser grid, if the grid decides the errors of an equation */
 };
 
 struct bead_stepping {
@@ -63,7 +63,8 @@ struct bead_stepping {
 BEAD_CHECK enum bead_error bead_run_stepping(const struct bead_chain *chain, const struct bead_simulate *asked,
                                              double tolerance_factor, struct bead_stepping *stepping, struct bead_message *msg);
 /* The tolerance factor for comparison runs of all these chains: 10 times the requested accuracy or twice the requested step; a
- * tenth or half if the method cannot take longer steps. Equations, whose runs may be unstable with longer steps: 10, or half. */
+ * tenth or half if the method cannot take longer steps. For equations, whose runs may be unstable with longer steps: 10, or
+ * half. */
 double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked);
 /* Error bound of a run at `factor` times the tolerance, in units of the requested accuracy: less than `factor` if the method
  * cannot take steps that long. */
@@ -82,12 +83,12 @@ void bead_run_destroy(struct bead_run *run);
 double bead_run_time(const struct bead_run *run); /* s: end of the last step */
 /* Time when the front reached the end of the chain, s; NaN: not yet. */
 double bead_run_arrival(const struct bead_run *run);
-/* Time when the passage of the settings was over, or given up, s; NaN: not yet. */
+/* Time when the passage that the settings ask for was over or given up, s; NaN: not yet. */
 double bead_run_over(const struct bead_run *run);
-/* The passage will never be over: ends the run here. */
+/* Ends the run here, because the passage will never be over. */
 void bead_run_give_up(struct bead_run *run);
-bool bead_run_is_lost(const struct bead_run *run); /* found so, or given up */
-/* Dropped beads may have changed a peak: the run is to be repeated with more beads. */
+bool bead_run_is_lost(const struct bead_run *run); /* the front will never arrive, or was given up */
+/* True if dropped beads may have changed a peak: the run must be repeated with more beads. */
 bool bead_run_cut_short(const struct bead_run *run);
 /* Peaks so far, [beads]; NULL: not requested. */
 const struct bead_peak *bead_run_bead_peaks(const struct bead_run *run);

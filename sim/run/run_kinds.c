@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of run_kinds.h for beads; equation_run.c has the one for equations. */
+/* The table of run_kinds.h for beads; that for equations is in equation_run.c. */
 #include "sim/run/run_kinds.h"
 
 #include "sim/chain/chain_data.h"

@@ -11,8 +11,8 @@
 #include "sim/chain/chain_data.h"
 #include "sim/run/play.h"
 
-/* Accuracy of the recorded run, which must be higher for derivatives than for peaks, and care on the way back. Deviations need two
- * or three digits. */
+/* Accuracy of the recorded run, which must be higher for derivatives than for peaks, and of the sweep backwards. Deviations need
+ * two or three digits. */
 struct care {
     double accuracy;
     struct bead_adjoint_care back;
@@ -120,7 +120,7 @@ struct receiver {
     const struct bead_chain *chain;
     struct bead_sensitivity *found;
     double *deviation; /* of peaks row[0], row[1], ... of a list that begins with `pairs` peaks and their rivals */
-    bool *rivalled;    /* the same */
+    bool *rivalled;    /* for the same peaks */
     const struct bead_sensitive *peaks;
     const size_t *row;
     size_t pairs;
@@ -202,7 +202,7 @@ static double deviation_of_larger(const double mean[2], const double variance[2]
     return sqrt(fmax(square - larger * larger, 0));
 }
 
-/* Peaks come first, each with its rival behind it, then those without. */
+/* Peaks with rivals come first, each followed by its rival, then those without. */
 static void sum_up(const struct receiver *r, size_t first, size_t count, struct bead_sensitivity *found)
 {
     for (size_t i = 0; i < count; i++) {

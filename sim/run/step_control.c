@@ -8,13 +8,14 @@
 
 /* Steps between estimates of omega, each of which looks this far ahead. */
 enum { EVERY = 4 };
-/* An estimate half way to the next one counts only if it allows less than this part of the step: a light bead that has been struck
- * since may have made a contact stiff. */
+/* An estimate half-way to the next one counts only if it allows less than this part of the step: a light bead struck since may have
+ * made a contact stiff. */
 enum { BETWEEN = EVERY / 2 };
 static const double surprise = 0.7;
 /* Steps that would grow by more than this factor must look further ahead. */
 static const double much = 1.1;
-/* Longest step in units of the first, while contacts are soft. A drive makes forces rise at its own pace, however soft they are. */
+/* Longest step in units of the first, while contacts are soft. A drive makes forces rise at its own pace, however soft contacts
+ * are. */
 static const double growth = 4, driven_growth = 1;
 
 static double stiffness(const struct bead_stepper *s, size_t k, double d)
@@ -31,7 +32,7 @@ static double expected(const struct bead_stepper *s, size_t k, const double *v, 
     return stiffness(s, k, d + (rate > 0 ? ahead * rate : 0));
 }
 
-/* Bound of omega^2 from the Gershgorin circles of contacts 0..n-1; see bead_chain_omega. */
+/* Bound of omega^2 from the Gershgorin circles of contacts 0..n-1: see bead_chain_omega. */
 static double circles(const struct bead_stepper *s, size_t n, const double *v, double ahead, bool at_rest)
 {
     const double *w = s->chain->inverse_mass, *d0 = s->table.static_compression;
@@ -49,7 +50,7 @@ static double circles(const struct bead_stepper *s, size_t n, const double *v, d
     return worst;
 }
 
-/* This bound from stiffnesses k, with vectors. */
+/* The same bound from stiffnesses k, with vectors. */
 static double circles_of(const struct bead_stepper *s, size_t n, const double *k)
 {
     const double *w = s->chain->inverse_mass;
@@ -61,7 +62,7 @@ static double circles_of(const struct bead_stepper *s, size_t n, const double *k
     return fmax(worst, k[inner] * w[inner] + k[inner - 1] * w[inner]);
 }
 
-/* This bound for Hertz's law; uses stepper->w[0], which Nystrom methods leave alone. */
+/* The same bound for Hertz's law; uses stepper->w[0], which Nystrom methods do not use. */
 static double hertz_circles(const struct bead_stepper *s, size_t n, const double *v, double ahead)
 {
     const size_t contacts = s->chain->contacts, known = n < contacts ? n + 1 : contacts, o = s->first;
@@ -91,8 +92,8 @@ static double allowed(const struct bead_step_control *control, const struct bead
     return omega * control->longest > control->theta ? control->theta / omega : control->longest;
 }
 
-/* This bound if beads turn back: accelerations close contacts that are open or opening, and make them stiff before the next check.
- * Takes half the change of the compressions that constant accelerations would cause. */
+/* The same bound if beads turn back: accelerations close contacts that are open or opening, and make them stiff before the next
+ * check. Takes half the change of compressions under constant accelerations. */
 static double allowed_with_turns(const struct bead_step_control *control, const struct bead_stepper *s, double h)
 {
     const double part = 0.5, ahead = EVERY * h;
@@ -115,7 +116,7 @@ double bead_step_control_next(struct bead_step_control *control, const struct be
     return h;
 }
 
-/* Decay rate of the last bead's velocity by an absorbing end. */
+/* Decay rate of the last bead's velocity at an absorbing end. */
 static double end_rate(const struct bead_stepper *s)
 {
     const struct bead_dashpot *end = &s->chain->end;
@@ -126,7 +127,7 @@ static double end_rate(const struct bead_stepper *s)
     return end->coefficient * end->exponent * (end->exponent != 1 ? pow(v, end->exponent - 1) : 1) * s->chain->inverse_mass[last];
 }
 
-/* Bound of the decay rates at the end of the step: gamma a |D|^(a-1) of each closed contact takes the place of a stiffness. */
+/* Bound of the decay rates at the end of the step: gamma a |D|^(a-1) of each closed contact replaces a stiffness. */
 static double damping_rate(const struct bead_stepper *s)
 {
     const size_t n = bead_stepper_contacts(s);
@@ -145,17 +146,17 @@ static double damping_rate(const struct bead_stepper *s)
     return fmax(circles_of(s, n, k), end_rate(s));
 }
 
-/* The time since or until then that a step sees of a branch point. */
+/* A branch point as a step sees it. */
 struct nearby {
     const struct bead_branch *branch;
-    double away; /* s */
-    double part; /* N: of the force, a step from it */
+    double away; /* s: time since or until then */
+    double part; /* N: of the force, one step away from it */
     bool coming;
     double rate; /* kg/s: the slope of a steep one here */
 };
 
-/* The error of a quadrature of x^power, where x is the distance from a point `at` of the interval 0..1: 0 before that point, or
- * turned over there. */
+/* The error of a quadrature of x^power, where x is the distance from a point `at` in the interval 0..1. Before that point the
+ * function is 0 or, if `turned`, has the opposite sign. */
 static double quadrature_error(const struct bead_quadrature *q, double power, double at, bool turned)
 {
     double sum = -(pow(1 - at, power + 1) - (turned ? pow(at, power + 1) : 0)) / (power + 1);
@@ -166,7 +167,7 @@ static double quadrature_error(const struct bead_quadrature *q, double power, do
     return fabs(sum);
 }
 
-/* The derivative of order n of x^power at 1, over n factorial. */
+/* The n-th derivative of x^power at 1, over n factorial. */
 static double binomial(double power, int n)
 {
     double product = 1;
@@ -175,8 +176,8 @@ static double binomial(double power, int n)
     return fabs(product);
 }
 
-/* A branch point x^power; of a rate, it is turned over. An infinite slope makes the stages of a step wrong, not only their sum:
- * then the whole of the force counts. */
+/* A branch point x^power, `turned` for a rate. An infinite slope makes the stages of a step wrong, not only their sum: then the
+ * whole force counts. */
 static struct bead_branch branch(const struct bead_quadrature *q, double power, bool turned)
 {
     enum { PLACES = 16 };
@@ -188,14 +189,14 @@ static struct bead_branch branch(const struct bead_quadrature *q, double power, 
     return b;
 }
 
-/* Next to a steep branch point a step takes one part in so many of the time since or until then, and not more than the slope
- * allows. Chosen: of eleven damped chains, one with the exponent .7 is off by .9 of what was asked at 1e-6 with 1, none by more
- * than .05 with 2, 3, 6 or 30; with 30 they take 1.4 times as long. */
+/* Next to a steep branch point a step takes 1/PARTS of the time since or until then, and no more than the slope allows. A choice:
+ * of eleven damped chains, one with the exponent .7 is off by .9 of the requested 1e-6 with 1, none by more than .05 with 2, 3, 6
+ * or 30; with 30 they take 1.4 times as long. */
 enum { PARTS = 3 };
 
 /* The longest step, not above h, in which the quadrature error of a branch point changes a velocity by no more than `tolerance`:
- * over the point itself, or away from it, where the error is that of a derivative, by Peano's theorem. A step towards it goes half
- * of the way. */
+ * over the point itself, or away from it, where the error is that of a derivative, by Peano's theorem. A step towards it goes
+ * half-way. */
 static double grazing(const struct nearby *p, double theta, int order, double inverse_mass, double tolerance, double h)
 {
     const double kick = p->part * h * inverse_mass, power = p->branch->power;
@@ -266,16 +267,16 @@ double bead_step_control_graded(const struct bead_step_control *control, const s
 }
 
 /* The error of the trapezoidal rule for exp(-z). If an acceleration decays with the rate lambda and the amplitude A, its effect on
- * a velocity over a step of length z / lambda differs by A times this from what the accelerations at both ends say. */
+ * a velocity over a step of length z / lambda differs by A times this from the mean of the accelerations at both ends. */
 static double trapezoidal_error(double z)
 {
     const double left = bead_exp(-z);
     return left - 1 + 0.5 * z * (1 + left);
 }
 
-/* The amplitude of what decays with the bound `rate`, in units of the largest velocity between neighbours, as the last step shows
- * it. All that decays more slowly shows more of itself there than of its error, which is of a higher power of z. 1: not known, as
- * the forces have jumped since. */
+/* The amplitude in the last step of motions that decay with the bound `rate`, in units of the largest velocity between neighbours.
+ * Slower ones count for more there than in the error, which has a higher power of z. 1: unknown, because the forces have jumped
+ * since. */
 static double stiff_amplitude(const struct bead_stepper *s, double rate)
 {
     const size_t n = bead_stepper_contacts(s);
@@ -292,7 +293,7 @@ static double stiff_amplitude(const struct bead_stepper *s, double rate)
 }
 
 /* The longest step in units of 1/rate. theta is for motions that decay at this rate from their full height. The error of a method
- * of order p is A z^(p+1); where the fastest motions have decayed and the others are slow, z grows, up to what is stable. */
+ * of order p is A z^(p+1); once the fastest motions have decayed and the others are slow, z grows, up to the limit of stability. */
 static double stiff_theta(const struct bead_step_control *control, const struct bead_stepper *s, double rate)
 {
     const double z = control->theta * pow(stiff_amplitude(s, rate), -1.0 / (s->method->quadrature.order + 1));

@@ -9,8 +9,9 @@
 #include "sim/integrate/stepper.h"
 
 /* A force A d^p + gamma |D|^a d^c has branch points where a contact closes or opens, d = 0, or turns, D = 0: parts of it are
- * x^power, with x the time since or until then, which methods integrate badly. In units of the force at the end of a step: the
- * largest error of a step with the point in it (0: there is no such point), and the factor of that of a step away from it. */
+ * x^power, with x the time since or until then, which methods integrate badly. In units of the force at the end of a step: `within`
+ * is the largest error of a step with the point in it (0: there is no such point), `beside` the factor of the error of a step away
+ * from it. */
 enum { BEAD_BRANCH_ELASTIC, BEAD_BRANCH_COMPRESSION, BEAD_BRANCH_RATE, BEAD_BRANCHES };
 struct bead_branch {
     double power, within, beside;
@@ -33,5 +34,5 @@ void bead_step_control_shorten(struct bead_step_control *control);
 double bead_step_control_next(struct bead_step_control *control, const struct bead_stepper *stepper);
 /* Length of the next step of a chain with damping, s: h, or less if velocities decay faster than beads vibrate. */
 double bead_step_control_damped(const struct bead_step_control *control, const struct bead_stepper *stepper, double h);
-/* ... and less towards and behind the branch points of their forces: their quadrature errors are below the tolerance of events. */
+/* ... and less before and after branch points of forces, so that their quadrature errors are below the tolerance of events. */
 double bead_step_control_graded(const struct bead_step_control *control, const struct bead_stepper *stepper, double h);

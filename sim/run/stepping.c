@@ -10,8 +10,8 @@
 #include "sim/run/method_choice.h"
 #include "sim/run/run.h"
 
-/* Tolerance of a comparison run relative to the run, or its step if that is fixed: coarser, which is cheap, or finer if no coarser
- * run would follow the motion. */
+/* Tolerance of a comparison run, or its step if that is fixed, relative to the run: coarser, which is cheap, or finer if a coarser
+ * run could not follow the motion. */
 static const double coarser_tolerance = 10, finer_tolerance = 0.1, longer_step = 2, shorter_step = 0.5;
 
 double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t count, const struct bead_simulate *asked)
@@ -23,7 +23,7 @@ double bead_run_tolerance_factor(const struct bead_chain *const *chains, size_t 
         struct bead_message msg;
         double omega = bead_chain_omega(chains[i], bead_chain_energy(chains[i]));
         if (bead_choose_method(chains[i], asked, &choice, &msg))
-            continue; /* the run itself says why */
+            continue; /* the run itself will report it */
         room = room && (fixed ? longer_step * asked->step * omega <= choice.method->info.theta_max
                               : bead_method_theta(&choice, coarser_tolerance * asked->accuracy) < choice.cap);
     }
@@ -37,11 +37,11 @@ double bead_run_effective_factor(const struct bead_chain *chain, const struct be
     struct bead_method_choice choice;
     struct bead_message msg;
     if (bead_choose_method(chain, asked, &choice, &msg))
-        return factor; /* the run itself says why */
+        return factor; /* the run itself will report it */
     return fmin(factor, bead_pow(choice.cap / bead_method_theta(&choice, asked->accuracy), choice.order));
 }
 
-/* Steps are a part of the periods of contacts, and contacts that nothing presses have none. */
+/* Steps are parts of the periods of contacts, and contacts without a force have none. */
 static enum bead_error nothing_moves(const struct bead_chain *chain, struct bead_message *msg)
 {
     char at[128];

@@ -12,22 +12,22 @@
  * of the ratio 1/q; their difference is less than a fifth of X only if X_q / X, a Cauchy deviate of scale q, lies between .8 and
  * 1.2: with a probability of (atan 1.2/q - atan .8/q) / pi, .0013 for q = .01 (and .013 for .1). */
 static const double safety = 5;
-/* A finer run is worth its cost if more than this part of the peaks responds strongly; else those are uncertain by their whole
- * difference to the coarser run, which is more than enough for most of them. Empirical: with .005 and .01, two chains of
- * test_uncertainty are off by more than they say; any such part fails if the few are a chain's late, chaotic maxima. */
+/* A finer run is worth its cost if more than this part of the peaks responds strongly; else their whole difference from the coarser
+ * run is their uncertainty, more than enough for most. Empirical: with .005 and .01, two chains of test_uncertainty are off by more
+ * than their uncertainties; any such part fails if the few are a chain's late, chaotic maxima. */
 static const double few = 0.003;
-/* A chain of fewer peaks is always measured: that takes no time, and one peak alone may agree by chance. Empirical: miss_c17 of
- * tests/errors needs it, and longer chains of its kind may be missed. */
+/* Chains with fewer peaks are always measured: that takes no time, and a single peak may agree by chance. Empirical: miss_c17 of
+ * tests/errors needs it; longer chains of its kind may be missed. */
 enum { SHORT = 64 };
-/* Relative uncertainty of a peak that is not predictable: chosen, where .03 and .3 were tried as well. */
+/* Relative uncertainty of a peak that is not predictable: a choice; .03 and .3 were tried as well. */
 static const double lost = 0.1;
-/* How many of a chain's peaks that are called predictable may be overtaken later, on average, if logarithms of late maxima are
- * normal deviates. That is assumed, not measured: a longer tail would overtake more often. */
+/* How many of a chain's peaks called predictable may later be overtaken, on average, if logarithms of late maxima are normal
+ * deviates. That is assumed, not measured: a longer tail would overtake more often. */
 static const double overtaken = 1e-3;
 /* Relative rounding error of a peak. */
 static const double rounding = 1e-14;
 
-/* The maxima of one peak in a run, the highest first; those that there are. */
+/* The maxima of one peak in a run, the highest first. */
 struct maxima {
     const struct bead_peak *most[2];
     size_t count;
@@ -49,7 +49,7 @@ static bool is_same(const struct bead_uncertainty_of *of, const struct bead_peak
     return !(fabs(a->time - b->time) > of->apart);
 }
 
-/* A maximum of a run in another one; NULL: it is not among the highest, or merges with another. */
+/* A run's maximum in another run; NULL: it is not among the highest there, or merges with another. */
 static const struct bead_peak *same_in(const struct bead_uncertainty_of *of, const struct maxima *other,
                                        const struct bead_peak *one)
 {
@@ -60,12 +60,12 @@ static const struct bead_peak *same_in(const struct bead_uncertainty_of *of, con
     return NULL;
 }
 
-/* The doubt about a peak: as a part of it; the time of its cause, s; and how far its own time is off, s. */
+/* The doubt about a peak: as a part of it; the time of its cause, s; and how much its own time is off, s. */
 struct doubt {
     double part, time, shift;
 };
 
-/* The doubt of peak i, if errors of maxima are `scale` times the differences to another run; none after the end of either. */
+/* The doubt about peak i, if errors of maxima are `scale` times the differences from another run; none after the end of either. */
 static struct doubt doubt_by(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p,
                              const struct bead_maxima *by, size_t i, double scale)
 {
@@ -101,7 +101,7 @@ static const struct bead_peak *itself_in(const struct bead_uncertainty_of *of, c
     return same || same_in(of, &run, other.most[0]) ? same : other.most[0];
 }
 
-/* By how much the peak itself differs in another run, relative; NaN: it is not there. */
+/* The relative difference of the peak itself in another run; NaN: it is not there. */
 static double difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, const struct bead_maxima *by,
                          size_t i)
 {
@@ -109,7 +109,7 @@ static double difference(const struct bead_uncertainty_of *of, const struct bead
     return found ? fabs(p->peaks[i].value - found->value) / p->peaks[i].value : NAN;
 }
 
-/* The doubt by the coarser run, whose differences are factor - 1 times the errors of the run if these are proportional to the
+/* The doubt from the coarser run, whose differences are factor - 1 times the run's errors if these are proportional to the
  * tolerance. */
 static struct doubt answer(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
 {
@@ -127,12 +127,12 @@ bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const str
     return of->accuracy > 0 && (all < SHORT || (double)strong > few * (double)all);
 }
 
-/* The differences of a peak to both other runs. */
+/* The differences of a peak from both other runs. */
 struct differences {
-    double fine, answer; /* that to the coarser run, in units of the error if errors are proportional to the tolerance */
+    double fine, answer; /* from the coarser run, in units of the error if errors are proportional to the tolerance */
 };
 
-/* Finds the differences of a peak that responds strongly, and is not lost; false: it does not. */
+/* Finds the differences of a peak that responds strongly and is not lost; else returns false. */
 static bool find_differences(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i,
                              struct differences *d)
 {
@@ -143,7 +143,7 @@ static bool find_differences(const struct bead_uncertainty_of *of, const struct 
 }
 
 /* The usual ratio of the measured error to the answer, the geometric mean over the peaks that respond strongly and differ by
- * `least` or more. At most factor - 1: the coarser run is not the better one. 0: there are none. */
+ * `least` or more. At most factor - 1, as the coarser run is not the better one. 0: there are none. */
 static double usual_ratio(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
 {
     double sum = 0;
@@ -160,15 +160,15 @@ static double usual_ratio(const struct bead_uncertainty_of *of, const struct bea
     return count > 0 ? fmin(bead_exp(sum / (double)count), of->factor - 1) : 0;
 }
 
-/* The safety factor where errors fall more slowly than the tolerance, as its power p: the differences to both runs are as 1 - q^p
- * to r^p - 1, nearly 1 to the latter, and the finer run is off by q^p of the run, where `safety` is for q. */
+/* The safety factor if errors fall more slowly than the tolerance, as its power p: the differences from both runs have the ratio of
+ * 1 - q^p (nearly 1) to r^p - 1, and the finer run's error is q^p of the run's, while `safety` is for q. */
 static double safety_for(const struct bead_uncertainty_of *of, double ratio)
 {
     const double p = bead_log(1 + (of->factor - 1) / ratio) / bead_log(of->factor);
     return safety * fmax(bead_exp((p - 1) * bead_log(BEAD_UNCERTAINTY_FINER)), 1);
 }
 
-/* The largest difference to the finer run of a peak that is not lost. */
+/* The largest difference from the finer run among peaks that are not lost. */
 static double largest_difference(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
     double largest = 0;
@@ -180,7 +180,7 @@ static double largest_difference(const struct bead_uncertainty_of *of, const str
     return largest;
 }
 
-/* The time from which on peaks differ by `least` or more; INFINITY: none does. */
+/* The time from which peaks differ by `least` or more; INFINITY: none does. */
 static double first_that_differs(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2], double least)
 {
     double first = INFINITY;
@@ -194,19 +194,19 @@ static double first_that_differs(const struct bead_uncertainty_of *of, const str
     return first;
 }
 
-/* The time from which on the motion that differs most is not known to a tenth, by the safety factor that its own differences call
- * for; INFINITY: it is. Chaos of light beads may end at a per cent of the force on heavy ones: then no run knows better. */
+/* The time from which the motion that differs most is not known to a tenth, with the safety factor that its own differences
+ * require; INFINITY: it is. Chaos of light beads may stop at a per cent of the force on heavy ones: then no run knows it better. */
 static double saturated_from(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2])
 {
     const double largest = largest_difference(of, kinds), ratio = usual_ratio(of, kinds, lost * largest);
     return ratio > 0 && safety_for(of, ratio) * largest > lost ? first_that_differs(of, kinds, lost * largest) : INFINITY;
 }
 
-/* The doubt of peak i, unless it is smaller than what was asked. */
+/* The doubt about peak i, at least the accuracy asked for. */
 static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double ratio)
 {
     const struct doubt strong = answer(of, p, i);
-    if (!(of->accuracy > 0)) /* steps of a given length: the runs differ by more than the better one is off */
+    if (!(of->accuracy > 0)) /* steps of a given length: the difference of the runs is more than the better one's error */
         return doubt_by(of, p, &p->coarse, i, 1);
     if (!p->fine.highest)
         return strong.part > of->accuracy ? doubt_by(of, p, &p->coarse, i, 1) : (struct doubt){0, strong.time, strong.shift};
@@ -220,7 +220,7 @@ static struct doubt doubt_of(const struct bead_uncertainty_of *of, const struct 
     return measured;
 }
 
-/* The time between the highest maximum and the second, s, if either may be the highest, since both are off by `part`; else 0. */
+/* The time between the highest and the second maximum, s, if either may be the highest with errors of `part`; else 0. */
 static double rival_distance(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double part)
 {
     const struct maxima run = maxima_of(of, p->peaks, p->second, i);
@@ -246,7 +246,7 @@ double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct 
     return from;
 }
 
-/* Is peak i not known as well as asked? */
+/* Is peak i less accurate than asked? */
 static bool is_poor(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i)
 {
     return p->uncertainty[i] > of->accuracy * p->peaks[i].value;
@@ -264,7 +264,7 @@ static bool is_late(const struct bead_peak *peak, double from)
     return peak->time >= from && peak->value > 0;
 }
 
-/* The logarithm of what the late runs find in the place of peak i after the horizon; -INFINITY: nothing. */
+/* The logarithm of the maximum that the late runs find at peak i's contact or bead after the horizon; -INFINITY: none. */
 static double late_height(const struct bead_uncertain_peaks *p, size_t i, double from)
 {
     double sum = 0, count = 0;
@@ -277,8 +277,8 @@ static double late_height(const struct bead_uncertain_peaks *p, size_t i, double
     return count > 0 ? sum / count : -INFINITY;
 }
 
-/* Logarithms of maxima after the horizon are scattered with the variance s^2, which their differences x between two runs tell: the
- * mean of x^2 is 2 s^2. A third run differs from the mean of these two by 3/2 s^2. */
+/* Logarithms of maxima after the horizon scatter with the variance s^2, which follows from their differences x between two runs:
+ * the mean of x^2 is 2 s^2. A third run differs from the mean of these two by 3/2 s^2. */
 static double spread_of(const struct bead_uncertain_peaks kinds[2], double from)
 {
     double sum = 0;
@@ -296,10 +296,10 @@ static double spread_of(const struct bead_uncertain_peaks kinds[2], double from)
     return count > 0 ? sqrt(0.75 * sum / (double)count) : 0;
 }
 
-/* Normal deviates beyond this are no matter. */
+/* Normal deviates beyond this do not matter. */
 static const double furthest = 8;
 
-/* How many of the peaks that exceed what the late runs find by more than z standard deviations will be overtaken, on average. */
+/* How many of the peaks that exceed the late runs' maxima by more than z standard deviations will be overtaken, on average. */
 static double expected(const struct bead_uncertain_peaks kinds[2], double from, double spread, double z)
 {
     double sum = 0;
@@ -328,7 +328,7 @@ double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double
     return bead_exp(high * spread);
 }
 
-/* May a later maximum after the horizon be higher than peak i? In other runs it is, or nearly. */
+/* May a later maximum after the horizon be higher than peak i? It is in other runs, or nearly so. */
 static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
                              double reach)
 {

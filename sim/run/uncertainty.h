@@ -3,39 +3,37 @@
  *
  * Steps are chosen so that errors are proportional to the tolerance. So a run P with the tolerance a, one with a coarser tolerance
  * r a, and one with a finer tolerance q a, give two estimates of the error of each peak: |P_r - P| / (r - 1) and |P - P_q| / (1 -
- * q). Where a chain does not keep to that (a steep law, steps that a drifting energy has shortened), its energy tells: r is then
- * the ratio of the errors that both runs know of their energies, if that is smaller.
+ * q). Where they are not (a steep law, steps that a drifting energy has shortened), r is the ratio of both runs' energy errors, if
+ * that is smaller.
  *
- * The factor of proportionality is not the same in two runs, because contacts open and close elsewhere in their steps. A chain that
- * is not chaotic forgives that: its errors are far below what was asked, and the coarser run alone shows that. In a chaotic chain a
- * few unstable motions drive all later peaks: the error of peak i is g_i X, where g_i, the growth since, is the chain's, and X,
- * what the run's own errors put into the motion, differs from run to run by more than r. There the coarser run says how strongly
- * peaks answer, but not what this run has put in: the ratio of two such X has the heavy tail of a Cauchy distribution, so that any
- * bound from it is a hundred times too large for most peaks or too small for some. The finer run does say it, because its own X is
- * smaller by q: P - P_q is the error of P but for a part of about q. (A tangent driven by the local errors says the same, but knows
- * them only from steps repeated at half their length, which costs twice the run; and it ends where a chaotic motion is no longer
- * linear.)
+ * The factor of proportionality is not the same in two runs, because contacts open and close elsewhere in their steps. In a chain
+ * that is not chaotic that does not matter: its errors are far below the accuracy asked for, as the coarser run alone shows. In a
+ * chaotic chain a few unstable motions drive all later peaks: the error of peak i is g_i X, where the growth g_i belongs to the
+ * chain, and X, the contribution of the run's own errors to the motion, differs from run to run by more than r. There the coarser
+ * run shows how strongly peaks respond, but not this run's contribution: the ratio of two such X has the heavy tail of a Cauchy
+ * distribution, so that any bound from it is a hundred times too large for most peaks or too small for some. The finer run shows
+ * it, because its own X is smaller by q: P - P_q is the error of P, except for a part of about q. (A tangent driven by the local
+ * errors would show the same, but needs steps repeated at half their length, which costs twice the run; and it fails when a chaotic
+ * motion is no longer linear.)
  *
- * From the first peak on that is lost in this way, the horizon, the motion of any run is one of many that are equally likely. A
- * later maximum of the true motion may then overtake an earlier one that is known well. Two more coarse runs look for maxima after
- * the horizon and the peak only: how high they are, and by how much two such motions differ.
+ * After the first peak that is lost in this way, the horizon, the motion of any run is one of many that are equally likely. A later
+ * maximum of the true motion may then overtake an earlier one that is known well. Two more coarse runs look only for maxima after
+ * the horizon and the peak: how high they are, and how much two such motions differ.
  *
- * A maximum is compared with the same one of the other run, too, not only with its highest, which may be another: in each of two
- * bumps the runs may differ by a per cent, and one may be the higher in the first run, the other in the second, both as high by
+ * A maximum is also compared with the same one of the other run, not only with its highest, which may be a different one: the runs
+ * may differ by a per cent in each of two bumps, one the higher in the first run, the other in the second, both equally high by
  * chance. If h is the height of a maximum and e the bound of its error, the highest, P, may really be as low as P - e, but no
  * higher than the largest h + e of all. The runs keep their two highest.
  *
- * The finer run's own error is a part of about q only if errors fall with the tolerance. Chaos of light beads may end at a per cent
- * of the force on heavy ones, for any tolerance. The differences to both runs tell the power by which they fall, and so how large
- * the finer run's part is, and how large the safety factor must be; where that is too much for the motion that differs most, it is
- * not predictable.
+ * The finer run's own error is a part of about q only if errors fall with the tolerance. Chaos of light beads may stop at a per
+ * cent of the force on heavy ones, for any tolerance. The differences from both runs give the power by which errors fall, and so
+ * the finer run's part and the safety factor; if that is too much for the motion that differs most, it is not predictable.
  *
- * Times of maxima have the same errors, from the same differences, with the time since the start as the whole that the accuracy
- * asked for is a part of. Where the highest is another maximum in the other run, or may be, the time is not known better than the
- * two are apart.
+ * Errors of the times of maxima follow from the same differences, relative to the time since the start. If the highest is another
+ * maximum in the other run, or may be, the uncertainty of the time is the distance of the two.
  *
- * A peak at which P - P_q happens to cross zero has an error nonetheless: at least its answer to the coarser run, times the usual
- * ratio of the measured errors to the answers in this chain. */
+ * A peak at which P - P_q happens to cross zero still has an error: at least its response to the coarser run, times the usual ratio
+ * of measured errors to responses in this chain. */
 #pragma once
 
 #include <stdbool.h>
@@ -75,20 +73,20 @@ struct bead_uncertain_peaks {
  * needed, or if there are so few that it costs nothing. */
 bool bead_uncertainty_wants_fine(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 /* Sets the uncertainties, at least the accuracy asked for, as a part of force or time. Returns the time from which peaks are not
- * predictable, s: that of the first one that is not known to a tenth of itself; INFINITY: all are. */
+ * predictable, s, when the first one is not known to a tenth of itself; INFINITY: all are. */
 double bead_uncertainty_find(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks kinds[2]);
 /* The time after which a maximum may overtake peak i: the horizon, or the peak itself if that is later and known as well as asked.
  */
 double bead_uncertainty_after(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from);
-/* The factor by which a maximum after the horizon `from` may exceed what the late runs say, so that hardly one of all peaks that
- * are even higher is overtaken: 1 or more. */
+/* The factor, 1 or more, by which maxima after the horizon `from` may exceed the late runs': hardly any peak higher than that is
+ * overtaken. */
 double bead_uncertainty_reach(const struct bead_uncertain_peaks kinds[2], double from);
-/* True if peak i is not predictable: it comes after the horizon and is not known as accurately as asked, or one that comes after
- * both, it and the horizon, may be higher. */
+/* True if peak i is not predictable: it comes after the horizon and is less accurate than asked, or a maximum after both it and the
+ * horizon may be higher. */
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,
                               double reach);
-/* The uncertainty of a force, or of any number, by a finer run alone: at least the accuracy asked for, as a part of it; NaN: the
- * finer run has none. */
+/* The uncertainty of a force, or of any number, from a finer run alone: at least the accuracy asked for, as a part of it; NaN: the
+ * finer run lacks the number. */
 BEAD_INTERNAL double bead_uncertainty_measured(double accuracy, double force, double finer);
 /* True if a number is not known to a tenth of itself. */
 bool bead_uncertainty_is_large(double value, double uncertainty);
