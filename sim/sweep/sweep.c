@@ -250,10 +250,10 @@ bool bead_sweep_configuration(const struct bead_sweep *sweep, size_t panel, size
 /* ---- chains ---- */
 
 struct bead_sweep_chain {
-    struct bead_scene scene; /* the sweep's, with this chain only */
+    struct bead_scene scene; /* the sweep's scene, with this chain only */
     struct bead_chain_spec spec;
     struct bead_segment *segments;
-    struct bead_scene *own; /* over keys: the chain's scene, instead */
+    struct bead_scene *own; /* over keys: the chain's own scene instead */
     struct bead_chain *chain;
 };
 
@@ -267,7 +267,7 @@ size_t bead_sweep_value(const struct bead_sweep *sweep, size_t panel, size_t ind
     return index % over->keys[key].count;
 }
 
-/* The node of a key's value, in the file or in what was laid over it. */
+/* The node of a key's value, in the file or in an override. */
 static const struct bead_node *node_of_value(const struct bead_sweep *sweep, size_t panel, const char *path, size_t value)
 {
     const struct bead_node *over = bead_node_get(bead_sweep_node(bead_yaml_root(sweep->scene->tree), panel), "over", NULL),
@@ -275,7 +275,7 @@ static const struct bead_node *node_of_value(const struct bead_sweep *sweep, siz
     return values && values->kind == BEAD_NODE_LIST ? values->items[value] : values;
 }
 
-/* The overrides that turn the plain scene into that of a configuration. */
+/* The overrides that turn the plain scene into a configuration's. */
 static void lay_values(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_override *all)
 {
     const struct bead_over *over = &sweep->panels[panel].shown.spec->over;
@@ -338,7 +338,7 @@ enum bead_error bead_sweep_check_places(const struct sweep_panel *panel, const s
     return BEAD_OK;
 }
 
-/* Values that make no scene are found before the first chain runs: each value of each key is tried, of long lists the ends. */
+/* Finds values that make no valid scene before the first chain runs: tries each value of each key, only the ends of long lists. */
 static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, struct bead_message *msg)
 {
     enum { TRIED = 32 };
@@ -357,7 +357,7 @@ static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, 
     return BEAD_OK;
 }
 
-/* The scene without the sweep, and with an output that asks for nothing. */
+/* The scene without the sweep, with an output that needs nothing. */
 static enum bead_error make_plain(struct bead_sweep *sweep, struct bead_message *msg)
 {
     struct bead_node *node = NULL;

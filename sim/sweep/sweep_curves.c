@@ -35,7 +35,7 @@ size_t bead_sweep_curve_of(const struct bead_sweep *sweep, size_t panel, size_t 
     return number;
 }
 
-/* The beginning of the part of a path before this one; a number belongs to what it counts. */
+/* The beginning of the part of a path before this one; a number belongs to the part that it counts. */
 static const char *part_before(const char *path, const char *part)
 {
     do {
@@ -45,7 +45,7 @@ static const char *part_before(const char *path, const char *part)
     return part;
 }
 
-/* Does no path of another key end so? */
+/* Does no other key's path end like this? */
 static bool is_own(const struct bead_over *over, size_t key, const char *end)
 {
     const size_t length = strlen(end);
@@ -83,7 +83,7 @@ void bead_sweep_curve_name(const struct bead_sweep *sweep, size_t panel, size_t 
             continue;
         bead_over_key_name(over, k, false, key_name, sizeof key_name);
         char *unit = of->text[value], number[32] = "";
-        if (of->digits > 0 && value > 0 && value + 1 < of->count) /* the ends are as they are written */
+        if (of->digits > 0 && value > 0 && value + 1 < of->count) /* the ends stay as written */
             snprintf(number, sizeof number, "%.*g", of->digits, strtod(of->text[value], &unit));
         snprintf(name + used, 200 - used, "%s%s %s%s", used ? ", " : "", key_name, number, unit);
     }
@@ -95,7 +95,7 @@ static int by_x(const void *a, const void *b)
     return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->value > q->value) - (p->value < q->value);
 }
 
-/* The straight line through the logarithms of the means. */
+/* Fits a straight line to the logarithms of the means. */
 static void fit_slope(struct bead_sweep_curve *curve)
 {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, rest = 0, off_by = 0;
@@ -126,7 +126,7 @@ static void fit_slope(struct bead_sweep_curve *curve)
     curve->slope_uncertainty = off_by / sxx; /* the slope is linear in the logarithms */
 }
 
-/* All points of one curve: of each value along the axis the known results. */
+/* Fills in all points of one curve: the known results of each value along the axis. */
 static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, const struct bead_sweep_values *values,
                             size_t number, size_t key, struct bead_sweep_curve *curve, struct bead_message *msg)
 {

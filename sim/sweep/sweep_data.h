@@ -7,8 +7,8 @@
 #include "beadreel/sweep.h"
 #include "sim/run/play.h"
 
-/* Profiles along the chain, kept if decay is measured, in the order of struct bead_sweep_configuration; behind them those of a
- * finer run, 0 where there was none. */
+/* Profiles along the chain, kept if decay is measured, in the order of struct bead_sweep_configuration; then those of a finer run,
+ * 0 if there was none. */
 enum sweep_profile {
     PROFILE_FORCE,
     PROFILE_ENERGY,
@@ -28,19 +28,19 @@ struct sweep_panel {
     struct bead_sweep_peak *peaks; /* [jobs][places] */
     double *profiles;              /* [jobs][PROFILES][beads]; NULL: not measured */
     size_t first_try;              /* of bead_play_cut */
-    double accuracy;               /* that the means need; 0: as asked */
+    double accuracy;               /* needed for the means; 0: as asked */
 };
 
 struct bead_sweep {
     const struct bead_scene *scene;
-    struct bead_scene *own_scene; /* of a file; NULL: the caller's */
+    struct bead_scene *own_scene; /* read from a file; NULL: the caller's */
     struct bead_scene *plain;     /* over keys: the scene without the sweep, from which each chain's is made; NULL: over spins */
-    pthread_mutex_t making;       /* while one is made: units are read with a library of one thread */
+    pthread_mutex_t making;       /* while a chain's scene is made: the library that reads units is not thread-safe */
     struct sweep_panel *panels;
     size_t panel_count;
     size_t jobs;
     unsigned char *known;    /* [jobs] */
-    size_t lost, first_lost; /* chains without results: not passed by their fronts, or diverged; the job of the first */
+    size_t lost, first_lost; /* chains without results (the front did not pass, or the run diverged); the job of the first */
     struct bead_message why; /* the message about it */
     size_t part, parts;      /* 1, 1: the whole sweep */
     char *version;
@@ -48,7 +48,7 @@ struct bead_sweep {
 
 /* The panel of a job; sets *row to its number within the panel (0: the clean chain). */
 struct sweep_panel *bead_sweep_panel_of(const struct bead_sweep *sweep, size_t job, size_t *row);
-/* Is the panel's sweep one over keys? */
+/* Is the panel's sweep over keys? */
 static inline bool bead_sweep_is_over(const struct sweep_panel *panel)
 {
     return panel->shown.spec->over.key_count > 0;
@@ -57,14 +57,14 @@ static inline bool bead_sweep_is_over(const struct sweep_panel *panel)
 bool bead_sweep_mine(const struct bead_sweep *sweep, size_t job);
 /* The beads of a place in a chain of the panel. */
 struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const struct bead_chain *chain, size_t place);
-/* Fails where the chain is too short for them. */
+/* Fails if the chain is too short for them. */
 BEAD_CHECK enum bead_error bead_sweep_check_places(const struct sweep_panel *panel, const struct bead_chain *chain, size_t index,
                                                    struct bead_message *msg);
-/* Why the beads of a panel's chain are kept to the end of its run; NULL: those far behind the front are dropped, see behind.h. */
+/* Why all beads of a panel's chain are kept until its run ends; NULL: those far behind the front are dropped, see behind.h. */
 const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bead_chain *chain);
 /* Creates a sweep without spins and results, to read them from a file. */
 BEAD_CHECK enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg);
-/* Replaces the scene, which is taken even after an error, to show other outputs. Errors: USAGE (it would change the results). */
+/* Replaces the scene to show other outputs; takes it even after an error. Errors: USAGE (it would change the results). */
 BEAD_CHECK enum bead_error bead_sweep_show(struct bead_sweep *sweep, struct bead_scene *scene, struct bead_message *msg);
 /* Size of a job's results in words of 8 bytes. */
 size_t bead_sweep_words(const struct sweep_panel *panel);
@@ -74,7 +74,7 @@ struct sweep_generator {
     const struct bead_sweep *sweep;
     const struct bead_sweep_settings *settings; /* after bead_sweep_settings_take */
     const char *what;                           /* for progress */
-    size_t count, done_before;                  /* chains to play, and those already known */
+    size_t count, done_before;                  /* chains to play, and chains already known */
     /* Finds the panel of chain `index` and its number there. */
     void (*find)(void *context, size_t index, size_t *panel, size_t *configuration);
     /* Plays it; `play` lacks only consumers and their needs. */

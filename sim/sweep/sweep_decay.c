@@ -10,10 +10,10 @@
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 
-/* Up to this bead the wave is still forming. */
+/* The wave is still forming up to this bead. */
 enum { NEAR = 10, RESAMPLES = 200 };
 
-/* A panel, for all its magnetisms. */
+/* A panel with all its magnetisms. */
 struct decay_panel {
     const struct bead_sweep *sweep;
     const struct bead_sweep_panel *shown;
@@ -21,7 +21,7 @@ struct decay_panel {
     size_t index, random, cell; /* random: beads up to the last random one; cell: beads of a random cell */
     double *logs;               /* [2][configurations][random] */
     double *changes,
-        *values; /* [configurations][beads]: by how much logarithms differ from those of finer runs; [configurations] */
+        *values; /* [configurations][beads]: differences of the logarithms from those of finer runs; [configurations] */
 };
 
 static size_t random_cell(const struct bead_sweep *sweep, const struct bead_sweep_panel *shown)
@@ -68,8 +68,8 @@ static const double *profile_of(const struct decay_panel *p, size_t row, size_t 
     return p->sweep->panels[p->index].profiles + (PROFILES * row + which) * p->shown->beads;
 }
 
-/* The uncertainty of a mean over all chains, found as for spreading: the mean difference of those that were run twice, and how much
- * that of all may differ from it. */
+/* The uncertainty of a mean over all chains, found as for spreading: the mean difference of the chains that were run twice, and how
+ * much the mean of all may differ from it. */
 static double bound(const struct decay_panel *p, size_t used, size_t all)
 {
     struct bead_summary sample;
@@ -81,8 +81,8 @@ static double bound(const struct decay_panel *p, size_t used, size_t all)
     return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
 }
 
-/* Lists the differences of the logarithms of a profile from those of finer runs, of the chains that have them: how many these are.
- */
+/* Lists the differences of a profile's logarithms from those of finer runs; returns the number of chains that have them.
+ * */
 static size_t find_changes(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, enum sweep_profile which)
 {
     const size_t beads = p->shown->beads;
@@ -99,7 +99,7 @@ static size_t find_changes(const struct decay_panel *p, const struct sweep_entry
     return used;
 }
 
-/* Fits are linear in the logarithms, so that those of the differences are the differences of the fits. */
+/* Fits are linear in the logarithms, so fits of the differences are the differences of fits. */
 static void bound_fits(const struct decay_panel *p, size_t used, const struct bead_decay *of, size_t count,
                        struct bead_decay_uncertainty *u)
 {
@@ -117,7 +117,7 @@ static void bound_fits(const struct decay_panel *p, size_t used, const struct be
     u->exponent = bound(p, used, count);
 }
 
-/* Finds the uncertainty of the decay of forces, or energies: of `means` at each bead, and of their fits. */
+/* Finds the uncertainty of the decay of forces or energies: of `means` at each bead, and of their fits. */
 static enum bead_error find_uncertainty(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, bool energy,
                                         const double *means, const struct bead_decay *of, struct bead_decay_uncertainty *u,
                                         struct bead_message *msg)

@@ -9,19 +9,18 @@
 BEAD_INTERNAL const struct bead_scene *bead_sweep_scene(const struct bead_sweep *sweep);
 /* With `accuracy: statistical`, the smallest that a panel needed; 0: as asked. */
 double bead_sweep_accuracy(const struct bead_sweep *sweep);
-/* The chain of a configuration, or of BEAD_SWEEP_CLEAN: not of the sweep's scene, but of one made for it. The sweep must outlive
- * it. Errors: MEMORY, SCENE. */
+/* The chain of a configuration or of BEAD_SWEEP_CLEAN, of a scene made for it, not of the sweep's. The sweep must outlive it.
+ * Errors: MEMORY, SCENE. */
 struct bead_sweep_chain;
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index,
                                                                  struct bead_sweep_chain **chain, struct bead_message *msg);
 BEAD_INTERNAL const struct bead_chain *bead_sweep_chain_of(const struct bead_sweep_chain *chain);
 BEAD_INTERNAL void bead_sweep_chain_destroy(struct bead_sweep_chain *chain);
-/* A scene that is this one chain, without outputs: a tree of the sweep's scene, for an override of the whole. Errors: SCENE,
- * MEMORY.
- */
+/* A scene of this one chain, without outputs, as a tree of the sweep's scene, for an override of the whole. Errors: SCENE, MEMORY.
+ * */
 BEAD_CHECK enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, size_t index,
                                              const struct bead_node **scene, struct bead_message *msg);
-/* Progress of the unfinished sweep whose journal is `path`. False: this is no journal. */
+/* Progress of the unfinished sweep whose journal is `path`. False: it is not a journal. */
 struct bead_sweep_progress {
     size_t chains, done; /* of all parts; in this journal */
     size_t part, parts;
@@ -30,15 +29,15 @@ bool bead_sweep_journal_look(const char *path, struct bead_sweep_progress *progr
 /* One configuration to run and watch. */
 struct bead_sweep_watch {
     size_t panel, index; /* a configuration, or BEAD_SWEEP_CLEAN */
-    double end;          /* s; 0: as the front arrives */
+    double end;          /* s; 0: when the front arrives */
     unsigned fields;     /* BEAD_FIELD_BITs of the samples at 0, every, ... <= end, of all beads */
     double every;        /* s */
-    bool widens;         /* as times of a bead_grid do */
+    bool widens;         /* like the times of a bead_grid */
     bool finer;          /* at the tolerance of check runs */
     enum bead_error (*take)(void *context, const struct bead_sample *sample, struct bead_message *msg); /* NULL: no samples */
-    void *context; /* of this configuration alone: take is called from several threads, of one configuration from one */
-    /* Found: when the front arrived, s (NaN: not until the end); the peak force of the sweep's (first) place, N; participation of
-     * energies at the arrival, beads, and the clean index (participation.h) */
+    void *context; /* one for each configuration: several threads call `take`, but only one for a configuration */
+    /* Results: when the front arrived, s (NaN: not before the end); the peak force of the sweep's (first) place, N; participation
+     * of energies at the arrival, beads, and the clean index (participation.h) */
     double arrival, force, participation, clean_index;
 };
 /* Run these; results are the same for any number of threads. Errors: MEMORY, NUMBERS, SCENE, USAGE, STOPPED, those of `take`. */
@@ -47,18 +46,17 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_watch(const struct bead_swee
                                                           struct bead_message *msg);
 /* "sweep.h5" -> "sweep.2of4.h5", to be freed with free(). Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_sweep_part_path(const char *path, size_t part, size_t parts, char **name, struct bead_message *msg);
-/* Does the file say that it is one of a sweep? Errors, of HDF5 files: MEMORY, IO, FORMAT, UNSUPPORTED. */
+/* Is the file one of a sweep? Errors, of HDF5 files: MEMORY, IO, FORMAT, UNSUPPORTED. */
 BEAD_CHECK enum bead_error bead_sweep_is(const char *path, bool *is, struct bead_message *msg);
-/* The part that a file holds; 1 of 1 where all. */
+/* The part that a file holds; 1 of 1 for all. */
 void bead_sweep_part(const struct bead_sweep *sweep, size_t *part, size_t *parts);
-/* Version of the program that the results are of. */
+/* Version of the program that made the results. */
 const char *bead_sweep_version(const struct bead_sweep *sweep);
-/* Geometric means over the beads i, i + 1, ... of a random cell, of `values` [beads], to the last random bead: into means [beads],
- * of which *count are filled. */
+/* Geometric means of `values` [beads] over beads i, i + 1, ... of a random cell, up to the last random bead: fills *count of means
+ * [beads]. */
 BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t panel, const double *values, double *means,
                                      size_t *count);
-/* The uncertainty of the forces of a place, or of their times, as a part of themselves: the worst of those measured; NaN: none
- * was. */
+/* The relative uncertainty of the forces of a place, or of their times: the worst measured; NaN: none was. */
 BEAD_INTERNAL double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 double bead_sweep_time_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 
@@ -68,7 +66,7 @@ struct bead_sweep_decay {
     double magnetism;
     size_t count;           /* configurations */
     double *force, *energy; /* [beads] N, J: geometric means of the peaks */
-    /* From bead 10, where the wave has formed, to where it has fallen to 1/e, or to the last random bead. */
+    /* From bead 10, where the wave has formed, to the bead where it has fallen to 1/e, or the last random bead. */
     struct bead_decay of_force, of_energy;
     double force_participation, energy_participation; /* of last_force, last_energy: means of the ratios, beads */
     /* Uncertainties of these, of force and of energy; NaN: not measured. */
@@ -77,7 +75,7 @@ struct bead_sweep_decay {
         double length, exponent, participation;
     } uncertain[2];
 };
-/* Errors: MEMORY; NUMBERS where decay was not measured, or the clean chain is not known. */
+/* Errors: MEMORY; NUMBERS if decay was not measured, or the clean chain is unknown. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel,
                                                            struct bead_sweep_decay **decays, size_t *count,
                                                            struct bead_message *msg);

@@ -24,11 +24,11 @@ struct head {
 
 struct bead_sweep_journal {
     struct bead_file_lock lock;
-    int file; /* that of the lock */
+    int file; /* the locked file */
     char *path;
     uint64_t *record; /* label, results, checksum */
     double synced;    /* s, clock */
-    bool empty;       /* begun here, without a record yet */
+    bool empty;       /* begun by this run, with no record yet */
 };
 
 /* The first word of a record: its job, and its length in words, so that records can be counted without the sweep. */

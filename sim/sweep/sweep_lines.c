@@ -19,7 +19,7 @@
 struct bead_sweep_line_chain {
     struct bead_sweep_chain *made;
     const struct bead_chain *chain;
-    struct bead_spectra *spectra, *check; /* of its run; of a finer one, NULL: there is none */
+    struct bead_spectra *spectra, *check; /* of its run; of a finer one (NULL: none) */
     struct bead_spectral found, finer;
     size_t curve;
 };
@@ -42,7 +42,7 @@ void bead_sweep_lines_free(struct bead_sweep_lines *lines)
     free(lines->of);
 }
 
-/* All chains run to one time: `until`, or the last arrival of a front. */
+/* All chains run to the same time: `until`, or the last arrival of a front. */
 static enum bead_error find_end(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, size_t count,
                                 double *end, struct bead_message *msg)
 {
@@ -66,7 +66,7 @@ static struct bead_run_context context_of(const struct bead_sweep *sweep, const 
         .scene = bead_sweep_scene(sweep), .chains = &own->chain, .chain_count = 1, .end = end, .threads = 1, .directory = "."};
 }
 
-/* Makes a chain; *every: the time between samples that it wants for itself. */
+/* Makes a chain; *every: the time between samples that it needs. */
 static enum bead_error make_chain(const struct bead_sweep *sweep, const struct bead_output *output, size_t index, double end,
                                   struct bead_sweep_line_chain *own, double *every, struct bead_message *msg)
 {
@@ -90,7 +90,7 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return bead_spectra_feed(context, sample, msg);
 }
 
-/* Sets out a run of a chain, whose samples are collected in *spectra: as closely as the quickest wants, all alike. */
+/* Prepares a run of a chain, whose samples are collected in *spectra, for all chains as often as the quickest needs. */
 static enum bead_error watch_chain(const struct bead_sweep *sweep, const struct bead_sweep_lines *lines, size_t index, double end,
                                    double every, struct bead_spectra **spectra, struct bead_sweep_watch *watch,
                                    struct bead_message *msg)
@@ -108,7 +108,7 @@ static enum bead_error watch_chain(const struct bead_sweep *sweep, const struct 
     return BEAD_OK;
 }
 
-/* All chains, and, to check them, a sample of each curve's again, and long ones, whose errors differ more. */
+/* Runs all chains and, to check them, a sample of each curve's again, and long ones, whose errors differ more. */
 static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, bool checked, double end,
                                double every, struct bead_sweep_lines *lines, struct bead_message *msg)
 {
@@ -129,7 +129,7 @@ static enum bead_error run_all(const struct bead_sweep *sweep, const struct bead
 
 /* ---- means ---- */
 
-/* The mean over the chains of a curve, in their order, of what each has: a transfer has none where the drive is small. */
+/* The mean over a curve's chains, in their order, of the numbers that exist: a transfer has none where the drive is small. */
 static enum bead_error reduce(const struct bead_sweep_lines *lines, size_t curve, double *values, struct bead_message *msg)
 {
     struct bead_sweep_line *line = &lines->of[curve];
@@ -168,7 +168,7 @@ static double bound(const struct bead_sweep_lines *lines, size_t curve, size_t n
     return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, lines->of[curve].chains);
 }
 
-/* Of the worst row of each column, since errors cross zero along a curve. */
+/* Finds those of the worst row of each column, since errors cross zero along a curve. */
 static enum bead_error find_uncertainties(const struct bead_sweep_lines *lines, size_t curve, double *values,
                                           struct bead_message *msg)
 {
@@ -182,7 +182,7 @@ static enum bead_error find_uncertainties(const struct bead_sweep_lines *lines, 
     return BEAD_OK;
 }
 
-/* The curves of one chain, which must be as many as those of the first, and as long. */
+/* Adds the curves of one chain, which must be as many and as long as the first chain's. */
 static enum bead_error add(const struct bead_sweep *sweep, struct bead_sweep_lines *lines, size_t index, struct bead_message *msg)
 {
     struct bead_sweep_line_chain *own = &lines->chains[index];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Curves of an ensemble: what `show: sensors`, `spectrum`, `transfer` and `dispersion` have of one run, as means over the seeds of
- * a sweep over keys, for each combination of the other keys. */
+/* Curves of an ensemble: the curves of `show: sensors`, `spectrum`, `transfer` and `dispersion`, as means over the seeds of a sweep
+ * over keys, for each combination of the other keys. */
 #pragma once
 
 #include <stdio.h>
@@ -9,17 +9,17 @@
 #include "sim/measure/spectra.h"
 
 struct bead_sweep_line {
-    char name[200];                   /* the values of the other keys; "" where there are none */
-    size_t chains;                    /* that it is the mean of */
+    char name[200];                   /* the values of the other keys; "" if there are none */
+    size_t chains;                    /* in the mean */
     struct bead_spectral mean;        /* of amplitudes, of ratios */
     double *error;                    /* [columns][rows]: standard errors; NaN of one chain */
-    double *uncertainty;              /* [columns]: of the worst row, by second runs of some chains; NaN: unknown */
+    double *uncertainty;              /* [columns]: of the worst row, from second runs of some chains; NaN: unknown */
     const struct bead_chain *chain;   /* the first of them, */
     const struct bead_medium *medium; /* and the cell that it repeats; NULL: none */
 };
 struct bead_sweep_line_chain;
 struct bead_sweep_lines {
-    struct bead_output output;  /* as of a run */
+    struct bead_output output;  /* as for a run */
     struct bead_sweep_line *of; /* with as many columns and rows each */
     size_t count;
     struct bead_sweep_line_chain *chains;

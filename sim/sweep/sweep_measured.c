@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures of the chains of a sweep over keys: each runs as a single chain does for its table of measures. */
+/* Measures of the chains of a sweep over keys: each runs like a single chain for its table of measures. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,11 +17,11 @@ enum { MOST_MEASURES = 128 };
 
 struct work {
     const char *name;
-    double *values, *finer; /* [configurations], those of check runs too: NaN where there is none */
-    size_t every;           /* one chain in so many has one */
+    double *values, *finer; /* [configurations], the same of check runs: NaN if there is none */
+    size_t every;           /* one chain in so many has a check run */
 };
 
-/* The measures of a chain, and of its check run; NULL: there is none. */
+/* The measures of a chain, and of its check run (NULL: none). */
 struct measured {
     struct bead_measures *run, *check;
 };

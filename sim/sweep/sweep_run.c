@@ -14,7 +14,7 @@
 /* A clean pulse in a chain of dimers has all but 1e-4 of its energy within three beads of its peak; four allow for a pulse widened
  * by disorder. */
 enum { REACH = 4 };
-/* Every so many chains one is also played whole, and the next one finer; long ones all are. */
+/* One chain in so many is also played whole; the next one, and every long one, also finer. */
 enum { ALSO_WHOLE = 64 };
 
 /* The measurements of one chain. */
@@ -23,7 +23,7 @@ struct measure {
     size_t row;
     const struct bead_chain *chain;
     struct bead_span span; /* beads whose peak forces are measured */
-    bool lost;             /* it has no results: its front never arrives, or its numbers cannot be trusted */
+    bool lost;             /* without results: the front never arrives, or the numbers cannot be trusted */
     double *profiles;      /* [PROFILES_OF_RUN][beads] of its run; NULL: not measured */
     double *seen;          /* [beads] s: times of the peaks whose energy is known */
 };
@@ -45,7 +45,7 @@ static double *profile_of(const struct measure *m, enum sweep_profile which)
     return m->profiles + which * m->panel->shown.beads;
 }
 
-/* Measures the energy about each bead whose force has reached a new peak in the last step. */
+/* Measures the energy around each bead whose force has reached a new peak in the last step. */
 static enum bead_error watch_energies(const struct bead_consumer *consumer, size_t, struct bead_run *run, struct bead_message *msg)
 {
     const struct measure *m = consumer->context;
@@ -67,7 +67,7 @@ static enum bead_error watch_energies(const struct bead_consumer *consumer, size
     return BEAD_OK;
 }
 
-/* Before the run: its profiles are to be measured. */
+/* Called before the run, to measure its profiles. */
 static enum bead_error watch_profiles(struct measure *m, double *profiles, struct bead_consumer *consumer, struct bead_message *msg)
 {
     m->profiles = profiles;
@@ -75,7 +75,7 @@ static enum bead_error watch_profiles(struct measure *m, double *profiles, struc
     return bead_new(&m->seen, m->panel->shown.beads, msg, "the energies of %zu beads", m->panel->shown.beads);
 }
 
-/* After it: keeps the peaks, and forces and energies of the beads up to the front at its end. */
+/* Called after the run: keeps the peaks, and forces and energies of the beads up to the front at its end. */
 static enum bead_error keep_profiles(const struct measure *m, const struct bead_played *played, struct bead_message *msg)
 {
     static const unsigned fields = BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
@@ -134,8 +134,8 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
     return err;
 }
 
-/* Are the errors of this configuration measured? Chains over keys are unlike, and the decay of each magnetism is a separate mean,
- * so more are measured if there are few. */
+/* Are the errors of this configuration measured? Chains over keys differ, and the decay of each magnetism is a separate mean, so
+ * more are measured if there are few. */
 static bool is_sampled(const struct sweep_panel *panel, size_t index)
 {
     const struct bead_sweep_spec *spec = panel->shown.spec;
@@ -149,14 +149,14 @@ static bool is_sampled(const struct sweep_panel *panel, size_t index)
     return index % bead_sample_every(spec->groups[g].configurations) == 0;
 }
 
-/* Long chains differ in their errors. The decay of all chains is divided by that of the clean one. */
+/* Errors of long chains differ. The decay of all chains is divided by the clean one's. */
 static bool is_measured(const struct measure *m)
 {
     const bool any = m->panel->profiles || m->panel->shown.places > 0;
     return any && (bead_is_long(m->chain) || (m->row > 0 ? is_sampled(m->panel, m->row - 1) : m->panel->profiles != NULL));
 }
 
-/* Plays it once more, with a smaller tolerance, and finds how well its peaks are known. */
+/* Plays it again with a smaller tolerance, and finds the uncertainty of its peaks. */
 static enum bead_error measure_errors(const struct measure *m, const struct bead_play *asked, size_t try, struct bead_message *msg)
 {
     struct measure again = *m;
@@ -194,7 +194,7 @@ const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bea
     return isnan(bead_chain_scene(chain)->simulate.until) ? bead_behind_refusal(chain) : "the runs end at a given time";
 }
 
-/* Plays the chain of a job and stores its results; *try: the one to begin with, then that of the results. */
+/* Plays the chain of a job and stores its results; *try: the first to make, then that of the results. */
 static enum bead_error sweep_measure(struct measure *m, const struct bead_play *asked, size_t *try, struct bead_message *msg)
 {
     struct bead_consumer consumer = {.needs = {.bead_peaks = true}, .context = m};
@@ -235,7 +235,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
 struct work {
     struct bead_sweep *sweep;
     struct bead_sweep_journal *journal;
-    pthread_mutex_t lock; /* of the journal, and of what is lost */
+    pthread_mutex_t lock; /* of the journal and the list of lost chains */
     size_t *jobs;         /* not known yet */
 };
 
@@ -302,7 +302,7 @@ static void find_pilot(void *, size_t index, size_t *panel, size_t *configuratio
     *configuration = 0;
 }
 
-/* If one chain of the panel needed more beads, as with hard and soft materials, the others do not try with fewer. */
+/* If one chain of the panel needs more beads, as with hard and soft materials, the others do not try fewer. */
 static enum bead_error play_pilot(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
 {
     const struct work *w = context;
@@ -343,7 +343,7 @@ static enum bead_error play_tried(void *context, size_t index, const struct bead
     return m.lost ? BEAD_OK : err;
 }
 
-/* Is the standard error of the mean of `members` such forces a hundred times as large as their errors? */
+/* Is the standard error of the mean of `members` such forces a hundred times their errors? */
 static bool means_allow(const struct trial *coarse, const struct trial *fine, size_t count, size_t members)
 {
     double mean = 0, squares = 0, off = 0;
@@ -356,8 +356,8 @@ static bool means_allow(const struct trial *coarse, const struct trial *fine, si
     return sqrt(off / (double)count) <= part_of_error * sqrt(squares / (double)(count - 1) / (double)members);
 }
 
-/* The largest power of ten at which chains of the largest group of a magnetism are off by no more than a hundredth of the standard
- * error of its mean, as runs with a tenth of it tell. */
+/* The largest power of ten at which errors of chains in the largest group of a magnetism are at most a hundredth of the standard
+ * error of its mean, found by runs with a tenth of it. */
 static enum bead_error find_accuracy(struct bead_sweep *sweep, size_t index, const struct bead_sweep_settings *settings,
                                      struct bead_message *msg)
 {

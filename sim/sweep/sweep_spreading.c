@@ -14,7 +14,7 @@
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
-/* One chain's. */
+/* The spreading of one chain. */
 struct chain {
     struct bead_spreading spreading;
     double numbers[BEAD_SPREADING_NUMBERS][BEAD_SWEEP_TIMES];
@@ -23,7 +23,7 @@ struct chain {
     bool is_long;
 };
 
-/* All chains, then those that are run again to check them. */
+/* All chains, then the check runs of some. */
 struct chains {
     struct chain *of;
     size_t count, all;
@@ -106,7 +106,7 @@ static enum bead_error add_checks(const struct bead_sweep *sweep, const struct b
     return BEAD_OK;
 }
 
-/* The times of all chains: as close at first as the quickest needs. */
+/* Chooses the times of all chains: at first as close as the quickest needs. */
 static enum bead_error choose_times(const struct bead_sweep *sweep, const struct chains *chains, struct bead_sweep_spreads *spreads,
                                     struct bead_grid *grid, struct bead_message *msg)
 {
@@ -122,13 +122,13 @@ static enum bead_error choose_times(const struct bead_sweep *sweep, const struct
     return BEAD_OK;
 }
 
-/* The larger of two uncertainties; what is not known (NaN) remains so. */
+/* The larger of two uncertainties; unknown (NaN) if one is. */
 static double worse(double a, double b)
 {
     return isnan(a) || isnan(b) ? NAN : fmax(a, b);
 }
 
-/* The number of a chain less that of its second run: of spreading at time i, or of an exponent. */
+/* A chain's number less that of its second run: spreading at time i, or an exponent. */
 static double difference(const struct chain *chain, const struct chain *check, int n, size_t i)
 {
     return chain->numbers[n][i] - check->numbers[n][i];
@@ -139,8 +139,8 @@ static double difference_of_exponent(const struct chain *chain, const struct cha
     return bead_spreading_exponent(&chain->spreading, n).slope - bead_spreading_exponent(&check->spreading, n).slope;
 }
 
-/* The uncertainty of the mean over a curve's chains: the mean difference of those that were run twice, and how much the mean of all
- * may differ from that. `values`: room for one of each. */
+/* The uncertainty of the mean over a curve's chains: the mean difference of the chains that were run twice, and how much the mean
+ * of all may differ from it. `values`: room for one of each. */
 static double bound(const struct chains *chains, const struct bead_sweep_spread *spread, size_t curve,
                     double (*of)(const struct chain *chain, const struct chain *check, int n, size_t i), int n, size_t i,
                     double *values)
@@ -171,7 +171,7 @@ static void compare(const struct chains *chains, size_t curve, size_t times, dou
         spread->of_exponent[n] = bound(chains, spread, curve, difference_of_exponent, n, 0, values);
 }
 
-/* No second run has shown how uncertain this is. */
+/* Without a second run, uncertainties are unknown. */
 static void know_nothing(size_t times, struct bead_sweep_spread *spread)
 {
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {

@@ -78,7 +78,7 @@ static enum bead_error find_threshold(struct bead_sweep_statistics *s, const cha
     return err == BEAD_ERROR_NUMBERS ? BEAD_OK : err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
 }
 
-/* The largest part of all configurations; fmax ignores those that were not measured. */
+/* The largest relative uncertainty of all configurations; fmax ignores those not measured. */
 static double worst_part(const struct bead_sweep *sweep, size_t panel, size_t place,
                          double (*part_of)(const struct bead_sweep_peak *peak))
 {

@@ -14,7 +14,7 @@
 #include "sim/sweep/sweep_lines.h"
 #include "sim/sweep/sweep_spreading.h"
 
-/* A table that is being written. */
+/* A table being written. */
 struct out {
     FILE *file;
     const struct bead_sweep *sweep;
@@ -40,8 +40,7 @@ static void names(const struct out *o, size_t panel, size_t place)
     }
 }
 
-/* `uncertain`: how well the forces are known, as a part of themselves. Errors of chains may be alike, so that the mean is no
- * better. */
+/* `uncertain`: the relative uncertainty of the forces. Errors of chains may be alike, so the mean's is no smaller. */
 static void write_row(const struct out *o, const struct bead_sweep_statistics *s, const struct bead_sweep_row *row,
                       double uncertain)
 {
@@ -84,8 +83,8 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     return BEAD_OK;
 }
 
-/* Uncertainty of the forces of a place and of their times, where it was not measured: the worst of those that were, as parts.
- */
+/* Relative uncertainty of a place's forces and their times, where it was not measured: the worst measured.
+ * */
 struct worst {
     double force, time;
 };
@@ -206,7 +205,7 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
 
 /* ---- over keys ---- */
 
-/* The value of a key in a table: as the scene has it. */
+/* The value of a key in a table: as in the scene. */
 static void write_key(const struct out *o, size_t panel, size_t index, size_t key)
 {
     bead_table_text(o->file,
@@ -393,7 +392,7 @@ static enum bead_error sweep_table_fill(void *context, FILE *file, const char *,
 {
     struct out *o = context;
     o->file = file;
-    /* "C": a decimal point in every language. */
+    /* "C": a decimal point in any language. */
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain == (locale_t)0)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a table");

@@ -8,7 +8,7 @@
 #include "sim/output/table.h"
 #include "sim/sweep/sweep_lines.h"
 
-/* The heading of a place's column: its name, and what the column has of it. */
+/* The heading of a place's column: its name, and the column's quantity. */
 static void write_heading(FILE *file, const struct bead_sweep_lines *lines, size_t column, const char *what)
 {
     const struct bead_curves_asked *curves = &lines->output.curves;

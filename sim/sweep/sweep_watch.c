@@ -27,7 +27,7 @@ static enum bead_error compare(const struct work *work, const struct bead_chain 
                                struct bead_message *msg)
 {
     if (bead_sweep_is_over(&work->sweep->panels[watch->panel]))
-        return BEAD_OK; /* there is no clean wave to compare with */
+        return BEAD_OK; /* there is no clean wave to compare */
     double clean = work->clean[watch->panel];
     size_t up = 0, down = 0;
     for (const char *spin = bead_chain_spins(chain); *spin; spin++) {

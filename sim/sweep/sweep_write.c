@@ -126,7 +126,7 @@ static void write_results(struct writer *w, const char *prefix, const size_t *ro
         write_profiles(w, prefix, rows, count, scale, numbers);
 }
 
-/* Over keys: their values, instead of spins. */
+/* Writes the values of keys, for sweeps over keys, instead of spins. */
 static void write_values(struct writer *w)
 {
     const struct bead_over *over = &w->panel->shown.spec->over;
