@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of the sinks of the computing half, which both programs hand to sessions: one word for each. */
+/* The list of the sinks of the computing half, which both programs hand to sessions: a word for each. */
 #include <stddef.h>
 
 #include "beadreel/sink.h"

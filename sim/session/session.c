@@ -22,7 +22,7 @@ static enum bead_error create_chains(struct bead_session *s, struct bead_message
     return err;
 }
 
-/* The latest time that an output shows by its keys; 0: none is given. */
+/* The latest time that the keys of an output name; 0: none. */
 static double asked_time(const struct bead_output *output)
 {
     double last = 0;
@@ -36,8 +36,8 @@ static double asked_time(const struct bead_output *output)
     return last;
 }
 
-/* Without `until`, a scouting run finds when the pulse has passed if any output needs it before the run; times that an output asks
- * for extend the run. */
+/* Without `until`, a scouting run finds when the pulse has passed, if an output must know that before the run; times that an output
+ * asks for extend the run. */
 static enum bead_error find_end(struct bead_session *s, struct bead_message *msg)
 {
     s->end = s->source->simulate.until;
@@ -70,7 +70,7 @@ static enum bead_error find_end(struct bead_session *s, struct bead_message *msg
     return err;
 }
 
-/* If the scene gives no accuracy, the outputs that are made may ask for one. */
+/* If the scene gives no accuracy, the outputs to be made may ask for one. */
 static void find_accuracy(struct bead_session *s)
 {
     struct bead_simulate *simulate = &s->scene->simulate;

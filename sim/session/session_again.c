@@ -7,7 +7,7 @@
 #include "sim/session/session_data.h"
 #include "sim/trajectory/trajectory_data.h"
 
-/* A stored run cannot change: settings may only say how it is shown. */
+/* A stored run cannot change: settings may only change how it is shown. */
 static enum bead_error check_settings(const struct bead_session *s, struct bead_message *msg)
 {
     static const char *const shown[] = {"title", "colour", "label", "name"};
@@ -52,7 +52,7 @@ static enum bead_error check_span(const struct bead_trajectory *t, struct bead_s
                : bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s holds beads %zu to %zu only", t->path, t->span.first, t->span.last);
 }
 
-/* To beads that all files hold. */
+/* Limits an output to beads that all files hold. */
 static enum bead_error limit_to_files(struct bead_session *s, struct bead_output *output, struct bead_message *msg)
 {
     struct bead_span *beads = &output->shown.beads;
@@ -68,7 +68,7 @@ static enum bead_error limit_to_files(struct bead_session *s, struct bead_output
     return err;
 }
 
-/* The beads that an output needs must be in the file, as far as the chains go: beyond, no file has values. */
+/* The file must hold the beads that an output needs, up to the end of its chains: no file has values beyond. */
 static enum bead_error check_beads(const struct bead_trajectory *t, const struct bead_made *m, struct bead_message *msg)
 {
     const struct bead_span *held = &t->span, *needed = &m->needs.beads;
@@ -81,8 +81,8 @@ static enum bead_error check_beads(const struct bead_trajectory *t, const struct
     return BEAD_OK;
 }
 
-/* All that a file lacks at once, so that one more run is enough. Films show beads, which need displacements; their curves and
- * images do not. */
+/* Reports everything that a file lacks at once, so that one more run is enough. Films show beads, which need displacements; their
+ * curves and images do not. */
 static enum bead_error say_missing(const struct bead_trajectory *t, const struct bead_made *m, unsigned missing,
                                    struct bead_message *msg)
 {
@@ -120,7 +120,7 @@ static enum bead_error check_stored(const struct bead_session *s, const struct b
     return BEAD_OK;
 }
 
-/* The stored sample at `time`, which must be one of them. */
+/* The stored sample at `time`, which must be the time of one. */
 static enum bead_error read_stored(const struct bead_stored *stored, double time, unsigned fields, struct bead_sample *sample,
                                    struct bead_message *msg)
 {
@@ -137,7 +137,7 @@ static enum bead_error read_stored(const struct bead_stored *stored, double time
 static struct bead_stored stored_samples(struct bead_trajectory *trajectory)
 {
     const struct bead_grid *grid = bead_trajectory_grid(trajectory);
-    const size_t count = bead_grid_count(grid); /* fewer than asked for where its run was stopped */
+    const size_t count = bead_grid_count(grid); /* fewer than asked for if its run was stopped */
     const double last = count > 0 ? bead_grid_time(grid, count - 1) + 1e-6 * grid->every : -INFINITY;
     return (struct bead_stored){.read = read_stored, .context = trajectory, .last = last};
 }

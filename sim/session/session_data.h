@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The inside of a session, shared by the session_*.c. */
+/* The inside of a session, shared by session_*.c. */
 #pragma once
 
 #include <string.h>
@@ -15,24 +15,24 @@
 struct bead_made {
     const struct bead_output *output;
     const char *name;                  /* its file's in the scene */
-    struct bead_output changed;        /* what replaces it where `-o FILE` names it */
+    struct bead_output changed;        /* replaces it if `-o FILE` names it */
     const struct bead_sink_type *type; /* NULL: this program cannot make it */
     struct bead_sink *sink;            /* NULL: skipped */
     bool asked;                        /* not excluded by --only */
     bool shared;                       /* draws from the samples of the trajectory output */
     bool ended;
-    uint64_t bytes;                /* written, where the type has no `result` */
+    uint64_t bytes;                /* written, if the type has no `result` */
     char *path;                    /* where it goes */
     char *beside;                  /* poster or slides of `changed`, own */
     struct bead_frame_asked frame; /* of `single`, with the job's frame */
-    char *part;                    /* what a stopped run leaves of it; NULL: nothing */
+    char *part;                    /* the part that a stopped run leaves; NULL: none */
     struct bead_claim *claims[2];  /* on `path` and on a second file; NULL: none */
     struct bead_needs needs;
     struct bead_range range; /* found by scouting */
 };
 
-/* Warnings, in this order: numbers that can hardly be meant; what is shown where nothing was asked for; a file system without
- * locks; a step that is too long; a model that does not hold; chains without an end; peaks that could not be verified. */
+/* Warnings, in this order: numbers that can hardly be meant; the default choice of what is shown; a file system without locks; a
+ * step that is too long; a model that does not hold; chains without an end; peaks that could not be verified. */
 enum {
     SESSION_DOUBTS,
     SESSION_CHOSEN,
@@ -52,33 +52,33 @@ struct bead_session {
     struct bead_scene *scene;           /* own; NULL with a trajectory or a sweep's file */
     struct bead_sweep *sweep;           /* of scenes with sweeps, and their files */
     bool sweep_read;                    /* read from a file */
-    const char *single;                 /* the one file to make, where -o names it; else NULL */
+    const char *single;                 /* the one file to make, if -o names it; else NULL */
     size_t single_index;                /* of its output in the scene */
-    bool amid;                          /* the other outputs stay known: frames keep the sample times of a trajectory */
-    char *frame_path;                   /* what `single` is for a frame, own */
+    bool amid;                          /* the other outputs stay listed: frames keep a trajectory's sample times */
+    char *frame_path;                   /* `single` of a frame, own */
     struct bead_trajectory *trajectory; /* NULL with a scene */
-    struct bead_joined *joined;         /* with others; NULL: it is alone */
+    struct bead_joined *joined;         /* with other trajectories; NULL: there are none */
     struct bead_stored stored;          /* its samples */
     double *bounds;                     /* [chains][BEAD_FIELD_COUNT]: of their errors; NULL: unknown */
-    const struct bead_scene *source;    /* either's */
+    const struct bead_scene *source;    /* of the scene, sweep or trajectory */
     struct bead_chain **own_chains;
     const struct bead_chain *const *chains;
     size_t chain_count;
     const struct bead_kernels *kernels;
     int threads;
     bool passage;                        /* the scene's `until` is the default */
-    bool extended;                       /* beyond that, since an output asks for later times */
+    bool extended;                       /* beyond that, because an output asks for later times */
     double end, needed;                  /* s; end INFINITY: not known before the run */
     double resolution;                   /* s */
-    double refinement;                   /* tolerance of the runs, in units of what is asked */
+    double refinement;                   /* tolerance of the runs, in units of the accuracy asked for */
     double tolerance_factor;             /* of comparison runs, in the same units */
     char warning[SESSION_WARNINGS][640]; /* "": none */
     bool unverified;
-    bool strained;                      /* the energy of a chain would do for contacts beyond the model: their peaks are found */
-    const struct bead_output *exacting; /* asks for the accuracy, where the scene does not; NULL: none */
-    bool begun;                         /* it runs, or has run */
+    bool strained;                      /* the energy of a chain suffices to take contacts beyond the model: finds their peaks */
+    const struct bead_output *exacting; /* asks for the accuracy, if the scene does not; NULL: none */
+    bool begun;                         /* it is running, or has run */
     struct bead_grid native;            /* of the trajectory output, every 0: none */
-    const struct bead_output *keeper;   /* that output */
+    const struct bead_output *keeper;   /* the trajectory output */
     struct bead_made *made;
     size_t made_count;
     struct bead_counts counts;
@@ -89,7 +89,7 @@ struct bead_session {
     size_t result_count;
 };
 
-/* Behind the last slash. */
+/* The part after the last slash. */
 static inline const char *bead_session_base_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -109,7 +109,7 @@ static inline bool bead_session_makes(const struct bead_made *made)
 /* Claim the files of all outputs before any is touched. On failure none is claimed. Errors: USAGE (another run is writing one), IO,
  * MEMORY. */
 BEAD_CHECK enum bead_error bead_session_claim(struct bead_session *session, struct bead_message *msg);
-/* As soon as an output is finished others may read it, and HDF5 locks what it reads. */
+/* Once an output is finished, others may read it, and HDF5 locks the files it reads. */
 void bead_session_release_output(struct bead_made *made);
 /* Gives up all claims and removes unfinished files, except the parts that a stopped run keeps. */
 void bead_session_release(struct bead_session *session);
@@ -123,7 +123,7 @@ struct bead_play bead_session_play(const struct bead_session *session, const cha
 /* The settings of a sweep's run. */
 struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session *session);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
-/* Chains begin as outlines, which are enough for most plans; this builds their arrays, unless they exist. */
+/* Chains begin as outlines, which suffice for most plans; this builds their arrays, unless they exist. */
 BEAD_CHECK enum bead_error bead_session_lay(struct bead_session *session, struct bead_message *msg);
 /* Find the sample interval that shows every oscillation of the fastest chain. */
 BEAD_CHECK enum bead_error bead_session_find_resolution(struct bead_session *session, struct bead_message *msg);
@@ -151,10 +151,10 @@ const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, 
 /* session_single.c */
 /* Does `-o` name a file to make, rather than a directory? */
 bool bead_session_names_file(const char *output, const struct bead_own *own);
-/* The scene that makes the one output asked for, a frame or the file `-o`: `first` (NULL: nothing) is laid over it before the
- * choice, then come the job's options for that output, its settings and config. Sets session->single, session->single_index; the
- * job's output is NULL from then on. Where the command line changes nothing, the scene keeps all outputs. Errors: USAGE, MEMORY,
- * those of bead_scene_load. */
+/* The scene that makes the one output asked for, a frame or the file `-o`: overrides it with `first` (NULL: nothing) before the
+ * choice, then with the job's options for that output, its settings and config. Sets session->single and session->single_index; the
+ * job's output becomes NULL. If the command line changes nothing, the scene keeps all outputs. Errors: USAGE, MEMORY, those of
+ * bead_scene_load. */
 BEAD_CHECK enum bead_error bead_session_choose(struct bead_session *session, const struct bead_scene *scene,
                                                enum bead_source_kind source, const struct bead_override *first,
                                                struct bead_scene **changed, struct bead_message *msg);
@@ -179,14 +179,14 @@ void bead_session_doubt(struct bead_session *session);
 /* Warn where it failed, in these outcomes. */
 void bead_session_judge(struct bead_session *session, const struct bead_chain *const *chains, const struct bead_outcome *outcomes,
                         size_t count);
-/* As above for a sweep, by the first chain of each panel. Errors: those of runs. */
+/* As above for a sweep, from the first chain of each panel. Errors: those of runs. */
 BEAD_CHECK enum bead_error bead_session_judge_sweep(struct bead_session *session, struct bead_message *msg);
 
-/* session_verify.c: warnings; and with `verify` the tolerance at which two runs agree to what was asked, in runs of their own. */
+/* session_verify.c: warnings; with `verify`, extra runs find the tolerance at which two runs agree to the accuracy asked for. */
 BEAD_CHECK enum bead_error bead_session_verify(struct bead_session *session, struct bead_message *msg);
 
-/* session_sensitivity.c: puts what outputs want to know about the peaks of the last pass into its outcomes. Errors: MEMORY,
- * NUMBERS, STOPPED. */
+/* session_sensitivity.c: adds what outputs need to know about the peaks of the last pass to its outcomes. Errors: MEMORY, NUMBERS,
+ * STOPPED. */
 BEAD_CHECK enum bead_error bead_session_find_sensitivities(struct bead_session *session, struct bead_message *msg);
 void bead_session_free_sensitivities(struct bead_session *session);
 
@@ -194,7 +194,7 @@ void bead_session_free_sensitivities(struct bead_session *session);
 BEAD_CHECK enum bead_error bead_session_open_trajectory(struct bead_session *session, struct bead_message *msg);
 
 /* session_join.c: open the other trajectories of the job, then give the session the chains of all, or their difference. Errors:
- * USAGE, those of bead_trajectory_open. Between, the chains that outputs are to show: NULL, those of the scene. The files, the
+ * USAGE, those of bead_trajectory_open. Between these two, the chains that outputs are to show; NULL: the scene's. The files, the
  * session's trajectory first; NULL after the last. The file of chain `*number` of the session, and its number there. Close the
  * others. */
 BEAD_CHECK enum bead_error bead_session_open_others(struct bead_session *session, struct bead_message *msg);
@@ -202,13 +202,13 @@ struct bead_chain_spec *bead_session_shown(const struct bead_session *session, s
 BEAD_CHECK enum bead_error bead_session_join(struct bead_session *session, struct bead_message *msg);
 const struct bead_trajectory *bead_session_file(const struct bead_session *session, size_t index);
 const struct bead_trajectory *bead_session_file_of(const struct bead_session *session, size_t *number);
-/* Takes what the trajectories say about the errors of their samples. Errors: MEMORY. */
+/* Takes the bounds of sample errors from the trajectories. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_session_bound(struct bead_session *session, struct bead_message *msg);
 void bead_session_part(struct bead_session *session);
 
 /* session_scene.c: the session's scene. Errors: USAGE, those of bead_scene_load and bead_sweep_open. */
 BEAD_CHECK enum bead_error bead_session_load(struct bead_session *session, struct bead_message *msg);
-/* The scene with only a sheet, the file `-o`; of a sweep of its chain if it has no sweep. */
+/* The scene with only a sheet, the file `-o`, of its sweep, or a sweep of its chain if it has none. */
 BEAD_CHECK enum bead_error bead_session_choose_sheet(struct bead_session *session, const struct bead_scene *scene,
                                                      struct bead_scene **changed, struct bead_message *msg);
 

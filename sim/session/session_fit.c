@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `fit`: before anything else, finds the values of keys with which the first chain runs as measured. Each try is a scene with other
+/* `fit`: before anything else, finds the values of keys for which the first chain moves as measured. Each try is a scene with other
  * values, and a run of its first chain. */
 #include <stdlib.h>
 
@@ -10,12 +10,12 @@
 #include "sim/session/session_data.h"
 #include "sim/statistics/least_squares.h"
 
-/* Samples within the time that shows every oscillation: a cubic through four of them is then good to some 1e-5 of a peak. */
+/* Samples in the time that shows every oscillation: a cubic through four of them is then accurate to about 1e-5 of a peak. */
 static const double finer = 4;
 
 struct fit {
     const struct bead_session *session;
-    size_t output, count; /* that has what was measured; curves of it that the chain has, too */
+    size_t output, count; /* the one with measured curves; how many of them the chain has */
     double from, to;      /* s: of the points that count */
     double end, every;    /* s: of runs and samples */
 };
@@ -78,8 +78,7 @@ static bool counts(const struct fit *f, const struct bead_wave_point *point)
     return point->time >= f->from && point->time <= f->to;
 }
 
-/* Residuals: computed less measured. Which points count is decided by the first scene: those of this one may begin at
- * another time. */
+/* Residuals: computed less measured. The first scene decides which points count: this one's may begin at another time. */
 static enum bead_error compare(const struct fit *f, const struct bead_scene *scene, double *r, struct bead_message *msg)
 {
     struct bead_chain *chain = NULL;
@@ -116,7 +115,7 @@ static enum bead_error residuals(const void *context, const double *x, double *r
 
 /* ---- the search ---- */
 
-/* Counts what was measured; returns its last time. */
+/* Counts the measured points; returns the last time. */
 static double survey(const struct fit *f, const struct bead_output *output, struct bead_least_squares *search)
 {
     double last = 0;

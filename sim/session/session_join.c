@@ -21,14 +21,14 @@ struct bead_joined {
     const struct bead_chain **chains;
     struct bead_chain_spec *shown; /* of all chains; borrowed */
     size_t shown_count;
-    double *values[2][BEAD_FIELD_COUNT]; /* [beads of the longest]: of a sample, and of that which it is compared with */
+    double *values[2][BEAD_FIELD_COUNT]; /* [beads of the longest]: of a sample, and of the sample to compare with */
     bool difference;
-    struct bead_system system; /* that of the differences */
+    struct bead_system system; /* for differences */
 };
 
 /* ---- samples ---- */
 
-/* The difference may have either sign, whatever the field. */
+/* A difference may have either sign, whatever the field. */
 static bool difference_signed(const struct bead_chain_spec *, enum bead_field)
 {
     return true;
@@ -84,14 +84,14 @@ static enum bead_error read_joined(const struct bead_stored *stored, double time
         for (size_t i = 0; i < beads; i++)
             j->values[1][f][i] -= j->values[0][f][i];
         sample->field[f] = j->values[1][f];
-        sample->comparison[f] = j->values[0][f]; /* what they differ from */
+        sample->comparison[f] = j->values[0][f]; /* the values they differ from */
     }
     return BEAD_OK;
 }
 
 /* ---- their errors ---- */
 
-/* Are the samples of both at the same times? Others are interpolated linearly, an error that no bound includes. */
+/* Do both have the same sample times? If not, samples are interpolated linearly, with an error that no bound includes. */
 static bool are_together(const struct bead_trajectory *a, const struct bead_trajectory *b)
 {
     static const double near = 1e-6;
@@ -135,7 +135,7 @@ enum bead_error bead_session_bound(struct bead_session *s, struct bead_message *
 
 /* ---- opening ---- */
 
-/* Chains of several files have the names of these. */
+/* Chains of several files take the names of the files. */
 static enum bead_error name_chains(struct bead_trajectory *t, const char *path, struct bead_message *msg)
 {
     const char *dot = strrchr(bead_session_base_name(path), '.');
@@ -210,18 +210,18 @@ struct bead_chain_spec *bead_session_shown(const struct bead_session *s, size_t 
     return s->joined ? s->joined->shown : NULL;
 }
 
-/* Its chains, as places of the joined ones; and the times that all have. */
+/* Adds its chains to the joined ones, and finds the times that all files have. */
 static void add_file(struct bead_session *s, struct bead_joined *j, struct bead_trajectory *t, size_t *used)
 {
     for (size_t i = 0; i < t->chain_count; i++)
         j->of[(*used)++] = (struct joined_chain){t, i};
     s->end = fmin(s->end, t->end);
     s->stored.last = fmin(s->stored.last, bead_trajectory_grid(t)->end);
-    if (t->grid.start > s->native.start) /* all begin with the first sample of the session's that is not before theirs */
+    if (t->grid.start > s->native.start) /* all begin at the session's first sample that is not before their own */
         s->native.start += s->native.every * ceil((t->grid.start - s->native.start) / s->native.every - 1e-6);
 }
 
-/* A difference needs chains that are alike. */
+/* A difference requires chains that are alike. */
 static enum bead_error check_alike(const struct bead_session *s, const struct bead_joined *j, struct bead_message *msg)
 {
     const struct bead_trajectory *a = s->trajectory, *b = j->others[0];

@@ -9,7 +9,7 @@
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
-/* Claims of a session on the files it is going to write: of two runs that share a file the second is refused at its start. */
+/* Claims of a session on the files it is going to write: if two runs share a file, the second is refused at its start. */
 
 enum bead_error bead_session_spare_inputs(const struct bead_session *s, const char *file, struct bead_message *msg)
 {
@@ -46,7 +46,7 @@ static enum bead_error claim(struct bead_session *s, struct bead_made *m, struct
     return BEAD_OK;
 }
 
-/* A scene may be a stranger's: files that it names stay in the output directory, unless the job allows more. Errors: SCENE. */
+/* A scene may come from a stranger: files that it names stay in the output directory, unless the job allows more. Errors: SCENE. */
 static enum bead_error session_check_inside(const struct bead_session *s, const struct bead_output *output, const char *path,
                                             struct bead_message *msg)
 {
@@ -104,7 +104,7 @@ const struct bead_sink_type *bead_session_find_type(const struct bead_job *job, 
     return NULL;
 }
 
-/* `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4. */
+/* Does the name match: `beads.mp4`, `movies/beads.mp4` or `beads` for movies/beads.mp4? */
 static bool is_named(const struct bead_output *output, const char *name)
 {
     const char *base = bead_session_base_name(output->path), *dot = strrchr(base, '.');
@@ -188,7 +188,7 @@ static enum bead_error bare_beads(const struct bead_scene *scene, struct bead_ou
     return BEAD_OK;
 }
 
-/* A poster, or slides, go beside the movie, wherever `-o FILE` puts that. */
+/* A poster, or slides, go beside the movie, wherever `-o FILE` puts it. */
 static enum bead_error place_single(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     if (!m->type)
@@ -248,7 +248,7 @@ enum bead_error bead_session_list_outputs(struct bead_session *s, struct bead_me
         struct bead_made *m = &s->made[i];
         m->output = &s->source->outputs[alone ? s->single_index : i];
         m->name = m->output->path;
-        if (!s->sweep_read || !bead_session_holds_sweep(m)) /* else that file is there */
+        if (!s->sweep_read || !bead_session_holds_sweep(m)) /* else that file exists */
             m->type = bead_session_find_type(&s->job, m->output, s->source->sweep_count > 0);
         err = place(s, m, msg);
         if (bead_output_type(m->output->kind)->stores_samples && !s->keeper)

@@ -7,7 +7,7 @@
 #include "sim/equation/equation.h"
 #include "sim/session/session_data.h"
 
-/* Times as people write them: of beads in microseconds or milliseconds, of equations without a unit. */
+/* Times as people write them: microseconds or milliseconds for beads, no unit for equations. */
 struct words {
     char text[32];
 };
@@ -45,7 +45,7 @@ static void plan_chain(const struct bead_session *s, size_t index, const struct 
     fprintf(out, "\n");
 }
 
-/* The least memory that long chains take, and whether a run would be refused for want of it. */
+/* The least memory that long chains take, and whether a run would be refused for lack of it. */
 static void plan_memory(const struct bead_session *s, FILE *out)
 {
     uint64_t bytes = 0;
@@ -187,7 +187,7 @@ static void plan_sensitivities(const struct bead_session *s, FILE *out)
     }
 }
 
-/* Parts of the work that no output needs. */
+/* The work that is skipped because no output needs it. */
 static void plan_skips(const struct bead_session *s, FILE *out)
 {
     bool file = false, graphics = false, samples = false;

@@ -23,7 +23,7 @@ static enum bead_error widen_range(const struct bead_consumer *c, const struct b
     return m->type->scout ? m->type->scout(m->sink, sample, msg) : BEAD_OK;
 }
 
-/* A run that finds the range of a field, for sinks that must know it before they begin. */
+/* Finds the range of a field by a run, for sinks that must know it before they begin. */
 static enum bead_error scout(struct bead_session *s, struct bead_consumer *consumers, struct bead_message *msg)
 {
     struct bead_play p = bead_session_play(s, "scouting ranges");
@@ -76,7 +76,7 @@ static enum bead_error session_begin(struct bead_session *s, struct bead_consume
         consumers[(*count)++] =
             (struct bead_consumer){.needs = m->needs, .exact = m->output == s->keeper, .take = give_to_sink, .context = m};
     }
-    if (s->strained) /* for the judgement of the model, without uncertainties */
+    if (s->strained) /* to judge the model, without uncertainties */
         consumers[(*count)++] = (struct bead_consumer){.needs = {.contact_peaks = true}};
     return BEAD_OK;
 }
@@ -102,7 +102,7 @@ size_t bead_session_target(const struct bead_session *s)
     return first < SIZE_MAX ? first : 0;
 }
 
-/* The run, and another one if a sink found only at its end which samples it needs. */
+/* The run, and another if a sink only found at its end which samples it needs. */
 static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, struct bead_message *msg)
 {
     bool again;
@@ -129,7 +129,7 @@ static enum bead_error play_passes(struct bead_session *s, struct bead_play *p, 
     return err;
 }
 
-/* The outcomes that sinks get at the end: those of the pass, or those stored in the trajectory. */
+/* The outcomes that sinks get at the end: from the pass, or stored in the trajectory. */
 static enum bead_error collect_outcomes(struct bead_session *s, struct bead_message *msg)
 {
     BEAD_TRY(bead_new(&s->outcomes, s->chain_count, msg, "outcomes"));
@@ -157,7 +157,7 @@ static void add_result(struct bead_session *s, const struct bead_made *m, const 
         m->type->result(m->sink, &r->bytes, &r->items);
 }
 
-/* The run was stopped: finished files of earlier runs stay, and so do the parts that can be read. */
+/* The run was stopped: finished files of earlier runs stay, and so do readable parts. */
 static enum bead_error session_stop(struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     if (!m->type->stop)
@@ -207,7 +207,7 @@ static void add_results(struct bead_session *s, const struct bead_made *m)
         s->results[s->result_count++] = second;
 }
 
-/* A sink without a part to leave does not keep others from leaving theirs. */
+/* A sink that cannot leave a part does not prevent others from leaving theirs. */
 static enum bead_error stop_all(struct bead_session *s, struct bead_message *msg)
 {
     enum bead_error worst = BEAD_OK;
@@ -219,7 +219,7 @@ static enum bead_error stop_all(struct bead_session *s, struct bead_message *msg
     return worst;
 }
 
-/* Posters and long tables take a while when all is computed. */
+/* Posters and long tables take a while after everything is computed. */
 static void tell_writing(const struct bead_session *s, const struct bead_made *m)
 {
     char what[300];
@@ -250,7 +250,7 @@ enum bead_error bead_session_finish_all(struct bead_session *s, struct bead_mess
     }
     struct bead_message unused;
     if (err == BEAD_ERROR_STOPPED)
-        (void)stop_all(s, &unused); /* what cannot be left is removed */
+        (void)stop_all(s, &unused); /* parts that cannot be read are removed */
     return err;
 }
 
@@ -294,7 +294,7 @@ static enum bead_error session_run(struct bead_session *s, struct bead_consumer 
         err = bead_session_verify(s, msg);
     if (!err)
         err = scout(s, consumers, msg);
-    if (err) /* stopped while scouting, too: no sink has begun */
+    if (err) /* or stopped while scouting: no sink has begun */
         return err;
     struct bead_play p = bead_session_play(s, s->trajectory || draws_frames(s) ? "drawing" : "simulating");
     err = session_begin(s, consumers, &p.consumer_count, msg);

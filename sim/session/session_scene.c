@@ -9,7 +9,7 @@
 #include "sim/sweep/sweep_internal.h"
 #include "sim/trajectory/trajectory_data.h"
 
-/* Always with the user's own settings, and with those of the command line unless they are to change a part of the scene only. */
+/* Always with the user's own settings, and with the command line's unless they are to change only a part of the scene. */
 static enum bead_error load(const struct bead_session *s, bool with_settings, struct bead_scene **scene, struct bead_message *msg)
 {
     const struct bead_overrides overrides = {.settings = s->job.settings,
@@ -46,7 +46,7 @@ static enum bead_error load_single(struct bead_session *s, struct bead_message *
 
 /* ---- sheets ---- */
 
-/* The sweep of a scene of one chain; with more configurations than sheets have room for. */
+/* The sweep for a scene of one chain, with more configurations than fit on a sheet. */
 static const struct bead_override sweep_of_chain = {
     .origin = "--sheet", .path = "sweep", .place = {1, 1}, .value = "{magnetism: all, configurations: 64}"};
 
@@ -120,7 +120,7 @@ static enum bead_error find_configuration(const struct bead_sweep *sweep, const 
     return BEAD_OK;
 }
 
-/* A scene of one random chain has the sweep that its sheet shows; one of several chains has none. */
+/* A scene of one random chain gets the sweep that its sheet shows; one of several chains gets none. */
 static enum bead_error load_sweep(const struct bead_session *s, struct bead_scene **scene, struct bead_message *msg)
 {
     struct bead_override first[] = {
@@ -140,7 +140,7 @@ static enum bead_error load_sweep(const struct bead_session *s, struct bead_scen
     return err;
 }
 
-/* The sweep of a file, or that of a scene, which then stays as long; NULL: the scene has several chains instead. */
+/* The sweep of a file, or of a scene, which must then outlive it; NULL: the scene has several chains instead. */
 static enum bead_error open_configurations(const struct bead_session *s, struct bead_scene **scene, struct bead_sweep **sweep,
                                            struct bead_message *msg)
 {
@@ -152,7 +152,7 @@ static enum bead_error open_configurations(const struct bead_session *s, struct 
     return has_several_chains(*scene) ? BEAD_OK : bead_sweep_create(*scene, sweep, msg);
 }
 
-/* In a part's file only some are. */
+/* The file of a part has only some configurations. */
 static enum bead_error check_stored(const struct bead_session *s, const struct bead_sweep *sweep, size_t panel, size_t index,
                                     struct bead_message *msg)
 {

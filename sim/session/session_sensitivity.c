@@ -12,9 +12,9 @@
 struct bead_sensitivities {
     size_t count;
     struct bead_sensitivity *found;  /* [count], rising */
-    struct bead_sensitivity *checks; /* the same, of the check run; NULL: there is none */
+    struct bead_sensitivity *checks; /* of the check run; NULL: there is none */
     double *deviation[2];            /* [contacts], [beads]; NULL: not asked */
-    bool *rivalled[2];               /* the same */
+    bool *rivalled[2];               /* for the same peaks */
 };
 
 void bead_session_free_sensitivities(struct bead_session *s)
@@ -46,7 +46,7 @@ static struct bead_sensitivity_run run_of(const struct bead_session *s, size_t c
                                          .passage = s->passage};
 }
 
-/* Marks the contacts that outputs ask for: 1, and 2 more where it is one of those meant by outputs that name none. */
+/* Marks the contacts that outputs ask for: bit 0, and bit 1 if it is one of the defaults of outputs that name none. */
 static enum bead_error mark_contacts(const struct bead_session *s, size_t chain, unsigned char *mark, struct bead_message *msg)
 {
     const struct bead_chain *c = s->chains[chain];
@@ -59,7 +59,7 @@ static enum bead_error mark_contacts(const struct bead_session *s, size_t chain,
         if (!s->made[i].sink || !n->sensitivities)
             continue;
         for (size_t k = 0; k < n->contact_count; k++) {
-            if (n->contacts[k] < bead_chain_contacts(c)) /* chains may have fewer than others */
+            if (n->contacts[k] < bead_chain_contacts(c)) /* chains may have fewer contacts than others */
                 mark[n->contacts[k]] |= 1;
         }
         const size_t meant = n->contacts ? 0 : bead_sensitive_contacts(c, s->played.outcomes[chain].contact_peaks, list);
@@ -69,7 +69,7 @@ static enum bead_error mark_contacts(const struct bead_session *s, size_t chain,
     return BEAD_OK;
 }
 
-/* The peaks of the contacts marked, of all contacts, or of all beads. Returns how many. */
+/* Lists the peaks of the marked contacts, of all contacts, or of all beads. Returns how many. */
 static size_t list_peaks(const struct bead_peak *peaks, size_t count, bool of_beads, const unsigned char *mark,
                          struct bead_sensitive *list)
 {
@@ -137,7 +137,7 @@ static enum bead_error find_deviations(struct bead_session *s, size_t chain, boo
     return bead_deviations_find(&run, list, count, deviation, rivalled, msg);
 }
 
-/* The wishes of all outputs. */
+/* The requests of all outputs. */
 struct wanted {
     struct bead_session *session;
     bool sensitivities, deviation[2];

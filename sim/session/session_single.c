@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The one output that the command line names, by -o FILE, --frame, --sheet or --configuration: which output of the scene it is or
- * what makes a new one, and what the options change in it. */
+/* The one output that the command line names, by -o FILE, --frame, --sheet or --configuration: finds that output of the scene or
+ * makes a new one, and applies the options to it. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <strings.h>
@@ -18,8 +18,8 @@
 struct changes {
     struct bead_override all[6];
     size_t count;
-    char place[24];               /* that a new output shows */
-    struct bead_node file;        /* that of a new output */
+    char place[24];               /* shown by a new output */
+    struct bead_node file;        /* of a new output */
     const struct bead_output *of; /* the scene's output that is kept; NULL: a new one, or a film's frame */
 };
 
@@ -29,7 +29,7 @@ static const char *extension(const char *path)
     return dot ? dot + 1 : "";
 }
 
-/* Does the name end like a file, with a letter among two to eight letters and digits? Numbers and `.d` belong to directories. */
+/* Does the name end like a file's, with two to eight letters and digits, not all digits? Numbers and `.d` belong to directories. */
 static bool ends_like_file(const char *name)
 {
     const char *ending = extension(name);
@@ -63,8 +63,8 @@ static bool takes_looks(const struct bead_job *job, const struct bead_output *ou
     return all;
 }
 
-/* Can the file be made of the output's, which ends otherwise? As the same kinds have the same endings: a film of a film, pixels of
- * any still, but a page for print only of another one. */
+/* Can the file be made from the output's, which ends differently? Yes if their kinds have the same endings: a film from a film,
+ * pixels from any still, but a page for print only from another one. */
 static bool converts(const struct bead_output *output, const char *file, enum bead_source_kind source)
 {
     const enum bead_output_kind kind = bead_output_kind_of(file, source);
@@ -73,8 +73,8 @@ static bool converts(const struct bead_output *output, const char *file, enum be
             !bead_output_ends_like(BEAD_PIXEL_ENDINGS, output->path));
 }
 
-/* The fit of an output of the scene to the file: 4 by its name, 0 none. Among outputs with the keys asked for, those with the same
- * ending precede those of its kind, and the first of each wins; if keys are asked for, the kind that the ending alone means: images
+/* How well an output of the scene fits the file: 4 by its name, 0 not at all. Among outputs with the keys asked for, the same
+ * ending precedes the same kind, and the first of each wins; if keys are asked for, the kind that the ending alone means: images
  * rather than plots. */
 static int rank(const struct bead_output *output, const struct bead_job *job, enum bead_source_kind source, bool sweep)
 {
@@ -92,7 +92,7 @@ static int rank(const struct bead_output *output, const struct bead_job *job, en
     return 2 + (job->look_count > 0 && output->kind == bead_output_kind_of(job->output, source));
 }
 
-/* The output of the scene that the file means; NULL: none. */
+/* The scene's output that the file name means; NULL: none. */
 static const struct bead_output *find(const struct bead_scene *scene, const struct bead_job *job, enum bead_source_kind source)
 {
     const struct bead_output *best = NULL;
@@ -133,7 +133,7 @@ static void add(struct changes *changes, struct bead_override change)
     changes->all[changes->count++] = change;
 }
 
-/* Do forces follow from the displacements that are stored? Its chains have not been made yet. */
+/* Do forces follow from the stored displacements? The scene's chains have not been made yet. */
 static bool forces_follow(const struct bead_scene *scene)
 {
     bool follow = true;
@@ -142,7 +142,7 @@ static bool forces_follow(const struct bead_scene *scene)
     return follow;
 }
 
-/* The field that a new output shows of stored runs which do not all have the usual one: the first that they have; NULL: the usual
+/* The field that a new output shows of stored runs that do not all have the usual one: the first that they have; NULL: the usual
  * one. */
 static const char *held_field(const struct bead_session *s, const struct bead_output_type *type)
 {
@@ -161,7 +161,7 @@ static const char *held_field(const struct bead_session *s, const struct bead_ou
     return bead_field_info(first)->name;
 }
 
-/* Does an option or a setting say which places a plot shows, or what of them? */
+/* Does an option or a setting choose the places that a plot shows, or their quantity? */
 static bool says_places(const struct bead_job *job)
 {
     static const char *const keys[] = {"beads", "contacts", "show", "outputs", "0", NULL}; /* the last two: a whole output */
@@ -176,7 +176,7 @@ static bool says_places(const struct bead_job *job)
     return says;
 }
 
-/* Stored runs without sensors are shown in the middle of the shortest chain, of the beads that all files hold. */
+/* For stored runs without sensors: the bead in the middle of the shortest chain, among those that all files hold. */
 static size_t middle(const struct bead_session *s)
 {
     const struct bead_trajectory *t;
@@ -192,7 +192,7 @@ static size_t middle(const struct bead_session *s)
     return last > first ? first + (last - first) / 2 : first;
 }
 
-/* The places of a new output's curves, as `key`; false: sensors, or those that the command line gives. */
+/* The places of a new output's curves, as `key`; false: sensors, or places given on the command line. */
 static bool choose_places(struct bead_session *s, const char *field, char place[24], const char **key)
 {
     const struct bead_trajectory *t;
@@ -210,7 +210,7 @@ static bool choose_places(struct bead_session *s, const char *field, char place[
     return true;
 }
 
-/* Leave no output but a new one: the file, of the first kind that it ends like. */
+/* Leave only a new output: the file, of the first kind with its ending. */
 static enum bead_error name_output(struct bead_session *s, struct changes *changes, enum bead_source_kind source,
                                    struct bead_message *msg)
 {
@@ -235,7 +235,7 @@ static enum bead_error name_output(struct bead_session *s, struct changes *chang
     return BEAD_OK;
 }
 
-/* Leave no output but this one. */
+/* Leave only this output. */
 static void keep_output(struct changes *changes, const struct bead_output *output)
 {
     changes->of = output;
@@ -261,7 +261,7 @@ static void find_panels(const struct bead_output *output, const char *below, str
     }
 }
 
-/* Add what an option says: of each panel in which the key is that of an image, else of the output. */
+/* Add an option: to each panel that is an image with this key, else to the output. */
 static void add_look(const char *look, const char *below, const struct panel *panels, size_t panel_count, struct bead_override *all,
                      size_t *count)
 {
@@ -281,7 +281,7 @@ static void add_look(const char *look, const char *below, const struct panel *pa
         all[(*count)++] = laid;
 }
 
-/* The changes, then the job's options for the output of entry number `entry`, then its settings and config. */
+/* Makes the changes, then applies the job's options for output number `entry`, then its settings and config. */
 static enum bead_error change(const struct bead_session *s, const struct bead_scene *scene, const struct changes *changes,
                               size_t entry, struct bead_scene **changed, struct bead_message *msg)
 {
@@ -305,7 +305,7 @@ static enum bead_error change(const struct bead_session *s, const struct bead_sc
     return bead_scene_change(scene, &overrides, changed, msg);
 }
 
-/* An output of the scene where the file means one, else a new one. */
+/* Chooses the scene's output that the file name means, else a new one. */
 static enum bead_error choose_file(struct bead_session *s, const struct bead_scene *scene, enum bead_source_kind source,
                                    struct changes *changes, struct bead_message *msg)
 {
@@ -321,7 +321,7 @@ static enum bead_error choose_file(struct bead_session *s, const struct bead_sce
     if (s->job.setting_count + s->job.look_count + changes->count > 0 || (source == BEAD_OF_TRAJECTORY && !same_name))
         keep_output(changes, found);
     else
-        s->single_index = (size_t)(found - scene->outputs); /* the scene stays as it is, as do the bytes of files with its text */
+        s->single_index = (size_t)(found - scene->outputs); /* the scene stays as it is, and so do files with its text */
     return BEAD_OK;
 }
 
@@ -390,7 +390,7 @@ static bool sets(const char *setting, const char *name)
     return strncmp(setting, all, before) == 0 && strncmp(setting + before, name, length) == 0 && setting[before + length] == '.';
 }
 
-/* Outputs are numbered as in the scene, or named by their files; a setting may replace them all. */
+/* Outputs are numbered as in the scene, or named by their files; one setting may replace them all. */
 static enum bead_error check_setting(const char *setting, const struct bead_output *movie, struct bead_message *msg)
 {
     char number[24];
@@ -416,7 +416,7 @@ static enum bead_error choose_frame(struct bead_session *s, const struct bead_sc
     return BEAD_OK;
 }
 
-/* The frame of a film that a setting, `outputs=[...]`, has in place of those of the scene. */
+/* The frame of a film from a setting `outputs=[...]`, which replaces the scene's outputs. */
 static enum bead_error choose_set_frame(struct bead_session *s, const struct bead_scene *scene, size_t *entry,
                                         struct bead_message *msg)
 {
@@ -472,6 +472,6 @@ enum bead_error bead_session_choose(struct bead_session *s, const struct bead_sc
         bead_scene_free(*changed);
         *changed = NULL;
     }
-    s->job.output = NULL; /* the scene says where */
+    s->job.output = NULL; /* the scene names the file */
     return err;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes the sinks of a session and decides whose samples each takes: its own, or those of the trajectory output. */
+/* Makes the sinks of a session and decides which samples each takes: its own, or the trajectory output's. */
 #include <stdlib.h>
 
 #include "sim/base/file.h"
@@ -77,7 +77,7 @@ struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session
                                         .progress_context = s->job.progress_context};
 }
 
-/* The fields that a trajectory output gives: those stored, and what follows from displacements of all beads. */
+/* The fields that a trajectory output gives: those stored, and those that follow from displacements of all beads. */
 static unsigned kept_fields(const struct bead_session *s)
 {
     const struct bead_output *k = s->keeper;

@@ -68,7 +68,7 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
 
 /* ---- running ---- */
 
-/* Does the output show numbers of chains that it runs, instead of peaks? */
+/* Does the output show numbers from chains that it runs, instead of peaks? */
 static bool runs_own(const struct bead_made *made)
 {
     const struct bead_sweep_curves_asked *curves = &made->output->sweep_curves;
@@ -76,7 +76,7 @@ static bool runs_own(const struct bead_made *made)
            (curves->measure && *curves->measure);
 }
 
-/* Does an output show results of the sweep? Sheets run what they show themselves. */
+/* Does an output show results of the sweep? Sheets run their chains themselves. */
 static bool needs_results(const struct bead_session *s)
 {
     bool needs = false;
@@ -85,7 +85,7 @@ static bool needs_results(const struct bead_session *s)
     return needs;
 }
 
-/* Does an output run what it shows? */
+/* Does an output run its chains itself? */
 static bool runs_chains(const struct bead_session *s)
 {
     bool runs = false;
@@ -105,8 +105,8 @@ static enum bead_error compute(struct bead_session *s, const char *journal, stru
     return err;
 }
 
-/* The file of all results is written before others that might fail, but not where the run was stopped: it is the last file of a
- * part of a sweep, and whoever finds it may take it that nothing is left to do. */
+/* The file of all results is written before others that might fail, but not if the run was stopped: it is the last file of a
+ * sweep's part, and whoever finds it may assume that nothing is left to do. */
 static enum bead_error judge_and_keep(struct bead_session *s, struct bead_made *results, struct bead_message *msg)
 {
     const enum bead_error judged = bead_session_judge_sweep(s, msg);
@@ -123,7 +123,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         if (bead_session_makes(&s->made[i]) && bead_session_holds_sweep(&s->made[i]))
             results = &s->made[i];
     }
-    for (size_t i = 0; i < s->made_count; i++) { /* before a run of hours */
+    for (size_t i = 0; i < s->made_count; i++) { /* before a run that takes hours */
         const char *measure = s->made[i].output->sweep_curves.measure, *unit;
         if (measure && *measure)
             BEAD_TRY(bead_sweep_measure_unit(measure, &unit, msg));
@@ -132,7 +132,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     if (!err)
         err = bead_session_claim(s, msg);
     if (!err && results)
-        err = bead_h5_load(msg); /* a run of hours must not fail at its end for want of it */
+        err = bead_h5_load(msg); /* or a run of hours might fail at its end */
     if (!err && results)
         err = bead_file_part_name(results->path, &journal, msg);
     if (!err && !s->sweep_read && needs_results(s))
@@ -141,7 +141,7 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
         err = judge_and_keep(s, results, msg);
     if (!err)
         err = bead_session_finish_all(s, msg);
-    /* Not before: after a plot has failed or the run was stopped, the same command need not compute the chains again. */
+    /* Only now: if a plot fails or the run is stopped, the same command need not compute the chains again. */
     if (!err && journal)
         bead_file_discard(journal);
     bead_session_release(s);

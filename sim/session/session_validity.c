@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Warns, once, where a run has left the model: see validity.h. */
+/* Warns, once, if a run has left the model: see validity.h. */
 
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/validity.h"

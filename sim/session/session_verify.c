@@ -5,7 +5,7 @@
 #include "sim/session/session_data.h"
 #include "sim/session/session_internal.h"
 
-/* Each round has a tenth of the tolerance of the one before; below the least, rounding is all that differs. */
+/* Each round has a tenth of the tolerance of the one before; below the least, only rounding differs. */
 static const double tenth = 0.1, least = 1e-13;
 
 /* The result of a round: peaks that miss the requested accuracy, and the worst of all. */
@@ -15,7 +15,7 @@ struct verdict {
     size_t chain;
 };
 
-/* Forces that still rise at the end of the run are no peaks. */
+/* Forces still rising at the end of the run are not peaks. */
 static void judge(const struct bead_peak *peaks, const double *uncertainty, size_t count, double accuracy, struct verdict *verdict)
 {
     for (size_t i = 0; i < count; i++) {
