@@ -12,7 +12,7 @@
 
 static const double half_pi = 1.57079632679489662, sixth = 1. / 6;
 
-/* Beads 1, 3, ... of the chain are alike, and 2, 4, ...; nothing presses or holds them. */
+/* Beads 1, 3, ... of the chain are alike, and so are 2, 4, ...; nothing presses or holds them. */
 static bool is_homogeneous(const struct bead_chain *chain)
 {
     const struct bead_chain_spec *spec = chain->spec;
@@ -52,7 +52,7 @@ double bead_compacton_speed(const struct bead_chain *chain, double force)
     return sqrt(1.6 / (chain->mass[1] + second_mass(chain))) * bead_cbrt(chain->stiffness[1]) * bead_pow(force, sixth);
 }
 
-/* By Newton's method: three steps are enough for angles of less than half a radian. */
+/* Newton's method: three steps suffice for angles below half a radian. */
 static double arcsine(double s)
 {
     double x = s;
@@ -61,7 +61,7 @@ static double arcsine(double s)
     return x;
 }
 
-/* The sixth root of the forces is a cosine, which three of them next to each other determine. */
+/* The sixth root of the forces is a cosine, which three adjacent values determine. */
 bool bead_compacton_find(const struct bead_chain *chain, const double *forces, size_t count, struct bead_compacton *found)
 {
     size_t top = 1;

@@ -4,7 +4,8 @@
 
 #include <math.h>
 
-/* A pulse ends where the force falls to this part of its maximum; a force below this part of its earlier one belongs to another. */
+/* A pulse ends where the force falls to this part of its maximum; a force below this part of its earlier value belongs to another
+ * pulse. */
 static const double valley = 0.1;
 
 enum { FORMS = 6, PLACES = 4, BESIDE = 2 };
@@ -36,7 +37,7 @@ void bead_energy_part_name(const struct bead_output *output, size_t i, char name
         snprintf(name, 40, "past bead %zu", output->curves.beads.all[i - stacked - BESIDE]);
 }
 
-/* Follows the first pulse: from the end of the chain on, the first force that is a good part of what it was at the last sample, and
+/* Follows the first pulse: from the end of the chain, the first force that is a good part of the pulse's peak at the last sample,
  * then the first contact behind it whose force is small. */
 static void follow(const struct bead_budget *b, size_t contacts, size_t beads, struct bead_energy_front *front)
 {
@@ -61,7 +62,7 @@ static void follow(const struct bead_budget *b, size_t contacts, size_t beads, s
     front->peak = best;
     if (at < contacts && b->force[at] * b->velocity[at] < 0 && (at + 1 >= beads || b->velocity[at + 1] < 0))
         front->from = SIZE_MAX;
-    else if (at == contacts) /* it has left the contacts: the last bead has it */
+    else if (at == contacts) /* it has left the contacts for the last bead */
         front->from = beads - 1;
 }
 

@@ -52,7 +52,7 @@ static bool at_end(const struct bead_measures *m, const struct bead_sample *samp
            sample->field[BEAD_FIELD_CONTACT_FORCE][last] - bead_chain_static_force(m->chain)[last] > front_part * m->pulses->record;
 }
 
-/* The largest compression of contact k since the last sample: the largest of the cubic through both with their rates. */
+/* The largest compression of contact k since the last sample: the maximum of the cubic through both values and rates. */
 static double deepest(const struct bead_measures *m, const struct bead_sample *sample, size_t k)
 {
     const double *u = sample->field[BEAD_FIELD_DISPLACEMENT], *v = sample->field[BEAD_FIELD_VELOCITY], h = sample->time - m->time;

@@ -6,9 +6,9 @@
  *   count = bead_measures_read(measures, outcome, found, room);
  *   bead_measures_destroy(measures);
  *
- * Everything is measured at contacts, of forces less their static part. The leading pulse is the first: it lasts until the force
- * of the contact has fallen below a tenth of its maximum. It is measured at the probe, a contact so far before the end of the
- * chain that the end does not disturb it, and where the chain repeats itself there (uniform, dimers, ...) over one whole cell. */
+ * Everything is measured at contacts, from forces less their static part. The leading pulse is the first: it lasts until the force
+ * of the contact has fallen below a tenth of its maximum. It is measured at the probe, a contact far enough from the end of the
+ * chain not to be disturbed by it, and, if the chain repeats itself there (uniform, dimers, ...), over one whole cell. */
 #pragma once
 
 #include <stddef.h>
@@ -22,7 +22,7 @@
 /* A measure of chains, and its method: row `index`, NULL after the last. */
 struct bead_measure_info {
     const char *name, *unit; /* unit "": a number */
-    const char *help;        /* definition, with its source where it is not this project's */
+    const char *help;        /* definition, with its source unless it is this project's */
 };
 BEAD_INTERNAL const struct bead_measure_info *bead_measure_info(size_t index);
 
@@ -37,14 +37,14 @@ BEAD_INTERNAL const struct bead_measure_info *bead_measure_info(size_t index);
 
 struct bead_measures;
 
-/* The chain must outlive them. Errors: MEMORY. On failure *measures is NULL. */
+/* The chain must outlive the measures. Errors: MEMORY. On failure *measures is NULL. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures,
                                                               struct bead_message *msg);
 BEAD_INTERNAL void bead_measures_destroy(struct bead_measures *measures);
 /* Errors: MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_measures_feed(struct bead_measures *measures, const struct bead_sample *sample,
                                                             struct bead_message *msg);
-/* After the last sample: those that this run has, in the order of bead_measure_info; `outcome` may be NULL. Returns how many there
- * are, fills at most `room`. */
+/* Call it after the last sample. Finds the measures that this run has, in the order of bead_measure_info; `outcome` may be NULL.
+ * Returns how many there are; fills at most `room`. */
 BEAD_INTERNAL size_t bead_measures_read(struct bead_measures *measures, const struct bead_outcome *outcome,
                                         struct bead_measure *found, size_t room);

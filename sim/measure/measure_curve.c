@@ -37,7 +37,7 @@ static double curve_slope(const struct bead_curve *curve, double x)
     return slope;
 }
 
-/* The place between low and high at which the curve crosses `value`; at the two ends it is on different sides of it. */
+/* The place between low and high at which the curve crosses `value`; the two ends are on different sides of it. */
 static double curve_crossing(const struct bead_curve *curve, double value, double low, double high)
 {
     double sign = bead_curve_value(curve, low) - value >= 0 ? 1 : -1;
@@ -82,7 +82,7 @@ double bead_samples_maximum(const double *values, size_t count, double *largest)
     size_t first = window(count, at, &points);
     struct bead_curve curve = bead_curve_through(values + first, points);
     double x = bead_curve_maximum(&curve, (double)(at - 1 - first), (double)(at + 1 - first)), value = bead_curve_value(&curve, x);
-    if (value >= *largest) /* else a kink is close by */
+    if (value >= *largest) /* else a kink is nearby */
         *largest = value;
     return value >= values[at] ? (double)first + x : (double)at;
 }

@@ -6,7 +6,7 @@
 
 #include "sim/base/elementary.h"
 
-/* Contacts left out at both ends of the chain, whole cells left out besides at the far end, and the fewest means of a fit. */
+/* Contacts left out at both ends of the chain, whole cells also left out at the far end, and the fewest means of a fit. */
 enum { MARGIN = 5, MARGIN_CELLS = 2, FEWEST = 8 };
 /* Standard errors that a rate must exceed. */
 static const double sure = 2;
@@ -122,7 +122,7 @@ struct bead_decay_found bead_decay_find(const struct bead_measures *m, const str
     const struct line near = fit(&c, found.first, middle), far = fit(&c, middle, c.end);
     found.last = found.first + (c.end - 1 - found.first) / c.cell * c.cell + c.cell - 1;
     found.rate = -whole.xy / whole.xx;
-    /* With disorder both halves scatter about the rate; without it they differ by the rest of the transient. */
+    /* With disorder both halves scatter around the rate; without it they differ by the rest of the transient. */
     const double halves = fabs(near.xy / near.xx - far.xy / far.xx);
     found.error = fmax(sure * standard_error(&whole), regular ? halves : 0.5 * halves);
     found.error = fmax(found.error, energy_part(outcome, found.last - found.first));

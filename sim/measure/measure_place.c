@@ -4,7 +4,7 @@
 
 /* Contacts between the probe and the end of a long chain. */
 enum { MARGIN = 20 };
-/* Cells that make a stretch regular; cells between a measurement and a disturbance. */
+/* Fewest cells of a regular stretch; cells between a measurement and a disturbance. */
 enum { FEWEST_CELLS = 3, APART = 3 };
 
 static bool same(const struct bead_chain *chain, size_t a, size_t b)

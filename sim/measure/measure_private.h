@@ -21,11 +21,11 @@ struct bead_places {
     bool regular;        /* the chain repeats itself at the probe */
     size_t regular_from; /* first bead of the stretch that repeats up to the end */
     bool defect;         /* the same cell also repeats at the beginning of the chain, but not in between */
-    size_t before;       /* first contact of a cell before the defect that does not feel it; the cell after it is the probe's */
+    size_t before;       /* first contact of a cell before the defect, undisturbed by it; the cell after it is the probe's */
 };
 
 struct bead_places bead_places_find(const struct bead_chain *chain);
-/* Last bead of the longest stretch from bead 1 on that repeats every `period` beads. */
+/* Last bead of the longest stretch from bead 1 that repeats every `period` beads. */
 size_t bead_places_head(const struct bead_chain *chain, size_t period);
 
 /* Curves through equally spaced samples: the polynomial through a few of them. */
@@ -46,10 +46,10 @@ double bead_curve_maximum(const struct bead_curve *curve, double low, double hig
 
 /* Place of the maximum of `count` values (not the first or last of them), in units of the index, and its value. */
 double bead_samples_maximum(const double *values, size_t count, double *largest);
-/* First place, going from index `from` in steps of -1 or 1, at which the values fall to `level`; NaN: they do not. */
+/* The first place, from index `from` in steps of -1 or 1, at which the values fall to `level`; NaN: they do not. */
 double bead_samples_crossing(const double *values, size_t count, size_t from, int step, double level);
 
-/* Pulses: maxima of every contact's force, found as samples come in; the force must fall between two of them. */
+/* Pulses: maxima of every contact's force, found as samples arrive; the force must fall between two of them. */
 
 enum { BEAD_PULSES = 6, BEAD_PULSES_AHEAD = 4 };
 
@@ -81,12 +81,12 @@ BEAD_CHECK enum bead_error bead_pulses_create(const struct bead_chain *chain, si
                                               struct bead_message *msg);
 void bead_pulses_destroy(struct bead_pulses *pulses);
 void bead_pulses_feed(struct bead_pulses *pulses, const struct bead_sample *sample);
-/* After the last sample: finds the maxima near it, which have fewer samples after them. Does nothing when called again. */
+/* Call it after the last sample: finds the maxima near it, which have fewer samples after them. Does nothing when called again. */
 void bead_pulses_end(struct bead_pulses *pulses);
 /* The first pulse of a contact; force and time NaN if it has none. */
 struct bead_pulse bead_pulses_first(const struct bead_pulses *pulses, size_t contact);
 
-/* The leading pulse as it passes the probe's cell: samples of its contacts and of the beads behind them. */
+/* The leading pulse as it passes the probe's cell: samples of its contacts and of the beads after them. */
 struct bead_trace {
     double begin, spacing; /* s: time of the first sample; time between samples */
     size_t count, room;

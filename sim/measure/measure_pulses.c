@@ -61,7 +61,7 @@ static void column(const struct bead_pulses *p, size_t contact, double values[BE
         values[i] = p->row[i][contact];
 }
 
-/* Fronts fall off doubly exponentially, so interpolate their logarithms, which are smooth. */
+/* Fronts fall off doubly exponentially: interpolates their logarithms, which are smooth. */
 static void look_ahead(struct bead_pulses *p, double x)
 {
     for (size_t n = 1; n <= BEAD_PULSES_AHEAD; n++) {
@@ -129,7 +129,7 @@ static void found_maximum(struct bead_pulses *p, size_t contact, size_t at)
     double x = bead_curve_maximum(&curve, (double)at - 1, fmin((double)at + 1, LAST)), force = bead_curve_value(&curve, x);
     if (at == LAST && x > LAST - 1e-6) /* still rising */
         return;
-    if (!(force >= values[at])) { /* a kink close by */
+    if (!(force >= values[at])) { /* a kink is nearby */
         x = (double)at;
         force = values[at];
     }

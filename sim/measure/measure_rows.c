@@ -40,7 +40,7 @@ static double arrival(const struct reading *r, int)
 
 /* ---- the front ---- */
 
-/* Over the second half up to the probe; cell by cell if the chain is regular there. `per_second`: in beads. */
+/* Over the second half up to the probe; cell by cell if the chain is regular there. `per_second`: in beads per second. */
 static double front_speed(const struct reading *r, int per_second)
 {
     const struct bead_places *places = &r->m->places;
@@ -112,14 +112,14 @@ static double follower(const struct reading *r, int n)
 
 /* ---- participation: (sum e)^2 / sum e^2, at the end and when the front arrives ---- */
 
-/* Without a state from the run, the nearest sample is used: the note gives its time. */
+/* Without a state from the run, the nearest sample is used, and the note gives its time. */
 static void note_time(const struct reading *r, double time)
 {
     bead_time_text(time, "s", r->note + snprintf(r->note, NOTE, "at "), NOTE - 3);
 }
 
-/* Notes that a motion is lost: velocities of the check run differ by more than the uncertainty that a predictable number may have.
- * Two such motions say nothing about the errors of their measures. */
+/* Notes that a motion is lost: velocities of the check run differ by more than a predictable number may. Two such motions show
+ * nothing about the errors of their measures. */
 static void note_lost(const struct reading *r, const struct bead_moment *moment, const struct bead_moment *check)
 {
     const double *mass = bead_chain_mass(r->m->chain), *v = moment->velocity;
@@ -133,7 +133,7 @@ static void note_lost(const struct reading *r, const struct bead_moment *moment,
         snprintf(r->note, NOTE, "unpredictable");
 }
 
-/* The beads at the end. */
+/* The beads at the end of the run. */
 static struct bead_moment final(const struct reading *r)
 {
     if (r->outcome && r->outcome->check && r->outcome->final.displacement)
@@ -286,7 +286,7 @@ static double restitution(const struct reading *r, int)
 /* Widths are in beads: times at the probe, multiplied by the speed of the pulse there. */
 static const struct row {
     struct bead_measure_info info;
-    double (*value)(const struct reading *reading, int n); /* NaN: this run has none; the note may say why */
+    double (*value)(const struct reading *reading, int n); /* NaN: not in this run; the note may say why */
     int n;
 } rows[] = {
     {{"magnetism", "", "M = |N_up - N_down| / (N_up + N_down); thesis, Eq. 15"}, magnetism, 0},

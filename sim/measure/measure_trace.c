@@ -88,7 +88,7 @@ static size_t pulse_end(const struct bead_trace *t, size_t i, double peak, doubl
     return at < t->count ? at + 1 : t->count;
 }
 
-/* s between the two crossings of `part` of the maximum that are nearest to it. */
+/* Time, s, between the two crossings of `part` of the maximum nearest to it. */
 static double width(const double *values, size_t count, double spacing, double part)
 {
     double largest;
@@ -112,8 +112,8 @@ static double potential(const struct bead_measures *m, size_t i, size_t sample)
     return law->energy(a, spec, d0 + d) - law->energy(a, spec, d0) - bead_chain_static_force(m->chain)[contact] * d;
 }
 
-/* Integrals over the pulse, through the probe and over one cell. For a smooth pulse that begins and ends at zero the plain sum is
- * as exact as the samples. */
+/* Integrals over the pulse, through the probe and over one cell. For a smooth pulse that begins and ends at zero, the plain sum is
+ * as accurate as the samples. */
 static void integrate(const struct bead_measures *m, size_t i, size_t end, struct bead_pulse_found *found)
 {
     const struct bead_trace *t = &m->trace;

@@ -52,7 +52,7 @@ static bool same_cell(const struct bead_segment *a, const struct bead_segment *b
     return a->cell_beads == b->cell_beads && memcmp(a->cell, b->cell, a->cell_beads * sizeof *a->cell) == 0;
 }
 
-/* The segment whose cell most beads belong to, in all segments together. */
+/* The segment whose cell most beads of all segments belong to. */
 static const struct bead_segment *usual_segment(const struct bead_chain_spec *spec)
 {
     const struct bead_segment *usual = &spec->segments[0];
@@ -137,7 +137,7 @@ enum bead_error bead_participation_clean(const struct bead_chain *chain, double 
     size_t *cell;
     BEAD_TRY(bead_new(&cell, most, msg, "a cell of %zu beads", most));
     const size_t beads = find_cell(chain, cell), all = chain->beads - 1 < BEAD_ORDER_BEADS ? chain->beads - 1 : BEAD_ORDER_BEADS;
-    /* The chain, but of equal cells. */
+    /* The same chain, of equal cells. */
     struct bead_segment segment = {.cell = cell, .cell_beads = beads, .count = (all + beads - 1) / beads, .spins = BEAD_SPINS_UP};
     struct bead_chain_spec spec = *chain->spec;
     struct bead_chain *made = NULL;

@@ -8,7 +8,7 @@ static size_t index_of(size_t listed, size_t limit)
     return listed == BEAD_LAST ? limit - 1 : listed;
 }
 
-/* The `k`-th of those listed that there is: its place in the list, or the number of them if there are fewer. */
+/* The `k`-th listed one that exists: its place in the list, or the list's length if there are fewer. */
 static size_t find(const struct bead_listed *listed, size_t limit, size_t k)
 {
     size_t i = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places: what curves over time are of, in plots and tables. They are the beads with sensors, or the beads and contacts that the
- * output lists. */
+/* Places: the beads and contacts whose curves over time plots and tables show: those with sensors, or those that the output
+ * lists. */
 #pragma once
 
 #include "beadreel/sink.h"
@@ -12,16 +12,16 @@ struct bead_place_shown {
     enum bead_field field;
 };
 
-/* The number of places that a chain has for this output, and place `k`: beads first. Those that the chain does not have are left
+/* The number of places that a chain has for this output, and place `k`: beads first. Places that the chain does not have are left
  * out. */
 BEAD_INTERNAL size_t bead_places_count(const struct bead_output *output, const struct bead_chain *chain);
 BEAD_INTERNAL struct bead_place_shown bead_place_shown(const struct bead_output *output, const struct bead_chain *chain, size_t k);
-/* Fails where the chain does not have one that is listed. */
+/* Fails if the chain lacks a listed one. */
 BEAD_CHECK enum bead_error bead_places_check(const struct bead_output *output, const struct bead_chain *chain,
                                              struct bead_message *msg);
 /* Widen what is needed of samples to one place. */
 void bead_place_needs(const struct bead_place_shown *place, struct bead_needs *needs);
-/* Widen what is needed of samples, `beads` and `fields`, to those of the chain. */
+/* Widen what is needed of samples, `beads` and `fields`, to all places of the chain. */
 BEAD_INTERNAL void bead_places_need(const struct bead_output *output, const struct bead_chain *chain, struct bead_needs *needs);
-/* Is a bead, or a contact, one of those listed, or are none? */
+/* Is a bead, or a contact, listed, or is the list empty? */
 bool bead_is_listed(const struct bead_listed *listed, size_t index);

@@ -15,12 +15,12 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_profile_times_create(const struct 
                                                                    struct bead_profile_times **moments, struct bead_message *msg);
 BEAD_INTERNAL void bead_profile_times_destroy(struct bead_profile_times *moments);
 
-/* The samples they are taken from: at the moments themselves where these have a common spacing, else so close that straight lines
- * between them do. */
+/* The samples to take them from: at the moments themselves if these have a common spacing, else close enough for straight lines
+ * between them. */
 BEAD_INTERNAL struct bead_needs bead_profile_times_needs(const struct bead_profile_times *moments);
-/* Are the moments times of samples? Else profiles are interpolated linearly between two. */
+/* Are the moments sample times? Else profiles are interpolated linearly between two samples. */
 bool bead_profile_times_are_samples(const struct bead_profile_times *moments);
-/* Errors: UNSUPPORTED where the samples lack the field. */
+/* Errors: UNSUPPORTED if the samples lack the field. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_profile_times_feed(struct bead_profile_times *moments,
                                                                  const struct bead_sample *sample, struct bead_message *msg);
 

@@ -15,7 +15,7 @@ double bead_round_down(double x)
     return exponent < 0 ? round / unit : round * unit;
 }
 
-/* More samples than this are a mistake on any disk. */
+/* More samples than this are a mistake, whatever the disk. */
 static const double most_samples = 1e10;
 
 bool bead_grid_is_too_fine(const struct bead_grid *grid)
@@ -31,7 +31,7 @@ static void snap(const struct bead_grid *native, double every, struct bead_grid 
     grid->start = native->start + first * native->every;
     grid->every = multiple * native->every;
     grid->end = fmin(grid->end, native->end);
-    if (grid->widens) /* which ends with a sample */
+    if (grid->widens) /* its end is a sample */
         grid->end = grid->start + fmax(0, floor((grid->end - grid->start) / grid->every + 1e-6)) * grid->every;
 }
 

@@ -16,8 +16,8 @@ bool bead_grid_is_too_fine(const struct bead_grid *grid);
 
 /* The times that `output` asks for: from output->shown.time[0] or 0 to output->shown.time[1] or the end of the run, whichever is
  * earlier; every output->shown.every, or a round time within the run context's resolution. If samples exist only at given times
- * (context->native), every nearest multiple of their spacing. Where powers of time are shown, and no `every` is given, they widen.
- * Errors: SCENE (with the output's place). */
+ * (context->native), `every` becomes the nearest multiple of their spacing. If powers of time are shown, and `every` is not given,
+ * the spacing widens. Errors: SCENE (with the output's place). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_sink_grid(const struct bead_output *output, const struct bead_run_context *context,
                                                         struct bead_grid *grid, struct bead_message *msg);
 

@@ -13,13 +13,13 @@
 #include "sim/measure/transform.h"
 
 static const double pi = 3.14159265358979323846;
-/* Samples of each period of the highest band. */
+/* Samples in each period of the highest band. */
 static const double fine = 2.5;
-/* Steps from segment to segment of a spectrogram in units of their length. */
+/* Segments of a spectrogram begin 1/STEPS of their length apart. */
 enum { STEPS = 8, MOST_VALUES = 1 << 26, FEWEST = 16 };
 /* Half of the power of Hann's window is within this part of its length, and half the power of a line within that many steps. */
 static const double half_time = 0.364, half_line = 1.44;
-/* There is no transfer where the drive has a smaller part of its largest amplitude. */
+/* There is no transfer where the drive is below this part of its largest amplitude. */
 static const double driven = 1e-3;
 
 struct curves {
@@ -75,7 +75,7 @@ static enum bead_error place_cells(struct bead_spectra *s, size_t c, struct bead
     return BEAD_OK;
 }
 
-/* The place that a transfer is relative to: the driven bead, or its contact, the right one if there is one. */
+/* The reference of a transfer: the driven bead, or its contact, the right one if it exists. */
 static struct bead_place_shown driven_place(const struct bead_spectra *s, const struct bead_chain *chain)
 {
     const struct bead_drive *drive = &bead_chain_spec(chain)->drive;
@@ -86,7 +86,7 @@ static struct bead_place_shown driven_place(const struct bead_spectra *s, const 
     return place;
 }
 
-/* Lists the places of the curves; for a transfer, the driven place behind them. */
+/* Lists the places of the curves; for a transfer, followed by the driven place. */
 static enum bead_error place_listed(struct bead_spectra *s, size_t c, struct bead_message *msg)
 {
     const struct bead_chain *chain = s->context.chains[c];
@@ -100,7 +100,7 @@ static enum bead_error place_listed(struct bead_spectra *s, size_t c, struct bea
     return BEAD_OK;
 }
 
-/* As asked for; a dispersion is sampled for its highest band. */
+/* Chooses the times asked for; a dispersion is sampled for its highest band. */
 static enum bead_error choose_grid(struct bead_spectra *s, struct bead_message *msg)
 {
     struct bead_output asked = *s->output;
@@ -204,7 +204,7 @@ static const double *segment_of(const struct work *w, size_t place, size_t segme
     return w->curves->values + place * w->s->samples + segment * w->hop;
 }
 
-/* To an amplitude, of squares added up over `count` segments. */
+/* Turns squares added up over `count` segments into amplitudes. */
 static void to_amplitudes(const struct work *w, size_t column, size_t count, double scale)
 {
     double *values = w->found->values + column * w->rows;
@@ -212,7 +212,7 @@ static void to_amplitudes(const struct work *w, size_t column, size_t count, dou
         values[k] = scale * sqrt(2 * bead_transform_twice(&w->time, k) * values[k] / (double)count) / w->time.sum;
 }
 
-/* Squares of curve `place` in segment `segment`, added to a column. */
+/* Adds the squares of curve `place` in segment `segment` to a column. */
 static void add_squares(struct work *w, size_t place, size_t segment, size_t column)
 {
     bead_transform_segment(&w->time, segment_of(w, place, segment));
@@ -239,7 +239,7 @@ static enum bead_error find_spectrogram(struct work *w, struct bead_message *)
     return BEAD_OK;
 }
 
-/* |sum conj(X0) X| / sum |X0|^2: what does not come from the drive averages out. */
+/* |sum conj(X0) X| / sum |X0|^2: motion that does not come from the drive averages out. */
 static enum bead_error find_transfer(struct work *w, struct bead_message *msg)
 {
     const size_t rows = w->rows, places = w->found->columns;
@@ -271,8 +271,8 @@ static enum bead_error find_transfer(struct work *w, struct bead_message *msg)
     return BEAD_OK;
 }
 
-/* Waves in both directions together, and the beads of a cell: of a wave A cos(k n - w t) of all of them the square is
- * A^2 times their number. */
+/* Adds up waves in both directions, and the beads of a cell: a wave A cos(k n - w t) of all of them has the square A^2 times their
+ * number. */
 static void add_waves(struct work *w, struct bead_transform *space, const struct bead_complex *bins)
 {
     for (size_t k = 0; k < w->rows; k++) {
@@ -312,7 +312,7 @@ static enum bead_error find_dispersion(struct work *w, struct bead_message *msg)
     return err;
 }
 
-/* From 0 or what is asked for to the last frequency that is shown, Hz: tables have all. */
+/* The width, Hz, of the frequencies from 0, or the first asked for, to the last one shown: tables have all. */
 static enum bead_error find_width(struct work *w, double *width, struct bead_message *msg)
 {
     const double *asked = w->s->output->curves.frequencies, nyquist = 0.5 / w->s->grid.every;
@@ -324,8 +324,8 @@ static enum bead_error find_width(struct work *w, double *width, struct bead_mes
 }
 
 /* With segments of length L, of a time T and a width B of frequencies, half powers resolve T/(0.364 L) times and B L/1.44
- * frequencies: as many of both if L = 2.0 sqrt(T/B). A line that crosses all frequencies in this time is then as narrow as it can
- * be. */
+ * frequencies: equally many of both if L = 2.0 sqrt(T/B). A line that crosses all frequencies in this time is then as narrow as it
+ * can be. */
 static enum bead_error balance(struct work *w, size_t *samples, struct bead_message *msg)
 {
     const size_t taken = w->curves->taken, half = taken / 2;
@@ -370,7 +370,7 @@ static size_t columns_of(const struct work *w)
     }
 }
 
-/* The curves themselves. */
+/* Copies the curves themselves. */
 static enum bead_error copy_curves(const struct bead_spectra *s, const struct curves *curves, struct bead_spectral *found,
                                    struct bead_message *msg)
 {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Spreading: how far energy has gone from the bead that was excited, over time, for tables and plots.
  *
- * With e_n the energy of bead n, its contacts' shared, and n0 the excited bead: the second moment m2 = sum (n - n0)^2 e_n / sum
- * e_n, the participation P = (sum e_n)^2 / sum e_n^2, and the front, the furthest bead from n0 with more than 1e-6 of the energy.
- * The exponents of m2 ~ t^gamma and 1/P ~ t^-eta are slopes of least squares through the logarithms of the samples from 7 % of the
- * time until the time itself, with standard errors: the window is part of the definition.
- * A. J. Martinez, P. G. Kevrekidis, M. A. Porter, Phys. Rev. E 93, 022902 (2016). */
+ * With e_n the energy of bead n (contacts' energies are shared) and n0 the excited bead: the second moment m2 = sum (n - n0)^2 e_n
+ * / sum e_n, the participation P = (sum e_n)^2 / sum e_n^2, and the front, the furthest bead from n0 with more than 1e-6 of the
+ * energy. The exponents of m2 ~ t^gamma and 1/P ~ t^-eta are slopes of least squares through the logarithms of the samples from 7 %
+ * of the time until the time itself, with standard errors: the window is part of the definition. A. J. Martinez, P. G. Kevrekidis,
+ * M. A. Porter, Phys. Rev. E 93, 022902 (2016). */
 #pragma once
 
 #include "beadreel/sink.h"
@@ -19,7 +19,7 @@ enum { BEAD_SECOND_MOMENT, BEAD_PARTICIPATION, BEAD_FRONT, BEAD_SPREADING_NUMBER
 struct bead_spreading {
     double *log[3];
     size_t count, room;
-    size_t origin; /* the excited bead: of those that start otherwise than at rest the one in the middle, or the striker */
+    size_t origin; /* the excited bead: the middle one of those that do not start at rest, or the striker */
 };
 struct bead_exponent {
     double slope, error;

@@ -18,7 +18,7 @@ size_t bead_transform_length(size_t n);
 BEAD_CHECK enum bead_error bead_transform_make(struct bead_transform *transform, size_t points, enum bead_taper window,
                                                struct bead_message *msg);
 void bead_transform_free(struct bead_transform *transform);
-/* Fills `found`. Values without their mean, as the window weighs it. */
+/* Fills `found`. Subtracts the mean of the values, weighted by the window. */
 void bead_transform_segment(struct bead_transform *transform, const double *values);
 /* The highest frequency at which a curve has BEAD_TRANSFORM_LEAST of its largest amplitude, Hz. Errors: MEMORY. */
 #define BEAD_TRANSFORM_LEAST 1e-3
@@ -30,7 +30,7 @@ static inline double bead_complex_square(struct bead_complex z)
     return z.re * z.re + z.im * z.im;
 }
 
-/* A bin, and whether another has the same part of the signal: all but 0 and Nyquist's. */
+/* 2 if another bin has an equal part of the signal, else 1, for 0 and Nyquist's. */
 static inline double bead_transform_twice(const struct bead_transform *transform, size_t bin)
 {
     return bin == 0 || 2 * bin == transform->points ? 1 : 2;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The insides of the table sink, shared by table.c and the table_*.c below it, one for each kind of table. */
+/* The inside of the table sink, shared by table.c and the table_*.c, one for each kind of table. */
 #pragma once
 
 #include <locale.h>
@@ -15,7 +15,7 @@ struct column {
     enum bead_field field; /* of sensors and extremes */
     char *name;            /* of the column */
     double value;          /* of the row being collected */
-    double uncertainty;    /* of it, and of all before; NaN: unknown */
+    double uncertainty;    /* of it and all values before; NaN: unknown */
 };
 
 struct bead_sink {
@@ -23,7 +23,7 @@ struct bead_sink {
     const struct bead_output *output;
     const struct table *table;
     struct bead_sink *check; /* the same table of the check run, which is not written; NULL: there is no such run */
-    const double *bounds;    /* instead of it, of a trajectory's samples: those of the context */
+    const double *bounds;    /* instead of it, for a trajectory's samples: the context's bounds */
     struct bead_grid grid;
     char *path, *part;
     char why[128];
@@ -36,7 +36,7 @@ struct bead_sink {
     struct bead_spreading *spreading;   /* [chains], of spreading */
     struct bead_energy_front *fronts;   /* [chains], of energies */
     struct bead_spectra *spectra;
-    double *largest; /* [chains], of extremes: of the first run, so far */
+    double *largest; /* [chains], for extremes: the first run's so far */
     uint64_t rows;
     bool open, finished;
     bool unknown; /* the check run ended before a sample */
@@ -55,25 +55,25 @@ struct table {
     enum bead_error (*begin)(struct bead_sink *sink, struct bead_message *msg);  /* when the run begins; may be NULL */
     double accuracy;                                                             /* see bead_sink_type; 0: any will do */
     bool checked;   /* a check run gives columns of `uncertainty`, if asked for */
-    bool of_fields; /* its numbers are values of fields, as uncertain as a trajectory says */
+    bool of_fields; /* its numbers are values of fields, whose uncertainties a trajectory may know */
 };
 
-/* Has the table columns of uncertainties? Those of numbers of which a trajectory knows none have NaN. */
+/* Has the table columns of uncertainties? If a trajectory knows none, they are NaN. */
 static inline bool bead_table_is_judged(const struct bead_sink *sink)
 {
     return sink->table->checked && sink->output->curves.uncertainty;
 }
-/* What the trajectory says about the errors of a field; NaN: unknown. */
+/* The trajectory's bound of the errors of a field; NaN: unknown. */
 static inline double bead_table_bound(const struct bead_sink *sink, size_t chain, enum bead_field field)
 {
     return sink->bounds[chain * BEAD_FIELD_COUNT + (size_t)field];
 }
 
-/* A text, in quotes if it contains a comma, a quote or a line break, and behind a ' if a spreadsheet would compute it. */
+/* Writes a text, in quotes if it contains a comma, a quote or a line break, and after a ' if a spreadsheet would compute it. */
 void bead_table_text(FILE *file, const char *text);
 /* ",a,b" for the numbers a and b, with the fewest digits that read back as the same double. */
 void bead_table_numbers(FILE *file, size_t count, const double *numbers);
-/* ",a"; "," where the number is not finite. */
+/* ",a"; "," if the number is not finite. */
 void bead_table_known(FILE *file, double number);
 
 /* The name of a chain and a comma, if there are several chains. */
@@ -90,19 +90,19 @@ BEAD_CHECK enum bead_error bead_table_add_column(struct bead_sink *sink, size_t 
 void bead_table_place_name(const struct bead_place_shown *place, bool listed, char *name, size_t size);
 /* Adds a column for each sensor, or each place that the output lists. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_table_place_columns(struct bead_sink *sink, struct bead_message *msg);
-/* Sets the grid of the sink, as its output asks, and its reason for the plan: samples of `what`. Errors: SCENE. */
+/* Sets the grid that the sink's output asks for, and the sink's reason for the plan: samples of `what`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_table_choose_times(struct bead_sink *sink, const char *what, struct bead_message *msg);
-/* A second name for each column, where uncertainties are known. */
+/* A second name for each column, if uncertainties are known. */
 void bead_table_uncertainties_header(const struct bead_sink *sink);
-/* With a check run, each column has a second one behind the last: the largest uncertainty so far, since errors of single samples
- * cross zero; with a trajectory that knows them, that of all its samples. */
+/* With a check run, a second column for each follows the last: the largest uncertainty so far, since errors of single samples cross
+ * zero; with a trajectory that knows them, the uncertainty of all its samples. */
 void bead_table_columns_header(struct bead_sink *sink);
 /* Finds the uncertainties of the columns of a sample's chain, if there is a check run or a trajectory that knows them. */
 void bead_table_compare(struct bead_sink *sink, const struct bead_sample *sample);
-/* The uncertainty of a curve by that of the check run: of its worst value, since errors cross zero along a curve. NaN: unknown. */
+/* The uncertainty of a curve from the check run's: that of its worst value, since errors cross zero along a curve. NaN: unknown. */
 double bead_table_worst(const struct bead_sink *sink, const double *values, const double *checks, size_t count);
 /* Call this once the columns have the values of a sample. The row is written after the last chain, so that a stopped run leaves no
- * incomplete row; that of the check run is not written. */
+ * incomplete row; the check run's is not written. */
 void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sample);
 
 void bead_table_spreading_free(struct bead_sink *sink);

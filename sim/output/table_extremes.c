@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of extremes: a row for each time and chain, with the value of a field that is furthest from 0, and where it is. For the
- * difference of two runs also as a part of the largest value of the first until then: when and where they part. The uncertainty is
- * that of the size: the side of 0 that is the further one changes in a moment. */
+/* Tables of extremes: a row for each time and chain, with the value of a field furthest from 0, and its place. For the difference
+ * of two runs also as a part of the largest value of the first until then: when and where they part. The uncertainty is that of the
+ * magnitude, because the sign may change at any moment. */
 #include <math.h>
 #include <stdlib.h>
 

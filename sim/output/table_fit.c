@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of fits: what was found before the run. */
+/* Tables of fits: the values found before the run. */
 #include "sim/output/table.h"
 
 static void fit_header(struct bead_sink *sink)

@@ -53,7 +53,7 @@ static void measures_needs(const struct bead_sink *sink, struct bead_needs *need
     needs->states = true;
 }
 
-/* Not earlier: creating measures simulates the clean wave. */
+/* Not earlier, because creating measures simulates the clean wave. */
 static enum bead_error measures_begin(struct bead_sink *sink, struct bead_message *msg)
 {
     size_t count = sink->context.chain_count;
@@ -62,7 +62,7 @@ static enum bead_error measures_begin(struct bead_sink *sink, struct bead_messag
     if (!sink->measures)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
     for (size_t c = 0; !err && c < count; c++) {
-        if (of_beads(sink->context.chains[c])) /* an equation has measures of its own */
+        if (of_beads(sink->context.chains[c])) /* equations have other measures */
             err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);
     }
     return err;
@@ -80,7 +80,7 @@ static enum bead_error measures_sample(struct bead_sink *sink, const struct bead
     return measures ? bead_measures_feed(measures, sample, msg) : BEAD_OK;
 }
 
-/* The measures of a chain, an equation's own included. */
+/* The measures of a chain or of an equation. */
 static size_t read_all(struct bead_sink *sink, size_t chain, const struct bead_outcome *outcome,
                        struct bead_measure found[MOST_MEASURES])
 {
@@ -90,7 +90,7 @@ static size_t read_all(struct bead_sink *sink, size_t chain, const struct bead_o
     return count < MOST_MEASURES ? count : MOST_MEASURES;
 }
 
-/* The uncertainty of a measure, by those of the check run; NaN: the check run has no such measure. */
+/* The uncertainty of a measure from the check run's measures; NaN: the check run does not have it. */
 static double uncertainty_of(const struct bead_measure *measure, const struct bead_measure *checks, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

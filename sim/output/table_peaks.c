@@ -43,7 +43,7 @@ static void write_column(FILE *file, bool wanted, const double *numbers, size_t 
         bead_table_numbers(file, 1, numbers ? &numbers[index] : &unknown);
 }
 
-/* Is the model beyond its limits in a contact, or in one of the two of a bead? */
+/* Is a contact, or one of the two of a bead, beyond the limits of the model? */
 static bool is_beyond(const struct bead_sink *sink, const struct bead_chain *chain, const struct bead_outcome *o, size_t index)
 {
     bool beyond = false;

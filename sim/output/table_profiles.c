@@ -46,7 +46,7 @@ static void write_profile(struct bead_sink *sink, size_t chain, size_t moment, d
     const size_t count = bead_profile_times_values(sink->moments, chain);
     if (checks)
         *worst = fmax(*worst, bead_table_worst(sink, values, checks, count));
-    else /* between its samples a trajectory knows nothing */
+    else /* a trajectory knows nothing between its samples */
         *worst = sink->bounds && bead_profile_times_are_samples(sink->moments)
                      ? bead_table_bound(sink, chain, sink->output->shown.field)
                      : NAN;

@@ -11,7 +11,7 @@
 #include "sim/output/table.h"
 #include "sim/run/uncertainty.h"
 
-/* Would a spreadsheet compute a cell that begins so? A number with a sign and a unit stays what it is. */
+/* Would a spreadsheet compute a cell that begins like this? A number with a sign and a unit stays as it is. */
 static bool is_formula(const char *text)
 {
     if (*text != '+' && *text != '-')
@@ -20,7 +20,7 @@ static bool is_formula(const char *text)
     return rest == text + 1 || rest[strcspn(rest, "+-*/^&|=<>!(")];
 }
 
-/* A text and an ending, which is plain. */
+/* Writes a text and a plain ending. */
 static void write_text(FILE *file, const char *text, const char *ending)
 {
     const char *const mark = is_formula(text) ? "'" : "";

@@ -24,7 +24,7 @@ static void sensitivities_header(struct bead_sink *sink)
                 : "");
 }
 
-/* By those of the check run: of the worst bead, since errors cross zero along a chain. NaN: unknown. */
+/* From those of the check run: that of the worst bead, since errors cross zero along a chain. NaN: unknown. */
 static void find_uncertainties(const struct bead_sink *sink, size_t chain, const struct bead_sensitivity *s,
                                const struct bead_sensitivity *check, double uncertainty[4])
 {
@@ -39,7 +39,7 @@ static void find_uncertainties(const struct bead_sink *sink, size_t chain, const
     uncertainty[3] = bead_table_worst(sink, &s->velocity, &check->velocity, 1);
 }
 
-/* The derivative by the striker's velocity is in the row of bead 0. */
+/* The derivative with respect to the striker's velocity is in the row of bead 0. */
 static void write_contact(struct bead_sink *sink, size_t chain, const struct bead_peak *peak, const struct bead_sensitivity *s,
                           const struct bead_sensitivity *check)
 {

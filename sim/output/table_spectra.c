@@ -25,7 +25,7 @@ static enum bead_error spectra_sample(struct bead_sink *sink, const struct bead_
     return bead_spectra_feed(sink->spectra, sample, msg);
 }
 
-/* Spectra of a chain and of its check run, if there is one; if it ended early, those of the run again, which are not read. */
+/* Spectra of a chain and of its check run, if there is one; if it ended early, the run's spectra again, which are not read. */
 static enum bead_error spectra_of_both(const struct bead_sink *sink, size_t chain, struct bead_spectral *found,
                                        struct bead_spectral *check, struct bead_message *msg)
 {
@@ -39,7 +39,7 @@ static const char *frequency(const struct bead_sink *sink)
     return *bead_chain_time_unit(sink->context.chains[0]) ? "frequency_Hz" : "frequency";
 }
 
-/* Is a frequency one of those asked for? */
+/* Is the frequency asked for? */
 static bool is_shown(const struct bead_sink *sink, double frequency)
 {
     const double *ends = sink->output->curves.frequencies;
@@ -65,7 +65,7 @@ static void spectrum_header(struct bead_sink *sink)
     fputc('\n', sink->file);
 }
 
-/* Is there a number? Where nothing is driven, there is no transfer. */
+/* Is there a number? There is no transfer at frequencies without drive. */
 static bool has_row(const struct bead_sink *sink, const struct bead_spectral *found, size_t k)
 {
     bool has = false;
@@ -112,7 +112,7 @@ static void write_spectrum(struct bead_sink *sink, const struct bead_spectral *f
 static enum bead_error spectrum_finish(struct bead_sink *sink, struct bead_message *msg)
 {
     const size_t chains = sink->context.chain_count;
-    BEAD_FREED struct bead_spectral *found = NULL; /* of all chains; then those of their check runs */
+    BEAD_FREED struct bead_spectral *found = NULL; /* of all chains, then of their check runs */
     BEAD_TRY(bead_new(&found, 2 * chains, msg, "spectra"));
     enum bead_error err = BEAD_OK;
     for (size_t c = 0; c < chains && !err; c++)

@@ -82,7 +82,7 @@ static enum bead_error spreading_sample(struct bead_sink *sink, const struct bea
     for (size_t i = 0; i < NUMBERS; i++)
         columns[i].value = numbers[i];
     bead_table_compare(sink, sample);
-    if (sink->file) /* that of the check run has none */
+    if (sink->file) /* the check run has none */
         write_row(sink, sample, errors);
     return BEAD_OK;
 }
