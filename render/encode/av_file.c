@@ -9,7 +9,7 @@
 
 #include "sim/base/file.h"
 
-/* Large enough for the data between two flushes, so that a killed run rarely leaves a partial write. */
+/* Large enough for the data between two flushes: a killed run rarely leaves a partial write. */
 enum { BUFFER_BYTES = 1 << 20 };
 
 struct place {
@@ -44,7 +44,7 @@ static int read_bytes(void *opaque, uint8_t *bytes, int size)
     return (int)got;
 }
 
-/* From libavformat 61 on the bytes are const. */
+/* From libavformat 61 the bytes are const. */
 #if LIBAVFORMAT_VERSION_MAJOR >= 61
 static int write_bytes(void *opaque, const uint8_t *bytes, int size)
 #else
@@ -134,7 +134,7 @@ static int copy_stream(const AVStream *from, int format, AVFormatContext *to)
     return code < 0 ? code : av_dict_set(&stream->metadata, "alpha_mode", alpha ? alpha->value : NULL, 0);
 }
 
-/* The cover is a stream of its own, with one packet. */
+/* The cover is a separate stream with one packet. */
 static int add_cover(AVFormatContext *to)
 {
     AVStream *stream = avformat_new_stream(to, NULL);
@@ -155,8 +155,8 @@ struct pair {
     AVPacket *held, *next;
 };
 
-/* Write the packet held, after the packets of other tracks that begin earlier, so that packets for the same time are close
- * together. `end`: its time plus its duration. */
+/* Write the held packet, after packets of other tracks that begin earlier, so that packets for the same time are close together.
+ * `end`: its time plus its duration. */
 static int write_held(const struct pair *packets, int64_t end, AVFormatContext *to, struct bead_tracks *tracks)
 {
     AVPacket *packet = packets->held;

@@ -10,7 +10,7 @@
 
 /* Open `part` like bead_file_open, and empty it. A failure leaves no new file. Errors: IO. */
 BEAD_CHECK enum bead_error bead_av_file_create(const char *part, int *descriptor, struct bead_message *msg);
-/* A context that reads or writes the whole file from its beginning, at a position of its own; NULL: out of memory. The caller keeps
+/* A context that reads or writes the whole file from its beginning, with its own position; NULL: out of memory. The caller keeps
  * the descriptor. */
 AVIOContext *bead_av_file_wrap(int descriptor, bool writes);
 /* Free a context without flushing it, and set *context to NULL. NULL and pointers to NULL are allowed. */

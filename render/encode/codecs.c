@@ -81,8 +81,8 @@ static const struct bead_preset vp9_clear[] = {
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=realtime cpu-used=7 crf=24"},
     {"libvpx-vp9", AV_PIX_FMT_YUVA420P, 1, false, VP9_LEAN "deadline=good cpu-used=4 crf=15"},
     {.encoder = NULL}};
-/* SVT-AV1 gives the same pictures with any number of threads (lp). Where it is missing, or a side is too short for it, libaom takes
- * its place. */
+/* SVT-AV1 gives the same pictures with any number of threads (lp). If it is missing, or a side is too short for it, libaom replaces
+ * it. */
 #define SVT_AV1(preset, crf) "preset=" preset " crf=" crf " svtav1-params=lp=4"
 #define AOM(speed, crf)      "usage=realtime cpu-used=" speed " row-mt=0 tiles=1x1 b=0 crf=" crf
 #define AOM_LOSSLESS \
@@ -96,15 +96,15 @@ static const struct bead_preset av1[] = {{"libsvtav1", AV_PIX_FMT_YUV420P, 1, fa
                                          {"libsvtav1", AV_PIX_FMT_YUV420P, 1, false, SVT_AV1("10", "30")},
                                          {"libsvtav1", AV_PIX_FMT_YUV420P, 1, false, SVT_AV1("8", "20")},
                                          {"libaom-av1", AV_PIX_FMT_GBRP, 1, false, AOM_LOSSLESS}};
-/* The encoder of WebP holds all pictures until the end. Not lossless: it takes three times as long, for twice the size. */
+/* The encoder of WebP holds all pictures until the end. Not lossless, which takes three times as long and twice the size. */
 static const struct bead_preset webp[] = {{"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=0 quality=75"},
                                           {"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=2 quality=90"},
                                           {"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=4 quality=97"},
                                           {"libwebp_anim", AV_PIX_FMT_BGRA, 1, false, "compression_level=2 lossless=1"}};
-/* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), at which flat colours take little room. The vendor is the one
+/* ProRes 4444 at constant quantisers (12, 6, 2; in units of 118), which encode flat colours in little space. The vendor is the one
  * that editing programs expect. ProRes is never lossless; PNG is. */
 #define PRORES(quantiser) "profile=4444 vendor=apl0 flags=+qscale global_quality=" quantiser
-/* Frames have 8 bits of transparency; 16, the encoder's default, take a quarter more room for the same levels. */
+/* Frames have 8 bits of transparency; 16, the encoder's default, take a quarter more space for the same levels. */
 #define CLEAR " alpha_bits=8"
 static const struct bead_preset prores[] = {{"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("1416")},
                                             {"prores_ks", AV_PIX_FMT_YUV444P10, 4, false, PRORES("708")},
@@ -129,8 +129,8 @@ static const struct bead_preset growing_gif[] = {{"apng", AV_PIX_FMT_RGB24, 1, f
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"},
                                                  {"apng", AV_PIX_FMT_RGB24, 1, false, "pred=sub compression_level=1"}};
 
-/* Stills have one quality. TIFF and WebP are exact; JPEG, at its least quantisers (2, in units of 118), and AV1 are close (48 dB),
- * and have a colour for each pixel, so that thin letters keep theirs. */
+/* Stills have one quality. TIFF and WebP are exact; JPEG, at its smallest quantisers (2, in units of 118), and AV1 are close (48
+ * dB), and store the colour of each pixel, so that thin letters keep theirs. */
 static const struct bead_preset jpeg = {"mjpeg", AV_PIX_FMT_YUVJ444P, 1, false, "flags=+qscale global_quality=236"},
                                 tiff = {"tiff", AV_PIX_FMT_RGB24, 1, false, "compression_algo=lzw"},
                                 tiff_clear = {"tiff", AV_PIX_FMT_RGBA, 1, false, "compression_algo=lzw"},

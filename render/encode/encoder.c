@@ -28,7 +28,7 @@ struct bead_encoder {
     size_t now;                    /* the last one added */
     AVPacket *packet, *held;       /* a packet waits in `held` until the next one gives its duration */
     AVPacket *cover;               /* written at the end; NULL: none */
-    struct bead_tracks tracks;     /* likewise */
+    struct bead_tracks tracks;     /* also written at the end */
     int file;                      /* descriptor of the part; -1: none */
     int unflushed;                 /* packets */
     AVRational frame_time;         /* s: unit of all times here */
@@ -85,7 +85,7 @@ static void set_up(const struct bead_movie *movie)
     c->sample_aspect_ratio = (AVRational){1, 1};
     c->gop_size = KEY_INTERVAL;
     c->max_b_frames = 0;
-    /* Not the number of processors: the file depends on it. */
+    /* Not the number of processors, because the file depends on it. */
     c->thread_count = movie->preset->threads;
     c->thread_type = FF_THREAD_FRAME;
     c->flags |= AV_CODEC_FLAG_BITEXACT;
@@ -290,8 +290,8 @@ static enum bead_error libav_convert(struct bead_movie *movie, size_t slot, cons
 }
 
 /* A group of frames is encoded as its last one, at the time of its first; but the movie begins with its first frame. A frame equal
- * to the previous one is encoded again, as players seek and editing programs count frames; in drafts the previous picture lasts
- * longer instead. */
+ * to the previous one is encoded again, because players seek and editing programs count frames; in drafts the previous picture
+ * lasts longer instead. */
 static enum bead_error libav_add_slot(struct bead_movie *movie, size_t slot, const struct bead_changes *changes,
                                       struct bead_message *msg)
 {
@@ -316,8 +316,8 @@ static enum bead_error libav_add(struct bead_movie *movie, const struct bead_fra
     return libav_add_slot(movie, 0, changes, msg);
 }
 
-/* Encode pending changes, and the last frame once more if its picture was only made to last longer: players and tools disagree
- * about the duration of a last picture, unless it is one frame. */
+/* Encode pending changes, and the last frame once more if its picture was only prolonged: players and tools disagree about the
+ * duration of a last picture, unless it is one frame. */
 static enum bead_error last_frame(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
@@ -388,7 +388,7 @@ static enum bead_error make_plain(struct bead_movie *movie, struct bead_message 
     enum bead_error err = bead_file_part_name(movie->part, &movie->plain, msg);
     if (!err)
         err = bead_av_file_create(movie->plain, &descriptor, msg);
-    if (err) { /* a file of this name is not ours */
+    if (err) { /* a file with this name is not ours */
         free(movie->plain);
         movie->plain = NULL;
         return err;
@@ -429,7 +429,7 @@ static enum bead_error libav_finish(struct bead_movie *movie, bool complete, str
     return err ? err : close_part(movie, msg);
 }
 
-/* SVT-AV1 1.4 hangs if it is closed before its end, or without a picture. */
+/* SVT-AV1 1.4 hangs if closed before its end, or without a picture. */
 static void exhaust(const struct bead_movie *movie)
 {
     struct bead_encoder *e = movie->encoder;
@@ -437,7 +437,7 @@ static void exhaust(const struct bead_movie *movie)
         return;
     int code = movie->encoded > 0 ? 0 : avcodec_send_frame(e->codec, e->pictures.slots[0].picture);
     if (code >= 0)
-        avcodec_send_frame(e->codec, NULL); /* fails where it was the end */
+        avcodec_send_frame(e->codec, NULL); /* fails if it has ended */
     while (code >= 0) {
         code = avcodec_receive_packet(e->codec, e->packet);
         av_packet_unref(e->packet);

@@ -11,14 +11,14 @@ enum { PER_SECOND = 100 /* units of GIF's times */, LEAST_DELAY = 2 /* units: pl
 
 struct gif {
     AVRational frame_time;
-    int64_t frames, last; /* in all; number of the last one written */
+    int64_t frames, last; /* in total; number of the last one written */
     struct bead_palette *palette;
     AVFormatContext *format;
     AVCodecContext *codec;
     AVPacket *packet;
 };
 
-/* Takes a picture, RGB24, that is shown from frame `at` on. */
+/* Takes a picture, RGB24, that is shown from frame `at`. */
 typedef int (*take_picture)(struct gif *gif, const AVFrame *picture, int64_t at);
 
 /* ---- reading ---- */

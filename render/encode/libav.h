@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* FFmpeg's libraries, opened for the first movie, as they load a hundred others that pictures do not need. */
+/* FFmpeg's libraries, opened for the first movie, because they load a hundred others that pictures do not need. */
 #pragma once
 
 #include <libavcodec/avcodec.h>
@@ -10,7 +10,7 @@
 #include "beadreel/render.h"
 #include "sim/base/library.h"
 
-/* From FFmpeg 6.1 on, encoders accept hints on unchanged parts. */
+/* From FFmpeg 6.1, encoders accept hints on unchanged parts. */
 #if __has_include(<libavutil/video_hint.h>)
 #include <libavutil/video_hint.h>
 #define BEAD_AV_HINT_OPTIONS "mb_info=1" /* of encoders that use hints */
@@ -29,6 +29,6 @@ BEAD_CHECK enum bead_error bead_av_open(struct bead_message *msg);
 void bead_av_silence(void);
 /* Parse "key=value key=value ...". Returns libav's error number. */
 int bead_av_options(const char *text, AVDictionary **options);
-/* Tell the encoder that only `changes` of the picture differ from the one before; NULL: all may. Does nothing if FFmpeg has no such
- * hints. Returns 0 or libav's error number, which is negative. */
+/* Tell the encoder that only `changes` of the picture differ from the previous one; NULL: all may. Does nothing if FFmpeg has no
+ * such hints. Returns 0 or libav's error number, which is negative. */
 int bead_av_hint(AVFrame *picture, const struct bead_changes *changes);

@@ -63,7 +63,7 @@ static void list_codecs(bool (*has)(const struct bead_codec *), char *list, size
         bead_list_add(list, size, " and ", last);
 }
 
-/* The messages name the formats that have what this one lacks. */
+/* The messages name the formats that offer what this one lacks. */
 static enum bead_error check_kind(const char *path, const struct bead_codec *codec, const struct bead_movie_settings *settings,
                                   struct bead_message *msg)
 {
@@ -122,7 +122,7 @@ static enum bead_error check_encoders(const char *path, const struct bead_codec 
         if (names[i] && !avcodec_find_encoder_by_name(names[i]))
             return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "%s: libavcodec was built without its encoder %s", path, names[i]);
     }
-    /* SVT-AV1 waits for ever for threads that it could not start; libaom falls. */
+    /* SVT-AV1 waits for ever for threads that it could not start; libaom crashes. */
     if (strstr(video, "av1") && !bead_memory_ample())
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: AV1 needs 4 GiB of free addresses (ulimit -v); other codecs need less", path);
     return BEAD_OK;

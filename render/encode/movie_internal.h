@@ -13,6 +13,6 @@ const struct bead_codec_info *bead_movie_codec(size_t index);
 const char *bead_movie_encoder(const struct bead_movie *movie);
 uint64_t bead_movie_frames(const struct bead_movie *movie);  /* shown */
 uint64_t bead_movie_encoded(const struct bead_movie *movie); /* given to the encoder */
-/* The movie ends here, unfinished: path.part stays and plays, and a file `path` of an earlier movie stays as it is. Frees the movie
- * in any case; on failure no part is left. *bytes (may be NULL): size of the part. Errors: as of close. */
+/* Ends the movie here, unfinished: path.part stays and plays, and a file `path` of an earlier movie is kept. Frees the movie in any
+ * case; on failure no part is left. *bytes (may be NULL): size of the part. Errors: as of close. */
 BEAD_CHECK enum bead_error bead_movie_stop(struct bead_movie *movie, uint64_t *bytes, struct bead_message *msg);

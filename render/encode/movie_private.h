@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The insides of movies: the table of codecs, and the two ways to write frames (libav's encoders, lines of hashes). */
+/* The inside of movies: the table of codecs, and the two ways to write frames (libav's encoders, lines of hashes). */
 #pragma once
 
 #include <libavutil/pixfmt.h>
@@ -26,7 +26,7 @@ struct bead_movie_way {
                                 struct bead_message *msg);
     /* Set the cover; NULL: movies of this kind have none. */
     enum bead_error (*cover)(struct bead_movie *movie, const uint8_t *png, size_t bytes, struct bead_message *msg);
-    /* Set the sound; NULL: likewise. */
+    /* Set the sound; NULL: movies of this kind have none. */
     enum bead_error (*sound)(struct bead_movie *movie, const float *samples, size_t count, struct bead_message *msg);
     /* Write all that was added to the part, and close it. For complete movies, may make another finished file, `plain`. */
     enum bead_error (*finish)(struct bead_movie *movie, bool complete, struct bead_message *msg);
@@ -39,7 +39,7 @@ extern const struct bead_movie_way bead_movie_libav;
 struct bead_preset {
     const char *encoder; /* libav's name */
     enum AVPixelFormat format;
-    int threads;         /* of the encoder, each for frames of its own */
+    int threads;         /* of the encoder, each for different frames */
     bool hinted;         /* the encoder skips parts that are unchanged by the hints */
     const char *options; /* of the encoder: "key=value key=value" */
 };
@@ -56,8 +56,8 @@ struct bead_codec {
     const char *ending;        /* BEAD_ENDING_BYTES after each flush, so that the growing file can be read; NULL: not needed */
     const struct bead_preset *presets; /* by enum bead_quality */
     const struct bead_preset
-        *clear; /* of transparent movies, likewise; without an encoder: not in this quality. NULL: in no quality */
-    const struct bead_preset *av1;                /* if the settings ask for AV1, likewise */
+        *clear; /* of transparent movies, by quality; without an encoder: not in this quality. NULL: in no quality */
+    const struct bead_preset *av1;                /* if the settings ask for AV1, by quality */
     bool final_delay;                             /* the muxer has this option, as it finds durations only from the next picture */
     bool chapters;                                /* the container has chapters */
     const struct bead_subtitle_format *subtitles; /* NULL: it has none */
@@ -65,7 +65,7 @@ struct bead_codec {
     bool gif;                                     /* the finished file is a GIF, made from the part */
     bool covers;                                  /* the container can hold a cover */
     const char *dpi;                              /* the encoder's option for it; NULL: none */
-    int most_fps; /* 1/s: above it frames are left out, as players slow such files down; 0: no limit */
+    int most_fps; /* 1/s: above it frames are left out, because players slow such files down; 0: no limit */
 };
 
 /* By the extension of `path`, ignoring case; NULL: none. */
@@ -81,7 +81,7 @@ struct bead_movie {
     const struct bead_codec *codec;
     const struct bead_preset *preset;    /* the codec's, for these settings; NULL: none */
     int64_t group;                       /* bead_codec_group */
-    struct bead_movie_settings settings; /* title and comment: only within open */
+    struct bead_movie_settings settings; /* title and comment: valid only within open */
     char *path, *part;
     char *plain; /* name of the finished file while it is written; NULL: the part */
     char encoded_by[48];
@@ -93,15 +93,15 @@ struct bead_movie {
     bool failed;
 };
 
-/* Before close: what happens, in words, for those who cannot see it; in the finished file of mp4, and before the comment of those
- * whose muxers write none. Errors: MEMORY. */
+/* Call it before close: describes in words what happens, for those who cannot see it; stored in finished mp4 files, and before the
+ * comment where muxers write no description. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_describe(struct bead_movie *movie, const char *text, struct bead_message *msg);
 
-/* Frames in two steps: one thread converts them into the encoder's pictures, another one encodes these. A slot is a picture, which
- * belongs to one of the threads at a time. *reserved is false if frames need no conversion and should be added at once (hashes).
- * Errors: MEMORY. */
+/* Frames in two steps: one thread converts them into the encoder's pictures, another encodes these. A slot is a picture, which
+ * belongs to one thread at a time. *reserved is false if frames need no conversion and should be added at once (hashes). Errors:
+ * MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_reserve(struct bead_movie *movie, size_t slots, bool *reserved, struct bead_message *msg);
-/* Bring a slot up to date with the frame. `missing`: changes since it last was; the first time all. Errors: CODEC, MEMORY. */
+/* Bring a slot up to date with the frame. `missing`: changes since it last was, at first everything. Errors: CODEC, MEMORY. */
 BEAD_CHECK enum bead_error bead_movie_convert(struct bead_movie *movie, size_t slot, const struct bead_frame *frame,
                                               const struct bead_changes *missing, struct bead_message *msg);
 /* Like bead_movie_add. `changes`: since the previous frame. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stills of pixels in files, as movies of one frame where they are not PNG. */
+/* Stills of pixels in files; as movies of one frame unless they are PNG. */
 #include "render/encode/picture_file.h"
 
 #include "beadreel/movie.h"

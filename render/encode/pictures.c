@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures of libav, updated with the changes of frames, and made writable again if an encoder kept one. */
+/* Pictures of libav, updated with the changes of frames, and made writable again if an encoder has kept one. */
 #include "render/encode/pictures.h"
 
 #include <stdlib.h>

@@ -40,7 +40,7 @@ BEAD_CHECK enum bead_error bead_pictures_open(const AVCodecContext *encoder, con
                                               struct bead_message *msg);
 /* Make at least `count` slots. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_pictures_reserve(struct bead_pictures *pictures, size_t count, struct bead_message *msg);
-/* Bring a slot up to date with a frame that differs in `missing`; the first time all of it is converted. One thread may convert
+/* Bring a slot up to date with a frame that differs in `missing`; the first time, all of it is converted. One thread may convert
  * slots while another encodes others. Errors: MEMORY, CODEC. */
 BEAD_CHECK enum bead_error bead_pictures_convert(const struct bead_pictures *pictures, size_t slot, const struct bead_frame *frame,
                                                  const struct bead_changes *missing, struct bead_message *msg);

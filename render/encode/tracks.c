@@ -116,7 +116,7 @@ int bead_chapters_add(AVFormatContext *format, const struct bead_movie_settings 
     return 0;
 }
 
-/* Makes the packets of subtitles: texts with little around them, which need no encoder. */
+/* Makes the packets of subtitles: texts with a short header, which need no encoder. */
 
 static const int subtitles_per_second = 1000;
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parts of a movie besides its pictures, if the container has them: chapters, and tracks of sound and subtitles, whose packets
- * are complete before the finished file is written. */
+/* The parts of a movie other than its pictures, if the container has them: chapters, and tracks of sound and subtitles, whose
+ * packets are complete before the finished file is written. */
 #pragma once
 
 #include <stddef.h>
@@ -34,7 +34,7 @@ int bead_tracks_write(struct bead_tracks *tracks, AVFormatContext *to, int64_t t
 
 /* ---- subtitles ---- */
 
-/* Their form in a container. */
+/* The form of subtitles in a container. */
 struct bead_subtitle_format {
     enum AVCodecID codec;
     bool counted;         /* each text is preceded by its length, two bytes */
@@ -50,7 +50,7 @@ int bead_subtitles_make(const struct bead_subtitle_format *format, const struct 
 
 /* ---- sound ---- */
 
-/* Its encoder. */
+/* The encoder of sound. */
 struct bead_sound_format {
     const char *encoder; /* libav's name */
     enum AVSampleFormat samples;

@@ -37,8 +37,8 @@ void bead_canvas_prepare(const char *backend)
     const struct bead_canvas_driver *driver = backend ? find(backend) : &drivers[0];
     if (!driver || !driver->context)
         return;
-    /* Mesa reads this when the first context is made. With few cores the calling thread rasterises, which leaves the others to
-     * simulation and encoder. The pixels do not depend on the number. */
+    /* Mesa reads this when the first context is made. With few cores the calling thread rasterises, which leaves the others to the
+     * simulation and the encoder. The pixels do not depend on the number. */
     setenv("LP_NUM_THREADS", sysconf(_SC_NPROCESSORS_ONLN) < MANY_CORES ? "0" : "2", 0);
     /* Graphics cards round differently: only the software renderer gives the same pixels everywhere. */
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);

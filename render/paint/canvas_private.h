@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The insides of a canvas: its back end, a const table, and the present painting. No GL headers here. */
+/* The inside of a canvas: its back end, a const table, and the current painting. No GL headers here. */
 #pragma once
 
 #include "render/paint/canvas.h"

@@ -37,7 +37,7 @@ enum bead_error bead_gl_load(const struct bead_context_type *type, void **table,
     return BEAD_OK;
 }
 
-/* `defines` come after the first line, which has the version. */
+/* `defines` follow the first line, which has the version. */
 static enum bead_error compile(const char *asset, GLenum kind, const char *defines, GLuint *shader, struct bead_message *msg)
 {
     char *text = NULL;
@@ -80,7 +80,7 @@ enum bead_error bead_gl_program(const char *vertex, const char *fragment, const 
         err = compile(asset, stages[i].kind, defines, &shader, msg);
         if (!err) {
             glAttachShader(*program, shader);
-            glDeleteShader(shader); /* lives as long as the program */
+            glDeleteShader(shader); /* it lives as long as the program */
         }
     }
     if (!err) {

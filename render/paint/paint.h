@@ -17,7 +17,7 @@ struct bead_ball {
 
 enum bead_mark_kind {
     BEAD_MARK_BOX,     /* filled */
-    BEAD_MARK_HATCHED, /* stripes, shape[0] their distance */
+    BEAD_MARK_HATCHED, /* stripes at the distance shape[0] */
     BEAD_MARK_RING,    /* in the middle of the box: radius shape[0], width of line shape[1] */
     BEAD_MARK_ARROW,   /* a triangle that points right and fills the box */
     BEAD_MARK_GLOW,    /* an ellipse that fills the box, bright in the middle */
@@ -33,15 +33,15 @@ struct bead_mark {
 /* The background: a copy of a rectangle of a frame. */
 struct bead_backdrop;
 
-/* Keep rectangle `place` of `frame`. Painting uses this place of a frame; its corner is (0, 0). Errors: GRAPHICS (it is outside),
- * IO, MEMORY. On failure *backdrop is NULL. */
+/* Keep rectangle `place` of `frame`. Painting uses this rectangle of a frame; its corner is (0, 0). Errors: GRAPHICS (it is
+ * outside), IO, MEMORY. On failure *backdrop is NULL. */
 BEAD_CHECK enum bead_error bead_backdrop_create(struct bead_canvas *canvas, const struct bead_frame *frame, struct bead_rect place,
                                                 struct bead_backdrop **backdrop, struct bead_message *msg);
 /* Destroy it before its canvas; NULL is allowed. */
 void bead_backdrop_destroy(struct bead_canvas *canvas, struct bead_backdrop *backdrop);
 
-/* Begin with the backdrop in `rect`, counted from its corner; until the end only pixels in it change, and `frame` must stay valid.
- * Errors: GRAPHICS (also if `rect` is outside backdrop, canvas or frame), MEMORY; then do not call bead_paint_end. */
+/* Begin with the backdrop in `rect`, relative to the backdrop's corner; until the end only pixels in it change, and `frame` must
+ * stay valid. Errors: GRAPHICS (also if `rect` is outside backdrop, canvas or frame), MEMORY; then do not call bead_paint_end. */
 BEAD_CHECK enum bead_error bead_paint_begin(struct bead_canvas *canvas, const struct bead_backdrop *backdrop,
                                             struct bead_frame *frame, struct bead_rect rect, struct bead_message *msg);
 /* Paint these in order, later ones over earlier ones. */
@@ -51,7 +51,7 @@ void bead_paint_marks(struct bead_canvas *canvas, const struct bead_mark *marks,
 BEAD_CHECK enum bead_error bead_paint_end(struct bead_canvas *canvas, struct bead_message *msg);
 
 struct bead_stage; /* stage.h */
-/* Paint a prepared stage, all of it but its first `skip` rows, at `place` of a frame. Not between begin and end: it has no
- * background. Fine stages are painted by the plain painter on any canvas. Errors: GRAPHICS, MEMORY. */
+/* Paint a prepared stage, except its first `skip` rows, at `place` of a frame. Not between begin and end: it has no background.
+ * Fine stages are painted by the plain painter on any canvas. Errors: GRAPHICS, MEMORY. */
 BEAD_CHECK enum bead_error bead_paint_stage(struct bead_canvas *canvas, const struct bead_stage *stage, struct bead_rect place,
                                             int skip, struct bead_frame *frame, struct bead_message *msg);

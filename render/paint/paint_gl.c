@@ -7,13 +7,13 @@
 #include "render/paint/stage_gl.h"
 #include "sim/base/memory.h"
 
-/* A program and the layout of its input: points, with a vertex each, or squares, with an instance each. */
+/* A program and the layout of its input: points, a vertex each, or squares, an instance each. */
 struct brush {
     GLuint program, vertices;
     bool points;
 };
 
-/* Fragment shaders of marks. Software renderers run all branches of a shader for each pixel, so large marks have their own. */
+/* Fragment shaders for marks. Software renderers run all branches of a shader for each pixel, so large marks have their own. */
 enum { PLAIN, GLOW, MARK_BRUSHES };
 static const char *const mark_shaders[MARK_BRUSHES] = {[PLAIN] = "mark", [GLOW] = "glow"};
 
@@ -22,14 +22,14 @@ struct bead_painter {
     void *functions;             /* for bead_gl */
     GLuint texture, framebuffer; /* row 0 of the framebuffer is the top row of the picture */
     bool ready;                  /* the shaders exist; they are made at the first painting */
-    int margin;                  /* px: added to the viewport on all sides, as OpenGL drops points with centres outside of it */
+    int margin;                  /* px: added to the viewport on all sides, because OpenGL drops points with centres outside it */
     GLuint buffer;
-    struct bead_stage_painter *stage;                     /* NULL: none was painted */
+    struct bead_stage_painter *stage;                     /* NULL: none painted yet */
     struct brush balls, large_balls, marks[MARK_BRUSHES]; /* large: too large for points */
 };
 
 /* One attribute of an instance. Canvases store pixels in the order of frames, with blue in OpenGL's red, so that reading them back
- * is a copy. So colours drawn are in the same order (GL_BGRA). */
+ * is a copy. Colours to draw have the same order (GL_BGRA). */
 struct attribute {
     GLint numbers;
     GLenum type;
@@ -269,7 +269,7 @@ static void gl_marks(struct bead_canvas *canvas, const struct bead_mark *marks, 
     }
 }
 
-/* A rectangle of the canvas to this place of a frame. */
+/* Copies a rectangle of the canvas to this place of a frame. */
 static void read_pixels(struct bead_rect rect, uint8_t *pixels, size_t stride, int x, int y)
 {
     glPixelStorei(GL_PACK_ROW_LENGTH, (GLint)(stride / 4));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the instruction set for loops over pixels: the best that this processor has, or the one asked for. */
+/* Chooses the instruction set for loops over pixels: the best of this processor, or the one asked for. */
 #include "render/paint/pixel_kernels.h"
 
 #include "sim/base/instruction_set.h"

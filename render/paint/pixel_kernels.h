@@ -9,12 +9,12 @@
 #include "render/paint/paint.h"
 #include "render/paint/stage.h"
 
-/* The part of a frame to paint on. Rows begin at multiples of 64 bytes. Places of balls and marks count from `origin`. */
+/* The part of a frame to paint on. Rows begin at multiples of 64 bytes. Places of balls and marks are relative to `origin`. */
 struct bead_ground {
     uint8_t *pixels; /* of the frame */
     size_t stride;
     int origin[2];         /* px of the frame */
-    struct bead_rect clip; /* pixels that may change; counted from the origin, within the frame */
+    struct bead_rect clip; /* pixels that may change; relative to the origin, within the frame */
 };
 
 /* A curve with the area below it, in 64 columns of pixels that begin at a multiple of 64 bytes. A pixel shows the mean of the
@@ -32,20 +32,20 @@ struct bead_columns {
 
 struct bead_pixel_kernels {
     const char *name;
-    /* In order, later ones over earlier ones. Those that are not finite or have no area are not shown. */
+    /* In order, later ones over earlier ones. Those that are not finite or have no area are skipped. */
     void (*balls)(const struct bead_ground *ground, const struct bead_ball *balls, size_t count);
     void (*marks)(const struct bead_ground *ground, const struct bead_mark *marks, size_t count);
-    /* The way from a magnified part to its lens: from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its
+    /* The strip between a magnified part and its lens, from shape[0]..shape[1] at the top of the box to shape[2]..shape[3] at its
      * bottom; any kind. */
     void (*zoom)(const struct bead_ground *ground, const struct bead_mark *way);
-    /* A stage that is prepared (stage.h): its floor's grid; then its picture, whose corner is the ground's origin. */
+    /* A prepared stage (stage.h): its floor's grid; then its picture, whose corner is the ground's origin. */
     void (*stage_floor)(const struct bead_stage *stage);
     void (*stage)(const struct bead_ground *ground, const struct bead_stage *stage);
-    /* `pixels`: of y = 0. Groups without rows do not change. */
+    /* `pixels`: the row y = 0. Groups without rows do not change. */
     void (*curve)(const struct bead_columns *columns, uint8_t *pixels, size_t stride);
     /* Two rows of a frame (B G R X), one of chroma; `width` a multiple of 16, `y` and `bgrx` at multiples of 16 bytes. */
     void (*yuv420)(const uint8_t *const bgrx[2], uint8_t *const y[2], uint8_t *u, uint8_t *v, int width);
 };
 
-/* portable, sse2, avx2 or avx512, or the best (NULL). Returns NULL if the name is unknown, or not for this machine. */
+/* portable, sse2, avx2 or avx512, or the best (NULL). Returns NULL if the name is unknown, or not available on this machine. */
 const struct bead_pixel_kernels *bead_pixel_kernels_find(const char *name);

@@ -15,8 +15,8 @@ static inline reals along(const float direction[3], reals nx, float ny, reals nz
     return (nz * direction[2] + ny * direction[1]) + nx * direction[0];
 }
 
-/* The shade under a lamp that is not a point, as on the stage: it fades out beyond the edge of the shade, where a point would leave
- * a line. */
+/* The light of a lamp that is not a point, as on the stage: it fades out beyond the edge of the shade, where a point would leave a
+ * line. */
 static inline reals facing(reals cosine)
 {
     const reals part = LARGER(cosine * 0.8f + 0.2f, all(0));
@@ -34,7 +34,7 @@ static inline __attribute__((always_inline)) void shade(const struct sphere *s, 
         shine *= shine;
     reals lit = 0.34f + 0.74f * facing(along(light, nx, ny, nz)), gloss = 0.50f * shine;
     for (int c = 0; c < 3; c++) {
-        reals own = SMALLER(s->bgr[c] * lit, all(1)), level = own + gloss * (1 - own); /* of what is left up to white */
+        reals own = SMALLER(s->bgr[c] * lit, all(1)), level = own + gloss * (1 - own); /* of the rest up to white */
         bgr[c] = level_of(cover ? level * *cover : level);
     }
 }
@@ -59,8 +59,7 @@ static inline __attribute__((always_inline)) void paint_edge(const struct sphere
     blend(pixels, bgr, level_of(cover), false);
 }
 
-/* For some rows: the pixels that are covered, and those that are certainly covered fully, which are painted in a faster way with
- * the same result. */
+/* For some rows: the covered pixels, and those certainly covered fully, which are painted faster with the same result. */
 enum { ROWS = 64 };
 struct chords {
     struct run_lanes {

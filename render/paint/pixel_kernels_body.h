@@ -45,7 +45,7 @@ static inline int pixel_from(float x, int low, int high)
     return (int)at + ((float)(int)at < at);
 }
 
-/* The pixels with centres from `from` on and before `to`, within first..first + length - 1. */
+/* The pixels with centres at or after `from` and before `to`, within first..first + length - 1. */
 static inline struct run run_of(float from, float to, int first, int length)
 {
     return (struct run){pixel_from(from, first, first + length), pixel_from(to, first, first + length)};

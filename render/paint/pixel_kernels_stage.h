@@ -30,7 +30,7 @@ static inline reals grid_x(const struct bead_stage *s, int i, float x0)
     return ((float)i * BEAD_STAGE_CELL - x0 + (reals){COUNT} * (float)BEAD_STAGE_CELL) / s->unit;
 }
 
-/* The part that a bead hides of the light from above, and of the lamp's; `depth` of the floor behind its foot, `dark`: how far the
+/* The parts of the light from above and of the lamp's that a bead hides; `depth` of the floor behind its foot, `dark`: how far the
  * row is on the floor. */
 static void shade_floor(const struct bead_stage *s, const struct bead_stage_bead *b, float depth, float dark, float *keep)
 {
@@ -108,7 +108,7 @@ static void spread_floor(const struct bead_stage *s, int y)
 
 /* ---- wall ---- */
 
-/* From its upper edge to the floor, and its image there, which fades as those of beads do. */
+/* From its upper edge to the floor, and its image there, which fades like those of beads. */
 static void stage_wall(const struct bead_stage *s, int y)
 {
     const struct bead_stage_wall *w = &s->wall;
@@ -157,7 +157,7 @@ static inline void tilted_light(const struct bead_stage_bead *b, int x, reals ri
     }
 }
 
-/* The value of a plane where the bead is `part` of a pixel further right than its picture. */
+/* The value of a plane if the bead is `part` of a pixel further right than its picture. */
 static inline reals plane_at(const float *p, bool shift, float part)
 {
     const reals here = load(p);
@@ -234,7 +234,7 @@ static void stage_bead(const struct bead_stage *s, const struct bead_stage_bead 
 
 /* ---- picture ---- */
 
-/* 1 / sqrt(x) within 7e-4, by a guess at its logarithm and one of Newton's steps; constants: J. Kadlec, 2010. */
+/* 1 / sqrt(x) within 7e-4, by a guess from its logarithm and one Newton step; constants: J. Kadlec, 2010. */
 static inline reals inverse_root(reals x)
 {
     const reals guess = (reals)(0x5f1ffff9 - ((ints)x >> 1));

@@ -78,7 +78,7 @@ static inline reals magnitude(reals x)
     return (reals)((ints)x & INT32_MAX);
 }
 
-/* These two: for numbers below 2^22 that are not negative. */
+/* These two are for numbers from 0 to 2^22. */
 static inline reals whole_part(reals x)
 {
     return __builtin_convertvector(__builtin_convertvector(x, ints), reals);

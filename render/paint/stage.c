@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The look of the stage: materials, lamps, themes; pictures of beads, baked when they are first needed. */
+/* The look of the stage: materials, lamps, themes; pictures of beads, baked when first needed. */
 #include "render/paint/stage.h"
 
 #include <math.h>
@@ -140,7 +140,7 @@ static void ball_look(float x, float y, float near, const struct surface *of_bal
 {
     const float z = sqrtf(fmaxf(0, 1 - x * x - y * y)), ax = fabsf(x);
     const light n = {x, y * BEAD_STAGE_COSINE + z * BEAD_STAGE_SINE, y * BEAD_STAGE_SINE - z * BEAD_STAGE_COSINE, 0};
-    const float inverse = 1 / sqrtf(5 - 4 * ax), behind = unit_part((2 * ax - 1) * inverse); /* what the neighbour hides */
+    const float inverse = 1 / sqrtf(5 - 4 * ax), behind = unit_part((2 * ax - 1) * inverse); /* the part that the neighbour hides */
     const float open =
         (1 - 0.60f * unit_part(0.5f - 0.5f * n[1]) * unit_part(1.2f - (n[1] + 1) * 0.5f)) * (1 - near * behind * inverse * inverse);
     float facing = unit_part((dot(n, lamp) + 0.25f) / 1.25f);
@@ -229,7 +229,7 @@ void bead_stage_close(struct bead_stage *s)
     s->beads = NULL;
 }
 
-/* Index of the pictures of this bead; bake_count where there is no memory. */
+/* Index of the pictures of this bead; bake_count if there is no memory. */
 static size_t find_bake(struct bead_stage *s, const struct bead_stage_bead *bead)
 {
     for (size_t i = 0; i < s->bake_count; i++) {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The stage: beads on a floor that mirrors them, seen from the front and a little from above, with light at their contacts.
  *
- * All light is linear, and only ever added: what a contact sends rises with its force in every colour, so more force is brighter on
- * any bead. The picture is sqrt(t / sqrt(1 + t^2)) of it, which never clips. A bead's own look is baked once for each material and
+ * All light is linear, and only added: a contact's light rises with its force in every colour, so more force is brighter on any
+ * bead. The picture is sqrt(t / sqrt(1 + t^2)) of it, which never clips. A bead's own look is baked once for each material and
  * radius; the camera does not turn, so the light of a contact on a bead depends on the column of pixels only, unless it is tilted.
  * The floor is computed every BEAD_STAGE_CELL x BEAD_STAGE_STEP pixels. A fine stage has several of its own pixels for each of the
- * picture, whose light is their mean: for stills, in which edges are looked at. Painters: pixel_kernels_stage.h, and
+ * picture, whose light is their mean: for stills, where edges are noticed. Painters: pixel_kernels_stage.h, and
  * assets/shaders/stage_*. Lengths in pixels, y downwards, unless said otherwise. */
 #pragma once
 
@@ -26,7 +26,7 @@ enum { BEAD_STAGE_CELL = 8, BEAD_STAGE_STEP = 4, BEAD_STAGE_PAD = 16, BEAD_STAGE
 struct bead_stage_theme {
     float floor[4], back[4];      /* the floor near and far */
     float up[4], down[4], key[4]; /* light from above, from below, from the lamp */
-    float surroundings;           /* what polished beads mirror */
+    float surroundings;           /* brightness of the room that polished beads mirror */
     float ground_light, halo;     /* light of contacts on the floor, in the air */
     float mirror, shade;          /* of the floor */
 };
@@ -57,22 +57,22 @@ struct bead_stage_bake {
     unsigned texture[BEAD_STAGE_PICTURES]; /* of OpenGL; 0: none yet */
 };
 
-/* A bead as it is shown. */
+/* A bead as shown. */
 struct bead_stage_bead {
     float x, r;
     float colour[3];   /* of its material, sRGB */
     float light[2][3]; /* of the contacts at its left and right: bead_stage_glow */
-    float own[3];      /* of all of it */
+    float own[3];      /* of the whole bead */
     float tilt[2];     /* sine of the height of the neighbour's centre as seen from this one's */
     float near[2];     /* 1: a neighbour touches it, 0: none is near */
-    float edge[2];     /* where it ends at its contacts, at the floor; -INFINITY, INFINITY: nowhere */
-    float slope[2];    /* of these planes: to the right for each pixel above the floor */
+    float edge[2];     /* its ends at its contacts, at the floor; -INFINITY, INFINITY: none */
+    float slope[2];    /* of these ends: to the right for each pixel above the floor */
     /* Filled in by bead_stage_prepare. */
     const struct bead_stage_bake *bake;
     int left, top, mirror_top; /* of the pictures */
-    float part;                /* of a pixel by which it is further right than `left` */
+    float part;                /* of a pixel: how much further right than `left` it is */
     bool lit, tilted, mixed;   /* by contacts; contacts are not level; needs the picture of a bead alone too */
-    float tint[3];             /* part of a contact's light that its material shows */
+    float tint[3];             /* part of a contact's light that its material reflects */
     float *columns;            /* light[3] of its columns, then `near`: 4 rows of bead_stage_columns(bake) numbers */
 };
 
@@ -96,7 +96,7 @@ struct bead_stage {
     size_t bake_count;
     float *columns;
     size_t column_room;
-    float *grid; /* [grid_rows][CHANNELS][grid_width]: what is left of the floor's own light, and light of contacts */
+    float *grid; /* [grid_rows][CHANNELS][grid_width]: the rest of the floor's own light, and light of contacts */
     float *row;  /* one row of the picture, three colours; then one of the grid; then the sum of rows, three colours */
     int grid_rows, grid_width, row_width; /* the widths are multiples of 16 */
 };
@@ -104,14 +104,14 @@ struct bead_stage {
 /* Fills in what does not depend on the time; theme, width, height, unit, centre and room are set. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stage_open(struct bead_stage *stage, struct bead_message *msg);
 void bead_stage_close(struct bead_stage *stage);
-/* Before painting, after the beads have changed. Errors: MEMORY. */
+/* Call it before painting, after the beads have changed. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stage_prepare(struct bead_stage *stage, struct bead_message *msg);
 
 /* Light of a contact whose force is this part of the largest. */
 void bead_stage_glow(double part, float light[3]);
-/* The colour, sRGB 0..1, in which linear light is shown. */
+/* The colour, sRGB 0..1, that shows linear light. */
 double bead_stage_shown(double light);
-/* Light of the floor in a row of pixels, at the points of the grid: red, green, blue, 1. After the grid has been computed. */
+/* Light of the floor in a row of pixels, at the points of the grid: red, green, blue, 1. The grid must have been computed. */
 void bead_stage_floor_row(const struct bead_stage *stage, int y, float *rgba);
 /* The floor's own light in a row. */
 void bead_stage_base(const struct bead_stage *stage, float y, float light[3]);

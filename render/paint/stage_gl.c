@@ -76,7 +76,7 @@ static GLuint make_texture(int width, int height, const float *rgba)
     return texture;
 }
 
-/* Columns of nothing at each side of a picture. */
+/* Empty columns at each side of a picture. */
 enum { BESIDE_PICTURE = 2 };
 
 static enum bead_error upload_picture(const struct bead_stage_bake *bake, int picture, GLuint *texture, struct bead_message *msg)
@@ -148,7 +148,7 @@ static size_t add_box(struct rectangle *r, float left, float top, float right, f
     return right > left && bottom > top;
 }
 
-/* Columns between a bead's contacts, in any row; where it has none, those of its picture. */
+/* Columns between a bead's contacts, in any row; if it has none, those of its picture. */
 static void columns_of(const struct bead_stage *s, const struct bead_stage_bead *b, float *from, float *to)
 {
     const float high = 2.1f * s->unit, left = (float)b->left, right = (float)(b->left + b->bake->wide + 1);
@@ -183,8 +183,8 @@ static enum kind kind_of(const struct bead_stage_bead *b, enum kind least)
     return least + (b->part > 0 || b->tilted ? 2 : b->lit);
 }
 
-/* The part of a bead that a kind of shader paints: above its image in the floor, below the bead itself, where they are both, or the
- * whole bead where its neighbours are not beside it. */
+/* The part of a bead that a kind of shader paints: above its image in the floor, below the bead itself, where both overlap, or the
+ * whole bead if its neighbours are not beside it. */
 static size_t bead_box(struct rectangle *r, const struct bead_stage *s, const struct bead_stage_bead *b, enum kind kind, float skip)
 {
     const float top = (float)b->top, image = (float)b->mirror_top, high = (float)b->bake->high;
@@ -246,7 +246,7 @@ static enum bead_error paint_wall(struct bead_stage_painter *p, const int size[2
     memcpy(r->right, w->light, sizeof r->right);
     memcpy(r->own, w->colour, sizeof r->own);
     r->sides[0] = s->theme->mirror;
-    /* Rows as in the plain painter: those whose middle is from 1.2 above to as far below the floor. */
+    /* Rows as in the plain painter: those whose middle is from 1.2 above the centre to as far below the floor. */
     const float top = ceilf(s->centre - 1.2f * s->unit - 0.5f), foot = bead_stage_foot(s);
     const float bottom = fminf((float)s->height, floorf(foot + (1.2f + BEAD_STAGE_COSINE) * s->unit - 0.5f) + 1);
     const float left = fmaxf(0, ceilf(w->x - 0.5f)), right = fminf(floorf(w->x + w->width), (float)s->width);
