@@ -86,7 +86,7 @@ static size_t next_break(const char *text, size_t from)
 struct lines {
     const char *text[MOST_LINES];
     size_t length[MOST_LINES], count;
-    bool whole; /* all of it fits */
+    bool whole; /* the whole caption fits */
 };
 
 /* One line if it fits, else two of similar length. */

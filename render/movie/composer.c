@@ -34,13 +34,13 @@ static struct bead_rect plot_of(const struct bead_composer *c, size_t index)
     return c->layout.chains[index / c->wants.view_count].plot[index % c->wants.view_count];
 }
 
-/* Does an image know all samples before the first frame? */
+/* Is the view an image that knows all samples before the first frame? */
 static bool previewed(const struct bead_composer *c, size_t index)
 {
     return c->setup.preview && bead_view_has(type_of(c, index), BEAD_SHOWS_IMAGE);
 }
 
-/* Is this plot straight above or below one of beads? */
+/* Is this plot directly above or below one of beads? */
 static bool over_beads(const struct bead_composer *c, const struct bead_movie_chain *place, size_t view)
 {
     bool over = false;
@@ -269,7 +269,7 @@ enum bead_error bead_composer_open(struct bead_composer *c, struct bead_message 
     return err ? err : bead_warnings_check(msg);
 }
 
-/* Into views of all times, or into those of the present. */
+/* Feeds views of all times, or views of the present. */
 static enum bead_error feed_views(struct bead_composer *c, const struct bead_sample *sample, bool all_times,
                                   struct bead_message *msg)
 {
@@ -299,7 +299,7 @@ enum bead_error bead_composer_feed(struct bead_composer *c, const struct bead_sa
     return BEAD_OK;
 }
 
-/* A frame begins: what has been held since the last one is fed. */
+/* A frame begins: feeds the values held since the last one. */
 static enum bead_error feed_held(struct bead_composer *c, struct bead_message *msg)
 {
     for (size_t i = 0; c->held && i < c->wants.chain_count; i++) {

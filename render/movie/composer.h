@@ -21,7 +21,7 @@ struct bead_composer_setup {
     size_t chain_count;
     const char *title;
     int width, height;
-    double time[2], step;               /* s: first and last frame, and least from one to the next */
+    double time[2], step;               /* s: first and last frame, and the least step between frames */
     const struct bead_film_clock *film; /* NULL: time is even */
     double range[2];                    /* of the colours; not empty */
     bool over, under;                   /* values may lie beyond the range */
@@ -29,7 +29,7 @@ struct bead_composer_setup {
     const char *canvas;                  /* canvas back end; NULL: the first that works */
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */
     const struct bead_text_watch *watch; /* gets all texts; NULL: none */
-    bool interest;                       /* will bead_composer_interest be asked? */
+    bool interest;                       /* will bead_composer_interest be called? */
     bool held;                           /* frames show the largest forces since the one before */
     bool fine;                           /* see bead_view_setup */
     const struct bead_preview *preview;  /* all samples of the field, for images that show their future; NULL: none */
@@ -37,16 +37,16 @@ struct bead_composer_setup {
 
 /* BEAD_FIELD_BITs that the views of an output need of samples. */
 unsigned bead_composer_fields(const struct bead_output *output, const struct bead_chain *chain);
-/* The fields that they also need of the comparison run; 0 without trust. */
+/* The fields that they also need from the comparison run; 0 without trust. */
 unsigned bead_composer_comparison(const struct bead_output *output, const struct bead_chain *chain);
 /* Does an output need more samples than frames, because a view averages over time or keeps the largest values? */
 bool bead_composer_averages(const struct bead_output *output);
 
-/* A note as drawn, px of the frame: its box, and where its tip is. */
+/* A note as drawn, px of the frame: its box, and the place of its tip. */
 struct bead_note_box {
     double x, y, width, height, tip_x, tip_y;
 };
-enum { BEAD_NOTES_SHOWN = 32 }; /* at a time */
+enum { BEAD_NOTES_SHOWN = 32 }; /* at once */
 struct bead_note_boxes {
     size_t count;
     struct bead_note_box box[BEAD_NOTES_SHOWN];
@@ -69,17 +69,17 @@ BEAD_CHECK enum bead_error bead_composer_draw(struct bead_composer *composer, do
                                               struct bead_message *msg);
 /* Called instead of draw for a frame that is not shown: later frames look as if it had been drawn. */
 BEAD_CHECK enum bead_error bead_composer_pass(struct bead_composer *composer, double time, struct bead_message *msg);
-/* The interest of the frame at `time`: of several chains, the difference of their values; of one, the mean distance of its values
- * from zero along the colour bar, weighted by how far views of all times have filled. Only where the setup says so. */
+/* The interest of the frame at `time`: for several chains, the difference of their values; for one, the mean distance of its values
+ * from zero along the colour bar, weighted by how far views of all times have filled. Only if the setup asks for it. */
 double bead_composer_interest(const struct bead_composer *composer, double time);
 /* The static force of a bead (the mean of its contacts) or of a contact; 0 for other fields. */
 double bead_force_at_rest(const struct bead_chain *chain, enum bead_field field, size_t index);
-/* Takes a sample for that alone; and, before it is asked, brings it to the frame at the last sample. */
+/* Takes a sample for the interest alone; and, before a call of it, brings it to the frame at the last sample. */
 void bead_interest_feed(struct bead_composer *composer, const struct bead_sample *sample);
 void bead_interest_advance(struct bead_composer *composer);
 const struct bead_frame *bead_composer_frame(const struct bead_composer *composer);
 /* The painter of the beads, known from bead_composer_open on; "": none is needed. */
 const char *bead_composer_painter(const struct bead_composer *composer);
-/* Frees what belongs to the drawing thread. */
+/* Frees the resources of the drawing thread. */
 void bead_composer_close(struct bead_composer *composer);
 void bead_composer_destroy(struct bead_composer *composer);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks a movie and finds what its frames need. The sinks of films and of single frames begin with it. */
+/* Checks a movie and finds what its frames need. The sinks of films and of single frames start here. */
 #include "render/movie/film.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 
 static const double inch = 0.0254, most_pixels = 16384;
 
-/* Pixels, also where the scene gives lengths. */
+/* In pixels, even if the scene gives lengths. */
 static enum bead_error find_size(const struct bead_output *output, int *width, int *height, struct bead_message *msg)
 {
     const struct bead_paper *asked = &output->paper;
@@ -39,7 +39,7 @@ static enum bead_error find_beads(struct bead_film *f, struct bead_message *msg)
     return bead_output_wrong(f->output, msg, "beads: no chain has so many beads");
 }
 
-/* The film must show the times of captions and poster; scenes that give no end could not be checked before. */
+/* The film must show the times of captions and poster; scenes without an end could not be checked before. */
 static enum bead_error check_times(const struct bead_film *f, struct bead_message *msg)
 {
     const struct bead_movie_asked *movie = &f->output->movie;
@@ -89,7 +89,7 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
 {
     const struct bead_output *output = film->output;
     const struct bead_chain *first = film->context.chains[0];
-    /* Leaves out something short only for waves that began with a strike, not for impacts, which are all short. */
+    /* Short events are left out only for waves that begin with a strike, not for impacts, which are all short. */
     const bool struck = bead_chain_spec(first)->system->has_striker && !film->times.held;
     const double typical = film->preview && struck ? bead_preview_typical(film->preview) : INFINITY;
     const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),

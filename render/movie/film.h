@@ -10,9 +10,9 @@
 #include "render/movie/film_clock.h"
 #include "render/view/tale.h"
 
-/* When frames are: the title card's first, then those of the motion, at equal steps from its first time to its last. */
+/* The times of frames: the title card's first, then those of the motion, at equal steps from its first time to its last. */
 struct bead_movie_times {
-    double time[2], step; /* s: first and last frame of the motion; from frame to frame, the least where the speed changes */
+    double time[2], step; /* s: first and last frame of the motion; from frame to frame, the least if the speed changes */
     struct bead_film_clock film;
     size_t card, frames;   /* frames of the card; all frames */
     size_t group;          /* consecutive frames with one picture: drafts have fewer pictures than frames */
@@ -35,13 +35,13 @@ struct bead_film {
 BEAD_CHECK enum bead_error bead_film_prepare(const struct bead_output *output, const struct bead_run_context *context,
                                              struct bead_film *film, struct bead_message *msg);
 void bead_film_free(struct bead_film *film);
-/* For all frames. */
+/* The needs of all frames. */
 void bead_film_needs(const struct bead_film *film, const char *why, struct bead_needs *needs);
 /* Does it need a scouting run, for its range of colours or for images that show their future? */
 bool bead_film_scouts(const struct bead_film *film);
-/* Takes a sample of it. Errors: MEMORY. */
+/* Takes a sample of the scouting run. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_film_scout(struct bead_film *film, const struct bead_sample *sample, struct bead_message *msg);
-/* `range`: as scouted; `interest`: is bead_composer_interest wanted? Errors: those of bead_composer_create. */
+/* `range`: as scouted; `interest`: will bead_composer_interest be called? Errors: those of bead_composer_create. */
 BEAD_CHECK enum bead_error bead_film_compose(const struct bead_film *film, struct bead_range range, bool interest,
                                              struct bead_composer **composer, struct bead_message *msg);
 
@@ -49,7 +49,7 @@ BEAD_CHECK enum bead_error bead_film_compose(const struct bead_film *film, struc
 
 /* The magnitude that only a short and narrow event exceeds; INFINITY: unknown. */
 double bead_preview_typical(const struct bead_preview *preview);
-/* All samples of a chain, of the field that is shown, into a view. */
+/* Feeds all samples of a chain, of the field shown, into a view. */
 BEAD_CHECK enum bead_error bead_preview_feed(const struct bead_preview *preview, size_t chain, const struct bead_view_type *type,
                                              struct bead_view *view, struct bead_message *msg);
 /* Are the samples kept? */
@@ -59,15 +59,15 @@ bool bead_preview_whole(const struct bead_preview *preview);
 
 /* Fills in film->times. Errors: SCENE (nothing to show, or too much). */
 BEAD_CHECK enum bead_error bead_movie_times_choose(struct bead_film *film, struct bead_message *msg);
-/* Does their number follow from the beads? */
+/* Does the number of frames follow from the beads? */
 bool bead_film_looks_at_beads(const struct bead_output *output, const struct bead_run_context *context);
 /* s of the motion at frame `index`, or between frames; groups do not matter. */
 double bead_movie_time(const struct bead_movie_times *times, double index);
-/* s of the film, from its first frame on, when a time of the motion is first shown; `fps`: frames a second. */
+/* s of the film, from its first frame, when a time of the motion is first shown; `fps`: frames a second. */
 double bead_movie_film_time(const struct bead_movie_times *times, double motion, double fps);
-/* s of the film at which the frame begins that is the first to show a time of the motion. */
+/* s of the film at the beginning of the first frame that shows a time of the motion. */
 double bead_movie_stop_time(const struct bead_movie_times *times, double motion, double fps);
-/* Whether the frame has a picture of its own: the card, the first frame of each group, and the last frame. */
+/* Does the frame have its own picture? The card, the first frame of each group, and the last frame do. */
 bool bead_movie_draws(const struct bead_movie_times *times, size_t index);
 /* The number of such frames. */
 size_t bead_movie_pictures(const struct bead_movie_times *times);
@@ -79,9 +79,9 @@ void bead_movie_count_words(const struct bead_film *film, char *text, size_t siz
 /* The words in a movie's file. */
 struct bead_movie_notes {
     char *comment;                       /* version and scene */
-    struct bead_movie_chapter *chapters; /* one for each caption and stop, and one for what is before the first; NULL: none */
+    struct bead_movie_chapter *chapters; /* one for each caption and stop, and one before the first; NULL: none */
     size_t chapter_count;
-    struct bead_movie_subtitle *subtitles; /* one for each caption that is shown */
+    struct bead_movie_subtitle *subtitles; /* one for each caption shown */
     size_t subtitle_count;
     char *text; /* of both */
     char (*stop_names)[32];
@@ -105,13 +105,13 @@ BEAD_CHECK enum bead_error bead_slides_write(const struct bead_film *film, const
 
 struct bead_film_sound;
 
-/* NULL where the output asks for none; borrows the film. Errors: SCENE (no chain has what is asked for; too long), MEMORY. */
+/* NULL if the output asks for none; borrows the film. Errors: SCENE (no chain has the bead or contact; too long), MEMORY. */
 BEAD_CHECK enum bead_error bead_film_sound_create(const struct bead_film *film, struct bead_film_sound **sound,
                                                   struct bead_message *msg);
 void bead_film_sound_destroy(struct bead_film_sound *sound);
 /* Channels of the movie's file: 1, or 2 for several chains, the first at the left, the last at the right. */
 int bead_film_sound_channels(const struct bead_film_sound *sound);
-/* Adds what it needs of each sample. */
+/* Adds the needs of the sound to those of each sample. */
 void bead_film_sound_needs(const struct bead_film_sound *sound, struct bead_needs *needs);
 /* Takes a sample on the grid of the times. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_film_sound_feed(struct bead_film_sound *sound, const struct bead_sample *sample,
@@ -126,14 +126,14 @@ BEAD_CHECK enum bead_error bead_film_sound_write(const struct bead_film_sound *s
 struct bead_poster {
     double at, slack;        /* s; at NaN: the frame that shows most */
     double interest;         /* of the best frame so far */
-    bool taken;              /* there is one */
+    bool taken;              /* there is a frame */
     struct bead_frame frame; /* the copy, freed by its owner */
 };
 /* `at`: a time of the motion, s, or NaN; `step`: s of the motion between frames. */
 struct bead_poster bead_poster_choose(double at, double step);
-/* Is a frame of this time as late as the poster's? */
+/* Is a frame at this time as late as the poster's? */
 bool bead_poster_reached(const struct bead_poster *poster, double time);
-/* Asked of each frame in turn: is it the requested one, or does it show more than all before? */
+/* Call it for each frame in turn: is it the requested one, or does it show more than all before? */
 bool bead_poster_prefers(struct bead_poster *poster, const struct bead_composer *composer, double time);
 /* Called after each draw: copies the frame if it is preferred. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_poster_offer(struct bead_poster *poster, const struct bead_composer *composer, double time,

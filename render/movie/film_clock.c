@@ -11,7 +11,7 @@ static int rising(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The factor at a time of the motion: that of the nearest point beyond the ends of the curve. */
+/* The factor at a time of the motion; beyond the ends of the curve, the nearest point's. */
 static double factor_at(const struct bead_movie_asked *movie, double even, double motion)
 {
     const struct bead_speed *s = movie->speeds;
@@ -43,7 +43,7 @@ static double film_of(const struct bead_film_piece *p, double motion)
     return motion / p->factor[0] * (fabs(bend) < 1e-9 ? 1 : -expm1(-bend) / bend);
 }
 
-/* Its inverse: the motion that has passed after `film` s of a piece with the length `motion`. */
+/* The inverse: the motion that has passed after `film` s of a piece with the length `motion`. */
 static double motion_of(const struct bead_film_piece *p, double motion, double film)
 {
     double bend = log(p->factor[1] / p->factor[0]);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes the sound of a film from the samples of a force. The sink feeds it and writes it at the end.
  *
- * The sound at a time of the film is the force, above that at rest, at the time of the motion that the picture shows then. Between
- * samples the force is interpolated with a windowed sinc; where the film passes several samples in one of the sound, the sinc is
- * wider by that factor, which removes all above half the rate of the sound. While the motion pauses, in title cards, pauses and the
- * last frame, the sound fades out and is silent. The loudest sample is scaled to just below full. */
+ * The sound at a time of the film is the force, less the static force, at the time of the motion that the picture shows. Between
+ * samples the force is interpolated with a windowed sinc; if the film passes several samples in one of the sound, the sinc is wider
+ * by that factor, which removes everything above half the rate of the sound. When the motion stops, in title cards, pauses and the
+ * last frame, the sound fades to silence. The loudest sample is scaled to just below full. */
 #include "render/movie/film.h"
 #include "sim/base/memory.h"
 
@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum { LOBES = 8, STEPS = 256 /* of the kernel's table, a lobe */, FADE = BEAD_SOUND_RATE / 100 };
-static const double loudest = 0.89; /* -1 dB, since encoders overshoot */
+static const double loudest = 0.89; /* -1 dB, because encoders overshoot */
 static const double longest = 3600; /* s */
 static const double pi = 3.14159265358979323846;
 
@@ -24,7 +24,7 @@ struct voice {
     size_t index;   /* of the bead or contact */
     double rest;    /* N */
     double gain[2]; /* in the left and right channel */
-    float *force;   /* N above that at rest, on the grid: [count], with room for all samples */
+    float *force;   /* N, less the static force, on the grid: [count], with room for all samples */
     size_t count;
 };
 
@@ -157,7 +157,7 @@ static double fade(size_t n)
     return n < FADE ? 0.5 * (1 + cos(pi * (double)n / FADE)) : 0;
 }
 
-/* Samples first..end - 1, in which the motion pauses: fades the sound out and, before the motion goes on, in again. */
+/* For samples first..end - 1, in which the motion pauses: fades the sound out and, before the motion continues, in again. */
 static void quieten(const struct bead_film_sound *s, float *samples, size_t first, size_t end, size_t count)
 {
     for (size_t n = first; n < end; n++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One frame of a movie, as a PNG file. Views are fed and cameras move as for the film, but nothing else is drawn or encoded, and no
- * sample is taken beyond the frame. A frame chosen for what it shows takes two runs: one finds it, the other draws it. */
+ * sample is taken beyond the frame. A frame chosen for its contents takes two runs: one finds it, the other draws it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,8 +14,8 @@ struct bead_sink {
     struct bead_film film;
     char *path;
     bool search, found;      /* the frame is a poster's; its number is known */
-    struct bead_poster peak; /* while it is searched for */
-    size_t frame, next;      /* which one; the next to pass */
+    struct bead_poster peak; /* during the search */
+    size_t frame, next;      /* its number; the next to pass */
     double seen;             /* s: time that all chains have reached; NaN: none */
     bool begun, drawn;       /* `begun`: the range of colours is known */
     struct bead_composer *composer;
@@ -100,7 +100,7 @@ static enum bead_error frame_create(const struct bead_output *output, const stru
     return BEAD_OK;
 }
 
-/* Samples up to the frame, or all of them while the frame or the range of colours is unknown. */
+/* Needs samples up to the frame, or all of them while the frame or the range of colours is unknown. */
 static void frame_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     bead_film_needs(&s->film, s->why, needs);
@@ -120,7 +120,7 @@ static enum bead_error frame_begin(struct bead_sink *s, struct bead_range range,
     return bead_composer_open(s->composer, msg);
 }
 
-/* Draws, judges or skips a frame that has a picture of its own. */
+/* Draws, judges or skips a frame that has its own picture. */
 static enum bead_error pass_frame(struct bead_sink *s, struct bead_message *msg)
 {
     const double time = bead_movie_time(&s->film.times, (double)s->next);
@@ -162,7 +162,7 @@ static enum bead_error frame_again(struct bead_sink *s, bool *again, struct bead
     enum bead_error err = isnan(s->seen) ? BEAD_OK : pass_frames(s, s->seen + s->film.times.grid.every, msg);
     *again = !err && !s->found;
     if (*again) {
-        bead_interest_advance(s->composer); /* nothing is left of this run */
+        bead_interest_advance(s->composer); /* the next run starts afresh */
         s->found = true;
         s->next = 0;
         s->seen = NAN;
@@ -170,7 +170,7 @@ static enum bead_error frame_again(struct bead_sink *s, bool *again, struct bead
     return err;
 }
 
-/* The scene does not say which frame it is: comments above it do, for --reproduce. */
+/* Comments above the scene give the number of the frame, for --reproduce. */
 static enum bead_error write_frame(struct bead_sink *s, struct bead_message *msg)
 {
     const struct bead_frame_asked *asked = s->film.context.frame;

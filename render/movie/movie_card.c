@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The title card: what the film is about, and the chains at rest. */
+/* The title card: the subject of the film, and the chains at rest. */
 #include <math.h>
 #include <stdio.h>
 
@@ -69,7 +69,7 @@ static void say_slowness(const struct bead_facts *facts, char *out, size_t size)
 
 static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][MOST_FACT])
 {
-    struct bead_facts all = *facts; /* no key names the materials here */
+    struct bead_facts all = *facts; /* without a key that names the materials */
     char number[64];
     size_t count = 0;
     all.keyed = false;
@@ -83,7 +83,7 @@ static size_t card_words(const struct bead_facts *facts, char words[MOST_FACTS][
     return count;
 }
 
-/* The room of each chain: its heading, and below it its beads where that leaves them a size worth looking at; px. */
+/* The room of each chain: its heading, and below it its beads, if they are large enough to be worth looking at; px. */
 struct card_room {
     int heading, beads;
 };

@@ -4,15 +4,15 @@
 
 /* In units of the label's font size. */
 static const double title_line = 1.35, between_columns = 1.2, between_numbers = 0.5, between_rows = 0.9;
-/* An overlaid profile's part of the height of all, and the least, with titles and without. */
+/* The part of the whole height that an overlaid profile has, and the least, with titles and without. */
 static const double overlay_part = 0.3, overlay_least[] = {1.6, 3.4};
-/* An overlaid profile takes what no cell can use: any share far below theirs will do. */
+/* An overlaid profile takes the room that no cell can use: any share far below theirs will do. */
 static const double last_share = 1e-6;
-/* Part of a cell's width for images at the right of other views. */
+/* Part of a cell's width for images to the right of other views. */
 static const double images_part = 0.64;
 /* Part of the margin that numbers may take. */
 static const double edge = 0.5;
-/* Most chains whose images have a share. */
+/* Images have a share for at most this many chains. */
 enum { PROMISED = 4 };
 
 /* share; roomy; images, values, headings, titles, facts, axes, words; gaps between views, rows; headings; least of beads, images,
@@ -100,7 +100,7 @@ static double clamp(double x, double low, double high)
     return x < low ? low : x > high ? high : x;
 }
 
-/* Room within the panels beside the beads: for a striker that flies back, the wall, a last bead that moves on. */
+/* Room within the panels beside the beads: for a striker that flies back, the wall, or a last bead that flies on. */
 static void choose_beyond(struct bead_cells *c, double width)
 {
     const struct bead_movie_wants *w = c->wants;
@@ -116,7 +116,7 @@ static void choose_beyond(struct bead_cells *c, double width)
     c->beyond[1] = bead_cells_whole(w->wall ? fmax(right, fmax(4, w->look->gap)) : right);
 }
 
-/* px by which numbers reach beyond the left or the right of a plot: of times at both, of places along the chain at the right. */
+/* px by which numbers extend beyond the left or the right of a plot: times on both sides, places along the chain on the right. */
 static double number_ends(const struct bead_cells *c, size_t plot, bool right)
 {
     struct column column = column_of(c, plot % halves(c));
@@ -129,14 +129,14 @@ static double number_ends(const struct bead_cells *c, size_t plot, bool right)
     return c->axes ? most : 0;
 }
 
-/* Left of a plot, for labels; the first has the frame's margin besides. */
+/* Room left of a plot, for labels; the first also has the frame's margin. */
 static int room_left(const struct bead_cells *c, size_t plot)
 {
     double ends = number_ends(c, plot, false) - (plot == 0 ? c->wants->look->gap : 0);
     return bead_cells_whole(fmax(labelled_column(c, plot) ? c->wants->left : 0, ends));
 }
 
-/* Right of a plot, before the room of the next; the last has the margin, which may be too small for its numbers. */
+/* Room right of a plot, before that of the next; the last has the margin, which may be too small for its numbers. */
 static int room_right(const struct bead_cells *c, size_t plot)
 {
     double ends = number_ends(c, plot, true), em = c->wants->look->tick;
@@ -182,7 +182,7 @@ static bool has_bead_axis(const struct bead_cells *c, size_t view)
     return !moves(c, view) && !has(c, view, BEAD_SHOWS_BEADS) && along_chain(c, view);
 }
 
-/* The last of the moving views has the numbers. */
+/* The last moving view has the numbers. */
 static bool labels_window(const struct bead_cells *c, const struct column *column, size_t view)
 {
     size_t last = c->wants->view_count;
@@ -202,7 +202,7 @@ static bool labels_beads(const struct bead_cells *c, const struct column *column
     return view == (axis < c->wants->view_count ? axis : row);
 }
 
-/* The lowest of the views with time across; any view of modes. */
+/* The lowest view with time across labels it; so does any view of modes. */
 static bool labels_time(const struct bead_cells *c, const struct column *column, size_t view)
 {
     size_t last = view;
@@ -261,7 +261,7 @@ size_t bead_cells_promised(const struct bead_cells *c)
     return c->wants->chain_count > PROMISED ? 0 : images;
 }
 
-/* The height that an image must have so that all have the share of the frame. */
+/* The height that each image needs for all to have their share of the frame. */
 static double image_height(const struct bead_cells *c)
 {
     const struct bead_movie_wants *w = c->wants;
@@ -280,8 +280,9 @@ static double least_height(const struct bead_cells *c, size_t view)
     return fmax(c->level->least_px, least[has(c, view, BEAD_SHOWS_BEADS) ? 0 : 2] * em);
 }
 
-/* The most height of curves and bars. On phones, where no image takes the rest of the room, they are as high as the frame is wide.
- */
+/* The greatest height of curves and bars. On phones, if no image takes the rest of the room, they may be as high as the frame is
+ * wide.
+ * */
 static double most_of_curve(const struct bead_cells *c, const struct column *column, size_t view)
 {
     bool image = false;
@@ -341,7 +342,7 @@ static bool labels_own(const struct bead_cells *c)
     return c->axes && (c->columns > 1 || !axis);
 }
 
-/* One profile for all chains, in the first row; headings in a line above it where there are no cells for them. */
+/* One profile for all chains, in the first row; headings in a line above it if they have no cells. */
 static void add_overlay(const struct bead_cells *c, bool alone, struct bead_movie_layout *layout)
 {
     size_t view = bead_cells_overlay(c);
@@ -358,7 +359,7 @@ static void add_overlay(const struct bead_cells *c, bool alone, struct bead_movi
     }
 }
 
-/* The overlay gives way to the cells, down to its own least. False: there is no room. */
+/* The overlay shrinks in favour of the cells, down to its least height. False: there is no room. */
 static bool size_overlay(const struct bead_cells *c, bool alone)
 {
     struct bead_lane *overlay = c->grid->rows.lane;
@@ -413,7 +414,7 @@ bool bead_cells_place(struct bead_cells *c, struct bead_movie_layout *layout)
     if (!divide_across(c))
         return false;
     rows->count = 0;
-    for (size_t i = 0; i < c->grid->count; i++) /* views that are left out have none of their own */
+    for (size_t i = 0; i < c->grid->count; i++) /* views that are left out have none */
         c->grid->boxes[i] = (struct bead_layout_box){.column = 0};
     rows->spring = 0.5;
     bead_lanes_within(rows, c->area.y, c->area.height);

@@ -7,16 +7,16 @@
 #include "render/draw/layout.h"
 #include "render/movie/movie_layout.h"
 
-/* Frames leave out more from one level to the next, until the rest fits. */
+/* Each level leaves out more than the one before, until the rest fits. */
 enum { BEAD_LEVELS = 10 };
 struct bead_level {
     double share;                                              /* of the frame's area, for the images of up to four chains */
-    bool roomy;                                                /* labels may have lines of their own */
+    bool roomy;                                                /* labels may have separate lines */
     bool images, values, headings, titles, facts, axes, words; /* shown: titles, also of the film; values of vertical axes; clock */
     double views, rows;                                        /* gaps between them, in units of the ticks' font size */
     double heading;                                            /* line of a heading, in units of its font size */
-    double least[3]; /* heights that beads, images and other views need, in those of the ticks */
-    double least_px; /* and that of all but images */
+    double least[3]; /* heights that beads, images and other views need, in the same units */
+    double least_px; /* and the least of all except images */
 };
 extern const struct bead_level bead_levels[BEAD_LEVELS];
 
@@ -30,7 +30,7 @@ struct bead_cells {
     struct bead_rect area;         /* px: of all cells with their axes */
     struct bead_layout_grid *grid; /* with room for all: a box for each view of each chain */
 
-    int beyond[2]; /* px: of panels beyond their plots, by bead_cells_place */
+    int beyond[2]; /* px: of panels beyond their plots, set by bead_cells_place */
 };
 
 /* Whole pixels. */
@@ -42,5 +42,5 @@ static inline int bead_cells_whole(double x)
 BEAD_CHECK bool bead_cells_place(struct bead_cells *cells, struct bead_movie_layout *layout);
 /* The view that an overlay shows for all chains; view_count: none. */
 size_t bead_cells_overlay(const struct bead_cells *cells);
-/* The images of a chain that have a share of the frame, as those of few chains do. */
+/* The number of a chain's images that have a share of the frame, if there are few chains. */
 size_t bead_cells_promised(const struct bead_cells *cells);

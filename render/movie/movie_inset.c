@@ -4,7 +4,7 @@
 #include "render/movie/composer_private.h"
 #include "render/schematic/schematic.h"
 
-/* In units of the drawing's type size, which is that of numbers at axes. */
+/* In units of the drawing's type size, the size of numbers at axes. */
 static const double width = 13, pad = 0.4;
 
 static bool has_cell(const struct bead_composer *c)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of a movie's frame. For every number of columns that the scene allows, levels leave out words, headings and axes one
- * after the other until the cells fit; the arrangement that leaves out least wins. */
+/* The layout of a movie's frame. For every number of columns that the scene allows, levels leave out words, headings and axes in
+ * turn until the cells fit; the arrangement that leaves out least wins. */
 #include "render/movie/movie_layout.h"
 
 #include <math.h>
@@ -10,9 +10,9 @@
 #include "render/movie/movie_stage.h"
 #include "render/movie/movie_words.h"
 
-/* Frames less wide than this, in heights, have the bar beside the clock. */
+/* Frames narrower than this, in heights, have the bar beside the clock. */
 static const double wide_frame = 1.5;
-/* Margin around a stage and films that have room for it, in units of the usual one. */
+/* Margin around a stage, and around films with room for it, in units of the usual one. */
 static const double wide_margin = 2;
 /* Part of the width of a stage that labels behind the dashes of their curves may take. */
 static const double label_part = 0.85;
@@ -27,12 +27,12 @@ enum { CLOCK, BADGE, TITLE, FACTS, KEY, TRUST, BAR, CELLS, CAPTION, ROWS };
 struct frame {
     struct bead_lane row[ROWS];
     int margin, inset; /* inset: of words, at both sides */
-    int right;         /* of the cells, without the margin */
+    int right;         /* room right of the cells, without the margin */
     int bar_gap, bar_width;
-    bool badge_beside, title_beside; /* the clock; else in a line of their own, or nowhere */
-    bool lying;                      /* the bar */
-    bool bar_beside, bar_below;      /* the clock, all words; neither: there is no room */
-    bool key_beside;                 /* the facts */
+    bool badge_beside, title_beside; /* beside the clock; else in a separate line, or nowhere */
+    bool lying;                      /* the bar is horizontal */
+    bool bar_beside, bar_below;      /* beside the clock, below all words; neither: no room */
+    bool key_beside;                 /* beside the facts */
 };
 
 static bool has_bar(const struct bead_movie_wants *w, const struct bead_level *level)
@@ -52,7 +52,7 @@ static size_t rows_of_beads(const struct bead_movie_wants *w)
     return count;
 }
 
-/* The place of a horizontal bar: beside clock and badge, else in a line of its own, until nothing coloured is left. */
+/* The place of a horizontal bar: beside clock and badge, else in a separate line, until nothing coloured is left. */
 static void place_for_bar(const struct bead_movie_wants *w, const struct bead_level *level, double room, double beside,
                           struct frame *f)
 {
@@ -62,7 +62,7 @@ static void place_for_bar(const struct bead_movie_wants *w, const struct bead_le
     f->bar_below = f->lying && !f->bar_beside && (level->images || rows_of_beads(w) > 0) && most >= least;
 }
 
-/* Images of several chains need all the room that there is. */
+/* Images of several chains need all the room available. */
 static bool roomy(const struct bead_movie_wants *w, const struct bead_level *level, bool stage)
 {
     bool images = false;
@@ -99,7 +99,7 @@ static void measure_words(const struct bead_movie_wants *w, const struct bead_le
         f->bar_beside && f->row[BADGE].least > 0 ? bead_cells_whole(0.5 * look->gap) : 0; /* numbers of the bar are above it */
     f->row[TITLE].least = title && !f->title_beside ? (w->title_width > room ? 2 : 1) * line : 0;
     f->row[FACTS].least = level->facts ? (w->facts ? (int)bead_facts_lines(look, w->facts, room) : 1) * line : 0;
-    /* One key of all stages: left of facts that end at the right, else in lines of its own. */
+    /* One key for all stages: left of facts that end at the right, else in separate lines. */
     const int key = stage ? bead_stage_key_lines(w) : 0;
     f->key_beside =
         key == 1 && f->title_beside && w->facts && bead_facts_lines(look, w->facts, room - w->key_width - 2 * look->gap) == 1;
@@ -147,7 +147,7 @@ static void complete(struct bead_cells *c, const struct frame *f)
     const struct bead_movie_wants *w = c->wants;
     bool beside = c->layout == BEAD_LAYOUT_BESIDE, overlay = c->layout == BEAD_LAYOUT_OVERLAY && w->view_count == 1;
     double room = (w->width - 2 * f->margin - f->right - (beside ? 2 : 1) * w->left) /
-                  (double)(overlay ? w->chain_count : c->columns); /* names are in a line above the one plot */
+                  (double)(overlay ? w->chain_count : c->columns); /* names share a line above the one plot */
     c->rows = (w->chain_count + c->columns - 1) / c->columns;
     c->axes = w->axes && c->level->axes;
     c->headings = w->axes && w->headings && c->level->headings;
@@ -206,7 +206,7 @@ static void place_standing_bar(const struct bead_movie_wants *w, const struct fr
         layout->bar_title = (struct bead_rect){0};
 }
 
-/* Right of the clock, level with it, as far as there is room; or in its line, below the words. */
+/* Right of the clock, level with it, as far as there is room; or in its own line, below the words. */
 static void place_lying_bar(const struct bead_movie_wants *w, const struct frame *f, struct bead_movie_layout *layout)
 {
     const bool below = f->bar_below;
@@ -228,7 +228,7 @@ static void place_lying_bar(const struct bead_movie_wants *w, const struct frame
 
 /* ---- the choice ---- */
 
-/* Rows of beads alone, which use no more height, are the larger the fewer columns there are; others have a best shape. */
+/* Rows of beads alone need no more height: fewer columns make them larger. Other cells have a best shape. */
 static double shape_cost(const struct bead_cells *c)
 {
     const double width = (double)c->area.width / (double)c->columns, height = (double)c->area.height / (double)c->rows;
@@ -240,7 +240,7 @@ static double shape_cost(const struct bead_cells *c)
 static double cost_of(const struct bead_cells *c)
 {
     double holes = (double)(c->rows * c->columns - c->wants->chain_count) / (double)c->wants->chain_count;
-    double names = c->label_lines && c->level->roomy ? level_costs : 0; /* two lines of names leave less room, too */
+    double names = c->label_lines && c->level->roomy ? level_costs : 0; /* two lines of names also leave less room */
     names += c->level->titles ? 0 : never;
     return names + level_costs * (double)(c->level - bead_levels) + shape_cost(c) + hole_costs * holes;
 }
@@ -279,7 +279,7 @@ static bool fits(struct bead_cells *c, struct bead_movie_layout *to)
     return true;
 }
 
-/* Least and most columns of cells. */
+/* The least and the greatest number of columns of cells. */
 static void column_range(const struct bead_movie_wants *w, enum bead_layout layout, size_t range[2])
 {
     size_t n = w->chain_count, most = n < MOST_COLUMNS ? n : MOST_COLUMNS, square = (size_t)ceil(sqrt((double)n) - 1e-9);
@@ -293,7 +293,7 @@ static void column_range(const struct bead_movie_wants *w, enum bead_layout layo
         range[0] = range[1] = square;
 }
 
-/* A profile alone tells several chains apart only on one axis. */
+/* Without other views, profiles tell several chains apart only on one axis. */
 static enum bead_layout resolved(const struct bead_movie_wants *w)
 {
     bool overlays = w->chain_count > 1 && w->chain_count <= 6 && !w->follow;
@@ -321,15 +321,15 @@ static void forget(struct bead_movie_layout *layout)
     *layout = (struct bead_movie_layout){.chains = chains, .chain_count = count};
 }
 
-/* Plans from the first of these on, with or without a line for labels, and with images no smaller, and beads no larger, than those
- * of `least`. */
+/* Plans from number `first`, with or without a line for labels, whose images are no smaller, and beads no larger, than those of
+ * `least`. */
 struct plans {
     size_t first;
     bool label_lines;
     const struct bead_stage_plan *least; /* NULL: any */
 };
 
-/* By the first plan that has room. Returns which; BEAD_STAGE_PLANS: none. */
+/* Places a stage by the first plan with enough room. Returns its number; BEAD_STAGE_PLANS: none. */
 static size_t place_from(const struct bead_movie_wants *w, struct bead_rect area, struct plans plans, struct bead_movie_layout *to)
 {
     for (size_t i = plans.first; i < BEAD_STAGE_PLANS; i++) {
@@ -345,13 +345,14 @@ static size_t place_from(const struct bead_movie_wants *w, struct bead_rect area
     return BEAD_STAGE_PLANS;
 }
 
-/* Would labels have room below names, if not beside them? Dashes before names, and the key where that is on the stage, stay. */
+/* Would labels fit below names, if not beside them? Dashes before names stay, and so does a key on the stage. */
 static bool labels_below(const struct bead_movie_wants *w, double room)
 {
     return !bead_stage_keyed(w) && needs_label_line(w, room, true) && BEAD_SMALLER_LABEL * w->label_width <= label_part * room;
 }
 
-/* A stage with all words. On upright frames labels that have no room beside names are below them, where no image gives way. */
+/* A stage with all words. On upright frames, labels that do not fit beside names are below them, if no image is given up for
+ * that. */
 static bool stage_by_plan(const struct bead_movie_wants *w, struct bead_movie_layout *to)
 {
     const struct bead_level *level = &bead_levels[w->axes ? 0 : BEAD_LEVELS - 1];
@@ -376,7 +377,7 @@ static bool stage_by_plan(const struct bead_movie_wants *w, struct bead_movie_la
     return true;
 }
 
-/* A key above all stages gives way before the curve does. */
+/* A key above all stages is given up before the curve. */
 static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to)
 {
     const bool placed = stage_by_plan(w, to);
@@ -387,7 +388,7 @@ static bool stage(const struct bead_movie_wants *w, struct bead_movie_layout *to
     return stage_by_plan(&keyless, to);
 }
 
-/* The best of all levels and numbers of columns. False: the frame is too small. */
+/* Chooses the best of all levels and numbers of columns. False: the frame is too small. */
 static bool choose(const struct bead_movie_wants *w, struct bead_layout_grid *grid, struct bead_movie_layout *layout)
 {
     enum bead_layout asked = resolved(w);
@@ -417,7 +418,7 @@ enum bead_error bead_movie_arrange(const struct bead_movie_wants *wants, struct 
     size_t chains = wants->chain_count, views = wants->view_count;
     struct bead_layout_grid grid;
     *layout = (struct bead_movie_layout){.chain_count = chains, .chains = calloc(chains + 1, sizeof *layout->chains)};
-    /* Grids may have empty cells, and cells two plots side by side. */
+    /* Grids may have empty cells, and cells may have two plots side by side. */
     enum bead_error err =
         bead_layout_make(2 * (chains + MOST_COLUMNS), (2 * chains + MOST_COLUMNS) * (views + 1), chains * views, &grid, msg);
     if (!err && !layout->chains)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of creating a composer: measures axes, words and captions before the layout, and after it makes the cameras of a movie that
- * follows the front: windows of one length, and the widths of the plots that show them. */
+/* Parts of creating a composer: measures axes, words and captions before the layout; after it, makes the cameras of a movie that
+ * follows the front (windows of one length) and the widths of their plots. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -21,7 +21,7 @@
 /* The most by which a title below vertical axes widens their margin, in units of the font size. */
 static const double most_wider = 1.2;
 
-/* px that an axis reaches out of a plot. */
+/* px that an axis extends out of a plot. */
 static double reach(const struct bead_look *look, const double range[2], const char *unit, enum bead_scale scale, double length,
                     enum bead_side side, const char *title)
 {
@@ -31,7 +31,7 @@ static double reach(const struct bead_look *look, const double range[2], const c
     return bead_axis_draw(NULL, look, &axis, plot, side, false, true, title);
 }
 
-/* Titles of horizontal axes go to the left if they make the margin only a little wider; always where numbers move. */
+/* Titles of horizontal axes go to the left if they widen the margin only a little, and always if numbers move. */
 static void reserve_name(struct bead_composer *c, const char *title)
 {
     double room = bead_panel_name_room(&c->look, title);
@@ -80,7 +80,7 @@ static double reach_left_of(const struct bead_composer *c, const struct bead_vie
     return reach(&c->look, c->setup.range, field->unit, scale, length, BEAD_SIDE_LEFT, NULL);
 }
 
-/* Vertical axes of plots of several heights, of views with any of these traits, or of all (0); the title is above them. */
+/* Vertical axes of plots of several heights, for views with any of these traits, or all (0); the title is above them. */
 static double reach_left(const struct bead_composer *c, unsigned traits)
 {
     static const double parts[] = {0.08, 0.16, 0.3, 0.6};
@@ -132,7 +132,7 @@ double bead_composer_key(const struct bead_composer *c, size_t chain)
     return key > 0 ? key + air_before_key * c->look.label : 0;
 }
 
-/* A line of the key of all chains, without the parts elsewhere; with `cr` NULL it is measured only. Returns its width. */
+/* A line of the key for all chains, without the parts elsewhere; with `cr` NULL it is only measured. Returns its width. */
 static double key_line(const struct bead_composer *c, cairo_t *cr, unsigned elsewhere, double right, double middle, double size)
 {
     struct bead_view_setup setup = key_setup(c, 0);
@@ -208,10 +208,10 @@ static void measure_beads(struct bead_composer *c)
     }
 }
 
-/* Parts of the frame's width: plots of such widths are measured. */
+/* Widths of the plots to measure, as parts of the frame's width. */
 static const double parts[] = {0.9, 0.4, 0.2};
 
-/* px by which numbers reach beyond the right end of an axis along a chain. */
+/* px by which numbers extend beyond the right end of an axis along a chain. */
 static double measure_along_end(const struct bead_composer *c, size_t chain)
 {
     struct bead_axis axis;
@@ -294,7 +294,7 @@ static enum bead_error find_views(struct bead_composer *c, struct bead_message *
     return BEAD_OK;
 }
 
-/* Below a stage, where beads move on, images lie as papers have them. */
+/* Below a stage, where beads move on, images have time to the right, as in papers. */
 static enum bead_orientation orientation_of(const struct bead_output *output)
 {
     bool stage = output->movie.layout == BEAD_LAYOUT_AUTO || output->movie.layout == BEAD_LAYOUT_STAGE;
@@ -336,8 +336,8 @@ static enum bead_error measure(struct bead_composer *c, struct bead_message *msg
 
 /* ---- the size of type ---- */
 
-/* Type of the next try, as a part of the last one's. Chosen: the result is at most 7 % smaller than necessary; nearer to 1 takes
- * more tries, each of which measures all words. */
+/* Type of the next try, as a part of the last one's. A choice: the result is at most 7 % smaller than necessary; values nearer to 1
+ * take more tries, each of which measures all words. */
 static const double smaller = 0.93;
 
 void bead_composer_dress(struct bead_composer *c, double type)
@@ -350,7 +350,7 @@ void bead_composer_dress(struct bead_composer *c, double type)
     c->look.clear = output->paper.background == BEAD_BACKGROUND_NONE;
 }
 
-/* With names that would be cut. */
+/* As in the layout, but also lacks names that would be cut. */
 static enum bead_lack lacks(const struct bead_composer *c)
 {
     bool named = true;
@@ -370,7 +370,7 @@ static enum bead_error arrange(struct bead_composer *c, enum bead_layout layout,
     return bead_movie_arrange(&c->wants, &c->layout, msg);
 }
 
-/* A layout that the scene names, where another one would have room for all words. */
+/* Refuses a layout that the scene names if another one would have room for all words. */
 static enum bead_error refuse_layout(const struct bead_composer *c, struct bead_message *msg)
 {
     return bead_output_wrong(
@@ -380,7 +380,7 @@ static enum bead_error refuse_layout(const struct bead_composer *c, struct bead_
         c->setup.width, c->setup.height, c->wants.chain_count);
 }
 
-/* If words have no room even without images, as in many columns on a phone, or no room is left for the images that the layout is
+/* If words do not fit even without images, as in many columns on a phone, or no room is left for the images that the layout is
  * named for, type becomes smaller, as long as it can be read. Frames too small for that in any layout show less. */
 enum bead_error bead_composer_arrange(struct bead_composer *c, struct bead_message *msg)
 {
@@ -406,7 +406,7 @@ enum bead_error bead_composer_arrange(struct bead_composer *c, struct bead_messa
 
 /* ---- cameras ---- */
 
-/* The width, px, that windows of `width` m can have: beads with radii up to `largest` m must not be higher than their rows. */
+/* The width, px, available to windows of `width` m: beads with radii up to `largest` m must not be higher than their rows. */
 static double window_room(const struct bead_composer *c, double width, double largest)
 {
     double room = c->layout.chains[0].plot[0].width;

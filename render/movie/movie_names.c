@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The names of chains in a movie: headings, over the tops of stages, with the curve's line before them; names above images. */
+/* The names of chains in a movie: headings, over the tops of stages, preceded by the curve's line; names above images. */
 #include <math.h>
 
 #include "render/draw/looks.h"
 #include "render/movie/composer_private.h"
 
-/* Length of the piece of curve before the name of its chain, in units of the label's font size. */
+/* Length of the sample of the curve before its chain's name, in units of the label's font size. */
 static const double sample_length = 1.8;
 
 bool bead_composer_shares_curves(const struct bead_composer *c)
@@ -44,8 +44,8 @@ static struct bead_rect heading_rect(const struct bead_composer *c, size_t chain
     return rect;
 }
 
-/* The lines of curves before the headings of their chains, which say whose they are without colours; labels give way to them, and M
- * where it has a line of its own. Returns the room that one takes; 0: there is none, for some chain. */
+/* Samples of the curves before the headings of their chains, which identify curves without colours; labels give way to them, and so
+ * does M if it has a separate line. Returns the room for one; 0: some chain has none. */
 static int sample_room(const struct bead_composer *c)
 {
     const int room = (int)ceil((sample_length + 0.5) * c->look.label);
@@ -69,8 +69,8 @@ static struct bead_heading heading_of(const struct bead_composer *c, size_t chai
     return (struct bead_heading){c->setup.chains[chain], colour, c->layout.label_lines, false, 1};
 }
 
-/* The names of chains are all as small as one of them has to be, and so are the labels beside them; the M of all are below, where
- * one must be. */
+/* All names of chains are as small as any one has to be, and so are the labels beside them; all M are below the names if one must
+ * be. */
 static void size_headings(const struct bead_composer *c, bool *below, double *name, double *label)
 {
     *name = *label = 1;
@@ -80,7 +80,7 @@ static void size_headings(const struct bead_composer *c, bool *below, double *na
         const struct bead_rect rect = heading_rect(c, i);
         *below = *below || (rect.width > 0 && least > after_sample(c, rect).width - BEAD_HEADING_AIR * c->look.tick);
     }
-    for (int pass = 0; pass < 2; pass++) { /* labels are placed by names */
+    for (int pass = 0; pass < 2; pass++) { /* labels depend on names */
         for (size_t i = 0; i < c->layout.chain_count; i++) {
             struct bead_heading heading = heading_of(c, i);
             const struct bead_rect rect = heading_rect(c, i);
@@ -94,7 +94,7 @@ static void size_headings(const struct bead_composer *c, bool *below, double *na
     }
 }
 
-/* The names above images are all as small as one of them has to be. */
+/* All names above images are as small as any one has to be. */
 static double size_of_names(const struct bead_composer *c)
 {
     double size = 1;

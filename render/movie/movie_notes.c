@@ -10,7 +10,7 @@
 #include "render/movie/movie_words.h"
 #include "render/origin/origin.h"
 
-/* s of the film from which a caption is seen, and until when; no length: it is not seen. */
+/* The times of the film, s, from which and until which a caption is seen; equal if it is not seen. */
 static void find_span(const struct bead_film *film, size_t caption, double span[2])
 {
     const struct bead_movie_asked *movie = &film->output->movie;
@@ -67,7 +67,7 @@ static bool fill(const struct bead_film *film, struct bead_movie_notes *notes)
     return true;
 }
 
-/* One subtitle after the other about each chain; their words come with the end of the film. */
+/* One subtitle after another about each chain; their words come at the end of the film. */
 static bool reserve_words(const struct bead_film *film, struct bead_movie_notes *notes)
 {
     const struct bead_movie_asked *movie = &film->output->movie;

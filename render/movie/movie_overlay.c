@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Everything around the views: the colour bar and, updated after the views, time, line about the horizon and caption. */
+/* Everything around the views: the colour bar and, updated after the views, the time, the line about the horizon and the
+ * caption. */
 #include <math.h>
 
 #include "render/draw/words.h"
@@ -34,7 +35,7 @@ void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
         bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, NULL, *bar, c->setup.over, c->setup.under);
 }
 
-/* Restores the background of a rectangle, to which drawing is then limited. */
+/* Restores the background of a rectangle, and limits drawing to it. */
 static void overlay_begin(struct bead_composer *c, struct bead_rect rect)
 {
     cairo_surface_flush(c->surface);
@@ -52,7 +53,7 @@ static void overlay_end(struct bead_composer *c, struct bead_rect rect, struct b
     bead_changes_add(changes, rect);
 }
 
-/* The present speed, where it has changed. */
+/* The current speed, if it has changed. */
 static void overlay_badge(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     char text[sizeof c->badge_text];
@@ -66,7 +67,7 @@ static void overlay_badge(struct bead_composer *c, double time, struct bead_chan
     overlay_end(c, rect, changes);
 }
 
-/* The part of the film that has passed, as a line at the lower edge. */
+/* Draws the part of the film that has passed as a line at the lower edge. */
 void bead_overlay_progress(struct bead_composer *c, double time, struct bead_changes *changes)
 {
     const struct bead_film_clock *film = c->setup.film;

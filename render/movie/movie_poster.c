@@ -8,7 +8,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 
-/* A frame replaces the one kept only if it is better by this factor, to save copying. */
+/* A frame replaces the kept one only if it is better by this factor, to save copying. */
 static const double better = 1.002;
 
 struct bead_poster bead_poster_choose(double at, double step)

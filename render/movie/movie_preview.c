@@ -10,9 +10,9 @@
 #include "render/view/area.h"
 #include "sim/kinds/view_kinds.h"
 
-/* Values that are kept: of 1000 beads in 2000 frames, or ten times as many where the run is needed for its range anyway. */
+/* Most values to keep: of 1000 beads in 2000 frames, or ten times as many if the run is needed for its range anyway. */
 static const double most_values = 2e6, most_scouted = 2e7;
-/* The image in which a typical value is looked for. */
+/* The size of the image that gives a typical value. */
 enum { COLUMNS = 256, PLACES = 512 };
 
 struct bead_preview {
@@ -29,7 +29,7 @@ static bool range_is_asked(const struct bead_film *film)
     return !isnan(film->output->colours.range[0]) && !isnan(film->output->colours.range[1]);
 }
 
-/* One field of one run: not for images that compare two, nor for those that also read forces. */
+/* One field of one run: not for images that compare two runs, nor for those that also read forces. */
 static bool is_kept(const struct bead_film *film)
 {
     const struct bead_views_asked *views = &film->output->views;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fields, beads and values that a film shows of its chains; and the interest of a frame, by which sinks choose the poster. */
+/* The fields, beads and values of its chains that a film shows; and the interest of a frame, by which sinks choose the poster. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -35,7 +35,7 @@ unsigned bead_composer_comparison(const struct bead_output *output, const struct
 
 bool bead_composer_averages(const struct bead_output *output)
 {
-    /* Profiles below a stage keep the largest values so far, and those of cells the largest of a passage. */
+    /* Profiles below a stage keep the largest values so far, those of cells the largest of a passage. */
     const bool keeps = bead_views_any(&output->views, BEAD_ACTS) || output->movie.profile == BEAD_PROFILE_CELL;
     return bead_views_any(&output->views, BEAD_SHOWS_ALL_TIMES) || (keeps && bead_views_any(&output->views, BEAD_OVERLAYS));
 }
@@ -151,7 +151,7 @@ static double shown(const struct bead_composer *c, double time)
     return (bead_views_any(&c->setup.output->views, BEAD_SHOWS_ALL_TIMES) ? 0.3 + 0.7 * passed : 1) * sum / (double)c->fed_room;
 }
 
-/* Does a value leave its panel, which reaches a little beyond the range? */
+/* Does a value leave its panel, which extends a little beyond the range? */
 static bool leaves_panel(const struct bead_composer *c)
 {
     const double *range = c->setup.range, air = 0.04 * (range[1] - range[0]);

@@ -50,12 +50,12 @@ struct bead_sink {
     struct bead_ring_buffer *drawing, *encoding;
     bool ahead; /* frames are converted into the encoder's own slots, else copied into buffers */
     struct bead_frame buffer[FRAME_SLOTS];
-    struct bead_changes missing[FRAME_SLOTS]; /* what each of them lacks */
+    struct bead_changes missing[FRAME_SLOTS]; /* what each slot lacks */
     uint64_t bytes;
 
     /* The drawing thread's. */
     size_t drawn;  /* frames */
-    size_t filled; /* number of frames sent that differ from the one before; buffers take turns */
+    size_t filled; /* number of frames sent that differ from the one before; buffers alternate */
     double seen;   /* s: time that all chains have reached; NaN: none */
 };
 
@@ -180,7 +180,7 @@ static enum bead_error send_frame(struct bead_sink *s, const struct bead_changes
     if (!parcel) /* finish_pipes reports why */
         return bead_fail(msg, BEAD_ERROR_CODEC, "%s: encoding has failed", s->film.output->path);
     parcel->changes = *changes;
-    if (changes->count == 0 && s->filled > 0) { /* the encoder has it already */
+    if (changes->count == 0 && s->filled > 0) { /* the encoder already has it */
         parcel->buffer = (s->filled - 1) % FRAME_SLOTS;
         bead_ring_buffer_submit(s->encoding);
         return BEAD_OK;
@@ -210,12 +210,12 @@ static enum bead_error movie_draw_frame(struct bead_sink *s, struct bead_changes
     return !err && s->poster_path ? bead_poster_offer(&s->poster, s->composer, time, msg) : err;
 }
 
-/* Frames up to `until`. */
+/* Draws frames up to `until`. */
 static enum bead_error draw_frames(struct bead_sink *s, double until, struct bead_message *msg)
 {
     while (s->drawn < s->film.times.frames && bead_movie_time(&s->film.times, (double)s->drawn) <= until) {
         struct bead_changes changes = {0};
-        if (bead_stop_is_asked(s->film.context.stop)) /* pauses and cards are many frames of one sample */
+        if (bead_stop_is_asked(s->film.context.stop)) /* pauses and cards are many frames from one sample */
             return bead_fail(msg, BEAD_ERROR_STOPPED, "%s: stopped after %zu frames", s->film.output->path, s->drawn);
         enum bead_error err = bead_movie_draws(&s->film.times, s->drawn) ? movie_draw_frame(s, &changes, msg) : BEAD_OK;
         if (!err)
@@ -342,7 +342,7 @@ static void credit(struct bead_sink *s)
              *encoder ? "encoded by " : "", encoder);
 }
 
-/* A stopped film has no sound and no poster, which may be a later frame. */
+/* A stopped film has no sound, and no poster, since that may be a later frame. */
 static enum bead_error movie_finish(struct bead_sink *s, bool whole, struct bead_message *msg)
 {
     char tale[BEAD_TALE_WORDS];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places the parts of a stage: beads first, then the bar, images and curve in what is left. */
+/* Places the parts of a stage: beads first, then the bar, images and curve in the rest. */
 #include "render/movie/movie_stage.h"
 
 #include <math.h>
@@ -10,14 +10,14 @@
 static const double line = 1.35, between = 0.6, before_plots = 0.7, heading = 1.5, stage_margin = 2, least_key = 0.8,
                     least_stage = 1.8, least_curve[] = {8, 2.4}, least_image[] = {3.75, 2.5}, beside_title = 0.5,
                     colours_width = 0.45, between_numbers = 0.5;
-/* Frames so wide, in heights, have beads within such a part of their width, so that they are large in as much of the frame; in
+/* In frames this wide, in heights, beads are inset by this part of the width, so that they are large in as much of the frame; in
  * others, numbers at the end leave as much air as the margin of a panel. */
 static const double wide = 1.5, wide_inset = 0.03;
 /* The curve has at least this part of the area of all plots; images have at most this part of a frame. */
 static const double curve_part = 0.28, most_images = 0.25;
 
-/* First the images become smaller, then the beads, then there is less air, then the curve's axis replaces the bar, then there are
- * no images and no curve. */
+/* First the images become smaller, then the beads, then air, then the curve's axis replaces the bar, then images and curve
+ * disappear. */
 const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS] = {
     {0.447, 0.15, true, true, 1},    {0.43, 0.15, true, true, 1},     {0.41, 0.15, true, true, 1},
     {0.39, 0.15, true, true, 1},     {0.37, 0.15, true, true, 1},     {0.39, 0.15, true, true, 0.4},
@@ -37,10 +37,10 @@ struct stage {
     struct bead_movie_layout *to;
     double em, area_px;                          /* px, of letters; px^2, of the frame */
     size_t acts, curve;                          /* views; view_count: none */
-    size_t others[BEAD_MOST_VIEWS], other_count; /* below the beads, each chain in a plot of its own */
+    size_t others[BEAD_MOST_VIEWS], other_count; /* below the beads, with a plot for each chain */
     bool bar;
-    int colours;      /* px: of the images' colours along the curve's axis, where there is no bar; 0: none */
-    bool names_above; /* names of images have a line of their own above the titles; else they are beside these */
+    int colours;      /* px: the images' colours along the curve's axis, if there is no bar; 0: none */
+    bool names_above; /* names of images have a line above the titles; else they are beside these */
     int inset;        /* px: of beads, within the area of plots with their axes */
     size_t columns;   /* of stages */
 };
@@ -87,7 +87,7 @@ static void sort_views(struct stage *s)
         coloured = coloured || (image && s->plan->images > 0 && w->axes && !w->colourless);
     }
     const bool curve = s->curve < w->view_count;
-    s->bar = coloured && (s->plan->bar || !curve); /* colours have a scale, whatever gives way */
+    s->bar = coloured && (s->plan->bar || !curve); /* colours always have a scale */
     s->colours = coloured && !s->bar ? whole(colours_width * w->look->tick) : 0;
 }
 
@@ -116,7 +116,7 @@ bool bead_stage_key_brief(const struct bead_movie_wants *w)
     return !key_fits(w, w->key_width) && key_fits(w, w->key_brief);
 }
 
-/* Headings that fit beside the key are over the top of their stage, which leaves that free; those of a grid have no key beside
+/* Headings that fit beside the key are over the top of their stage, which leaves room for them; those of a grid have no key beside
  * them. */
 static bool heads_above(const struct stage *s)
 {
@@ -130,7 +130,7 @@ static int heading_of(const struct stage *s)
     return needed ? whole((heading + lines) * s->w->look->label) : 0;
 }
 
-/* Returns their end; < 0: there is no room. Where chains have the same numbers, only the last row has them. */
+/* Returns their end; < 0: there is no room. If chains have the same numbers, only the last row has them. */
 static int place_beads(const struct stage *s)
 {
     const struct bead_movie_wants *w = s->w;
@@ -165,7 +165,7 @@ static int above(const struct stage *s)
     return s->w->axes ? whole(line * s->w->look->label) : 0;
 }
 
-/* And that of the names of images; the width of their title. */
+/* The height of the line of image names; the width of the images' title. */
 static int name_line(const struct stage *s)
 {
     return whole(line * s->w->look->label);
@@ -196,7 +196,7 @@ static double left_of(const struct stage *s, bool first)
     return !s->w->axes ? (first ? 0 : 0.5 * s->em) : first ? s->w->left : 0.5 * s->em + 2 * s->w->time_end;
 }
 
-/* More room before an image beside a curve where its numbers would begin at the curve's end. */
+/* More room before an image beside a curve, whose numbers would begin at the curve's end. */
 static double air_between(const struct stage *s)
 {
     return s->w->axes ? fmax(0, s->w->image_left + between_numbers * s->em - s->w->left) : 0;
@@ -238,7 +238,7 @@ static void place_curve(const struct stage *s, struct bead_rect plot)
     s->to->colours = s->colours;
 }
 
-/* The name above an image, to its right end; it may begin above the gap before. */
+/* The name above an image, up to its right end; it may begin above the gap before it. */
 static struct bead_rect name_of(const struct stage *s, size_t chain, int x, int y, int width)
 {
     const bool beside = chain == 0 && !s->names_above;
@@ -247,7 +247,7 @@ static struct bead_rect name_of(const struct stage *s, size_t chain, int x, int 
     return (struct bead_rect){x + taken, top, width - taken, name_line(s)};
 }
 
-/* The plots of a view from `x` on; returns their end. */
+/* Places the plots of a view from `x`; returns their end. */
 static double place_view(const struct stage *s, size_t view, double x, int y, double width, int height)
 {
     for (size_t i = 0; i < s->w->chain_count; i++) {
@@ -269,8 +269,8 @@ static struct bead_rect last_plot(const struct stage *s)
     return s->to->chains[s->w->chain_count - 1].plot[s->others[s->other_count - 1]];
 }
 
-/* Is there room for the title of the axes, with the name of the first chain beside it or above? In a line of its own, the title
- * of all images may reach over the next ones. */
+/* Is there room for the title of the axes, with the name of the first chain beside it or above? If names are in another line, the
+ * title of all images may extend over the next ones. */
 static bool titled(const struct stage *s, double width)
 {
     if (s->names_above && s->to->against && s->other_count == 1)
@@ -301,7 +301,7 @@ static bool place_beside(const struct stage *s, int y, int bottom)
     const double air = has_curve && plots > 0 ? air_between(s) : 0;
     room -= air + (double)s->other_count * (left_of(s, true) + (double)(s->w->chain_count - 1) * left_of(s, false));
     double least = has_curve ? fmax(least_curve[0] * s->em, curve_part * room) : 0;
-    double width = plots > 0 ? floor((room - least) / plots) : 0; /* images take what they must have, the curve the rest */
+    double width = plots > 0 ? floor((room - least) / plots) : 0; /* images take what they need, the curve the rest */
     if (has_curve && s->plan->images > 0)
         width = fmin(width, ceil(s->plan->images * s->area_px / (plots * height)));
     width = fmin(width, floor(most_images * s->area_px / (plots * height)));

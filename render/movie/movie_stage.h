@@ -5,7 +5,7 @@
 
 #include "render/movie/movie_layout.h"
 
-/* Things that a frame gives up, from plan to plan, until the rest fits. Shares are of the frame's area. */
+/* Things that a frame gives up, plan by plan, until the rest fits. Shares are parts of the frame's area. */
 struct bead_stage_plan {
     double beads;  /* share of the beads with their headings */
     double images; /* least share of the images; 0: none */
@@ -15,15 +15,15 @@ struct bead_stage_plan {
 enum { BEAD_STAGE_PLANS = 22 };
 extern const struct bead_stage_plan bead_stage_plans[BEAD_STAGE_PLANS];
 
-/* px by which beads are within the area of plots with their axes. */
+/* px by which beads are inset in the area of plots with their axes. */
 int bead_stage_inset(const struct bead_movie_wants *wants);
-/* Stages side by side: of four chains two, but on phones, where beads are larger below each other. */
+/* Stages side by side: two for four chains, except on phones, where beads are larger below each other. */
 size_t bead_stage_columns(const struct bead_movie_wants *wants);
 /* Is there room for the keys of beads beside the headings? Never in grids. */
 bool bead_stage_keyed(const struct bead_movie_wants *wants);
-/* Else one key for all stages is above them, in so many lines; 0: there is no room, or they have theirs beside the headings. */
+/* Else one key for all stages is above them, in this many lines; 0: there is no room, or stages have keys beside the headings. */
 int bead_stage_key_lines(const struct bead_movie_wants *wants);
-/* Is one line enough only without the name of what the light shows? */
+/* Is one line enough only without the name of the quantity that the light shows? */
 bool bead_stage_key_brief(const struct bead_movie_wants *wants);
 /* The view of large beads; view_count: there is none. */
 size_t bead_stage_view(const struct bead_movie_wants *wants);

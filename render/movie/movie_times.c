@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the times of frames and samples. The sinks count frames by it. */
+/* Chooses the times of frames and samples, by which the sinks count frames. */
 #include "render/movie/film.h"
 
 #include <math.h>
@@ -18,12 +18,12 @@ static const double draft_pictures = 30;
 static const size_t most_followed = 1000000;
 
 /* The duration, if the scene gives none. A stage shows about 16 beads: a wave that passes no more than half as many in a second
- * stays in sight for two. A little less than that: of dimers the passage is estimated too long, since it counts the heavier bead.
- * `pace` is empirical: at 7 the demo's waves pass 8.4 contacts in a second; chains of more unlike beads may still be faster. Of
- * stages without axes, and of those of four chains, where fewer and larger beads are in view, such a part. */
+ * stays in sight for two. A little less than that, because the passage of dimers is estimated too long, with the heavier bead.
+ * `pace` is empirical: at 7 the demo's waves pass 8.4 contacts in a second; chains of more unlike beads may still be faster.
+ * Smaller for stages without axes, and for four chains, where fewer and larger beads are in view. */
 static const double usual_duration = 10, longest_duration = 30, pace = 6.5, bare_pace = 9.0 / 16, grid_pace = 11.0 / 16;
 /* Time of a solitary wave from contact to contact, in sqrt(m/K): sqrt(3/2) sqrt(5)/2 with K at its largest compression (Nesterenko
- * 1983), where a contact has about 0.3 of the energy and K 0.3^(1/5) of that by which bead_chain_passage counts. */
+ * 1983), where a contact has about 0.3 of the energy and K 0.3^(1/5) of the value that bead_chain_passage uses. */
 static const double passage_time = 1.54;
 
 bool bead_film_looks_at_beads(const struct bead_output *output, const struct bead_run_context *context)
@@ -36,7 +36,7 @@ bool bead_film_looks_at_beads(const struct bead_output *output, const struct bea
 
 static double find_duration(const struct bead_film *film, const double time[2])
 {
-    double fastest = 0; /* contacts in a second of the motion */
+    double fastest = 0; /* contacts per second of the motion */
     if (!isnan(film->output->movie.duration))
         return film->output->movie.duration;
     const bool looks = bead_film_looks_at_beads(film->output, &film->context);
@@ -74,14 +74,14 @@ static enum bead_error choose_frames(struct bead_film *film, struct bead_message
         t->step = factors[0] * lasting / (frames - 1);
     }
     const struct bead_codec *codec = bead_codec_find(o->path, false);
-    const size_t least = codec ? bead_codec_group(codec, o->movie.fps) : 1; /* others are not in the file */
+    const size_t least = codec ? bead_codec_group(codec, o->movie.fps) : 1; /* other frames are not in the file */
     const double wanted = o->movie.quality == BEAD_QUALITY_DRAFT ? o->movie.fps / draft_pictures : 1;
     t->group = least * (size_t)fmax(1, ceil(wanted / (double)least - 1e-6));
     return BEAD_OK;
 }
 
 /* Are frames so far apart that impacts of this chain fall between them? A wave is in some frame, unless it passes the whole chain
- * between two, or its beads cross gaps for longer than they push. */
+ * between two frames, or its beads cross gaps for longer than they push. */
 static bool misses_impacts(const struct bead_film *film, const struct bead_chain *chain)
 {
     if (!bead_held_is_needed(chain, film->fields, film->times.step, film->context.resolution))
@@ -160,7 +160,7 @@ bool bead_movie_draws(const struct bead_movie_times *t, size_t index)
 
 size_t bead_movie_pictures(const struct bead_movie_times *t)
 {
-    size_t motion = t->frames - t->card - 1; /* but the last */
+    size_t motion = t->frames - t->card - 1; /* except the last */
     return t->card + (motion + t->group - 1) / t->group + 1;
 }
 

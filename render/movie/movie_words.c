@@ -13,7 +13,7 @@
 
 /* The second line of a heading, in units of the label's font size. */
 static const double heading_line = 1.35;
-/* Its first line, in units of the title's font size; the gap between its parts, in those of the look's gap. */
+/* Its first line, in units of the title's font size; the gap between its parts, in units of the look's gap. */
 /* No letters are smaller, px. */
 static const double least_letters = 11;
 static const double heading_size = 1.1, heading_gap = 1.2, smallest_name = 0.6, smallest_image_name = 0.8;
@@ -95,7 +95,7 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
     if (name[0]) {
         if (heading_shows_formula(facts->chains[0]))
             return;
-        for (size_t c = 1; c < facts->chain_count; c++) { /* of one equation only */
+        for (size_t c = 1; c < facts->chain_count; c++) { /* only if all have one equation */
             bead_chain_describe(facts->chains[c], other, sizeof other);
             name[0] = strcmp(name, other) == 0 ? name[0] : '\0';
         }
@@ -160,7 +160,7 @@ double bead_badge_width(const struct bead_look *look, const struct bead_facts *f
     char text[MOST_FACT];
     double factors[2], most = 0;
     bead_film_factors(facts->film, factors);
-    /* The third is as wide as the widest rounded number between the two others. */
+    /* The third is as wide as the widest rounded number between the other two. */
     const double all[] = {factors[0], factors[1], factors[0] < factors[1] ? 1.88 * pow(10, floor(log10(factors[0]))) : factors[0]};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         say_pace(facts, all[i], text, sizeof text);
@@ -300,7 +300,7 @@ static void label_markup(const struct bead_chain *chain, char *markup, size_t si
     bead_markup(marked, markup, size);
 }
 
-/* px of name and M in one line, with the gap after each; M of size 0 is elsewhere. */
+/* Width, px, of name and M in one line, with the gap after each; M of size 0 is elsewhere. */
 static double name_width(const struct bead_look *look, const struct bead_chain *chain, double size, double m_size)
 {
     struct bead_text_style style = bead_words_style(look, size, look->ink, BEAD_ALIGN_BASELINE);
@@ -378,7 +378,7 @@ struct heading {
     struct bead_text_style name, m, label;
     char name_markup[HEADING_MARKUP], m_markup[256], label_markup[HEADING_MARKUP];
     double x, m_x, label_x, y, m_y, label_y;
-    double room, width; /* px: for the name; that it takes in its usual size */
+    double room, width; /* px: for the name; of the name in its usual size */
 };
 
 static void place_heading(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect,
@@ -422,7 +422,7 @@ double bead_heading_name(const struct bead_look *look, const struct bead_heading
     return fmin(1, fmax(smallest_name, 0.98 * h.room / fmax(1, h.width)));
 }
 
-/* Does the label fit, if it is so much smaller? */
+/* Does the label fit at this part of its size? */
 static bool label_fits(cairo_t *cr, const struct heading *h, struct bead_rect rect, double smaller)
 {
     struct bead_text_style style = h->label;

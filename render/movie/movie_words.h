@@ -11,7 +11,7 @@
 #include "render/draw/axis.h"
 #include "render/movie/film_clock.h"
 
-/* The format of times: in the unit of the picture's axes of time, with as many decimals throughout. */
+/* The format of times: in the unit of the picture's time axes, with a fixed number of decimals. */
 struct bead_clock {
     double unit;   /* s */
     char sign[16]; /* "ms"; "": times have no unit */
@@ -29,7 +29,7 @@ struct bead_facts {
     const struct bead_film_clock *film;
     struct bead_clock clock;
     double magnify; /* 0: displacements are not shown */
-    bool keyed;     /* a key of the beads says what they are made of */
+    bool keyed;     /* a key of the beads names their materials */
     const struct bead_chain *const *chains;
     size_t chain_count;
     bool held; /* frames show the largest forces since the one before */
@@ -42,13 +42,13 @@ void bead_facts_speed(const struct bead_facts *facts, double factor, char *out, 
 size_t bead_facts_lines(const struct bead_look *look, const struct bead_facts *facts, double room);
 /* In as many lines as they need, from the left or ending at the right. */
 void bead_facts_draw(cairo_t *cr, const struct bead_look *look, const struct bead_facts *facts, struct bead_rect rect, bool left);
-/* "slowed 3 600 times", at a time of the motion; "1 s of film = 5 time units" where times have no unit. */
+/* "slowed 3 600 times", at a time of the motion; "1 s of film = 5 time units" if times have no unit. */
 void bead_badge_text(const struct bead_facts *facts, double time, char *out, size_t size);
 /* px, of the widest that the film shows. */
 double bead_badge_width(const struct bead_look *look, const struct bead_facts *facts);
 /* At the left of `rect`. */
 void bead_badge_draw(cairo_t *cr, const struct bead_look *look, const char *text, struct bead_rect rect);
-/* Text in one line, or in two where `rect` is as high; cut with an ellipsis. The style's `down` is BEAD_ALIGN_MIDDLE. */
+/* Text in one line, or in two if `rect` is high enough; cut with an ellipsis. The style's `down` is BEAD_ALIGN_MIDDLE. */
 void bead_lines_draw(cairo_t *cr, struct bead_text_style style, const char *plain, struct bead_rect rect);
 /* Name, M and label of a chain. */
 struct bead_heading {
@@ -64,23 +64,23 @@ double bead_label_width(const struct bead_look *look, const struct bead_chain *c
 double bead_heading_width(const struct bead_look *look, const struct bead_chain *chain);
 /* px, of the name at its smallest, and M unless that is below it. */
 double bead_heading_least(const struct bead_look *look, const struct bead_chain *chain, bool m);
-/* The part of its usual size in which its name fits, or the smallest; whatever the heading's own. */
+/* The part of its usual size at which the name fits, or the smallest; regardless of the heading's own. */
 double bead_heading_name(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
 /* Free space beside headings, in units of the ticks' size; chosen by eye. */
 #define BEAD_HEADING_AIR 1.3
 /* The size of labels that would otherwise have no room, as a part of the usual one; chosen by eye. */
 #define BEAD_SMALLER_LABEL 0.85
-/* The part of its usual size in which its label fits; 1: in full, or not at all. */
+/* The part of its usual size at which the label fits; 1: in full, or not at all. */
 double bead_heading_label(const struct bead_look *look, const struct bead_heading *heading, struct bead_rect rect);
-/* M is beside the name or, in the second line, before the label. A label that does not fit in such a part of its size is left out,
- * M never. */
+/* M is beside the name or, in the second line, before the label. A label that does not fit at this part of its size is left out, M
+ * never. */
 void bead_heading_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double label,
                        struct bead_rect rect);
 /* px, of a chain's name above its image at its smallest; 0: it has none. */
 double bead_name_least(const struct bead_look *look, const struct bead_chain *chain);
-/* The part of its usual size in which it fits, or the smallest. */
+/* The part of its usual size at which it fits, or the smallest. */
 double bead_name_size(const struct bead_look *look, const struct bead_chain *chain, double width);
-/* To the right, in such a part of its usual size; as much as fits. */
+/* Right-aligned, at this part of its usual size; as much as fits. */
 void bead_name_draw(cairo_t *cr, const struct bead_look *look, const struct bead_heading *heading, double size,
                     struct bead_rect rect);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Notes on the stage, each pointing to what it is about. The stage is repainted for each frame, which erases the notes. */
+/* Notes on the stage, each pointing to its subject. The stage is repainted for each frame, which erases the notes. */
 #include <math.h>
 
 #include "render/draw/markup.h"
@@ -17,7 +17,7 @@ static double note_end(const struct bead_note *note, const struct bead_film_cloc
     return bead_caption_end(&alone, clock, 0);
 }
 
-/* Below the beads, over what the floor mirrors, beside the notes that are there; where there is no room, above these. */
+/* Below the beads, over the images in the floor, beside the notes already there; if there is no room, above these. */
 static struct bead_note_box place_box(const struct bead_look *look, const struct bead_spot *spot, double width,
                                       const struct bead_note_box *before, size_t count)
 {
@@ -69,7 +69,7 @@ static void draw_shape(cairo_t *cr, const struct bead_look *look, const struct b
     cairo_stroke(cr);
 }
 
-/* Draws one note; `markup` may be cut where it is wider than the stage. */
+/* Draws one note; `markup` may be cut if it is wider than the stage. */
 static void draw_note(struct bead_composer *c, const struct bead_spot *spot, const char *text, enum arrow arrow,
                       struct bead_changes *changes)
 {
@@ -83,7 +83,7 @@ static void draw_note(struct bead_composer *c, const struct bead_spot *spot, con
         ceil(bead_words_fit(c->cr, &style, text, true, spot->stage.width - around - 4, markup, sizeof markup) + around);
     struct bead_note_box *box = &shown->box[shown->count];
     *box = place_box(&c->look, spot, width, shown->box, shown->count);
-    if (box->y < spot->stage.y) /* it would stay there */
+    if (box->y < spot->stage.y) /* it would not be erased there */
         return;
     shown->count++;
     const bool near = box->tip_x > box->x && box->tip_x < box->x + width;

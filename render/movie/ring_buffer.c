@@ -52,7 +52,7 @@ static enum bead_error call(struct bead_ring_buffer *ring, void *slot, int last,
 }
 
 /* A producer that finds the ring full waits until half of it is free. Woken for each slot, it would fill it and wait again, and the
- * two threads would spend their time on switching. */
+ * threads would spend their time switching. */
 static bool has_room(const struct bead_ring_buffer *ring)
 {
     return ring->submitted - ring->finished <= ring->slots / 2;
@@ -78,7 +78,8 @@ static void *run_worker(void *argument)
         pthread_mutex_lock(&ring->lock);
         ring->finished++;
     }
-    /* The last call of `work` frees its resources, in this thread; after an error at once, as the producer may be busy for long. */
+    /* The last call of `work` frees its resources, in this thread; after an error at once, because the producer may be busy for
+     * long. */
     int last = ring->error || ring->abandoned ? BEAD_RING_ABANDONED : BEAD_RING_DONE;
     pthread_mutex_unlock(&ring->lock);
     err = call(ring, NULL, last, &message);

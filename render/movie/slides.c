@@ -50,7 +50,7 @@ static const char after[] =
     "});\n"
     "</script>\n<div hidden><code id=\"scene-text\">";
 
-/* The middle of the frame at a stop, s of the film: players round times of frames either way. */
+/* The middle of the frame at a stop, s of the film, because players round times of frames either way. */
 static double stop_time(const struct bead_film *film, double motion)
 {
     const double fps = film->output->movie.fps;
