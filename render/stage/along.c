@@ -28,7 +28,7 @@ static double end_places(const struct bead_view_setup *setup)
     return bead_along_fixed(setup) ? 1 : 0.5;
 }
 
-/* From the centre of an outermost bead to its end: points of strings have no size. */
+/* From the centre of an outermost bead to the end of the chain there: points of strings have no size. */
 static double end_room(const struct bead_view_setup *setup, size_t bead)
 {
     if (bead_chain_spec(setup->chain)->system->has_contacts)
@@ -115,7 +115,7 @@ double bead_along_place(const struct bead_view_setup *setup, double number)
     return (left + (at - whole) * (right - left) - begin) / length_of(setup);
 }
 
-/* The width of the narrowest in units of the mean: labels that have room there have it everywhere. */
+/* The width of the narrowest place in units of the mean: labels that fit there fit everywhere. */
 static double least_part(const struct bead_view_setup *setup)
 {
     double least = INFINITY;

@@ -54,9 +54,9 @@ struct bead_view {
     double *load; /* compression of the contact at the right of each bead, in units of `compression` */
     double speed; /* m/s: of the striker */
 
-    struct bead_rect plot, area;       /* px of the frame: plot rectangle; all that the view draws into */
+    struct bead_rect plot, area;       /* px of the frame: the plot rectangle; the whole area that the view draws into */
     double label_y;                    /* baseline of names, px of the area; < 0: no room for names */
-    struct bead_window row, lens;      /* with a camera: the lens alone, which shows the camera's window */
+    struct bead_window row, lens;      /* with a camera: only the lens, which shows the camera's window */
     struct bead_camera *camera;        /* of the lens below a row; NULL: the setup's */
     struct bead_moving_labels *labels; /* above it; NULL: none */
     struct bead_rect zoom;             /* between row and lens, px of the area */
@@ -65,7 +65,7 @@ struct bead_view {
     struct bead_drawing row_drawing, lens_drawing;
     struct bead_mark zoom_mark, old_zoom_mark;
     double lens_drawn; /* m: lens.from as drawn last */
-    bool plain;        /* each row of pixels behind the lens has one colour: its beads can be moved in the frame */
+    bool plain;        /* each row of pixels behind the lens has one colour, so its beads can be moved in the frame */
 
     struct bead_canvas *canvas; /* borrowed */
     struct bead_backdrop *backdrop;
@@ -87,7 +87,7 @@ int bead_beads_lens_moves(const struct bead_view *v);
 struct bead_spans bead_beads_lens_changes(const struct bead_view *v, int by);
 /* Moves the columns of the lens that are not in `spans`. */
 void bead_beads_move(const struct bead_view *v, const struct bead_spans *spans, int by, struct bead_frame *frame);
-/* Each row of pixels behind the lens has one colour. */
+/* Does each row of pixels behind the lens have one colour? */
 bool bead_beads_lens_is_plain(const struct bead_view *v, const struct bead_frame *background);
 /* Divides the plot rectangle into row, connection and lens. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_beads_divide(struct bead_view *v, struct bead_message *msg);
@@ -106,7 +106,7 @@ void bead_beads_strip(struct bead_view *v, struct bead_frame *frame, const struc
                       struct bead_changes *changes);
 /* Names and wall of the row; panel of the lens. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_beads_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
-/* Everything composed, as paths. */
+/* Draws everything composed as paths. */
 void bead_beads_vector(struct bead_view *v, cairo_t *cr);
 /* Room that the view needs left and right of its plot rectangle (the striker flying back; the wall), px. */
 void bead_beads_margins(const struct bead_look *look, int *left, int *right);

@@ -6,7 +6,7 @@
 #include "render/stage/beads.h"
 #include "sim/chain/chain_internal.h"
 
-/* Distance from zero, along the colour bar, at which a bead no longer shows its material's colour. */
+/* Distance from zero, along the colour bar, from which a bead no longer shows its material's colour. */
 static const double colour_full = 0.3;
 
 static double between(double x, double low, double high)

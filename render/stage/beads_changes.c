@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the parts of the row and the lens that must be painted again. Where the lens moves by whole pixels, beads at rest change
- * only their place: they are moved in the frame, which costs a tenth of painting them. */
+/* Finds the parts of the row and the lens that must be painted again. If the lens moves by whole pixels, beads at rest only change
+ * their places: they are moved in the frame, at a tenth of the cost of painting. */
 #include <math.h>
 #include <string.h>
 
@@ -52,7 +52,7 @@ int bead_beads_lens_moves(const struct bead_view *v)
     return can ? (int)whole : 0;
 }
 
-/* Ball i, and old ball j moved to the left. Sums of floats are exact here. */
+/* Is ball i old ball j moved to the left? Sums of floats are exact here. */
 static bool same_ball(const struct bead_drawing *d, size_t i, size_t j, int by)
 {
     const struct bead_ball *now = &d->now.balls[i], *old = &d->old.balls[j];
@@ -61,7 +61,7 @@ static bool same_ball(const struct bead_drawing *d, size_t i, size_t j, int by)
            (double)now->right + by == old->right && memcmp(now->rgba, old->rgba, sizeof now->rgba) == 0;
 }
 
-/* Adds arrow (at the left) or wall (at the right): the marks that belong to no ball. */
+/* Adds arrow (at the left) or wall (at the right): the marks that do not belong to a ball. */
 static void add_marks(struct bead_spans *spans, const struct bead_mark *marks, size_t count, bool arrow, int by,
                       const struct bead_rect *limits)
 {

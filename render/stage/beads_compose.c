@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes balls and marks of positions and colours, for the canvas to paint. Second step of every draw of the beads view. */
+/* Turns positions and colours into balls and marks for the canvas to paint. Second step of every draw of the beads view. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,7 @@ static double bead_x(const struct bead_view *v, const struct bead_window *w, siz
     return bead_window_x(w, v->position[i] + v->shift[i]);
 }
 
-/* The range of beads that may reach into the window. */
+/* The range of beads that may extend into the window. */
 static void find_visible(const struct bead_view *v, const struct bead_window *w, size_t *first, size_t *count)
 {
     double from = w->rect.x - 2.0, to = w->rect.x + w->rect.width + 2.0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places the row of beads and the lens, and draws names, wall and the lens's frame around them, once per picture. */
+/* Places the row of beads and the lens, and draws names, wall and the lens's frame around them once for each picture. */
 #include <math.h>
 #include <stdio.h>
 
@@ -13,9 +13,9 @@
 
 /* Rows of smaller beads are drawn as a strip, px of diameter. */
 static const double strip_below = 3;
-/* Beads in the lens: their part of its height, and the least number side by side. */
+/* Beads in the lens: their part of its height, and their least number side by side. */
 static const double large_share = 0.8, most_across = 14;
-/* The largest part of a row's height that its beads take; height of the names above it, in units of the ticks' font size. */
+/* The largest part of a row's height for its beads; height of the names above it, in units of the ticks' font size. */
 static const double row_share = 0.9, names_height = 1.35;
 
 void bead_beads_margins(const struct bead_look *look, int *left, int *right)
@@ -59,7 +59,7 @@ static void set_window(struct bead_window *w, const struct bead_view *v, double 
     *w = (struct bead_window){.rect = {x, (int)top, width, (int)(bottom - top)}, .scale = scale, .middle = 0.5 * (top + bottom)};
 }
 
-/* One row, as large as fits; centred where the height limits it. */
+/* One row, as large as fits; centred if the height limits it. */
 static void only_row(struct bead_view *v, double scale, double top)
 {
     double height = v->plot.height - top, length = v->ends[1] - v->ends[0];
@@ -78,7 +78,7 @@ static bool sensor_name(const struct bead_view *v, const struct bead_sensor *sen
     return sensor->bead >= v->first && sensor->bead < v->first + v->count;
 }
 
-/* Whether names fit above the row: sensors need little room, the others plenty. */
+/* Do names fit above the row? Sensors need little room, others plenty. */
 static bool has_names(const struct bead_view *v)
 {
     size_t count, shown = 0;
@@ -115,7 +115,7 @@ enum bead_error bead_beads_divide(struct bead_view *v, struct bead_message *msg)
     v->strip = diameter < strip_below;
     v->lens = (struct bead_window){.scale = 0};
     double row = v->strip ? fmax(8, 0.9 * look->tick) : ceil(diameter + fmax(4, 0.9 * diameter)), zoom = round(1.2 * look->gap);
-    /* Only waves in beads at rest, which a striker makes, have a front to follow. */
+    /* Only waves in beads at rest, started by a striker, have a front to follow. */
     double height = v->plot.height - top - row - zoom, large = fmin(large_share * height, v->plot.width / most_across);
     bool worth = bead_chain_spec(v->setup.chain)->system->has_striker && large > fmax(14, 1.7 * diameter) &&
                  v->plot.width / large < 0.8 * (double)v->count;

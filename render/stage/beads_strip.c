@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of beads too small to be drawn: each column of pixels shows the exact mean of the field over its beads, as a colour over
- * that of their materials, and the background in their gaps. */
+/* Rows of beads too small to be drawn: each column of pixels shows the exact mean of the field over its beads, as a colour over the
+ * materials' colours, and the background in their gaps. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -76,7 +76,7 @@ static void find_colour(const struct bead_view *v, const struct column *column, 
         rgb[c] = (1 - weight) * fmin(1, fmax(0, base[c])) + weight * field[c] / 255.0;
 }
 
-/* True where column x of the frame looks different now. */
+/* True if column x of the frame has changed. */
 static bool paint_column(const struct bead_view *v, int x, double cover, const double rgb[3], struct bead_frame *frame,
                          const struct bead_frame *background)
 {

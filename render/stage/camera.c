@@ -12,7 +12,7 @@
 static const double reaching = 0.015;
 /* In widths of the window: position of the front, from the left edge; distance in which the window speeds up or slows down. */
 static const double front_place = 0.7, easing = 0.2;
-/* The window reaches this many radii beyond the chain: room for a rebounding striker and for a wall. */
+/* The window extends this many radii beyond the chain: room for a rebounding striker and for a wall. */
 static const double before_striker = 2.4, beyond_wall = 0.8, beyond_rest = 0.2;
 
 /* The length of chain that the wave has reached, in beads from the first. `load`: compression of each contact, in units of a strong

@@ -35,9 +35,9 @@ BEAD_CHECK enum bead_error bead_camera_create(const struct bead_chain *chain, st
 void bead_camera_destroy(struct bead_camera *camera);
 /* Samples of the chain, with displacements. Errors: UNSUPPORTED. */
 BEAD_CHECK enum bead_error bead_camera_feed(struct bead_camera *camera, const struct bead_sample *sample, struct bead_message *msg);
-/* To be called for each frame, times rising. */
+/* Call it for each frame, with rising times. */
 void bead_camera_advance(struct bead_camera *camera, double time);
-/* m along the chain: left edge of the window as of the last advance, and its width. */
+/* m along the chain: left edge of the window at the last advance, and its width. */
 double bead_camera_left(const struct bead_camera *camera);
 double bead_camera_width(const struct bead_camera *camera);
 /* Returns the mean distance of beads, m, and their largest radius. */

@@ -4,13 +4,13 @@
 #include <math.h>
 
 /* A contact belongs to the wave if its load is at least this part of the largest; the head is this many contacts behind the first.
- * Waves meet within so many. */
+ * Waves meet within this many. */
 static const double part_of_wave = 0.05, least_load = 1e-3;
 enum { HEAD = 9, MEETING = 40 };
 /* In each frame, the speed moves this part of the way towards that of the head. */
 static const double steadiness = 0.1;
-/* A window within this part of a step of where waves meet stays there. Chosen, not derived: less makes one more short pan, more
- * lets them meet beside the middle. */
+/* A window within this part of a step of the place where waves meet stays there. A choice: less makes one more short pan, more lets
+ * them meet beside the middle. */
 static const double negligible = 0.1;
 
 double bead_pan_eased(double t)
@@ -19,7 +19,7 @@ double bead_pan_eased(double t)
     return t * t * t * (10 + t * (6 * t - 15));
 }
 
-/* Is the load of contact k part of what goes this way? 0: either way. */
+/* Does the load of contact k go this way? 0: either way. */
 static bool goes(const struct bead_loads *w, size_t k, int way)
 {
     return way == 0 || !w->way || w->way[k] == way;
@@ -45,7 +45,7 @@ static double centre(const struct bead_loads *w, size_t from, size_t to, int way
     return weight > least_load * least_load ? sum / weight : otherwise;
 }
 
-/* The part of a chain of so many contacts within `reach` of a place. */
+/* The part of a chain of `count` contacts within `reach` of a place. */
 static void around(double place, size_t reach, size_t count, size_t *from, size_t *to)
 {
     const size_t near = (size_t)fmax(0, round(place));
@@ -53,7 +53,7 @@ static void around(double place, size_t reach, size_t count, size_t *from, size_
     *to = near + reach + 1 < count ? near + reach + 1 : count;
 }
 
-/* Before it has been at the end: the foremost contact. A wave that only goes to the left has been there. */
+/* Before the wave has reached the end: the foremost contact. A wave that only goes to the left has been there. */
 static double find_front(struct bead_step_camera *c, const struct bead_loads *w)
 {
     const double all = largest(w, 0, w->count, 0), most = largest(w, 0, w->count, 1);
@@ -67,7 +67,7 @@ static double find_front(struct bead_step_camera *c, const struct bead_loads *w)
     return fmax(c->head, centre(w, front + 1 > HEAD ? front + 1 - HEAD : 0, front + 1, 1, c->head));
 }
 
-/* Afterwards: near to where it was. At the ends, where it turns round, all loads are its own. */
+/* Afterwards: near the previous place. At the ends, where the wave turns round, all loads belong to it. */
 static double find_again(struct bead_step_camera *c, const struct bead_loads *w)
 {
     size_t from, to;
@@ -77,7 +77,7 @@ static double find_again(struct bead_step_camera *c, const struct bead_loads *w)
     return centre(w, from, to, first || last ? 0 : c->way, c->head);
 }
 
-/* Does another wave come to meet it, at least half as strong? Ahead of the front there is nothing else. Where it is, then and
+/* Does another wave, at least half as strong, come to meet it? Ahead of the front there is nothing else. Finds that wave, also
  * after they have met. */
 static void find_other(struct bead_step_camera *c, const struct bead_loads *w)
 {
@@ -112,7 +112,7 @@ static double to_meeting(const struct bead_step_camera *c, double place, double 
 }
 
 /* How far the next pan goes; 0: none is due. Half of it has passed when the head is half a step from the middle. Pans end where
- * waves meet, the last as early as possible, and the window stays there until they have passed through each other and no longer fit
+ * waves meet, the last one as early as possible; the window stays there until they have passed through each other and no longer fit
  * into it. */
 static double next_pan(const struct bead_step_camera *c, double place, double other, double most)
 {

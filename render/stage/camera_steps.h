@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Camera of the stage: a window that stands still while the wave crosses it, and moves on in steps with eased pans.
+/* Camera of the stage: a window that is still while the wave crosses it, and moves on in steps with eased pans.
  *
- * It follows the head of the wave, and once that has arrived at the end of the chain, the pulse that comes back from there: the
- * centre of squared loads near the place where it was before. Of waves that pass through each other it follows the one that goes
- * its way, and both while they fit into the window. Moving with the front would make beads of two materials alternate
- * several times a second. All places are along the stage, in whole pixels where they are shown. */
+ * It follows the head of the wave and, once that has reached the end of the chain, the reflected pulse: the centre of squared loads
+ * near its previous place. If waves pass through each other it follows the one that goes its way, and both while they fit into the
+ * window. Moving with the front would make beads of two materials alternate several times a second. Places are along the stage,
+ * shown in whole pixels. */
 #pragma once
 
 #include <stdbool.h>
@@ -14,7 +14,7 @@ enum { BEAD_PAN_FRAMES = 16, BEAD_MOST_PANS = 16 };
 
 struct bead_step_camera {
     double width, step, ends[2]; /* of the window, of a pan; places that the window may show */
-    double margin;               /* the head never comes nearer than this to an edge of the window, whatever pans do */
+    double margin;               /* the head never comes nearer than this to an edge of the window, despite pans */
     double middle;               /* of the window, now */
     double goal;                 /* and after all pans */
     struct bead_pan {
@@ -23,15 +23,15 @@ struct bead_step_camera {
     } pans[BEAD_MOST_PANS];
     size_t pan_count;
     double head;        /* place of the wave, in contacts from the first */
-    size_t front;       /* the foremost contact that the wave has been at */
-    double last, speed; /* of the place, a frame */
+    size_t front;       /* the foremost contact that the wave has reached */
+    double last, speed; /* of the place, per frame */
     bool begun, arrived;
     int way;      /* 1: to the right, -1: back from the end */
-    bool meets;   /* another wave comes, or came, to meet it, ... */
-    double other; /* whose middle is here, in contacts */
+    bool meets;   /* another wave comes, or came, to meet it, */
+    double other; /* with its middle here, in contacts */
 };
 
-/* Loads of contacts (>= 0, 1: strong), and where they are going: 1, -1; NULL: that is not known. */
+/* Loads of contacts (>= 0, 1: strong), and their directions: 1, -1; NULL: unknown. */
 struct bead_loads {
     const double *load;
     const signed char *way;
@@ -42,5 +42,5 @@ struct bead_loads {
 double bead_pan_eased(double part);
 /* The head of the wave, in contacts, now. */
 double bead_step_camera_find(struct bead_step_camera *camera, struct bead_loads wave);
-/* Moves on by a frame, with the wave's head at `place`, and one that meets it at `other`. */
+/* Advances by a frame, with the wave's head at `place`, and a wave that meets it at `other`. */
 void bead_step_camera_advance(struct bead_step_camera *camera, double place, double other);

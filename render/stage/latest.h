@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The last two samples that a view has been fed, and the moments between them. */
+/* The last two samples fed to a view, and the moments between them. */
 #pragma once
 
 #include <math.h>
@@ -10,7 +10,7 @@ struct bead_latest {
     int fed, newest; /* samples, at most 2; index of the newest */
 };
 
-/* Takes a sample at `time`, whose values belong at index `newest` from now on. */
+/* Takes a sample at `time`, whose values belong at the new index `newest`. */
 static inline void bead_latest_feed(struct bead_latest *l, double time)
 {
     l->newest = 1 - l->newest;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses, from the first hit, the factor by which displacements are drawn larger, for stills and movies whose scene gives none. */
+/* Chooses, from the first hit, the factor that magnifies displacements in stills and movies, if the scene gives none. */
 #include "render/stage/magnify.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 
 /* In radii: the compression of the striker's hit as drawn, and the limit for any contact whose neighbours meet as fast. */
 static const double share = 0.25, limit = 0.5;
-/* In radii of the smallest bead: how far one that is held at its place swings as drawn, as far as to the place of the next. */
+/* In radii of the smallest bead: how far a bead held in place swings as drawn, that is, to the place of the next. */
 static const double farthest = 2;
 
 static double reduced(double a, double b)
@@ -17,7 +17,7 @@ static double reduced(double a, double b)
     return a * b / (a + b);
 }
 
-/* Energy of the hit that the first contact stores, J; or would, were it hit with the largest velocity. */
+/* Energy of the hit that the first contact stores, J, or would store if hit with the largest velocity. */
 static double hit_energy(const struct bead_chain *chain)
 {
     const double *mass = bead_chain_mass(chain), v = bead_chain_speed(chain);

@@ -77,7 +77,7 @@ static bool is_free(const struct bead_moving_labels *l, size_t count, double pla
     return true;
 }
 
-/* Adds a label unless one of the first `before` labels is in its way. */
+/* Adds a label unless one of the first `before` labels is in the way. */
 static enum bead_error labels_add(struct bead_moving_labels *l, size_t before, double place, double width, const char *markup,
                                   struct bead_rgb colour, enum bead_label_sign sign, struct bead_message *msg)
 {

@@ -9,8 +9,8 @@
 
 /* From a panel's top to the baseline of its title, in units of the label's font size. */
 static const double title_rise = 0.38;
-/* Titles left of a panel: from its left edge, or from a number there, to the end of the title; from its bottom to the baseline, as
- * for numbers of axes. */
+/* Titles left of a panel: from its left edge, or a number there, to the end of the title; from its bottom to the baseline, as for
+ * numbers of axes. */
 static const double name_gap = 0.65, least_gap = 0.3, name_drop = 1.38;
 /* Places this close look the same, px. */
 static const double same_pixel = 1.5;

@@ -5,7 +5,7 @@
 #include "render/stage/stage_view.h"
 #include "sim/chain/chain_internal.h"
 
-/* Beads beyond the edges whose light and shadow reach the stage, in radii of the largest. */
+/* Light and shadow of beads this far beyond the edges reach the stage, in radii of the largest. */
 static const double reach = 9;
 /* In radii: neighbours further away than this leave a bead alone. */
 static const double alone = 0.58;
@@ -22,7 +22,7 @@ double bead_stage_between(const struct bead_view *v, double head)
     return v->place[i] + (head - whole + 0.5) * (v->place[next] - v->place[i]);
 }
 
-/* Waves go where beads that they press go, and away from where those go that they relieve. */
+/* Waves go the same way as beads that they press, and the opposite way to beads that they relieve. */
 static signed char way_of(const struct bead_view *v, size_t k, double excess)
 {
     const double *now = v->u[v->latest.newest], *before = v->u[1 - v->latest.newest];
@@ -73,7 +73,7 @@ static float on_grid(double x)
     return (float)(round(64 * x) / 64);
 }
 
-/* In steps of a part of the largest: pictures of beads are baked for each radius, and in some chains all differ. */
+/* In steps of a part of the largest, because pictures of beads are baked for each radius, and in some chains all differ. */
 static float shown_radius(const struct bead_view *v, size_t i)
 {
     const double steps = fmax(1, round(BEAD_STAGE_RADII * v->radius[i] / v->largest));
@@ -172,8 +172,8 @@ void bead_stage_compose(struct bead_view *v)
 /* ---- without a background ---- */
 
 /* Black and grey floors send the same light and let the same part of the background through: the picture on black is the colour,
- * and what the grey floor adds tells the transparency. Linear light of the grey floor; radii above the lower edge in which the
- * picture fades. */
+ * and the light that the grey floor adds gives the transparency. Linear light of the grey floor; radii above the lower edge in
+ * which the picture fades. */
 static const float grey = 0.5f, fade = 0.6f;
 
 static void make_floors(struct bead_view *v)
@@ -185,7 +185,7 @@ static void make_floors(struct bead_view *v)
     }
 }
 
-/* `part`: so much of it is kept. */
+/* `part`: the part of it to keep. */
 static void set_alpha(uint8_t *pixel, const uint8_t *on_grey, int whole, float part)
 {
     int through = 0, most = 0;
@@ -194,7 +194,7 @@ static void set_alpha(uint8_t *pixel, const uint8_t *on_grey, int whole, float p
         most = pixel[c] > most ? pixel[c] : most;
     }
     const int all = 3 * whole, alpha = through + 3 >= all ? 0 : through <= 3 ? 255 : 255 - (255 * through + all / 2) / all;
-    for (int c = 0; alpha == 0 && most <= 1 && c < 3; c++) /* dither on nothing */
+    for (int c = 0; alpha == 0 && most <= 1 && c < 3; c++) /* only dither */
         pixel[c] = 0;
     pixel[3] = (uint8_t)(most <= 1 || alpha > most ? alpha : most);
     for (int c = 0; part < 1 && c < 4; c++)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds things on the stage at present, for notes that point at them. */
+/* Finds things currently on the stage, for notes that point at them. */
 #include <math.h>
 
 #include "render/stage/stage_view.h"
 
-/* m: where a thing is on the floor at rest, by how much it is elsewhere now, and its radius. */
+/* m: the place of a thing on the floor at rest, its current displacement, and its radius. */
 struct thing {
     double place, shift, radius;
 };

@@ -36,7 +36,7 @@ struct key {
     bool used;            /* it has entries */
 };
 
-/* A word that ends at the right of what is left. */
+/* Adds a word at the right end of the remaining room. */
 static void add_word(struct key *key, const char *plain)
 {
     char markup[300];
@@ -48,7 +48,7 @@ static void add_word(struct key *key, const char *plain)
     key->right -= width;
 }
 
-/* `size`: its radius, of the largest. */
+/* `size`: its radius in units of the largest. */
 static void add_ball(struct key *key, const double colour[3], double size)
 {
     const double r = ball * key->style.size * fmax(0.5, size), x = key->right - to_word * key->style.size - r;
@@ -64,8 +64,8 @@ static void add_ball(struct key *key, const double colour[3], double size)
     cairo_pattern_destroy(shades);
 }
 
-/* Adds the materials of a chain's beads shown to those found, in their order along the chain; returns how many there are. Too many
- * to be told apart by their colours are MOST_MATERIALS + 1. */
+/* Adds the materials of a chain's shown beads to those found, in their order along the chain; returns their number, or
+ * MOST_MATERIALS + 1 if there are too many to tell apart by colour. */
 static size_t find_materials(const struct bead_chain *chain, struct bead_span beads, size_t *found, size_t count)
 {
     const size_t *material = bead_chain_material(chain);
@@ -79,7 +79,7 @@ static size_t find_materials(const struct bead_chain *chain, struct bead_span be
     return count;
 }
 
-/* Does a chain have none but the materials of one before? */
+/* Does a chain have only materials of an earlier one? */
 static bool named_before(const struct bead_chain *const *chains, size_t chain)
 {
     const struct bead_span all = {0, SIZE_MAX};
@@ -119,7 +119,7 @@ static void add_materials(struct key *key, const struct bead_view_setup *setup, 
     }
 }
 
-/* From no light to full light, as on a bead beside the contact. */
+/* Adds a scale from no light to full light, as on a bead beside the contact. */
 static void add_scale(struct key *key, const struct bead_view_setup *setup, double full)
 {
     const struct bead_field_info *info = bead_chain_field(setup->chain, bead_stage_field(setup));
@@ -170,7 +170,7 @@ double bead_stage_draw_key_of(cairo_t *cr, const struct bead_view_setup *setup, 
 
 /* ---- which of several waves the window follows ---- */
 
-/* Waves that begin at a bead: in both directions, but at the ends. */
+/* Waves that begin at a bead: two, in both directions, except at the ends. */
 static size_t waves_at(size_t bead, size_t beads)
 {
     return bead > 0 && bead + 1 < beads ? 2 : 1;
@@ -196,7 +196,7 @@ static size_t count_waves(const struct bead_chain *chain)
     return count;
 }
 
-/* Draws the words for that, left of the rest of the key; returns their width, 0 where there is one wave. */
+/* Draws the words about this, left of the rest of the key; returns their width, 0 if there is only one wave. */
 static double draw_followed(cairo_t *cr, const struct bead_view_setup *setup, double right, double middle)
 {
     const struct bead_look *look = setup->look;

@@ -28,7 +28,7 @@ static double name_x(const struct bead_view *v, size_t i)
     return v->strip.x + (v->row.height > 0 ? in_row : on_stage);
 }
 
-/* Writes a word with its middle, or its end, at x, unless it would meet another, or a word of the stage to the right in a grid. */
+/* Writes a word with its middle, or its end, at x, unless it would touch another, or a word of the stage to the right in a grid. */
 static bool add_word(struct words *w, double x, const char *markup, enum bead_align across, struct bead_rgb colour)
 {
     const struct bead_look *look = &w->v->look;
@@ -93,7 +93,7 @@ static void add_wall(struct words *w)
     add_word(w, v->strip.x + v->strip.width, markup, BEAD_ALIGN_END, v->look.faint);
 }
 
-/* They are seen around the beads, which are painted over them. */
+/* Draws rings, which are visible around the beads painted over them. */
 static void draw_rings(const struct bead_view *v, cairo_t *cr)
 {
     const double line = v->look.line, middle = v->row.y + 0.5 * v->row.height;

@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places the stage and the row of all beads in the view's rectangle, and draws what never changes. */
+/* Places the stage and the row of all beads in the view's rectangle, and draws the parts that never change. */
 #include <math.h>
 
 #include "render/stage/stage_key.h"
 #include "render/stage/stage_view.h"
 #include "sim/chain/chain_internal.h"
 
-/* In radii of the largest bead, from the row of its centre: light reaches so far above, most of it less far; the floor with what it
- * mirrors, and where there is room. */
+/* In radii of the largest bead, from the row of its centre: how far light reaches above, and most of it; the floor with its images,
+ * and the same if there is room. */
 static const double light_above = 1.28, least_above = 1.15, least_below = 1.75, roomy_below = 2.2;
-/* Beads side by side: more are in view where the stage is low, less only where there are no more. */
+/* Beads side by side: more are in view if the stage is low, fewer only if there are no more. */
 static const double least_across = 14.5, best_across = 16;
-/* In bare pictures, where nothing but the stage tells what happens: a pulse of five and two on both sides. */
+/* In bare pictures, where only the stage shows what happens: a pulse of five beads and two on both sides. */
 static const double bare_across = 9;
-/* For small stages side by side, whose beads have half of the width: a pulse of five and three on both sides. */
+/* For small stages side by side, whose beads have half the width: a pulse of five beads and three on both sides. */
 static const double small_across = 11;
-/* Beyond the beads at rest at the ends, in radii of the largest: a striker flies back; a wall; a last bead moves on. */
+/* Beyond the beads at rest at the ends, in radii of the largest: for a striker that flies back; a wall; a last bead that moves
+ * on. */
 static const double before_striker = 1.6, beyond_wall = 1.3, beyond_rest = 0.8;
 /* Along and across a pixel of a fine stage. */
 static const int rays = 3;
-/* Beads that a pulse takes, which stays whole in the window; the camera goes on by the others. */
+/* Beads that a pulse needs to stay whole in the window; the camera moves on by the others. */
 static const double pulse = 5;
 
 /* Height for the key, and for a heading at its left. */
@@ -47,9 +48,9 @@ static double across(const struct bead_view *v)
     return !v->setup.axes ? bare_across : v->setup.small ? small_across : least_across;
 }
 
-/* All beads are on the stage where they can be nearly as large as a few above a row of all, and where there is no wave to follow.
- * Of a cradle, where a wave takes a few microseconds and a swing a second, half of that: empirical, so that twenty balls which
- * swing by twelve radii are in view; rows that are longer, or swing further, have a camera that follows no swing. */
+/* All beads are on the stage if they can be nearly as large as a few above a row of all, and if there is no wave to follow. For a
+ * cradle, where a wave takes a few microseconds and a swing a second, half as large: empirical, so that twenty balls that swing by
+ * twelve radii are in view; rows that are longer, or swing further, have a camera, which does not follow swings. */
 static bool shows_all(const struct bead_view *v, double width, double height, double length)
 {
     const double wanted = fmin(largest_radius(height), width / (2 * (v->setup.small ? small_across : best_across)));
@@ -60,7 +61,7 @@ static bool shows_all(const struct bead_view *v, double width, double height, do
 /* The radius of the largest beads, px. */
 static double choose_radius(const struct bead_view *v, double width, double height, double length, bool all)
 {
-    if (v->setup.camera) /* other views show its window too */
+    if (v->setup.camera) /* other views also show its window */
         return v->largest * v->plot.width / bead_camera_width(v->setup.camera);
     const double r = fmin(largest_radius(height), all ? width * v->largest / length : width / (2 * across(v)));
     return fmax(1, floor(2 * r) / 2);
@@ -115,7 +116,7 @@ enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg)
         v->row = (struct bead_rect){v->strip.x, v->strip.y + v->strip.height, v->strip.width, 0};
     else
         set_row(v, (int)row);
-    /* Spare height goes below first; missing height comes from the image in the floor rather than from the beads. */
+    /* Spare height goes below first; missing height is taken from the image in the floor rather than from the beads. */
     const double spare = v->strip.height - head - (least_above + least_below) * r;
     const double more = spare > 0 ? 0.5 * fmax(0, spare - (roomy_below - least_below) * r) : 0.2 * spare;
     const double centre = ceil(head + least_above * r + more);

@@ -24,13 +24,13 @@ struct bead_view {
     double full;                     /* N, or the field's unit: full light */
     bool has_contacts, wall;
 
-    /* The last two samples: displacement (m), force (N) of each contact or value of each bead, and where they are now. */
-    double *u[2], *force[2], *shift, *load, *excess; /* excess: of the force above that at rest */
-    signed char *way;                                /* where this goes: 1, -1, 0: nowhere */
+    /* The last two samples: displacement (m), force (N) of each contact or value of each bead; and their current values. */
+    double *u[2], *force[2], *shift, *load, *excess; /* excess: of the force over the static one */
+    signed char *way;                                /* its direction: 1, -1, 0: none */
     struct bead_latest latest;
     double *numbers; /* memory of these */
 
-    /* px of the frame: plot; the stage with its headroom; rows that only decorate draws; the row of all beads. */
+    /* px of the frame: plot; the stage with its headroom; rows that only `decorate` draws; the row of all beads. */
     struct bead_rect plot, strip;
     int head;
     double scale; /* px a metre, of the stage */
@@ -54,27 +54,27 @@ struct bead_view {
 /* Divides the plot. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_stage_divide(struct bead_view *v, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr, struct bead_message *msg);
-/* The area below the stage, around the row. */
+/* Draws the area below the stage, around the row. */
 void bead_stage_draw_names(const struct bead_view *v, cairo_t *cr);
-/* The key, into the headroom. */
+/* Draws the key into the headroom. */
 void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr);
-/* The field that lights up, and its value of full light: the largest that colours show, or where they show another field, the force
- * of the striker's hit. */
+/* The field shown as light, and its value at full light: the largest that colours show or, if they show another field, the force of
+ * the striker's hit. */
 enum bead_field bead_stage_field(const struct bead_view_setup *setup);
 double bead_stage_full(const struct bead_view_setup *setup);
 /* Brings displacements, loads and camera to `time`; once for each frame. */
 void bead_stage_advance(struct bead_view *v, double time);
 /* Puts the beads in view on the stage. */
 void bead_stage_compose(struct bead_view *v);
-/* Paints the composed stage into this place of the frame: opaque, or where the look has no background with alpha, premultiplied, so
- * that light is added to whatever is behind and shadows darken it. Errors: MEMORY, GRAPHICS. */
+/* Paints the composed stage into this place of the frame: opaque, or, if the look has no background, with alpha, premultiplied, so
+ * that light is added to the picture behind and shadows darken it. Errors: MEMORY, GRAPHICS. */
 BEAD_CHECK enum bead_error bead_stage_paint(struct bead_view *v, struct bead_canvas *canvas, struct bead_rect place,
                                             struct bead_frame *frame, struct bead_message *msg);
 /* Balls of the row, and the mark around the window. */
 void bead_stage_compose_row(struct bead_view *v);
-/* m along the floor of a place among the contacts, at rest: 3.5 is between contacts 3 and 4. */
+/* The place, m along the floor at rest, of a number among the contacts: 3.5 is between contacts 3 and 4. */
 double bead_stage_between(const struct bead_view *v, double head);
-/* px of a place on the floor, from the left edge of the row. */
+/* px from the left edge of the row to a place on the floor. */
 double bead_stage_row_x(const struct bead_view *v, double place);
 /* See bead_view_type. */
 bool bead_stage_find(struct bead_view *v, enum bead_note_of of, size_t number, struct bead_spot *spot);
