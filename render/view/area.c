@@ -8,24 +8,24 @@
 #include "sim/base/memory.h"
 
 /* Spreads a bead over rows if they are fewer than the beads. For means: its share of its own row and of the next. For values
- * furthest from 0: the first and last row it reaches into. */
+ * furthest from 0: the first and the last row that it touches. */
 struct share {
     double own, next;
     size_t row, last;
 };
 
-/* A row of sums is one bead where the picture has at least a pixel for each, else one pixel. */
+/* A row of sums is one bead if the picture has at least a pixel for each, else one pixel. */
 struct bead_area {
     struct bead_area_setup setup;
     size_t beads, rows;
-    double *memory; /* of all arrays of doubles but `sums` */
+    double *memory; /* of all arrays of doubles except `sums` */
     double *sums; /* [columns][rows], integral over time of value - rest, averaged over the row; or the value furthest from 0 in row
-                     and column, NaN where all was at rest; finished columns hold the values of their pixels */
+                   * and column, NaN if all were at rest; finished columns hold the values of their pixels */
     double *covered;      /* s, [columns]; a column's sums have no values where it is 0 */
     double *rest;         /* [beads], values of beads that had not moved at the first sample */
     double *resting;      /* [rows], the same in rows */
     double *before, *now; /* [rows], value - rest (or value) of the last sample and of this */
-    double *low, *high;   /* [rows], of columns done */
+    double *low, *high;   /* [rows], of finished columns */
     double *shown;        /* [rows], scratch: the column being read */
     struct share *shares; /* [beads], with fewer rows */
     unsigned *level;      /* [places], with fewer rows; else NULL */
@@ -58,7 +58,7 @@ static struct share area_share_of(const struct bead_area *a, size_t i)
     return (struct share){cell - next, next, row, next > 0 ? row + 1 : row};
 }
 
-/* With the first sample: pictures that are only planned write to no array of beads, so those take no memory. */
+/* Called with the first sample: if pictures are only planned, arrays of beads are not touched, and take no memory. */
 static void find_shares(struct bead_area *a)
 {
     for (size_t i = 0; a->shares && i < a->beads; i++)
@@ -150,7 +150,7 @@ void bead_area_destroy(struct bead_area *area)
     free(area);
 }
 
-/* Values furthest from 0, in rows, for the beads below `count`. A bead counts fully in every row it reaches into. Returns the
+/* Values furthest from 0, in rows, for the beads below `count`. A bead counts fully in every row that it touches. Returns the
  * number of rows touched. */
 static size_t largest_in_rows(const struct bead_area *a, const double *values, size_t count, double *rows)
 {
@@ -204,7 +204,7 @@ static double edge(const struct bead_area *a, int c)
 static int column_of(const struct bead_area *a, double time)
 {
     double place = (time - a->setup.time[0]) / (a->setup.time[1] - a->setup.time[0]) * a->setup.columns;
-    return place > 1 ? (int)fmin(place, a->setup.columns) - 1 : 0; /* or the one before, so that rounding loses no piece */
+    return place > 1 ? (int)fmin(place, a->setup.columns) - 1 : 0; /* or one before, so that rounding loses no piece */
 }
 
 static void clear(const struct bead_area *a, double *sums)
@@ -215,7 +215,7 @@ static void clear(const struct bead_area *a, double *sums)
         sums[r] = NAN;
 }
 
-/* Adds the integral of one linear piece over column c. All rows weigh its two ends alike. */
+/* Adds the integral of one linear piece over column c. All rows weight its two ends equally. */
 static void add_piece(struct bead_area *a, int c, double from, double to, double time, size_t lit)
 {
     double length = to - from, span = time - a->time_before, *sums = area_column(a, c);
@@ -247,7 +247,7 @@ static void area_finish(struct bead_area *a, int c)
     bead_area_spread(a->rows, area_column(a, c), a->low, a->high);
 }
 
-/* Keeps the values of beads that have not moved yet; in a precompressed chain their forces are not 0. */
+/* Stores the values of beads that have not moved yet; in a precompressed chain their forces are not 0. */
 static void remember_rest(struct bead_area *a, const double *values, size_t active)
 {
     for (size_t i = active; i < a->beads; i++) {

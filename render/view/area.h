@@ -27,7 +27,7 @@ struct bead_area_setup {
 
 /* Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_area_create(const struct bead_area_setup *setup, struct bead_area **area, struct bead_message *msg);
-/* Before the first sample: cells of unlike width, all a pixel or more, between `borders`, [beads + 1] in any unit. */
+/* Call it before the first sample: cells of different widths, all at least a pixel, between `borders`, [beads + 1] in any unit. */
 void bead_area_divide(struct bead_area *area, const double *borders);
 void bead_area_destroy(struct bead_area *area);
 /* Values of all beads at `time`, which must rise from call to call. Beads >= active still have the values of the first sample; the
@@ -44,8 +44,8 @@ bool bead_area_column_levels(const struct bead_area *area, int c, double *values
 size_t bead_area_places(const struct bead_area *area);
 /* Smallest and largest value of all pixels touched; low > high if no pixel is. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
-/* The magnitude that only a short and narrow event exceeds, such as the strike: neither 5 % of the time columns have larger values,
- * nor 10 % of the chain. INFINITY: unknown. */
+/* The magnitude that only a short and narrow event exceeds, such as the strike: at most 5 % of the time columns, and 10 % of the
+ * chain, have larger values. INFINITY: unknown. */
 double bead_area_typical(const struct bead_area *area);
 
 /* Turns areas into images of palette indices. */

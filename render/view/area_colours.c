@@ -6,8 +6,8 @@
 #include <stdlib.h>
 
 enum { BLOCK = 16 };
-/* BLOCK pixels of a row, at any address. Not memcpy: GCC (12 to 14 at least) makes aligned stores of 16 bytes where it vectorises a
- * loop of them. */
+/* BLOCK pixels of a row, at any address. Not memcpy: when GCC (at least 12 to 14) vectorises a loop of them, it makes aligned
+ * stores of 16 bytes. */
 typedef uint8_t pixels_anywhere __attribute__((vector_size(BLOCK), aligned(1), may_alias));
 
 /* A few columns side by side, so that each row of the image is written BLOCK bytes at a time, not byte by byte. */
@@ -34,7 +34,7 @@ static void colours_put_rows(const struct block *b, int count, uint8_t *origin, 
     }
 }
 
-/* Columns that lie as rows in the image. */
+/* Columns that are rows of the image. */
 static void colours_put_columns(const struct block *b, int count, uint8_t *origin, ptrdiff_t step)
 {
     for (int c = 0; c < count; c++) {

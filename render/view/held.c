@@ -10,10 +10,10 @@
 #include "sim/chain/system.h"
 
 /* The spacing that shows every oscillation is 1/4 of 1/omega (run_kinds.c), omega the largest frequency that a chain's energy
- * allows. Its shortest pulse, half an oscillation, lasts pi/omega: of samples 1/omega apart one is within half of that from the
- * maximum, and has cos(1/2) = 88 % of it or more; longer pulses lose less. */
+ * allows. Its shortest pulse, half an oscillation, lasts pi/omega: one of the samples 1/omega apart is within half of that from the
+ * maximum, with at least cos(1/2) = 88 % of it; longer pulses lose less. */
 static const double widest = 4;
-/* Only forces and compressions of contacts come and go; what swings would be distorted. */
+/* Only forces and compressions of contacts come and go; oscillations would be distorted. */
 static const unsigned come_and_go =
     BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_COMPRESSION);
 

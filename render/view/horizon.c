@@ -71,7 +71,7 @@ static int neighbours(const struct bead_horizon *h)
     return 1 + h->setup.places / 48;
 }
 
-/* The earliest column of these places and so many neighbours on each side. */
+/* The earliest column of this place and `side` neighbours on each side. */
 static int earliest_near(const struct bead_horizon *h, int place, int side)
 {
     int earliest = INT_MAX, last = place + side;
@@ -86,7 +86,8 @@ static int line_at(const struct bead_horizon *h, int place)
     return earliest_near(h, place, neighbours(h));
 }
 
-/* The first column where the line changes as a place gets its horizon, which moves its neighbours' points, and lines to those. */
+/* The first column where the line changes when a place gets its horizon, which moves its neighbours' points and the lines to
+ * them. */
 static int changed_from(const struct bead_horizon *h, int place)
 {
     return earliest_near(h, place, 2 * neighbours(h) + 1);
@@ -158,7 +159,7 @@ void bead_horizon_draw(const struct bead_horizon *h, cairo_t *cr, const struct b
     cairo_new_path(cr);
     for (int p = 0; p < places; p++) {
         int column = line_at(h, p);
-        double reach = 2 * bead_horizon_reach(look); /* beyond the end: out of sight */
+        double reach = 2 * bead_horizon_reach(look); /* beyond the end, invisible */
         double beyond = 1 + reach / (orientation == BEAD_TIME_DOWN ? plot.height : plot.width);
         double end = column < INT_MAX ? (double)column / h->setup.columns : beyond;
         if (column == INT_MAX && !closed) {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Horizon: the time until which a picture can be trusted.
  *
- * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic, their difference grows
- * until the details of both are arbitrary. The horizon of a bead is the first time at which the two pictures' pixels differ by
- * more than a threshold there. The line passes through the horizons of all beads, each the earliest of its own and those
- * of its neighbours (about 2 % of the chain on both sides): before the line no pixel differs by more. */
+ * Two runs of the same chain with different accuracy agree at first. Where the motion is chaotic, their difference grows until the
+ * details of both are arbitrary. The horizon of a bead is the first time at which the two pictures' pixels differ by more than a
+ * threshold there. The line passes through the horizons of all beads, each the earliest of its own and its neighbours' (about 2 %
+ * of the chain on both sides): no pixel before the line differs by more. */
 #pragma once
 
 #include <cairo.h>
@@ -16,7 +16,7 @@
 #include "render/draw/axis.h"
 #include "render/view/area.h"
 
-/* Two pictures differ where their values differ by more than this part of the range. */
+/* Two pictures differ if their values differ by more than this part of the range. */
 #define BEAD_HORIZON_PART 0.01
 
 struct bead_horizon;
@@ -32,11 +32,11 @@ void bead_horizon_feed(struct bead_horizon *horizon, double time, const double *
 int bead_horizon_find(struct bead_horizon *horizon, double threshold, int to);
 /* The earliest of all beads found so far, s: the beginning of its pixel. INFINITY: none. */
 double bead_horizon_time(const struct bead_horizon *horizon);
-/* The line over the image in `plot`, which lies as `orientation` says. `closed`: the line runs along the end of time for beads
+/* Draws the line over the image in `plot`, which has this orientation. `closed`: the line runs along the end of time for beads
  * without a horizon. */
 void bead_horizon_draw(const struct bead_horizon *horizon, cairo_t *cr, const struct bead_look *look, struct bead_rect plot,
                        enum bead_orientation orientation, bool closed);
-/* Half the width of the line about its path, px. */
+/* Half the width of the line, px. */
 double bead_horizon_reach(const struct bead_look *look);
 /* Strokes the current path in the style of a horizon, visible on every colour of a map. */
 void bead_horizon_stroke(cairo_t *cr, const struct bead_look *look);

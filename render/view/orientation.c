@@ -3,8 +3,8 @@
 #include "render/view/orientation.h"
 #include "sim/kinds/view_kinds.h"
 
-/* Papers have time to the right; below a row of beads it runs down, so that each bead is above its column; bare pixels lie as a
- * matrix does. */
+/* Papers have time to the right; below a row of beads it runs down, so that each bead is above its column; bare pixels are arranged
+ * like a matrix. */
 static enum bead_orientation of_image(const struct bead_views_asked *views)
 {
     if (!bead_views_all(views, BEAD_SHOWS_ALL_TIMES))

@@ -9,7 +9,7 @@
 #include "sim/chain/chain_internal.h"
 
 enum { SAMPLES = 32, LONGEST_CELL = 8 };
-/* bead_chain_passage is an estimate, and never too long by more than this; see movie_times.c. */
+/* bead_chain_passage is an estimate, never too long by more than this; see movie_times.c. */
 static const double passages = 2;
 
 struct bead_hold {

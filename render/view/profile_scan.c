@@ -6,7 +6,7 @@
 
 #include "render/paint/pixel_kernels.h"
 
-/* Each column is cut into slices, which give steep parts soft edges; at most this many per half width of the pen. */
+/* Each column is cut into slices, which give steep parts soft edges; at most MOST_TAPS for half the width of the pen. */
 enum { SLICES = BEAD_SLICES, MOST_TAPS = 64 };
 
 /* Lowest and highest y of the curve in a slice; empty beyond the ends of the curve. */
@@ -54,7 +54,7 @@ static size_t find_segment(const struct bead_curve *c, float x)
     return low;
 }
 
-/* The curve's extent in a slice. `segment`, at or before its start, moves on to the segment of the start. */
+/* The curve's extent in a slice. `segment`, at or before its start, advances to the segment of the start. */
 static struct extent slice(const struct bead_curve *c, size_t *segment, float from, float to)
 {
     struct extent e = nothing;
@@ -111,7 +111,7 @@ static void curve_keep(struct bead_extents *extents, int slice, int x, const str
     extents->high[slice][x] = e->high;
 }
 
-/* Line and area of a column; returns the rows that they reach into. */
+/* Line and area of a column; returns the rows that they touch. */
 static struct extent make_column(const struct bead_curve *c, const struct extent *curve, const struct pen *pen,
                                  struct bead_columns *k, int x)
 {
@@ -185,7 +185,7 @@ static void draw_whole(const struct bead_curve *curve, struct bead_rect rect, in
     struct pen pen;
     make_pen(curve, &pen);
     set_colours(curve, frame, &columns);
-    const int offset = (rect.x + from) % GROUP; /* no vector reaches into another row */
+    const int offset = (rect.x + from) % GROUP; /* no vector extends into another row */
     for (int begin = from - offset; begin < to; begin += BLOCK) {
         make_columns(curve, &pen, begin, begin < from ? from : begin, begin + BLOCK < to ? begin + BLOCK : to, rect.height,
                      &columns);
@@ -227,7 +227,7 @@ static void add_point(struct dash *d, float x, float y)
     d->y[d->curve.count++] = y;
 }
 
-/* The pen's round ends are part of a dash: what is on is shorter by its width, what is off longer. */
+/* The pen's round ends are part of a dash: dashes are shorter by its width, gaps longer. */
 static float dash_length(const struct bead_curve *c, int part)
 {
     static const float least_on = 0.2f;

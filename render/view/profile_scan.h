@@ -11,11 +11,11 @@
 struct bead_curve {
     const float *x, *y; /* points in px of the rectangle, x rising, y downwards */
     size_t count;
-    float base;  /* y that the area reaches to */
+    float base;  /* y where the area ends */
     float width; /* of the line, px */
     struct bead_rgb line, area;
     double area_alpha;
-    const struct bead_dashes *dashes; /* of the line, from the first point on, and then without an area; NULL: whole */
+    const struct bead_dashes *dashes; /* of the line, from the first point, without an area; NULL: solid */
 };
 
 /* Reach of a point's influence beyond its neighbours, px. */

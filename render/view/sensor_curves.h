@@ -22,7 +22,7 @@ struct bead_curves {
     size_t count, room;
     long last_slot;
     struct bead_stretch *stretch; /* [count][curves] */
-    double low, high;             /* N: of everything added; low > high: nothing yet */
+    double low, high;             /* N: of all values added; low > high: none yet */
 };
 
 void bead_curves_init(struct bead_curves *curves, size_t count, const double time[2]);

@@ -14,14 +14,14 @@
 
 /* Parts of the largest value so far: the front is where values exceed the first; the wave is wide from end to end of the second. */
 static const double at_front = 0.01, in_wave = 0.1;
-/* A pulse keeps its height within this part, from the second eighth of the chain to the last but one. */
+/* A pulse keeps its height if it changes by less than this part from the second eighth of the chain to the last but one. */
 static const double keeps = 0.1;
-enum { PART = 8, NARROW = 12 /* beads: a pulse */ };
+enum { PART = 8, NARROW = 12 /* beads: at most, in a pulse */ };
 
 struct chain_tale {
     const struct bead_chain *chain;
     size_t first, count;    /* values */
-    double *rest, *largest; /* [count]: in the first sample; magnitude in all */
+    double *rest, *largest; /* [count]: in the first sample; magnitude in all samples */
     double most, begun, seen, arrived;
     size_t reached, wide; /* beads behind the front; between the ends of the wave as it arrived */
 };
@@ -110,7 +110,7 @@ static void quantity(double value, const char *unit, char *out, size_t size)
     bead_quantity(value, unit, 2, out, size);
 }
 
-/* "In Clean (M = 1) "; "": there is nothing to tell chains by. */
+/* "In Clean (M = 1) "; "" if nothing tells chains apart. */
 static void begin(const struct bead_tale *tale, const struct chain_tale *k, char *out, size_t size)
 {
     const char *name = bead_chain_title(k->chain);

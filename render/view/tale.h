@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The story of a run in words, for those who cannot see a picture: from the samples that it shows. "In Clean (M = 1) one pulse of
- * 36 N, 5 beads wide, crosses 128 beads in 2.4 ms and keeps its height." */
+/* The story of a run in words, from the samples of a picture, for those who cannot see it. "In Clean (M = 1) one pulse of 36 N, 5
+ * beads wide, crosses 128 beads in 2.4 ms and keeps its height." */
 #pragma once
 
 #include "beadreel/chain.h"
@@ -16,7 +16,7 @@ enum { BEAD_TALE_WORDS = 1600 };
 BEAD_CHECK enum bead_error bead_tale_create(const struct bead_chain *const *chains, size_t count, enum bead_field field,
                                             struct bead_span beads, struct bead_tale **tale, struct bead_message *msg);
 void bead_tale_destroy(struct bead_tale *tale);
-/* Samples without the field say nothing. */
+/* Samples without the field are ignored. */
 void bead_tale_feed(struct bead_tale *tale, const struct bead_sample *sample);
 /* A sentence about each chain, or about one; "" before the first sample. tale NULL: "". */
 void bead_tale_words(const struct bead_tale *tale, char *out, size_t size);

@@ -15,7 +15,7 @@
 
 struct bead_theory_line {
     struct bead_view_setup setup;
-    size_t first, end; /* contacts that the wave passes as one of an endless chain: end is out of reach of what comes back */
+    size_t first, end; /* contacts that the wave passes as in an endless chain: `end` is out of reach of reflections */
     size_t next;       /* the first that it has not passed; SIZE_MAX: nothing is fed */
     double *peak;      /* [end] N: largest forces so far */
     double *before[2]; /* [end] N: forces of the last sample, and of the one before */
@@ -58,7 +58,7 @@ void bead_theory_line_destroy(struct bead_theory_line *line)
     free(line);
 }
 
-/* Beads that the wave has passed before the first sample say nothing of it. */
+/* Beads that the wave passed before the first sample tell nothing about it. */
 static size_t first_at_rest(const struct bead_theory_line *line, const double *force)
 {
     size_t next = line->end;
@@ -89,7 +89,7 @@ void bead_theory_line_feed(struct bead_theory_line *l, const struct bead_sample 
         l->next++;
 }
 
-/* The force of the wave when it was last seen whole, the largest over a cell, whose contacts have unlike forces. 0: never. */
+/* The force of the wave when it was last seen whole: the largest in a cell, whose contacts have different forces. 0: never. */
 static double force_of(const struct bead_theory_line *l)
 {
     const size_t cell = bead_compacton_of_dimers(l->setup.chain) ? 2 : 1;
@@ -111,7 +111,7 @@ static void line_point(const struct bead_theory_line *l, struct bead_rect plot, 
     xy[1] = plot.y + plot.height * (down ? when : s->orientation == BEAD_MATRIX ? place : 1 - place);
 }
 
-/* Through all beads where they are unevenly wide, else from end to end. */
+/* Through all beads if they are unevenly wide, else from end to end. */
 static void line_path(const struct bead_theory_line *l, struct bead_rect plot, double speed, cairo_t *cr)
 {
     const struct bead_view_setup *s = &l->setup;
@@ -136,7 +136,7 @@ static bool is_clear(const struct bead_theory_line *l, struct bead_rect plot, do
     return down ? xy[1] - plot.y > height : xy[0] - plot.x > width;
 }
 
-/* Without the speed where there is no room for it; none before there is. */
+/* Draws the words, without the speed if it does not fit; none until there is room. */
 static void line_words(const struct bead_theory_line *l, const struct bead_look *look, struct bead_rect plot, struct bead_rect part,
                        double speed, cairo_t *cr)
 {

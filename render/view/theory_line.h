@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The front that theory predicts, over a space-time image: a straight line from the first bead, when the striker hits it, as fast
- * as the solitary wave of long waves (compacton.h) with the force of the pulse. */
+/* The front predicted by theory, over a space-time image: a straight line that starts at the first bead when the striker hits it,
+ * as fast as the solitary wave of long waves (compacton.h) with the force of the pulse. */
 #pragma once
 
 #include <cairo.h>
@@ -9,13 +9,12 @@
 
 struct bead_theory_line;
 
-/* Errors: UNSUPPORTED (the wave of this chain is none of these), MEMORY. */
+/* Errors: UNSUPPORTED (the chain has no such wave), MEMORY. */
 BEAD_CHECK enum bead_error bead_theory_line_create(const struct bead_view_setup *setup, struct bead_theory_line **line,
                                                    struct bead_message *msg);
 void bead_theory_line_destroy(struct bead_theory_line *line);
 /* A sample with forces of contacts. */
 void bead_theory_line_feed(struct bead_theory_line *line, const struct bead_sample *sample);
-/* Over a part of the image in `plot`, with words that name the theory where that has room for them; nothing if no pulse has
- * passed. */
+/* Draws it over a part of the image in `plot`, with words that name the theory if they fit; nothing if no pulse has passed. */
 void bead_theory_line_draw(const struct bead_theory_line *line, const struct bead_look *look, struct bead_rect plot,
                            struct bead_rect part, cairo_t *cr);

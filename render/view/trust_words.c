@@ -7,7 +7,7 @@
 #include "render/draw/words.h"
 #include "render/view/horizon.h"
 
-/* In units of the label's size: the piece of line before the words. */
+/* In units of the label's size: the sample of the line before the words. */
 static const double key_length = 1.6, key_gap = 0.5;
 
 struct bead_trust bead_trust_make(const struct bead_chain *chain, double tolerance_factor)
@@ -95,7 +95,7 @@ void bead_trust_draw(cairo_t *cr, const struct bead_look *look, const struct bea
         if (key + width <= rect.width)
             break;
     }
-    if (key + width > rect.width) { /* the verdict is never left out: smaller type */
+    if (key + width > rect.width) { /* the verdict is never left out, but set in smaller type */
         style.size *= rect.width / (key + width);
         key *= rect.width / (key + width);
         bead_text_size(cr, &style, markup, &width, &height);

@@ -13,7 +13,7 @@ const struct bead_view_type *bead_view_find(enum bead_view_kind kind)
     return (unsigned)kind < BEAD_VIEW_KINDS ? views[kind] : NULL;
 }
 
-/* Has the view the functions that every view needs, and those of views that show all times? */
+/* Does the view have the functions that every view needs, and those of views that show all times? */
 static bool is_whole(const struct bead_view_type *t)
 {
     const bool all = t->fields && t->create && t->place && t->decorate && t->feed && t->draw && t->vector && t->destroy;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* View: the chain's beads as spheres. Where they are small, a lens below the row shows those at the front. */
+/* View: the chain's beads as spheres. If they are small, a lens below the row shows those at the front. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -220,7 +220,7 @@ static bool lens_changed(const struct bead_view *v)
            memcmp(d->now.marks, d->old.marks, d->now.mark_count * sizeof *d->now.marks) != 0;
 }
 
-/* Pixels that only move with the lens are moved in the frame; the others are painted. */
+/* Pixels that only move with the lens are moved in the frame; others are painted. */
 static enum bead_error paint_lens_beads(struct bead_view *v, struct bead_frame *frame, struct bead_changes *changes,
                                         struct bead_message *msg)
 {
@@ -290,7 +290,7 @@ static enum bead_error beads_draw(struct bead_view *v, double time, struct bead_
     return err;
 }
 
-/* The lens follows the front also in frames that are not drawn. */
+/* The lens also follows the front in frames that are not drawn. */
 static void beads_pass(struct bead_view *v, double time)
 {
     if (v->latest.fed > 0)

@@ -21,7 +21,7 @@ struct bead_view {
     size_t modes;
     double energies[2][BEAD_MODES], *energy[2];
     struct bead_latest latest;
-    double whole; /* energy of all these modes in the first sample: 1 on the axis */
+    double whole; /* energy of all modes shown in the first sample: 1 on the axis */
     struct bead_axis axis;
     struct bead_rect plot;
     int top[BEAD_MODES]; /* of the bars as last drawn, in px / steps */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: the field along the chain, as a smooth line over a filled area, with dots at the beads if they fit. The view of one chain
- * can draw those of others with its own, on one axis. */
+ * can also draw other chains' curves, on one axis. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +30,7 @@ struct bead_view {
     struct bead_view_setup setup;
     struct bead_look look;
     size_t first, count; /* values shown */
-    bool fixed;          /* the first and the last are those of a string's fixed ends: 0 */
+    bool fixed;          /* the first and the last are a string's fixed ends: 0 */
     double *numbers;     /* memory of `value` and `place` */
     double *value[2];
     struct bead_latest latest;
@@ -38,14 +38,14 @@ struct bead_view {
     float *x, *y, *old_y; /* px of the plot, of the values */
     float *sx, *sy;       /* of the curve through them, in one piece of memory */
     size_t points;        /* of the curve, as of now */
-    unsigned parts;       /* of the curve to a gap between values */
+    unsigned parts;       /* of the curve in each gap between values */
     float dots;           /* px: radius; 0: none */
     double *place;        /* m along the chain: with a camera */
-    double left;          /* m: the camera's, as drawn last */
+    double left;          /* m: the camera's left edge as drawn last */
     size_t from, to;      /* values in the plot, and one more on each side; `to` exclusive */
     struct bead_moving_labels *labels;
     struct bead_axis axis;
-    double base;                           /* value that the area reaches to */
+    double base;                           /* value where the area ends */
     double ends[2];                        /* of the axis along the chain, in its units */
     struct bead_view *others[MOST_OTHERS]; /* borrowed: drawn with this one */
     size_t other_count;
@@ -108,7 +108,7 @@ static enum bead_error profile_create(const struct bead_view_setup *setup, struc
     return BEAD_OK;
 }
 
-/* The axis spans the range of the colours and some air above the highest value. */
+/* The axis spans the range of the colours, with some air above the highest value. */
 static void profile_make_axis(struct bead_view *v)
 {
     const struct bead_colours *colours = &v->setup.colours;
@@ -398,7 +398,7 @@ static void find_changed(const struct bead_view *curve, bool all, uint8_t *chang
         int b = i + gaps >= curve->to ? width : (int)ceilf(curve->x[i + gaps]) + reach;
         a = a < 0 ? 0 : a;
         b = b > width ? width : b;
-        if (drawn.dashes && drawn.dashes->count > 0) /* all that follows is moved along the curve */
+        if (drawn.dashes && drawn.dashes->count > 0) /* all later dashes move along the curve */
             b = width;
         if (b > a)
             memset(changed + a, 1, (size_t)(b - a));

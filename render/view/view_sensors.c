@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sensors: the force of each against time, in one plot with the names at the curves. */
+/* Sensors: the force at each over time, in one plot with the names at the curves. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -86,7 +86,7 @@ static void sensors_extremes(const struct bead_view *view, double *low, double *
     *high = view->curves.high;
 }
 
-/* Sets the ends of the axis of forces, which are those of the setup's colours until then. */
+/* Sets the ends of the axis of forces, which until then are the setup's range of colours. */
 static void sensors_set_range(struct bead_view *view, const struct bead_colours *, const double values[2])
 {
     set_ends(view, values[0], values[1]);
@@ -246,7 +246,7 @@ static void line_to(const struct bead_view *v, cairo_t *cr, struct bead_point po
     cairo_line_to(cr, x_of(v, point.time), sensors_y_of(v, point.value));
 }
 
-/* The curve is straight between samples: at a time between two. */
+/* The curve is straight between samples: finds its point between two. */
 static struct bead_point between(struct bead_point a, struct bead_point b, double time)
 {
     return (struct bead_point){time, a.value + (b.value - a.value) * (time - a.time) / (b.time - a.time)};
@@ -286,7 +286,7 @@ static void paint_curves(const struct bead_view *v, cairo_t *cr, double from, do
     }
 }
 
-/* A line, below the curves, where they stop being predictable. */
+/* Draws a line, below the curves, where they stop being predictable. */
 static void paint_horizon(struct bead_view *v, cairo_t *cr)
 {
     double time = v->setup.trust ? sensors_horizon(v) : INFINITY;
@@ -305,7 +305,7 @@ static void clip(cairo_t *cr, struct bead_rect rect)
     cairo_clip(cr);
 }
 
-/* Stills show all times, movies those up to the present. */
+/* Stills show all times, movies times up to the present. */
 static double until(const struct bead_view *v, double time)
 {
     return v->setup.fill ? time : INFINITY;

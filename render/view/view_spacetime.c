@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* View: space-time image in the setup's orientation. Every pixel is the exact mean of the field over its stretch of chain and time.
+/* View: space-time image in the setup's orientation. Every pixel is the exact mean of the field over its piece of chain and time.
  * With `fill`, only times up to the present are shown, with a line there. */
 #include <limits.h>
 #include <math.h>
@@ -45,7 +45,7 @@ static uint32_t pixel_of(struct bead_rgb c)
     return 0xff000000u | (uint32_t)lround(c.r * 255) << 16 | (uint32_t)lround(c.g * 255) << 8 | (uint32_t)lround(c.b * 255);
 }
 
-/* A colour of the future, most of which is the panel's. */
+/* A colour of the future, which is mostly the panel's. */
 static struct bead_rgb dimmed(const struct bead_view *v, const uint8_t rgb[3])
 {
     static const double seen = 0.3;
@@ -93,7 +93,7 @@ static enum bead_error spacetime_place(struct bead_view *v, struct bead_rect plo
     return BEAD_OK;
 }
 
-/* Pixels belong to the beads seen above them. */
+/* Pixels belong to the beads drawn above them. */
 static enum bead_error divide(struct bead_view *v, struct bead_message *msg)
 {
     const size_t values = v->setup.beads.last - v->setup.beads.first + 1;
@@ -105,12 +105,12 @@ static enum bead_error divide(struct bead_view *v, struct bead_message *msg)
     return BEAD_OK;
 }
 
-/* Makes sums and indices, with the first sample: a view that only decorates needs neither. */
+/* Makes sums and indices, with the first sample: a view that only draws decorations needs neither. */
 static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_message *msg)
 {
     struct bead_area_setup setup = {
         v->setup.beads, {v->setup.time[0], v->setup.time[1]}, v->places, v->columns, BEAD_SAMPLING_AREA};
-    struct bead_area_setup sampled = setup; /* the horizon is always of means */
+    struct bead_area_setup sampled = setup; /* the horizon always compares means */
     sampled.sampling = v->setup.sampling;
     enum bead_error err = bead_area_create(&sampled, &v->area, msg);
     if (!err && v->setup.trust)
@@ -125,7 +125,7 @@ static enum bead_error spacetime_prepare(struct bead_view *v, struct bead_messag
     return v->indices ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a space-time image");
 }
 
-/* On dark pages the panel itself is seen. */
+/* On dark pages the panel itself is visible. */
 static void draw_frame(const struct bead_view *v, cairo_t *cr)
 {
     if (v->setup.axes && !v->look.dark)
@@ -268,7 +268,7 @@ static double spacetime_horizon(struct bead_view *view)
     return view->horizon ? bead_horizon_time(view->horizon) : INFINITY;
 }
 
-/* Marks the moment that the other views show by a light line with dark edges, visible on any colour. */
+/* Marks the moment that other views show with a light line with dark edges, visible on any colour. */
 static void stroke_mark(const struct bead_view *v, cairo_t *cr)
 {
     double place = (v->setup.mark - v->setup.time[0]) / (v->setup.time[1] - v->setup.time[0]), line = v->look.line;
@@ -336,7 +336,7 @@ static void draw_future(const struct bead_view *v, int from, struct bead_frame *
 static enum bead_error spacetime_draw(struct bead_view *v, double time, struct bead_frame *frame,
                                       const struct bead_frame *background, struct bead_changes *changes, struct bead_message *msg)
 {
-    int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough to tell its two colours apart */
+    int line_width = (int)v->look.line * (v->setup.camera ? 2 : 1); /* wide enough to distinguish its two colours */
     int until = columns_until(v, time), thickness = smaller(line_width, v->columns), last = v->columns - thickness;
     bool cursor = v->setup.fill && time < v->setup.time[1], moved = find_mark(v);
     if (v->drawn && until == v->shown && ((cursor && !moved) || v->finished))
@@ -420,7 +420,7 @@ static enum bead_error spacetime_vector(struct bead_view *v, double time, cairo_
     if (v->theory)
         bead_theory_line_draw(v->theory, &v->look, v->plot, columns_rect(v, v->first, to), cr);
     stroke_mark(v, cr);
-    draw_frame(v, cr); /* again: viewers stretch the image to whole pixels of theirs, over its frame */
+    draw_frame(v, cr); /* again, because viewers stretch the image to whole pixels of theirs, over its frame */
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "space-time image: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 

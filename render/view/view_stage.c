@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* View: beads as actors. Large beads in their materials' colours on a floor, with light at each contact for its force; a camera
- * follows the wave, and a row of all beads shows where it is. */
+ * follows the wave, and a row of all beads shows its place. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,8 +34,9 @@ static void stage_destroy(struct bead_view *v)
     free(v);
 }
 
-/* On a floor, balls meet above one that is smaller than a quarter of both: these are drawn apart, with air around the one between.
- */
+/* On a floor, two balls meet above one between them that is smaller than a quarter of both: they are drawn apart, with air around
+ * it.
+ * */
 static void part_from_others(struct bead_view *v, size_t i)
 {
     for (size_t j = i - 1; j-- > 0 && v->place[i] - v->place[j] < 2 * v->largest;) {
@@ -45,7 +46,7 @@ static void part_from_others(struct bead_view *v, size_t i)
     }
 }
 
-/* Beads stand on the floor: centres of neighbours that touch are nearer to each other along it than the sum of unlike radii. */
+/* Beads rest on the floor: along it, the centres of touching neighbours of different radii are closer than the sum of the radii. */
 static void place_beads(struct bead_view *v)
 {
     v->ends[0] = INFINITY;
@@ -172,7 +173,7 @@ static enum bead_error stage_draw(struct bead_view *v, double time, struct bead_
     return err;
 }
 
-/* The camera follows the wave also in frames that are not drawn. */
+/* The camera also follows the wave in frames that are not drawn. */
 static void stage_pass(struct bead_view *v, double time)
 {
     if (v->latest.fed > 0)
@@ -196,7 +197,7 @@ static void draw_row(struct bead_view *v, cairo_t *cr)
     }
 }
 
-/* Light has no paths: the stage is an image there. The file keeps the surface, so that its pixels must be its own. */
+/* Light has no paths: in vector files the stage is an image. The file keeps the surface, which must therefore own its pixels. */
 static enum bead_error draw_stage(struct bead_view *v, cairo_t *cr, struct bead_message *msg)
 {
     const struct bead_rect all = {0, 0, v->strip.width, v->strip.height};
@@ -257,7 +258,7 @@ enum bead_error bead_stage_at_rest(const struct bead_view_setup *setup, struct b
     return err;
 }
 
-/* Natural height of a plot of this width: beads as large as they get, and what is above and below. */
+/* Natural height of a plot of this width: with beads as large as possible, and the parts above and below. */
 static double stage_most_height(const struct bead_view_setup *setup, double width)
 {
     const double em = setup->look->tick;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The functions of every view of the table of kinds, each in a file of its own; bead_view_find looks among these. */
+/* The functions of every view of the table of kinds, each in its own file; bead_view_find searches these. */
 #pragma once
 
 #include "beadreel/view.h"
