@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Graphs: curves, points and error bars over axes, in one panel or several, with rulers, legends, letters and a caption, for
- * everything but pictures of beads: peaks, sweeps, profiles, energies of modes.
+ * everything except pictures of beads: peaks, sweeps, profiles, energies of modes.
  *
  *   struct bead_graph graph = {.panels = panels, .panel_count = 4, .letters = true};
  *   err = bead_graph_write(&graph, output, scene, path, &bytes, &msg);       png, pdf or svg of the output's size and style
@@ -20,11 +20,11 @@
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 
-/* Marks on a line too dense for them are put at every n-th point, alternating with those of other curves. A band lies between y and
+/* If a line is too dense for marks, every n-th point has one, alternating with those of other curves. A band lies between y and
  * `upper`. */
 enum bead_mark { BEAD_MARK_LINE, BEAD_MARK_POINTS, BEAD_MARK_LINE_POINTS, BEAD_MARK_BAND };
-/* Dashes and marks distinguish the curves of a panel in greyscale too: the first DASHES patterns are for curves, the dotted one is
- * for fits. */
+/* Dashes and marks distinguish the curves of a panel, also in greyscale: the first DASHES patterns are for curves, the dotted one
+ * is for fits. */
 enum { BEAD_SHAPES = 6 };
 
 /* One curve. It is interrupted where y is NaN; points outside the axes are cut off at the frame. */
@@ -44,8 +44,8 @@ struct bead_series {
     bool jitter;       /* points of equal x are spread sideways, part of the way to the next x */
 };
 
-/* A line across the panel at a value of x (vertical) or y, with a band around it if low < high, and a label beside it; or the band
- * alone, and its label in it. */
+/* A line across the panel at a value of x (vertical) or y, with a band around it if low < high, and a label beside it; or only the
+ * band, with its label in it. */
 struct bead_ruler {
     bool vertical;
     double value, low, high; /* value NaN: no line; low, high NaN: no band */
@@ -59,11 +59,11 @@ struct bead_graph_axis {
     bool zero; /* an automatic linear range begins at 0 unless a value is negative */
 };
 
-/* Values as colours, below the curves, with a bar at the right. */
+/* Values as colours, below the curves, with a bar on the right. */
 struct bead_graph_image {
-    double x[2], y[2];        /* of the middles of the first and the last column and row */
+    double x[2], y[2];        /* the middles of the first and the last column and row */
     size_t columns, rows;     /* two or more */
-    const double *values;     /* [columns][rows]; where pixels are larger than these, the largest */
+    const double *values;     /* [columns][rows]; larger pixels show the largest */
     double low, high;         /* ends of the bar, in the map of light or dark pictures whose low end looks like the page */
     const char *title, *unit; /* of the bar */
 };
@@ -91,8 +91,9 @@ struct bead_graph {
 /* Draw into 0..width, 0..height px of `cr`, on the look's background. Errors: SCENE (too small for that many panels), MEMORY. */
 BEAD_CHECK enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,
                                            double height, struct bead_message *msg);
-/* To a file in the format of its name with the output's size, dpi, style and theme, below the scene's title where pages have it,
- * above the output's caption; ignores the graph's own title and caption. Errors: those of draw (with the output's place), IO. */
+/* Writes a file in the format of its name with the output's size, dpi, style and theme, below the scene's title if the page has
+ * one, above the output's caption; ignores the graph's own title and caption. Errors: those of draw (with the output's place),
+ * IO. */
 BEAD_CHECK enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output,
                                             const struct bead_scene *scene, const char *path, uint64_t *bytes,
                                             struct bead_message *msg);

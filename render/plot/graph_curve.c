@@ -9,9 +9,9 @@
 static const double point_radius = 0.24, cap = 0.16, curve_width = 0.09;
 /* In radii of a mark: marks on a curve with points closer than the first are placed the second apart. */
 static const double least_spacing = 2.6, thinned_spacing = 16;
-/* The marks of a single curve shrink to this before that. */
+/* The marks of a single curve first shrink to this. */
 static const double least_mark = 0.6;
-/* With more points than this, points of a cloud get smaller. */
+/* With more points than this, points of a cloud become smaller. */
 static const double many_points = 150;
 static const double paleness = 0.55, faint_paleness = 0.35, band_paleness = 0.22;
 /* Points of equal x are spread over this part of the way to the next x. */
@@ -176,7 +176,7 @@ static void line_to(struct pen *pen, double x, double y)
     pen->last[1] = y;
 }
 
-/* The first, lowest, highest and last of many points in one column of pixels give the same picture as all of them. */
+/* The first, lowest, highest and last of many points in a column of pixels give the same picture as all of them. */
 struct column {
     struct px {
         double x, y;
@@ -217,8 +217,8 @@ static void curve_gather(struct pen *pen, struct column *column, struct px at)
     column->last = at;
 }
 
-/* Whether the line to point i lies on that of an earlier curve, whose marks alternate with this one's: there one line is enough,
- * since dashes on dashes of other colours look like neither. */
+/* Does the line to point i lie on an earlier curve's, whose marks alternate with this one's? Then one line is enough, since dashes
+ * on dashes of other colours look like neither. */
 static bool is_under_another(const struct graph_cell *cell, const struct bead_series *series, size_t i)
 {
     const struct bead_panel *panel = cell->panel;
@@ -266,13 +266,13 @@ double graph_full_point(const struct bead_look *look)
     return point_radius * look->label;
 }
 
-/* Between neighbouring points, if they are evenly spaced along the axis. */
+/* The spacing of neighbouring points, if they are evenly spaced along the axis. */
 static double spacing_of(const struct graph_cell *cell, const struct bead_series *series)
 {
     return series->count > 1 ? cell->plot.width / (double)(series->count - 1) : cell->plot.width;
 }
 
-/* The series' position among the panel's curves with marks; *count: their number. */
+/* The position of the series among the panel's curves with marks; *count: their number. */
 static size_t turn_of(const struct bead_panel *panel, const struct bead_series *series, size_t *count)
 {
     size_t turn = 0;
@@ -369,7 +369,7 @@ static void curve_draw_bar(cairo_t *cr, const struct graph_cell *cell, double x,
     }
 }
 
-/* Strokes a path that may lie on any colour of an image: with an edge like the page. */
+/* Strokes a path that may lie on any colour of an image, with an edge like the page. */
 static void stroke_over(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, struct bead_rgb ink, double width)
 {
     if (cell->panel->image) {
@@ -397,7 +397,7 @@ static void draw_bars(cairo_t *cr, const struct bead_look *look, const struct gr
 
 /* ---- a series ---- */
 
-/* An arrow at the frame for a point that lies beyond it. */
+/* Draws an arrow at the frame for a point beyond it. */
 static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series,
                        double x, double size, bool up)
 {
@@ -415,7 +415,7 @@ static void draw_arrow(cairo_t *cr, const struct bead_look *look, const struct g
     cairo_stroke(cr);
 }
 
-/* Distance of a point from its x: multiples of the golden ratio spread any number of points of equal x evenly. */
+/* Sideways offset of a point: multiples of the golden ratio spread any number of points of equal x evenly. */
 static double aside(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series, size_t i)
 {
     static const double golden = 0.6180339887498949;
@@ -448,7 +448,7 @@ static void draw_points(cairo_t *cr, const struct bead_look *look, const struct 
     }
 }
 
-/* From y to the upper values, between thin lines of the series' dashes. */
+/* Fills from y to the upper values, between thin lines of the series' dashes. */
 static void draw_band(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell, const struct bead_series *series)
 {
     struct bead_series edge = *series;

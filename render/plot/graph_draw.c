@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A graph onto a page: panels with their axes, words and legends. The last step: the layout is known. */
+/* Draws a graph onto a page: panels with their axes, words and legends. The last step: the layout is known. */
 #include "render/draw/words.h"
 #include "render/plot/graph_private.h"
 

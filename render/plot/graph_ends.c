@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Names of curves at the right ends of their lines, in the lines' colours: instead of a legend, where every line ends at the frame
- * and no two end in one place. */
+/* Names of curves at the right ends of their lines, in the lines' colours: instead of a legend, if every line ends at the frame and
+ * no two end in one place. */
 #include <math.h>
 
 #include "render/plot/graph_private.h"
 
-/* In units of the label's font size: between frame and name, the farthest end of a line from the frame (axes with marks are wider
- * than their lines). */
+/* In units of the label's font size: from frame to name, and the greatest distance of a line's end from the frame (axes with marks
+ * are wider than their lines). */
 static const double gap = 0.45, farthest = 2.5;
-/* The most that names may take of a panel's share of the page. */
+/* The largest part of a panel's share of the page that names may take. */
 static const double widest_names = 0.2;
-/* As a part of the lines' heights: names closer than this touch; it is below 1, since few letters fill their line. */
+/* As a part of the lines' heights: names closer than this touch; below 1, because few letters fill their line. */
 static const double closest = 0.85;
 
 static void size_of(const struct graph_cell *cell, const struct bead_look *look, size_t s, double *width, double *height)
@@ -19,7 +19,7 @@ static void size_of(const struct graph_cell *cell, const struct bead_look *look,
     bead_text_size(NULL, &style, cell->labels[s], width, height);
 }
 
-/* Is there a line of the same name elsewhere? One entry of a legend explains both. */
+/* Is there a line with the same name elsewhere? One entry of a legend explains both. */
 static bool is_shared(const struct graph_layout *l, size_t p, size_t s)
 {
     const struct bead_series *series = &l->graph->panels[p].series[s];
@@ -62,7 +62,7 @@ bool graph_ends_wanted(const struct graph_layout *l, size_t p)
     return reach > 0 && reach <= widest_names * l->width / (double)l->columns;
 }
 
-/* The middle of a name: as high as its line's end, within the frame. */
+/* The middle of a name: level with its line's end, within the frame. */
 static double middle_of(const struct graph_cell *cell, double end, double height)
 {
     return fmax(cell->plot.y + height / 2, fmin(cell->plot.y + cell->plot.height - height / 2, end));

@@ -36,7 +36,7 @@ double graph_image_reach(const struct bead_look *look, const struct graph_cell *
            bead_colour_bar_draw(NULL, look, &colours, image->unit, image->title, bar, false, false);
 }
 
-/* The columns, or rows, that a pixel between two places shows: those whose middles lie in it, or the nearest. */
+/* The columns, or rows, that a pixel between two places shows: those with their middles in it, or the nearest. */
 static void span_of(const double axis[2], const double ends[2], size_t count, double from, double to, size_t span[2])
 {
     const double per = (double)(count - 1) / (ends[1] - ends[0]);

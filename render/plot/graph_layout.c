@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of a graph: axes and words are measured, plots get the remaining room. Names without room at the ends of their lines
- * move to the legend, words and legends without free room inside the panels move outside; this repeats until everything has a
- * place. */
+/* The layout of a graph: axes and words are measured, plots get the remaining room. Names that do not fit at the ends of their
+ * lines move to the legend; words and legends that do not fit in free room of the panels move outside; this repeats until
+ * everything has a place. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -134,7 +134,7 @@ void graph_layout_free(struct graph_layout *l)
 
 /* ---- room ---- */
 
-/* Rows: the title, those of the panels, the outer legend, the caption. Columns: those of the panels, an outer legend. */
+/* Rows: the title, the rows of panels, the outer legend, the caption. Columns: the columns of panels, an outer legend. */
 static enum bead_error make_grid(struct graph_layout *l, struct bead_message *msg)
 {
     const struct bead_insets *least = &l->frame.least;
@@ -239,7 +239,7 @@ static enum bead_error no_room(void *user, struct bead_message *msg)
                      l->graph->panel_count == 1 ? "" : "s");
 }
 
-/* An outer legend must not be larger than all plots together. */
+/* Fails if an outer legend is larger than all plots together. */
 static enum bead_error check_legend(struct graph_layout *l, struct bead_message *msg)
 {
     double plots = 0;
@@ -263,7 +263,7 @@ static void put_outer_legend(struct graph_layout *l)
     l->legend.box.y = bottom - l->legend.box.height;
 }
 
-/* The room for axes depends on the size of plots, and the reverse. At first the room may shrink; later it only grows, until
+/* The room for axes depends on the size of plots, and vice versa. At first the room may shrink; later it only grows, until
  * everything fits. */
 static enum bead_error graph_arrange(struct graph_layout *l, struct bead_message *msg)
 {
@@ -289,7 +289,7 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
 {
     double air = 4 * graph_air(l->look), free = cell->plot.height;
     struct graph_legend legend = cell->legend;
-    bool own = l->graph->panel_count > 1 && (!l->graph->share_y || cell->legend_outside); /* of this panel alone */
+    bool own = l->graph->panel_count > 1 && (!l->graph->share_y || cell->legend_outside); /* only of this panel */
     if (!(l->part || own) || cell->raised || isfinite(cell->panel->y.high))
         return false;
     graph_legend_measure(&legend, l->look, 0.9 * cell->plot.width, 0);
@@ -308,7 +308,7 @@ static bool raise_axes(struct graph_layout *l, struct graph_cell *cell)
     return true;
 }
 
-/* All rulers have their words in one kind of place: beside their lines, or in legends. */
+/* All rulers have their words in the same kind of place: beside their lines, or in legends. */
 static void move_words(struct graph_layout *l)
 {
     for (size_t p = 0; p < l->graph->panel_count; p++) {

@@ -140,7 +140,7 @@ bool graph_legend_place(struct graph_legend *legend, const struct bead_look *loo
     double least = INFINITY, width = mask->width * mask->cell;
     for (size_t columns = 1; columns <= legend->count; columns++) {
         struct graph_legend tried = *legend;
-        double penalty = 0.1 * (double)(columns - 1); /* one column if that is as good */
+        double penalty = 0.1 * (double)(columns - 1); /* one column if it is as good */
         graph_legend_measure(&tried, look, 0.9 * width, columns);
         double limit = least - penalty;
         if (tried.wrap != 0 || tried.columns != columns || !try_columns(&tried, look, mask, &limit))
@@ -197,7 +197,7 @@ static void draw_sample(const struct graph_entry *entry, const struct bead_look 
         graph_draw_point(cr, look, entry->series, x + length / 2, y, graph_full_point(look));
 }
 
-/* Letters on the colours of an image could not be read. */
+/* Letters on the colours of an image would be illegible. */
 void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr)
 {
     const struct bead_rgb page = look->dark ? look->panel : look->background;
@@ -218,7 +218,7 @@ void graph_legend_draw(const struct graph_legend *legend, const struct bead_look
         const struct graph_entry *entry = &legend->entries[i];
         double x = legend->box.x + entry->x, y = legend->box.y + entry->y;
         draw_sample(entry, look, em, cr, x, y);
-        /* Lines with letters of mathematics are higher; entries of a row are still written on one line. */
+        /* Lines with mathematical letters are higher; entries of a row are still written on one line. */
         style.down = entry->wraps ? BEAD_ALIGN_START : BEAD_ALIGN_MIDDLE;
         bead_text_draw_lines(cr, &style, legend->wrap, x + sample_width(em), y - (entry->wraps ? entry->height / 2 : 0),
                              entry->markup);

@@ -4,7 +4,8 @@
 
 #include "render/plot/graph_private.h"
 
-/* Pages wider than this ratio have legends beside the panels, up to this part of the width; others only if plots gain by it. */
+/* Pages wider than this ratio have legends beside the panels, up to this part of the width; others only if that enlarges the
+ * plots. */
 static const double most_below = 0.4; /* of the height: less than is left for the plots */
 static const double usual_legend = 0.3, widest_legend = 0.5, wide_page = 1.5;
 
@@ -39,7 +40,7 @@ static bool in_earlier(const struct graph_layout *l, size_t cell, const struct g
     return has_entry(&l->legend, entry);
 }
 
-/* With several panels, the words of rulers stay in their own; outside they begin with its letter, to say whose they are. */
+/* With several panels, the words of rulers stay in their own panel; outside they begin with its letter. */
 static void move_outside(struct graph_layout *l, struct graph_cell *cell)
 {
     size_t kept = 0;
@@ -106,11 +107,11 @@ void graph_measure_outside(struct graph_layout *l)
     legend->box = (struct graph_box){0};
     if (legend->count == 0)
         return;
-    /* Width and height of all plots together; before the first arrangement, those of the page. */
+    /* Width and height of all plots together; before the first arrangement, of the page. */
     columns->lane[l->columns].least = rows->lane[l->rows + 1].least = 0;
     double width = columns->length - bead_lanes_fixed(columns);
     double height = fmax(0, rows->length - bead_lanes_fixed(rows) - ceil(graph_legend_gap * l->look->label));
-    const double most = height * fmin(most_below, width / (width + page)); /* at most half of the area that they share */
+    const double most = height * fmin(most_below, width / (width + page)); /* at most half of the area shared with plots */
     graph_legend_fit(legend, l->look, page, most);
     double below = legend->box.height;
     full_size(legend);

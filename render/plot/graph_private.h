@@ -34,8 +34,8 @@ struct graph_legend {
     struct graph_entry *entries;
     size_t count, columns;
     double shrunk;        /* size of its type in units of the label's; 0: the label's */
-    bool cut;             /* words too long are cut, not wrapped */
-    double wrap;          /* > 0: of the words; < 0: where they are cut */
+    bool cut;             /* long words are cut, not wrapped */
+    double wrap;          /* > 0: of the words; < 0: the width at which they are cut */
     struct graph_box box; /* width 0: not placed */
 };
 
@@ -59,21 +59,21 @@ struct graph_cell {
     char *head;                  /* markup of letter and title; NULL: none */
     struct graph_word *words;    /* [ruler_count] */
     char **labels;               /* [series_count], markup; NULL: none */
-    struct graph_legend legend;  /* what is left inside */
+    struct graph_legend legend;  /* the entries that stay inside */
     size_t most_points;          /* of the largest cloud of all panels: clouds have equal points */
-    bool undashed;               /* lines are drawn whole: their gaps are no room for words */
+    bool undashed;               /* lines are drawn solid, so that words do not use their gaps */
     bool ends;                   /* curves have their names at their ends, and no entries */
-    bool legend_outside;         /* the curves' entries; of one panel, the rulers', too */
+    bool legend_outside;         /* the curves' entries; with one panel, also the rulers' */
     bool rulers_outside, raised; /* raised: the y axis ends higher, to have room for the legend */
 };
 
-/* A graph that is one of several panels. */
+/* A graph as one of several panels. */
 struct graph_frame {
     double margin;            /* around everything */
     struct bead_insets least; /* of plots from the borders */
     const char *letter;       /* of the first panel; "": none */
-    bool explained;           /* the legend of an earlier panel says all that this one's would */
-    bool no_across;           /* no labels on the horizontal axes: those of another panel serve */
+    bool explained;           /* the legend of an earlier panel has all entries of this one's */
+    bool no_across;           /* no labels on the horizontal axes: another panel has them */
 };
 
 /* Title and caption of a page. */
@@ -92,7 +92,7 @@ struct graph_layout {
     size_t columns, rows;
     struct graph_cell *cells; /* [panel_count] */
     struct graph_page page;
-    struct graph_legend legend; /* outside of all panels */
+    struct graph_legend legend; /* outside all panels */
     bool legend_right;
     struct bead_layout_grid grid; /* its boxes are the plots */
 };
@@ -104,11 +104,11 @@ void graph_layout_free(struct graph_layout *layout);
 /* The letter of a panel: "(a)", ... "(z)", "(aa)", ... */
 void graph_letter(size_t index, char *text, size_t size);
 
-/* Between the panels and a legend outside of them, in units of the label's font size. */
+/* Between the panels and a legend outside them, in units of the label's font size. */
 static const double graph_legend_gap = 0.7;
 /* Fills the legends. Every entry appears once: in the first panel with it, or in the outer legend. */
 void graph_gather_legends(struct graph_layout *layout);
-/* Sizes the outer legend: beside the panels on wide pages, elsewhere where it leaves more room for plots. */
+/* Sizes the outer legend: beside the panels on wide pages, else where it leaves more room for plots. */
 void graph_measure_outside(struct graph_layout *layout);
 
 /* Ranges of all cells' axes. Errors: SCENE (a range that makes no sense). */
@@ -123,24 +123,24 @@ void graph_mask_free(struct graph_mask *mask);
 unsigned graph_mask_covered(const struct graph_mask *mask, struct graph_box box);
 void graph_mask_cover(struct graph_mask *mask, struct graph_box box);
 
-/* Places the words of the cell's rulers in free room, others in the legend. True: a word has newly moved there. */
+/* Places the words of the cell's rulers in free room, others in the legend. True: a word has just moved there. */
 bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, struct graph_mask *mask);
 
 /* Sizes the legend for a width, in this many columns; 0: as many as fit. */
 void graph_legend_measure(struct graph_legend *legend, const struct bead_look *look, double width, size_t columns);
-/* Sizes it for a width and, if possible, a height: with smaller type and long words cut, if need be. */
+/* Sizes it for a width and, if possible, a height: with smaller type and long words cut, if necessary. */
 void graph_legend_fit(struct graph_legend *legend, const struct bead_look *look, double width, double height);
 /* Places it in free room of a panel. False: no room. */
 bool graph_legend_place(struct graph_legend *legend, const struct bead_look *look, struct graph_mask *mask);
-/* On an image: a piece of the page behind it. */
+/* On an image: draws a piece of the page behind it. */
 void graph_legend_back(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 void graph_legend_draw(const struct graph_legend *legend, const struct bead_look *look, cairo_t *cr);
 
-/* May the names of a panel's curves be at the ends of their lines, by their words and widths? */
+/* Are the names of a panel's curves, and their widths, suitable for the ends of their lines? */
 bool graph_ends_wanted(const struct graph_layout *layout, size_t cell);
-/* Do the ends of the lines leave room for that? */
+/* Do the ends of the lines leave room for the names? */
 bool graph_ends_fit(const struct graph_cell *cell, const struct bead_look *look);
-/* Such names reach this far to the right of the plot, px; 0 without any. */
+/* How far such names extend to the right of the plot, px; 0 without any. */
 double graph_ends_reach(const struct graph_cell *cell, const struct bead_look *look);
 void graph_ends_draw(const struct graph_cell *cell, const struct bead_look *look, cairo_t *cr);
 /* Where a line ends within the frame, px. False: nowhere. */
@@ -152,7 +152,7 @@ struct bead_rgb graph_mix(struct bead_rgb a, struct bead_rgb b, double part);
 struct bead_text_style graph_text(const struct bead_look *look);
 /* Series that one entry of a legend explains if their labels are equal. */
 bool graph_look_alike(const struct bead_series *a, const struct bead_series *b);
-/* The number of points of a series that is a cloud, without one value for each x; else 0. */
+/* The number of points of a series that is a cloud, whose x do not rise; else 0. */
 size_t graph_cloud(const struct bead_series *series);
 /* Radius of points: the full size, and the size in a panel. */
 double graph_full_point(const struct bead_look *look);
@@ -172,16 +172,16 @@ void graph_draw_series(cairo_t *cr, const struct bead_look *look, const struct g
 double graph_ruler_place(const struct graph_cell *cell, const struct bead_ruler *ruler, double value);
 /* Dashes for a threshold, at a value of x; dots for a plateau. */
 void graph_ruler_style(cairo_t *cr, const struct bead_look *look, const struct bead_ruler *ruler);
-/* Draws curves, points and rulers; the mask of covered cells is made with it as well. */
+/* Draws curves, points and rulers; also used to make the mask of covered cells. */
 void graph_draw_contents(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
-/* Bands of rulers, below all that. */
+/* Draws bands of rulers, below everything. */
 void graph_draw_bands(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell);
-/* Its image, if it has one; the image's bar. Errors: MEMORY, GRAPHICS, IO (colour map). */
+/* Draws the cell's image, if it has one; the image's bar. Errors: MEMORY, GRAPHICS, IO (colour map). */
 BEAD_CHECK enum bead_error graph_draw_image(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell,
                                             struct bead_message *msg);
 BEAD_CHECK enum bead_error graph_draw_bar(cairo_t *cr, const struct bead_look *look, const struct graph_cell *cell,
                                           struct bead_message *msg);
-/* The bar of an image reaches this far to the right of its plot, px. */
+/* How far the bar of an image extends to the right of its plot, px. */
 double graph_image_reach(const struct bead_look *look, const struct graph_cell *cell);
 BEAD_CHECK enum bead_error graph_draw_all(cairo_t *cr, const struct graph_layout *layout, struct bead_message *msg);
 /* Sizes title and caption for a page. */

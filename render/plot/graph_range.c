@@ -11,7 +11,7 @@ static const double widened_x = 0.03, widened_y = 0.06;
 static const double alike = 1e-9;
 static const double log_room = 1.3;
 static const double largest = 1e300; /* beyond, lengths of axes overflow */
-/* A logarithmic axis with only its upper end given reaches down to this part of it. */
+/* A logarithmic axis with only its upper end given extends down to this part of it. */
 static const double log_span = 1e-4;
 
 static void take(double value, enum bead_scale scale, double range[2])
@@ -22,7 +22,7 @@ static void take(double value, enum bead_scale scale, double range[2])
     range[1] = fmax(range[1], value);
 }
 
-/* Smallest and largest x (`axis` 0) or y of what a panel shows. */
+/* Smallest and largest x (`axis` 0) or y shown in a panel. */
 static void take_panel(const struct bead_panel *panel, int axis, double range[2])
 {
     enum bead_scale scale = (axis ? panel->y : panel->x).scale;

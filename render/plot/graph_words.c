@@ -102,8 +102,8 @@ void graph_mask_cover(struct graph_mask *mask, struct graph_box box)
 /* Places tried along a ruler. */
 enum { ALONG = 24 };
 
-/* Where words beside a ruler keep away from: its line, or, of a band without one, its end on this side, but the middle where they
- * fit into the band. 0..1; *inside: they fit. */
+/* The place, 0..1, that words beside a ruler keep away from: its line or, for a band without one, its end on this side, or the
+ * middle if they fit into the band (*inside). */
 static double reference(const struct graph_cell *cell, const struct bead_ruler *ruler, int side, double part, bool *inside)
 {
     const double low = graph_ruler_place(cell, ruler, ruler->low), high = graph_ruler_place(cell, ruler, ruler->high);
@@ -135,7 +135,7 @@ static struct graph_box beside(const struct graph_cell *cell, const struct bead_
                               width, height};
 }
 
-/* Boxes of text have room above and below the letters, so only part of the clear distance is kept there. */
+/* Boxes of text have room above and below the letters, so only a part of the clear distance is kept there. */
 static struct graph_box with_air(struct graph_box box, double air)
 {
     return (struct graph_box){box.x - 0.8 * air, box.y - 0.3 * air, box.width + 1.6 * air, box.height + 0.6 * air};
@@ -162,7 +162,7 @@ bool graph_words_place(struct graph_cell *cell, const struct bead_look *look, st
     for (size_t r = 0; r < cell->panel->ruler_count; r++) {
         struct graph_word *word = &cell->words[r];
         const struct bead_ruler *ruler = &cell->panel->rulers[r];
-        const bool band = isnan(ruler->value); /* which legends have no sign for */
+        const bool band = isnan(ruler->value); /* for which legends have no sign */
         double place = graph_ruler_place(cell, ruler, band ? 0.5 * (ruler->low + ruler->high) : ruler->value);
         if (!word->markup || !(place >= 0 && place <= 1)) {
             word->state = GRAPH_WORD_NONE;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Curves of the chains of a sweep over keys, means over seeds with a band of a standard error to both sides: a panel for each
+/* Curves of the chains of a sweep over keys, means over seeds with a band of a standard error on both sides: a panel for each
  * place. A dispersion is an image with the exact bands over it, a panel for each combination of the other keys. */
 #include <math.h>
 
@@ -9,7 +9,7 @@
 #include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_lines.h"
 
-/* For each curve its band and itself; numbers for each of its points, of which all have the same x. */
+/* Series for each curve: its band and itself; numbers for each of its points, which all have the same x. */
 enum { SERIES = 2, NUMBERS = 2 };
 
 struct lines_panel {

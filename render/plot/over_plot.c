@@ -8,8 +8,8 @@
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
-/* For each curve: the band between the quartiles, the mean or median, and the line of its power law, with so many numbers for each
- * point. */
+/* For each curve: the band between the quartiles, the mean or median, and the line of its power law, with this many numbers for
+ * each point. */
 enum { SERIES = 4, COLUMNS = 8 };
 
 struct over_panel {
@@ -82,7 +82,7 @@ static void label(const struct bead_sweep_curve *curve, const char *place, const
     snprintf(text, size, "slope %s%s%s", slope, curve->slope_error >= 5e-4 ? " ± " : "", curve->slope_error >= 5e-4 ? error : "");
 }
 
-/* The power law that fits the curve, over its points. */
+/* The power law fitted to the curve, over its points. */
 static void add_law(struct over_panel *p, const struct bead_sweep_curve *curve, double **at)
 {
     double *x = *at, *y = x + 2;
@@ -119,7 +119,7 @@ static void add_curve(struct over_panel *p, const struct bead_output *output, co
         add_law(p, curve, at);
 }
 
-/* Axes have prefixes for units of SI; counts of beads have none. */
+/* Axes have prefixes for SI units; counts of beads have none. */
 enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
                                      struct bead_over_shown *what, struct bead_message *msg)
 {

@@ -26,7 +26,7 @@ static double back(enum bead_scale scale, double place)
     return scale == BEAD_SCALE_LOG ? exp(place) : place;
 }
 
-/* Points of one x from `first` on. */
+/* Points of one x, from `first`. */
 static size_t alike(const struct bead_plane_point *points, size_t count, size_t first)
 {
     size_t end = first;
@@ -35,7 +35,7 @@ static size_t alike(const struct bead_plane_point *points, size_t count, size_t 
     return end - first;
 }
 
-/* Widens a range to half a step beyond its first and last place. A single place is one wide. */
+/* Widens a range to half a step beyond its first and last place. A single place has width 1. */
 static void widen(double ends[2], const double *places, size_t count)
 {
     const double low = count > 1 ? places[1] - places[0] : 1, high = count > 1 ? places[count - 1] - places[count - 2] : 1;
@@ -43,7 +43,7 @@ static void widen(double ends[2], const double *places, size_t count)
     ends[1] = fmax(ends[1], places[count - 1] + high / 2);
 }
 
-/* The nearest of rising places. */
+/* The nearest of ascending places. */
 static size_t nearest(const double *places, size_t count, double at)
 {
     size_t i = 0;
@@ -52,7 +52,7 @@ static size_t nearest(const double *places, size_t count, double at)
     return i;
 }
 
-/* Where the points are on the axes: [columns] of x, and [count] of y. */
+/* The places of the points on the axes: [columns] of x, and [count] of y. */
 struct places {
     double *x, *y;
     size_t *first; /* [columns + 1] points of each */

@@ -39,7 +39,7 @@ static void add_column(struct plane *p, const struct bead_sweep_statistics *s, d
     if (!s->has_threshold || !isfinite(t->critical))
         return;
     size_t at = p->series.count++;
-    for (; at > 0 && p->threshold[at - 1] > cells; at--) { /* by rising number of cells */
+    for (; at > 0 && p->threshold[at - 1] > cells; at--) { /* by ascending number of cells */
         for (size_t k = 0; k < 3; k++)
             p->threshold[k * sweeps + at] = p->threshold[k * sweeps + at - 1];
     }
@@ -82,7 +82,7 @@ static enum bead_error take_spins(struct sweep_page *page, struct plane *p, size
 
 /* ---- over keys ---- */
 
-/* The only one that is neither a seed nor along the axis. */
+/* The only key that is neither a seed nor along the axis. */
 static const struct bead_over_key *other_key(const struct bead_over *over, size_t key)
 {
     size_t k = 0;
@@ -138,7 +138,7 @@ static enum bead_error make_panel(struct sweep_page *page, struct plane *p, size
     BEAD_TRY(bead_plane_make(p->points, p->count, p->scales, &p->image, p->ends, msg));
     p->image.title = named.title;
     p->image.unit = named.unit;
-    /* Forces begin at 0, as on axes; measures only if one of them is as good as 0. */
+    /* Forces begin at 0, as on axes; measures only if one of them is nearly 0. */
     const bool forces = !*page->output->sweep_curves.measure;
     p->image.low = !isnan(range[0]) ? range[0] : forces ? fmin(0, p->image.low) : p->image.low;
     p->image.high = !isnan(range[1]) ? range[1] : p->image.high;

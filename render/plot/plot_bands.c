@@ -23,7 +23,7 @@ static void set_axes(struct bead_plot_data *data, struct bead_graph_axis x, stru
 static enum bead_error plot_bands_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     BEAD_TRY(plot_reserve_chains(data, 0, 0, msg));
-    for (size_t p = 0; p < data->count; p++) /* of a cell, whichever way its neighbours are turned: no M */
+    for (size_t p = 0; p < data->count; p++) /* of a cell, however its neighbours are turned: no M */
         bead_markup_quote(bead_chain_title(data->context.chains[data->parts[p].chain]), data->parts[p].title,
                           sizeof data->parts[p].title);
     set_axes(data, (struct bead_graph_axis){"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, true},

@@ -81,7 +81,7 @@ enum bead_error bead_plot_data_feed(struct bead_plot_data *data, const struct be
     return kind->feed ? kind->feed(data, sample, msg) : BEAD_OK;
 }
 
-/* Moves the series of panels `first` and so on, all chains, into panel `into`, under the names of their chains. */
+/* Moves the series of panels from `first`, one for each chain, into panel `into`, under the names of their chains. */
 static void overlay_row(struct bead_plot_data *data, size_t first, size_t into, size_t *used)
 {
     struct bead_panel *row = &data->panels[first];
@@ -89,10 +89,10 @@ static void overlay_row(struct bead_plot_data *data, size_t first, size_t into, 
     for (size_t p = 0; p < data->count; p++) {
         const struct bead_panel *panel = &row[p];
         for (size_t k = 0; k < panel->series_count; k++, ++*used) {
-            const struct bead_panel *labelled = panel->series[k].label ? panel : row; /* else as in the first */
+            const struct bead_panel *labelled = panel->series[k].label ? panel : row; /* else as in the first panel */
             const char *own = k < labelled->series_count && labelled->series[k].label ? labelled->series[k].label : "";
             const char *name = data->panels[p].title ? data->panels[p].title : "";
-            const bool ours = panel->series[k].mark != BEAD_MARK_POINTS; /* what was measured is no chain's */
+            const bool ours = panel->series[k].mark != BEAD_MARK_POINTS; /* measured points belong to no chain */
             const bool both = ours && *own && *name && panel->series_count > 1;
             data->overlaid[*used] = panel->series[k];
             snprintf(data->overlaid_labels[*used], sizeof *data->overlaid_labels, "%.140s%s%.140s", ours ? name : "",
@@ -106,7 +106,7 @@ static void overlay_row(struct bead_plot_data *data, size_t first, size_t into, 
     data->panels[into].series_count = *used - from;
 }
 
-/* The bead or time that all chains show if each has one curve; NULL: they differ, or the legend says it. */
+/* The bead or time that all chains show if each has one curve; NULL: they differ, or the legend names it. */
 static const char *common_label(const struct bead_plot_data *data)
 {
     const char *label = data->panels[0].series_count > 0 ? data->panels[0].series[0].label : NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Data of plots, gathered from a run and made into panels of graphs: force of sensors against time, energies of modes, or
- * profiles, in a panel for each chain; or peaks of contacts, all chains in one panel. */
+/* Data of plots, gathered from a run and made into panels of graphs: force at sensors against time, energies of modes, or profiles,
+ * in a panel for each chain; or peaks of contacts, all chains in one panel. */
 #pragma once
 
 #include "beadreel/sink.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parts of the energy against time, stacked: a panel for each chain. Dotted above them is what was put in, and lines are the
- * energies past the beads listed. */
+/* The parts of the energy against time, stacked: a panel for each chain. A dotted line above them is the energy put in; lines are
+ * the energies past the beads listed. */
 
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
@@ -33,7 +33,7 @@ static enum bead_error plot_energy_feed(struct bead_plot_data *data, const struc
     return BEAD_OK;
 }
 
-/* Bits of the parts that are other than 0 in some panel. */
+/* Bits of the parts that are not 0 in some panel. */
 static unsigned parts_there(const struct bead_plot_data *data)
 {
     const size_t times = bead_grid_count(&data->grid);
@@ -62,7 +62,7 @@ static struct bead_series *next_series(struct bead_plot_data *data, size_t p, si
     return series;
 }
 
-/* Each part lies on the sum of those before it, and gives way to its own sum. */
+/* Each part lies on the sum of those before it, and is replaced by its own sum. */
 static void stack(struct bead_plot_data *data, size_t p, unsigned there)
 {
     struct plot_panel *part = &data->parts[p];

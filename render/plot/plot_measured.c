@@ -15,7 +15,7 @@ size_t plot_measured_count(const struct bead_plot_data *data, const struct plot_
     return data->output->curves.overlay && part != data->parts ? 0 : count_of(data, part);
 }
 
-/* A curve of no more points than can be seen: the measured values at place `k`, or their differences from the computed ones. */
+/* A curve with no more points than are visible: the measured values at place `k`, or their differences from the computed ones. */
 static enum bead_error reduce(const struct bead_plot_data *data, const struct plot_panel *part, size_t k, bool difference,
                               struct bead_curves *curves, struct bead_message *msg)
 {

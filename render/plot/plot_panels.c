@@ -39,7 +39,7 @@ void plot_tell_apart(struct bead_series *series, size_t index)
     series->colour = index % COLOURS;
     series->dash = (series->mark == BEAD_MARK_LINE ? index : index + round) % BEAD_DASHES;
     series->shape = index % BEAD_SHAPES;
-    if (series->mark == BEAD_MARK_LINE && round > 0) { /* more curves than dashes: with marks, too */
+    if (series->mark == BEAD_MARK_LINE && round > 0) { /* more curves than dashes: also with marks */
         series->mark = BEAD_MARK_LINE_POINTS;
         series->shape = (round - 1) % BEAD_SHAPES;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Peak forces of contacts along the chain: one curve for each chain, hollow where the force was still rising at the end, where the
- * run went on to a larger one, or where it cannot be predicted. Bars show how well others are known. */
+ * run later had a larger one, or where it cannot be predicted. Bars show the uncertainty of the others. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -82,7 +82,7 @@ static double bar_of(const struct bead_outcome *outcome, size_t contact)
 
 enum { ROWS = 4 };
 
-/* Fills two series: finished peaks, and hollow marks. Returns the reason for these. */
+/* Fills two series: finished peaks, and hollow marks. Returns the reason for the hollow ones. */
 static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
                                 struct bead_series series[2])
 {

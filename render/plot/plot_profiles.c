@@ -19,7 +19,7 @@ struct time_words {
 static struct time_words words_for(const double *times, size_t count, const char *unit)
 {
     enum { MOST = 5 };
-    const double last = times[count - 1]; /* they rise */
+    const double last = times[count - 1]; /* they ascend */
     struct time_words words = {bead_prefix_exponent(last, unit), 0, unit};
     const double part = bead_power_of_ten(words.exponent), shown = last / part;
     const int whole = shown >= 1 ? (int)floor(log10(shown)) + 1 : 1;
@@ -43,7 +43,7 @@ static bool has_fixed_ends(const struct bead_chain_spec *spec)
     return spec->system->has_masses && spec->equation.ends == BEAD_ENDS_FIXED;
 }
 
-/* Where the plot of a chain begins and ends: beads with the first and the last; strings and waves with their domain. */
+/* The ends of the plot of a chain: the first and the last bead, or the domain of strings and waves. */
 static void find_ends(const struct bead_plot_data *data, size_t c, double ends[2])
 {
     const struct bead_chain_spec *spec = bead_chain_spec(data->context.chains[c]);
@@ -85,7 +85,7 @@ static enum bead_error check_theory(const struct bead_plot_data *data, struct be
     return BEAD_OK;
 }
 
-/* Over the pulse of moment `m`. */
+/* Adds a theory's curve over the pulse of moment `m`. */
 static void add_theory(struct bead_plot_data *data, struct plot_panel *part, size_t m)
 {
     const size_t moments = data->output->curves.profile_time_count, series = moments + m;
@@ -109,7 +109,7 @@ static void add_theory(struct bead_plot_data *data, struct plot_panel *part, siz
     part->series[series].dash = BEAD_DASH_DOTTED;
 }
 
-/* Room for the curves of a chain that reach the ends of its domain: places, then values at each moment. */
+/* Room for a chain's curves that reach the ends of its domain: places, then values at each moment. */
 static size_t whole_room(const struct bead_plot_data *data)
 {
     size_t most = 0;
@@ -120,8 +120,8 @@ static size_t whole_room(const struct bead_plot_data *data)
     return most > 0 ? (most + 2) * (data->output->curves.profile_time_count + 1) : 0;
 }
 
-/* Goes on to the ends of the domain: a string's fixed ends do not move, and where ends are joined, the line from the last point to
- * the first crosses them. The points begin at `x` and `y`, each with room for two more than there are. */
+/* Continues curves to the ends of the domain: a string's fixed ends do not move; if ends are joined, the line from the last point
+ * to the first crosses them. The points begin at `x` and `y`, each with room for two more. */
 static void reach_ends(const struct bead_plot_data *data, size_t c, double *x, double *y, struct bead_series *series)
 {
     const struct bead_chain_spec *spec = bead_chain_spec(data->context.chains[c]);

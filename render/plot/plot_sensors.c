@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Force of sensors against time: a panel for each chain with sensors, all with one axis of forces. */
+/* Force at sensors against time: a panel for each chain with sensors, all with one axis of forces. */
 #include <math.h>
 
 #include "render/draw/markup.h"
@@ -11,7 +11,7 @@
 /* Number of times that a plot can distinguish. */
 static const double moments = 2000;
 
-/* The first chain's field: all chains of a scene are of one kind. Contacts alone have theirs. */
+/* The first chain's field: all chains of a scene are of one kind. Plots of only contacts have the contacts' field. */
 static const struct bead_field_info *plot_sensors_field_of(const struct bead_plot_data *data)
 {
     const struct bead_chain *chain = data->context.chains[data->parts[0].chain];
@@ -33,7 +33,7 @@ static bool first_name(const struct bead_plot_data *data, char *name, size_t siz
     return same;
 }
 
-/* All figures name normalised forces alike. */
+/* All figures name normalised forces in the same way. */
 static void name_axis(struct bead_plot_data *data)
 {
     const struct bead_curves_asked *curves = &data->output->curves;

@@ -14,7 +14,7 @@ static enum bead_show show_of(const struct bead_plot_data *data)
     return data->output->curves.show;
 }
 
-/* Its y axis. */
+/* The y axis of a spectrum. */
 static struct bead_graph_axis amplitudes(struct bead_plot_data *data, double low)
 {
     const bool transfer = show_of(data) == BEAD_SHOW_TRANSFER;
@@ -47,7 +47,7 @@ static void make_axes(struct bead_plot_data *data, const double frequencies[2], 
     }
 }
 
-/* The bar says which amplitudes they are; the title of a spectrogram says where. */
+/* The bar names the quantity of the amplitudes; the title of a spectrogram names the place. */
 static void make_images(struct bead_plot_data *data)
 {
     for (size_t p = 0; p < data->count; p++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The spread of energy against time, on logarithmic axes, with the power laws that fit: of each chain of a run, a panel each,
- * or the means of a sweep, a panel for each curve. */
+/* The spread of energy against time, on logarithmic axes, with fitted power laws: a panel for each chain of a run, or for each
+ * curve of a sweep's means. */
 #include <math.h>
 
 #include "render/draw/markup.h"
@@ -9,7 +9,7 @@
 #include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_spreading.h"
 
-/* Three curves, two power laws that fit, and two of theory, of two points each. */
+/* Three curves, two fitted power laws, and two of theory, of two points each. */
 enum { LAWS = 4, SERIES = BEAD_SPREADING_NUMBERS + LAWS, LAW = 4 };
 static const char *const names[BEAD_SPREADING_NUMBERS] = {"second moment (beads²)", "participation", "front"};
 
@@ -19,8 +19,9 @@ static void set_axes(struct bead_panel *panel, const char *seconds, const double
     panel->y = (struct bead_graph_axis){"beads", "", range[0], range[1], BEAD_SCALE_LOG, false};
 }
 
-/* The curve of number `n`, and its power law in its colour, whose values go to `law`: times, then numbers. Returns how many series.
- */
+/* Adds the curve of number `n`, and its power law in the same colour, whose values go to `law`: times, then numbers. Returns the
+ * number of series.
+ * */
 static size_t add(struct bead_series *series, char (*labels)[256], int n, const double *time, const double *y, size_t count,
                   const struct bead_exponent *exponent, double law[LAW])
 {
@@ -42,8 +43,8 @@ static size_t add(struct bead_series *series, char (*labels)[256], int n, const 
     return 2;
 }
 
-/* Adds how the second moment grows where energy runs freely, as in an ordered chain, and where it diffuses: from the beginning of
- * its fit, for as long. Returns the number of series. */
+/* Adds the growth of the second moment if energy runs freely, as in an ordered chain, and if it diffuses: from the beginning of its
+ * fit, for as long. Returns the number of series. */
 static size_t add_theory(struct bead_series *series, const double *fit, double (*laws)[LAW])
 {
     static const struct {

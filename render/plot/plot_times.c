@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers of a chain against time, a panel for each chain: what plots of modes, energies and spreading share. Times are in
+/* Numbers of a chain against time, a panel for each chain: shared by plots of modes, energies and spreading. Times are in
  * data->sample, numbers in the parts' values, [numbers][times]. */
 #include <math.h>
 

@@ -5,9 +5,9 @@
 #include "render/plot/plot_private.h"
 #include "sim/measure/transform.h"
 
-/* Automatic axes leave out what is less than this part of the largest, and go this far beyond the highest band. */
+/* Automatic axes leave out amplitudes below this part of the largest, and extend this far beyond the highest band. */
 static const double least_log = 1e-6, beyond = 1.15;
-/* Colours reach down to this, dB of the largest amplitude. */
+/* The lowest colour, dB of the largest amplitude. */
 static const double deepest = -60;
 
 double plot_spectral_largest(const struct bead_spectral *spectral)

@@ -15,8 +15,9 @@
 /* Series of one panel: all configurations, or up to MARKS of each magnetism as marks with a key; median, mean. For decay, the
  * means of a magnetism and their two fits. */
 enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
-/* Numbers of the series of a place for each magnetism, x and others, beside those of configurations: marks or a band, two curves.
- */
+/* Numbers of the series of a place for each magnetism, x and others, in addition to those of configurations: marks or a band, two
+ * curves.
+ * */
 enum { NUMBERS_OF_ROW = 2 * MARKS + 2 * 3 };
 /* Points of the line of a fit. */
 enum { POINTS = 65 };
@@ -28,7 +29,7 @@ struct panel {
     struct bead_sweep_statistics *statistics; /* [places] */
     struct bead_sweep_decay *decays;
     size_t decay_count, places, series_count, ruler_count, lines;
-    double *numbers; /* room for those of series to come */
+    double *numbers; /* room for numbers of further series */
     char (*words)[96];
     char ruler_words[RULERS][96];
 };
@@ -90,7 +91,7 @@ static void add_points(struct panel *p, const struct bead_sweep_statistics *s, s
     }
 }
 
-/* The middle half of the configurations, where points of all would cover each other. */
+/* The middle half of the configurations, if points of all would cover each other. */
 static void add_band(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place)
 {
     const size_t n = s->row_count;
@@ -116,7 +117,7 @@ static size_t sweep_plot_most_configurations(const struct bead_sweep_statistics 
     return most;
 }
 
-/* One configuration of each magnetism, of a few. All series of a place have its mark; the first has the label. */
+/* One configuration of each magnetism, if there are few. All series of a place have its mark; the first has the label. */
 static void add_marks(struct panel *p, const struct bead_sweep_statistics *s, size_t colour, const char *place, size_t number)
 {
     const struct bead_series marks = {.mark = BEAD_MARK_POINTS,
@@ -147,7 +148,7 @@ static void add_configurations(struct panel *p, const struct bead_sweep_statisti
         add_marks(p, s, colour, place, k);
 }
 
-/* Means with bars of their standard errors, or medians; each curve of a panel has its own dashes. */
+/* Means with bars of their standard errors, or medians; each curve of a panel has different dashes. */
 static void add_curve(struct panel *p, const struct bead_sweep_statistics *s, double uncertain, size_t colour, bool median,
                       bool crowded, const char *place)
 {
@@ -197,7 +198,7 @@ static enum bead_error find_statistics(struct plot *plot, size_t index, struct b
     return err;
 }
 
-/* All panels look alike, as one legend explains them: marks only where there is room for them in each. */
+/* All panels look alike, because one legend explains them: marks only if there is room for them in each. */
 static bool is_crowded(const struct plot *plot)
 {
     enum { APART = 40 };
@@ -278,7 +279,7 @@ static enum bead_error fill_magnetism(struct plot *plot, size_t index, struct be
 
 /* ---- decay ---- */
 
-/* The line of a fit from place `first` to `last`: exponential or power law. All have one look: each lies on its curve. */
+/* The line of a fit from place `first` to `last`: exponential or power law. All look the same: each lies on its curve. */
 static void add_fit(struct panel *p, const struct bead_decay *fit, size_t first, size_t last, double half, bool power)
 {
     const struct bead_series line = {.mark = BEAD_MARK_LINE, .colour = 5, .dash = BEAD_DASH_DOTTED};
@@ -290,8 +291,8 @@ static void add_fit(struct panel *p, const struct bead_decay *fit, size_t first,
     }
 }
 
-/* A run of a configuration ends as the front arrives, before the last beads reach their largest force, which follows the front by
- * up to about sixty beads of a thousand: this fraction of the random beads is left out. */
+/* A run of a configuration ends when the front arrives, before the last beads reach their largest force, which follows the front by
+ * up to about sixty beads in a thousand: this fraction of the random beads is left out. */
 enum { LATE = 16 };
 
 /* "M = 0.5, γ = 120 ± 3, F ∝ x^-0.33", as far as the fit was possible. */
@@ -311,7 +312,7 @@ static void name_profile(const struct bead_decay *fit, double uncertainty, doubl
                  fabs(fit->exponent));
 }
 
-/* Means in units of the clean chain, with the exponential and the power law. */
+/* Means in units of the clean chain's, with the exponential and the power law. */
 static void add_profile(struct panel *p, const struct plot *plot, size_t index, const struct bead_sweep_decay *d, bool energy,
                         size_t number, int decimals)
 {
@@ -341,7 +342,7 @@ static void add_profile(struct panel *p, const struct plot *plot, size_t index, 
         add_fit(p, fit, fit->last, count - 1, half, true);
 }
 
-/* Up to the last random bead; beyond it the chain is ordered, or ends. */
+/* Fills a panel up to the last random bead; beyond it the chain is ordered, or ends. */
 static enum bead_error fill_decay(struct plot *plot, size_t place, struct bead_message *msg)
 {
     const size_t index = place / DECAY_PANELS;
