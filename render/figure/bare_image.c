@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bare pixels, `axes: false`: unless the scene changes it (`orientation`), as in Octave's imagesc, bead 0 in the top row, time to
- * the right. Several chains are one below the other, or side by side where time runs down. The picture has exactly the requested
+/* Bare pixels, `axes: false`: as in Octave's imagesc, with bead 0 in the top row and time to the right, unless the scene changes it
+ * (`orientation`). Several chains are below each other, or side by side if time runs down. The picture has exactly the requested
  * size, and its palette is the colour map. */
 #include "render/figure/still.h"
 
@@ -121,7 +121,7 @@ static struct bead_colour_range bare_find_range(const struct bead_still *b)
         high = fmax(high, one[1]);
     }
     return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field),
-                                  &(struct bead_shown_values){low, high, INFINITY, 0}); /* no bar could mark values beyond */
+                                  &(struct bead_shown_values){low, high, INFINITY, 0}); /* no bar marks values beyond */
 }
 
 /* The place of a chain's pixels. */
@@ -159,7 +159,7 @@ static enum bead_error draw_pixels(void *context, cairo_t *cr, struct bead_messa
     return bead_raster_indices(cr, p->rect, p->indices, p->map, msg);
 }
 
-/* With the colour map as its palette. */
+/* Writes a PNG file with the colour map as its palette. */
 static enum bead_error write_png(const struct bead_still *b, const uint8_t *indices, const char *tale, const char *path,
                                  uint64_t *bytes, struct bead_message *msg)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The life of a contact sheet, a sink of sweeps: choose configurations, run them until their fronts arrive, run them again into
- * their pictures, and draw. */
+/* The life of a contact sheet, a sink of sweeps: chooses configurations, runs them until their fronts arrive, runs them again into
+ * their pictures, and draws. */
 #include "render/figure/contact_sheet.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ void contact_sheet_clear(struct contact_sheet *s)
     free(s->rows);
 }
 
-/* Finds which beads belong to cells that are up or reversed, and where the part of the chain shown begins. */
+/* Finds the beads of cells that are up or reversed, and the beginning of the part of the chain shown. */
 static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_image *image, struct bead_message *msg)
 {
     struct bead_sweep_chain *made = NULL;
@@ -60,7 +60,7 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return BEAD_OK;
 }
 
-/* Finds the end of all pictures: `until` if the scene gives it; else all configurations run, and the last arrival counts. */
+/* Finds the end of all pictures: `until` if the scene gives it; else runs all configurations and takes the last arrival. */
 static enum bead_error sheet_measure(struct contact_sheet *s, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(s->sweep)->simulate.until;
@@ -106,7 +106,7 @@ static void find_colours(struct contact_sheet *s)
     s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
 }
 
-/* Page, look and colour map. */
+/* Finds page, look and colour map. */
 static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_message *msg)
 {
     static const double smaller = 0.85;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact sheets of sweeps: small space-time images of many configurations, rows by magnetism, with one range of colours.
- * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_draw.c (with its words). */
+ * contact_sheet.c (life), contact_sheet_layout.c (which pictures, and where), contact_sheet_draw.c (pictures and words). */
 #pragma once
 
 #include "beadreel/sweep.h"
@@ -40,7 +40,7 @@ struct contact_sheet {
     struct contact_image *images;
     struct bead_sweep_watch *watches; /* [image_count] */
     size_t image_count;
-    struct bead_rect intro, bar; /* title and how to read the sheet; colours */
+    struct bead_rect intro, bar; /* title and explanation; bar of colours */
     double label_width;          /* of the rows */
     bool several;                /* sweeps */
     bool by_key;                 /* each row has all values of the last key of a sweep over keys */
@@ -52,7 +52,7 @@ struct contact_sheet {
     struct bead_colour_range range;
 };
 
-/* Runs the chains of the sheet of `output` and `sweep`, until it can be drawn; to be cleared even after an error. Errors: SCENE,
+/* Runs the chains of the sheet of `output` and `sweep`, until it can be drawn; must be cleared even after an error. Errors: SCENE,
  * MEMORY, those of the runs. */
 BEAD_CHECK enum bead_error contact_sheet_make(struct contact_sheet *sheet, const struct bead_sweep_settings *settings,
                                               struct bead_message *msg);
@@ -62,13 +62,13 @@ static inline int contact_columns(const struct contact_sheet *sheet, const struc
 {
     return sheet->orientation == BEAD_TIME_DOWN ? image->picture.height : image->picture.width;
 }
-/* Rows, images and their places. Errors: SCENE (no room), MEMORY. */
+/* Chooses rows, images and their places. Errors: SCENE (no room), MEMORY. */
 BEAD_CHECK enum bead_error contact_sheet_arrange(struct contact_sheet *sheet, struct bead_message *msg);
 /* A bead_draw. */
 BEAD_CHECK enum bead_error contact_sheet_draw(void *sheet, cairo_t *cr, struct bead_message *msg);
-/* Draws the title and how to read the sheet into sheet->intro and returns the height, px. cr NULL: only measures. */
+/* Draws the title and the explanation into sheet->intro and returns their height, px. cr NULL: only measures. */
 double contact_sheet_intro(const struct contact_sheet *sheet, cairo_t *cr, double width);
-/* Name of a row: markup. */
+/* The name of a row, as markup. */
 void contact_sheet_row_name(const struct contact_sheet *sheet, const struct contact_row *row, char *text, size_t size);
 /* `spin` of a cell: 1 up, 0 reversed, -1 none. */
 struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *sheet, int spin);

@@ -33,7 +33,7 @@ struct bead_rgb contact_sheet_spin_colour(const struct contact_sheet *s, int spi
                        : contact_sheet_mix(s->look.background, s->look.faint, 0.15);
 }
 
-/* From a to b. */
+/* Fills the rectangle from a to b. */
 static void contact_sheet_fill(cairo_t *cr, struct bead_rgb colour, double x, double y, double width, double height)
 {
     cairo_set_source_rgb(cr, colour.r, colour.g, colour.b);
@@ -134,7 +134,7 @@ void contact_sheet_row_name(const struct contact_sheet *s, const struct contact_
 
 /* ---- words ---- */
 
-/* "seed 3": the last key's value of a configuration, those of all keys where rows do not have them; "": of spins. */
+/* "seed 3": the last key's value in a configuration, or all keys' values if rows do not have them; "": for spins. */
 static void name_values(const struct contact_sheet *s, size_t index, char *text, size_t size)
 {
     const struct bead_over *over = over_of(s);
@@ -165,7 +165,7 @@ static void draw_row_names(const struct contact_sheet *s, cairo_t *cr)
     }
 }
 
-/* Texts at the left and right end of a line if both fit, else only the left one. */
+/* Draws texts at the left and right end of a line if both fit, else only the left one. */
 static void draw_pair(const struct contact_sheet *s, cairo_t *cr, const struct bead_rect *box, double y, bool strong,
                       const char *left, const char *right)
 {
@@ -210,7 +210,7 @@ static void sheet_draw_words(const struct contact_sheet *s, cairo_t *cr, size_t 
 
 /* ---- pictures ---- */
 
-/* Beads from..to - 1 of the spins, which are along the chain. */
+/* Fills beads from..to - 1 of the spins, which are along the chain. */
 static void fill_spins(const struct contact_sheet *s, cairo_t *cr, const struct contact_image *image, size_t from, size_t to)
 {
     const struct bead_rect *box = &image->spins;
@@ -239,7 +239,7 @@ static void draw_spins(const struct contact_sheet *s, cairo_t *cr, const struct 
     }
 }
 
-/* Indices of colours, [height][width]; those that no sample has touched are 0. */
+/* Finds indices of colours, [height][width]; 0 for pixels without samples. */
 static enum bead_error find_indices(const struct contact_sheet *s, const struct contact_image *image, uint8_t *indices,
                                     struct bead_message *msg)
 {

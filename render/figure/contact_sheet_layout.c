@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which configurations a contact sheet shows, and where. */
+/* Chooses the configurations of a contact sheet, and their places. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -54,7 +54,7 @@ static size_t last_values(const struct contact_sheet *s)
     return over->key_count > 0 && over->combine == BEAD_COMBINE_GRID ? over->keys[over->key_count - 1].count : 0;
 }
 
-/* Configurations one after the other, in as many rows as they need and as fit. */
+/* Adds configurations one after the other, in as many rows as they need and as fit. */
 static void add_wrapped(struct contact_sheet *s, size_t panel, size_t room)
 {
     size_t all = bead_sweep_panel(s->sweep, panel)->configurations;
@@ -62,7 +62,7 @@ static void add_wrapped(struct contact_sheet *s, size_t panel, size_t room)
         add_row(s, panel, row * s->columns, all - row * s->columns, NAN);
 }
 
-/* A row for each combination of the other keys, or for as many as fit, evenly spaced. */
+/* Adds a row for each combination of the other keys, or for as many as fit, evenly spaced. */
 static void add_by_key(struct contact_sheet *s, size_t room)
 {
     const size_t last = last_values(s), all = bead_sweep_panel(s->sweep, 0)->configurations / last, rows = all < room ? all : room;
@@ -70,7 +70,8 @@ static void add_by_key(struct contact_sheet *s, size_t room)
         add_row(s, 0, (rows > 1 ? row * (all - 1) / (rows - 1) : 0) * last, last, NAN);
 }
 
-/* From the cleanest on. Forces fall with 1 - M^2, so rows are evenly spaced in 1 - M^2: closer in M where waves are clean. */
+/* Adds rows from the cleanest. Forces fall with 1 - M^2, so rows are evenly spaced in 1 - M^2: closer in M where waves are
+ * clean. */
 static void add_spaced(struct contact_sheet *s, size_t panel, size_t room)
 {
     const struct bead_sweep_spec *spec = bead_sweep_panel(s->sweep, panel)->spec;
@@ -96,7 +97,7 @@ static bool shown(const struct contact_sheet *s, size_t panel, size_t first)
     return false;
 }
 
-/* The requested rows, in the order of the scene; a sweep without that magnetism has no such row. */
+/* Adds the requested rows, in the order of the scene; a sweep without that magnetism has no such row. */
 static void add_asked(struct contact_sheet *s, size_t panel)
 {
     static const double near = 0.05;
@@ -165,8 +166,8 @@ static void place_image(const struct contact_sheet *s, struct contact_image *ima
     image->words = (struct bead_rect){at.x, at.y + at.height, at.width, (int)round(words_height * s->small)};
 }
 
-/* Columns: names of rows, pictures, the bar. Rows: the words that explain the sheet, pictures. The last boxes are those of the
- * words and the bar. */
+/* Columns: names of rows, pictures, the bar. Rows: the words that explain the sheet, pictures. The last boxes belong to the words
+ * and the bar. */
 static enum bead_error make_grid(const struct contact_sheet *s, struct bead_layout_grid *grid, struct bead_message *msg)
 {
     const double margin = s->look.margin, gap = between * s->small, bar = round(bead_colour_bar_width(&s->look, BEAD_BAR_OF_SHEET));
@@ -191,7 +192,7 @@ static enum bead_error make_grid(const struct contact_sheet *s, struct bead_layo
     return BEAD_OK;
 }
 
-/* The words that explain the sheet are beside the first row if that has a single picture and there is room, else above. False: the
+/* Places the words that explain the sheet beside the first row if it has a single picture and there is room, else above. False: the
  * pictures have no room. */
 static bool place_intro(const struct contact_sheet *s, struct bead_layout_grid *grid)
 {

@@ -53,7 +53,7 @@ static enum bead_error figure_find_span(const struct bead_figure *f, size_t chai
     return BEAD_OK;
 }
 
-/* A picture of sensors alone shows only chains that have some. */
+/* A picture of only sensors shows only chains that have some. */
 static bool is_shown(const struct bead_figure *f, size_t chain)
 {
     size_t sensors;
@@ -68,7 +68,7 @@ bool bead_figure_looks_at_beads(const struct bead_output *output)
     return !bead_views_all(&output->views, BEAD_SHOWS_ALL_TIMES);
 }
 
-/* Panels reach as far as the striker and the wall of the beads above them. */
+/* Panels extend as far as the striker and the wall of the beads above them. */
 static void reach_beyond(const struct bead_figure *f, struct bead_cell *cell)
 {
     int beyond[2] = {0, 0};
@@ -159,7 +159,7 @@ enum bead_error bead_figure_views(struct bead_figure *f, bool collecting, struct
     return err;
 }
 
-/* Pixels along time of the figure's space-time image; 2000 for curves alone. */
+/* Pixels along time of the figure's space-time image; 2000 for curves without one. */
 static double time_pixels(const struct bead_figure *f)
 {
     for (size_t v = 0; v < f->view_count; v++) {
@@ -187,7 +187,7 @@ static void explain(struct bead_figure *f)
         snprintf(f->why, sizeof f->why, "%d x %d pixels, one moment", f->page.width, f->page.height);
 }
 
-/* All but the layout. */
+/* Prepares everything except the layout. */
 static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message *msg)
 {
     const struct bead_output *output = f->output;
@@ -218,14 +218,14 @@ enum bead_error bead_figure_start(struct bead_figure *f, struct bead_message *ms
     return err;
 }
 
-/* Beads alone, without axes, need room for striker and wall. */
+/* Beads without axes need room for striker and wall. */
 static double bare_margin(const struct bead_figure *f)
 {
     int left = 0, right = 0;
     const struct bead_views_asked *views = &f->output->views;
     if (!f->part && f->view_count == 1 && bead_views_all(views, BEAD_SHOWS_BEADS) && !bead_views_any(views, BEAD_ACTS))
         bead_view_find(BEAD_VIEW_BEADS)->margins(&f->look, &left, &right);
-    return ceil(1.5 * fmax(left, right)); /* the arrow of the striker leads it */
+    return ceil(1.5 * fmax(left, right)); /* the striker's arrow precedes it */
 }
 
 enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
@@ -265,7 +265,7 @@ static void take_beads(struct bead_span *all, size_t first, size_t last)
     all->last = last > all->last ? last : all->last;
 }
 
-/* The beads shown and those with sensors. */
+/* The beads shown, and those with sensors. */
 static struct bead_span all_beads(const struct bead_figure *f)
 {
     struct bead_span all = {SIZE_MAX, 0};

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figures: one or more views of every chain, with axes, headings and a colour bar; a still of its own, or one of its panels.
+/* Figures: one or more views of every chain, with axes, headings and a colour bar; a separate still, or one of its panels.
  *
  *   bead_figure_create -> bead_figure_put, repeated -> bead_figure_start -> needs, feed -> bead_figure_extremes ->
  *   bead_figure_set_range -> bead_figure_finish -> bead_figure_decorate and bead_figure_draw (or bead_figure_vector)
  *
- * The layout is fixed before the first sample, so that images can be summed into their pixels; colours, curves and text are
- * drawn at the end, when their ranges are known. PNG, PDF and SVG come from the same drawing. */
+ * The layout is fixed before the first sample, so that images can be summed into their pixels; colours, curves and text are drawn
+ * at the end, when their ranges are known. PNG, PDF and SVG come from the same drawing. */
 #pragma once
 
 #include <math.h>
@@ -23,9 +23,9 @@ struct bead_part_settings {
     size_t chain;               /* the only one; SIZE_MAX: all */
     char letter[16];            /* "(a)"; "": none */
     const char *title;          /* shown instead of the chain's name; NULL: none */
-    bool no_bar;                /* another part has it */
+    bool no_bar;                /* another part has the bar */
     bool no_across, no_upwards; /* no labels on the horizontal or vertical outer axis: a neighbouring panel has them */
-    int terseness;              /* of its headings at least, as those of other panels have no room for more */
+    int terseness;              /* least terseness of its headings, because those of other panels have no room for more */
 };
 
 /* One view of one chain. */
@@ -59,7 +59,7 @@ struct bead_figure {
     struct bead_rect area;         /* of plots, axes, headings and bar; the whole page unless it is a panel */
     double margin;                 /* px, within the area */
     double time[2], at;            /* s */
-    struct bead_grid grid;         /* of its samples: its own, or that of all panels */
+    struct bead_grid grid;         /* of its samples: the figure's, or that of all panels */
     struct bead_colormap map;
     struct bead_colours colours;
     struct bead_colour_range range;
@@ -71,23 +71,23 @@ struct bead_figure {
     bool stills;           /* a view shows one moment: beads, profile */
     bool collects;         /* a view shows all times: spacetime, sensors */
     struct bead_rect bar;  /* width 0: none */
-    struct bead_rect line; /* of title and time, above all; height 0: none */
+    struct bead_rect line; /* of title and time, above everything; height 0: none */
     char why[96];
 };
 
-/* Views of one moment are laid out by their beads: see struct bead_sink_type. */
+/* True if views of one moment are laid out by their beads: see struct bead_sink_type. */
 bool bead_figure_looks_at_beads(const struct bead_output *output);
-/* `settings`: of a panel; NULL: the figure has the page for itself. To be destroyed even after an error. Errors: SCENE (with the
+/* `settings`: of a panel; NULL: the figure has the whole page. Must be destroyed even after an error. Errors: SCENE (with the
  * output's place), MEMORY, IO and FORMAT of colour maps. */
 BEAD_CHECK enum bead_error bead_figure_create(const struct bead_output *output, const struct bead_run_context *context,
                                               const struct bead_page *page, const struct bead_look *look,
                                               const struct bead_part_settings *settings, struct bead_figure **figure,
                                               struct bead_message *msg);
-/* Lays out in an area, with plots at least `least` away from its borders; *insets returns the distances. Errors: SCENE (too small),
- * MEMORY. */
+/* Lays the figure out in an area, with plots at least `least` away from its borders; *insets returns the distances. Errors: SCENE
+ * (too small), MEMORY. */
 BEAD_CHECK enum bead_error bead_figure_put(struct bead_figure *figure, struct bead_rect area, const struct bead_insets *least,
                                            struct bead_insets *insets, struct bead_message *msg);
-/* Ready for samples. */
+/* Makes it ready for samples. */
 BEAD_CHECK enum bead_error bead_figure_start(struct bead_figure *figure, struct bead_message *msg);
 void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
 BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
@@ -102,11 +102,11 @@ void bead_figure_set_range(struct bead_figure *figure, const struct bead_shown_v
 bool bead_figure_needs_canvas(const struct bead_figure *figure);
 BEAD_CHECK enum bead_error bead_figure_finish(struct bead_figure *figure, struct bead_canvas *canvas, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_figure_decorate(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
-/* `frame` holds what decorate has drawn; so does `background` if a view draws over it. */
+/* `frame` holds the drawing of decorate; so does `background` if a view draws over it. */
 BEAD_CHECK enum bead_error bead_figure_draw(struct bead_figure *figure, struct bead_frame *frame,
                                             const struct bead_frame *background, struct bead_message *msg);
 BEAD_CHECK enum bead_error bead_figure_vector(struct bead_figure *figure, cairo_t *cr, struct bead_message *msg);
-/* Destroys the views, which may draw on a canvas: to be called before the canvas is destroyed. */
+/* Destroys the views, which may draw on a canvas: call it before the canvas is destroyed. */
 void bead_figure_release(struct bead_figure *figure);
 /* The horizontal or vertical axis of a panel; panels with equal axes share labels. */
 struct bead_axis_kind {
@@ -120,14 +120,14 @@ void bead_figure_destroy(struct bead_figure *figure);
 /* ---- among the files of a figure: figure.c (made and fed), figure_layout.c (places), figure_draw.c (headings, bar),
  * figure_write.c (the end) ---- */
 
-/* True for views that show all times (spacetime, sensors); the others show one moment. */
+/* True for views that show all times (spacetime, sensors); others show one moment. */
 bool bead_tile_collects(const struct bead_tile *panel);
 /* Creates and places the views that show all times (at the start), or the others (at the end). */
 BEAD_CHECK enum bead_error bead_figure_views(struct bead_figure *figure, bool collecting, struct bead_canvas *canvas,
                                              struct bead_message *msg);
-/* Title of the colour bar: the field, and whether colours show the largest values of pixels instead of means. */
+/* Title of the colour bar: the field, and a note if colours show the largest values of pixels instead of means. */
 void bead_figure_bar_title(const struct bead_figure *figure, char *title, size_t size);
-/* The factor that shortens headings so that the longest fits; cr NULL: measures alike. */
+/* How much headings must be shortened for the longest to fit; cr NULL: measures in the same way. */
 int bead_figure_terseness(const struct bead_figure *figure, cairo_t *cr);
 /* Draws the heading of a cell, shortened to fit. Returns whether there is one; cr NULL: draws nothing. */
 bool bead_figure_heading(const struct bead_figure *figure, const struct bead_cell *cell, cairo_t *cr);

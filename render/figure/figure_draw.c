@@ -16,7 +16,7 @@ struct words {
     bool marked; /* the name is a panel's title, with markup */
 };
 
-/* "t = 1.64 ms" in the unit of the axis of time, with as many decimals as the time needs, at most three; "": no view shows one
+/* "t = 1.64 ms" in the unit of the axis of time, with as many decimals as the time needs, at most three; "" if no view shows one
  * moment. */
 static void moment_words(const struct bead_figure *f, char *markup, size_t size)
 {
@@ -70,7 +70,7 @@ static bool words_of(const struct bead_figure *f, const struct bead_cell *cell, 
 }
 
 /* The words of headings, from everything to a shortened name: the same for all chains, chosen so that the longest fits. Several
- * chains always keep their names, shortened if necessary, to tell them apart. */
+ * chains always keep their names, shortened if necessary, to distinguish them. */
 enum terseness { NAME_M_LABEL, NAME_M, NAME, CUT_NAME_M, M, CUT_NAME };
 
 static const double shortest_cut = 3; /* of a name beside M, in units of its font size */
@@ -79,7 +79,7 @@ struct heading {
     struct words words;
     struct bead_text_style letter, name, magnetism, label;
     double gap;
-    bool comma; /* "ordered, M = 1" as in legends; else M is apart, in its colour */
+    bool comma; /* "ordered, M = 1" as in legends; else M is separate, in its colour */
 };
 
 static void make_heading(const struct bead_figure *f, const struct bead_cell *cell, struct heading *h)
@@ -100,7 +100,7 @@ static void make_heading(const struct bead_figure *f, const struct bead_cell *ce
         h->words.label = h->words.moment;
 }
 
-/* Removes the words that are left out at this terseness. */
+/* Removes the words left out at this terseness. */
 static void shorten(struct words *words, enum terseness terse)
 {
     bool name = *words->name, magnetism = *words->magnetism;
@@ -218,7 +218,7 @@ bool bead_figure_line(const struct bead_figure *f, cairo_t *cr)
     return true;
 }
 
-/* The time until which the two runs of the chain agree. */
+/* Draws the time until which the two runs of the chain agree. */
 static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell, cairo_t *cr)
 {
     struct bead_trust trust = bead_trust_make(f->context.chains[0], f->context.tolerance_factor);
@@ -231,7 +231,7 @@ static void draw_trust(const struct bead_figure *f, const struct bead_cell *cell
 void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size)
 {
     const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->shown.field);
-    const char *name = f->view_count > 1 ? bead_field_short(field) : field->title; /* as the profile's axis has it */
+    const char *name = f->view_count > 1 ? bead_field_short(field) : field->title; /* as on the profile's axis */
     bool largest = false;
     for (size_t v = 0; v < f->view_count; v++)
         largest = largest || bead_view_has(f->cells[0].panel[v].type, BEAD_SHOWS_IMAGE);
@@ -248,7 +248,7 @@ void bead_figure_bar_title(const struct bead_figure *f, char *title, size_t size
     }
 }
 
-/* Shortens the bar by its pointed ends, which end where the images end. */
+/* Shortens the bar by its pointed ends, which are level with the ends of the images. */
 static void figure_draw_bar(const struct bead_figure *f, cairo_t *cr)
 {
     struct bead_rect bar = f->bar;

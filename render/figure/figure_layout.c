@@ -13,9 +13,9 @@ static const double between_columns = 1.3, between_rows = 0.9, between_views = 0
 static const double bar_gap = 0.9, heading_gap = 0.45, line_gap = 0.7, trust_line = 2.1;
 /* Part of the line of trust that holds text; the rest is the gap to the plot. */
 static const double trust_share = 0.75;
-/* The height of a curve beside whose axis "force (N)" is as large as other names, unless it is more than this part of an equal
- * row's. Empirical, from a few stills with beads, a profile and an image, in the font of pictures: a quantity with a
- * longer name, or low pictures of many views, still have a smaller name there. */
+/* A curve of this height has room for "force (N)" beside its axis in the usual size; but at most this part of an equal row's
+ * height. Empirical, from a few stills with beads, a profile and an image, in the font of pictures: quantities with longer names,
+ * or low pictures of many views, still have a smaller name there. */
 static const double curve_height = 4.8, curve_share = 0.65;
 static const int smallest_plot = 12; /* px */
 enum { FAR = 8192 };                 /* px */
@@ -87,7 +87,7 @@ struct plan {
     double bar_least; /* px that panels leave at the right border for bars */
 };
 
-/* The greatest width of the bar's labels, for any range unless the scene gives it. */
+/* The greatest width of the bar's labels, for any range unless the scene gives one. */
 static double bar_labels(const struct bead_figure *f, int height)
 {
     struct bead_rect bar = {0, 0, (int)bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE), height};
@@ -167,7 +167,7 @@ static void place_all(const struct plan *plan)
         f->bar = (struct bead_rect){right + (int)plan->bar_gap, first->y, (int)fmax(4, bar_width(f)), bottom - first->y};
 }
 
-/* The labels of the last column belong to the gap between it and the bar. */
+/* The labels of the last column are part of the gap between it and the bar. */
 static void measure_bar(struct plan *plan)
 {
     struct bead_figure *f = plan->f;
@@ -198,9 +198,9 @@ static enum bead_error measure_all(void *user, struct bead_message *msg)
     return err;
 }
 
-/* Arranges chains in columns and rows so that plots get the best shape; a quarter of the page left empty is as bad as plots twice
- * as wide, or half as wide, as the best. That weight, 3 (`empty`), is chosen: from 2.6 to 3.2 pages of 2 to 7 chains in five styles
- * are full, with 2 three chains leave a quarter of a screen. */
+/* Arranges chains in columns and rows so that plots get the best shape; an empty quarter of the page is as bad as plots twice as
+ * wide, or half as wide, as the best. That weight, 3 (`empty`), is a choice: from 2.6 to 3.2 pages of 2 to 7 chains in five styles
+ * are full; with 2 three chains leave a quarter of a screen empty. */
 static void figure_choose_columns(struct bead_figure *f)
 {
     double em = f->look.label;
@@ -266,7 +266,7 @@ struct bead_axis_kind bead_figure_axis(const struct bead_figure *f, bool upright
     return (struct bead_axis_kind){"time", f->time[0], f->time[1]};
 }
 
-/* Wants of rows: the line above all, then views; plots stay at least `least` away from the borders. */
+/* The sizes of rows: the line above everything, then views; plots stay at least `least` away from the borders. */
 static void want_rows(struct plan *plan, const struct bead_insets *least)
 {
     const struct bead_figure *f = plan->f;
@@ -305,8 +305,8 @@ static void want_columns(struct plan *plan, const struct bead_insets *least)
         columns[c].reach[0] = f->output->views.axes ? 4 * em : 0; /* a first guess */
 }
 
-/* Few beads, as large as their row allows, do not fill its width: then the columns are as wide as the widest row of them, so that
- * axes end where the beads do. True: they are narrower now. */
+/* Few beads, as large as their row allows, do not fill its width: then columns become as wide as their widest row of beads, so that
+ * axes end where the beads do. True: they have become narrower. */
 static bool narrow(struct plan *plan)
 {
     struct bead_figure *f = plan->f;

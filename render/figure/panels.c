@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stills of several panels, and images with a caption or without: made and fed. Of the kinds that still.c tries,
- * panels are the first, images the last. */
+/* Stills of several panels, and images with or without a caption: made and fed. Among the kinds that still.c tries, panels are the
+ * first, images the last. */
 #include "render/figure/panels_private.h"
 
 #include <stdlib.h>
@@ -25,11 +25,11 @@ static void panels_destroy(struct bead_still *still)
     free(still->words.caption);
 }
 
-/* Title, on screens only, and caption. */
+/* Makes the title, only on screens, and the caption. */
 static enum bead_error make_words(struct bead_still *s, struct bead_message *msg)
 {
     const char *title = s->context.scene->title, *caption = s->output->still.caption;
-    if (s->alone) /* a figure with a page of its own has its own line for these */
+    if (s->alone) /* a figure with the whole page has its own line for these */
         return BEAD_OK;
     if (bead_page_titled(&s->page) && *title) {
         size_t size = 6 * strlen(title) + 1;
@@ -63,8 +63,8 @@ static enum bead_error panels_make_panel(struct bead_still *s, size_t index, str
     return bead_figure_create(panel->output, &s->context, &s->page, &s->look, set, &panel->figure, msg);
 }
 
-/* One sampling grid for all panels: as fine as the finest, over all times shown. Profiles are interpolated linearly between its
- * times. */
+/* Makes one sampling grid for all panels: as fine as the finest, over all times shown. Profiles are interpolated linearly between
+ * its times. */
 static void join_grids(struct bead_still *s)
 {
     struct bead_grid all = {INFINITY, INFINITY, -INFINITY, false};
@@ -163,7 +163,7 @@ static enum bead_error panels_feed(struct bead_still *still, const struct bead_s
     for (size_t p = 0; p < still->count; p++) {
         struct still_panel *panel = &still->panels[p];
         const struct bead_grid *grid = &panel->needs.grid;
-        double slack = 1.5 * still->grid.every; /* one sample before and behind */
+        double slack = 1.5 * still->grid.every; /* one sample before and after */
         if (!panel->needs.fields || sample->time < grid->start - slack || sample->time > grid->end + slack)
             continue;
         BEAD_TRY(panel->figure ? bead_figure_feed(panel->figure, sample, msg) : bead_plot_data_feed(panel->plot, sample, msg));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of panels: each measures how far its axes reach out of its plots; then the plots of a row get one width and height,
- * and those of a column one left border. */
+/* The layout of panels: each measures how far its axes extend beyond its plots; then the plots of a row get the same width and
+ * height, and those of a column the same left border. */
 
 #include "render/figure/panels_private.h"
 
@@ -102,7 +102,7 @@ static bool same_axis(const struct still_panel *a, const struct still_panel *b, 
     return x.title && y.title && strcmp(x.title, y.title) == 0 && x.low == y.low && x.high == y.high;
 }
 
-/* The row below has the numbers of all axes of this row, so that they are in the same places, in all panels or in none. */
+/* Does the row below have the numbers of all axes of this row? They are in the same places, in all panels or in none. */
 static bool numbers_below(const struct bead_still *s, size_t row)
 {
     bool all = panels_columns(s, row) == panels_columns(s, row + 1);
@@ -150,7 +150,7 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
     return BEAD_OK;
 }
 
-/* Lays panels out in their areas. `keep`: with their present insets; else the insets are measured. */
+/* Lays panels out in their areas. `keep`: with their current insets; else the insets are measured. */
 static enum bead_error panels_put(struct bead_still *s, bool keep, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
@@ -177,8 +177,8 @@ static double panels_weight_of(const struct bead_still *s, size_t row)
     return weight;
 }
 
-/* Rows: the title, those of the panels, the caption. Each row of panels has a line of columns; rows of equal length share those of
- * the first of them. */
+/* Rows: the title, the rows of panels, the caption. Each row of panels has a line of columns; rows of equal length share the first
+ * one's. */
 static enum bead_error make_grid(struct bead_still *s, struct bead_message *msg)
 {
     enum bead_error err = bead_layout_make(s->count, s->rows + 2, s->count, &s->layout, msg);
@@ -222,7 +222,7 @@ static void take_areas(struct bead_still *s)
 static enum bead_error measure(void *still, struct bead_message *msg)
 {
     struct bead_still *s = still;
-    double left = 0; /* of the first panels, which begin below each other even where rows differ */
+    double left = 0; /* of the first panels, which begin below each other even if rows differ */
     take_areas(s);
     enum bead_error err = panels_put(s, false, msg);
     for (size_t p = 0; p < s->count; p++)

@@ -42,7 +42,7 @@ static bool has_all_entries(const struct bead_graph *graph, const struct bead_gr
     return all;
 }
 
-/* One legend for panels that share it: the first. */
+/* Does an earlier panel have all entries of this one's legend? */
 static bool is_explained(const struct bead_still *s, const struct still_panel *panel, const struct bead_graph *graph)
 {
     bool explained = false;
@@ -80,7 +80,7 @@ static enum bead_error panels_decorate(void *context, cairo_t *cr, struct bead_m
     enum bead_error err = BEAD_OK;
     bead_look_paint(&s->look, cr);
     graph_page_draw(&s->words, &s->look, cr, s->panels[0].area.x + s->panels[0].insets.left);
-    int terseness = 0; /* all headings say as much as the one with least room */
+    int terseness = 0; /* all headings are as short as the one with the least room */
     for (size_t p = 0; p < s->count; p++) {
         const int least = s->panels[p].figure ? bead_figure_terseness(s->panels[p].figure, cr) : 0;
         terseness = least > terseness ? least : terseness;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sinks for `image:` and `plot:` outputs: each is a still of the first kind that wants it. */
+/* Sinks for `image:` and `plot:` outputs: each is a still of the first kind that accepts it. */
 #include "render/figure/still.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 
-/* A kind of still: a plot or a schematic drawing with a page of its own. */
+/* A kind of still: a plot or a schematic drawing with a whole page. */
 
 struct bead_still {
     const struct bead_output *output;
@@ -23,7 +23,7 @@ static bool plot_wanted(const struct bead_output *output)
     return output->views.count == 0;
 }
 
-/* Drawings read the beads, to try whether they fit. */
+/* Drawings read the beads, to see whether they fit. */
 static bool is_drawing(const struct bead_output *output)
 {
     return bead_schematic_is(output->curves.show);
@@ -96,7 +96,7 @@ static void still_destroy(struct bead_sink *sink)
     free(sink);
 }
 
-/* The last kind takes what no other wants. */
+/* The last kind accepts the outputs that no other does. */
 static const struct bead_still_kind *still_kind_of(const struct bead_output *output)
 {
     size_t k = 0;

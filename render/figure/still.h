@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stills: outputs of one picture, `image:` and `plot:`. still.c picks the kind that draws an output. */
+/* Stills: outputs of one picture, `image:` and `plot:`. still.c chooses the kind that draws an output. */
 #pragma once
 
 #include <stdbool.h>
@@ -16,7 +16,7 @@ struct bead_still_kind {
                               struct bead_message *msg);
     void (*needs)(const struct bead_still *still, struct bead_needs *needs);
     enum bead_error (*feed)(struct bead_still *still, const struct bead_sample *sample, struct bead_message *msg);
-    /* To a file in the format of its name. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
+    /* Writes a file in the format of its name. Errors: UNSUPPORTED (no outcomes for peaks), IO, MEMORY, GRAPHICS. */
     enum bead_error (*write)(struct bead_still *still, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
                              struct bead_message *msg);
     /* The painter of its beads, after `write`; "": none was needed. NULL: this kind paints nothing. */
@@ -27,4 +27,4 @@ struct bead_still_kind {
 };
 
 extern const struct bead_still_kind bead_panels, bead_bare_image;
-extern const struct bead_sink_type bead_image_sink; /* which images of sweeps draw with */
+extern const struct bead_sink_type bead_image_sink; /* used to draw images of sweeps */

@@ -38,7 +38,7 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return BEAD_OK;
 }
 
-/* All must have equal lengths, and run to one time: `until`, or the last arrival of a front. */
+/* All must have equal lengths, and run to the same time: `until`, or the last arrival of a front. */
 static enum bead_error find_end(struct ensemble *e, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(e->sweep)->simulate.until;
@@ -82,7 +82,7 @@ static enum bead_error run(struct ensemble *e, const struct bead_sweep_settings 
     return bead_sweep_watch(e->sweep, e->watches, e->count, settings, msg);
 }
 
-/* Over the configurations, in their order: the same bits for any number of threads. */
+/* Over the configurations, in their order, for the same bits with any number of threads. */
 static double statistic(const struct ensemble *e, size_t at, double *values)
 {
     struct bead_summary summary;
@@ -125,7 +125,7 @@ static const char *statistic_name(const struct ensemble *e)
     return names[show];
 }
 
-/* The image of a run whose samples these are. */
+/* Draws the image of a run that has these samples. */
 static enum bead_error draw(struct ensemble *e, const struct bead_run_context *context, const char *path, const double *result,
                             struct bead_message *msg)
 {
