@@ -120,7 +120,6 @@ static enum bead_error card_chains(struct card *c, const struct bead_facts *fact
         if (each.beads > 0) {
             struct bead_view_setup setup = *stage;
             setup.chain = facts->chains[i];
-            setup.chain_index = i;
             setup.beads.last = SIZE_MAX;
             rect = (struct bead_rect){rect.x, rect.y + each.heading, rect.width, each.beads};
             BEAD_TRY(bead_stage_at_rest(&setup, rect, c->cr, msg));
