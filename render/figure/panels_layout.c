@@ -127,7 +127,9 @@ static void share(struct bead_still *s)
 
 /* ---- places ---- */
 
-/* Before the run the ends of axes are unknown: assumes the widest numbers. */
+/* Before the run the ends of axes are unknown: assumes the widest numbers, of logarithmic axes, of those with a unit, of others. */
+static const double widest[][2] = {{1, 1e3}, {0, 888}, {-0.9112, 0.0888}};
+
 static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel, const struct bead_insets *least,
                                 struct bead_message *msg)
 {
@@ -138,8 +140,9 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
     struct bead_message why = {""};
     for (size_t i = 0; i < graph.panel_count; i++) {
         struct bead_graph_axis *y = &plots[i].y;
-        y->high = isnan(y->high) ? (y->scale == BEAD_SCALE_LOG ? 1e3 : y->unit && *y->unit ? 888 : 0.0888) : y->high;
-        y->low = isnan(y->low) ? (y->scale == BEAD_SCALE_LOG ? 1 : fmin(0, y->high - 1)) : y->low;
+        const double *ends = widest[y->scale == BEAD_SCALE_LOG ? 0 : y->unit && *y->unit ? 1 : 2];
+        y->low = isnan(y->low) ? ends[0] : y->low;
+        y->high = isnan(y->high) ? ends[1] : y->high;
     }
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, &why);
     if (err)

@@ -271,6 +271,22 @@ static void test_trajectories_draw_the_same(void **state)
     free(second.rgb);
 }
 
+/* The room that plots keep before the run, when the numbers on their axes are unknown, is enough for the numbers of the run. */
+static void assert_room(const struct bead_still *still, const struct still_panel *panel)
+{
+    struct bead_panel plots[PANEL_PLOTS];
+    const struct bead_graph graph = panel_graph(panel, plots);
+    const struct graph_frame frame = {.letter = panel->set.letter, .no_across = panel->set.no_across};
+    struct graph_layout layout;
+    struct bead_message msg = {""};
+    const struct bead_rect area = {0, 0, panel->area.width, panel->area.height};
+    assert_int_equal(graph_layout_make(&graph, &still->look, area.width, area.height, &frame, &layout, &msg), BEAD_OK);
+    const struct bead_insets in = bead_layout_insets(&layout.grid, area);
+    assert_true(in.left > 0 && in.left <= panel->insets.left && in.top <= panel->insets.top);
+    assert_true(in.bottom > 0 && in.right <= panel->insets.right && in.bottom <= panel->insets.bottom);
+    graph_layout_free(&layout);
+}
+
 /* Profiles beside an image: the values of their times, whatever the times of the image are. */
 static void test_profiles_are_panels(void **state)
 {
@@ -297,6 +313,7 @@ static void test_profiles_are_panels(void **state)
     assert_int_equal(panels_write(still, NULL, path, NULL, &msg), BEAD_OK);
     size_t panels;
     const struct bead_panel *panel = bead_plot_data_panels(still->panels[1].plot, &panels);
+    assert_room(still, &still->panels[1]);
     assert_true(panels == 1 && panel->series_count == 2 && panel->series[0].count == 10);
     for (size_t b = 0; b < 10; b++) {
         assert_true(fabs(panel->series[0].y[b] - 0.25 * (double)(b + 1)) < 1e-9);
