@@ -585,6 +585,91 @@ static void parts_of_stages_are_as_far_apart_as_labels_need(void **)
     assert_true(beside > 20 && below > 4 && bars > 10 && drawn > 5);
 }
 
+/* Curves without images end where the numbers of their own axis need it, whatever times would; images without curves begin where
+ * times need it. Both reach from the air below the beads down to their labels. */
+static void parts_of_stages_stand_alone(void **)
+{
+    size_t seen[2] = {0};
+    for (unsigned i = 0; i < SIZES * 3 * 2 * 4; i++) {
+        const unsigned size = i % SIZES, chains = 1 + i / SIZES % 3, image = i / SIZES / 3 % 2, ends = i / SIZES / 6;
+        struct bead_look look;
+        struct bead_movie_layout l;
+        bead_look_film(&look, sizes[size].width, sizes[size].height, true, false);
+        struct bead_movie_wants w = wants_of(&look, sizes[size].width, sizes[size].height, chains);
+        const double em = look.label;
+        w.layout = BEAD_LAYOUT_STAGE;
+        w.headings = false;
+        w.keyed_heading = w.key_width = 0;
+        w.time_end = (ends & 1 ? 3 : 0) * look.gap;
+        w.along_end = (ends & 2 ? 2 : 0) * look.gap;
+        add_view(&w, BEAD_VIEW_STAGE);
+        add_view(&w, image ? BEAD_VIEW_SPACETIME : BEAD_VIEW_PROFILE);
+        assert_int_equal(bead_movie_arrange(&w, &l, NULL), BEAD_OK);
+        const int margin = l.time.y, right = w.width - margin, in = bead_stage_inset(&w), above = up(1.35 * em);
+        const struct bead_rect first = l.chains[0].plot[1], last = l.chains[chains - 1].plot[1];
+        const int start = first.y - above - end_of(l.chains[chains - 1].plot[0]);
+        if (first.width == 0) {
+            bead_movie_layout_free(&l);
+            continue;
+        }
+        seen[image]++;
+        assert_true(start == up(0.7 * em) || start == up(0.4 * 0.7 * em) || start == up(0.2 * 0.7 * em));
+        if (!image) {
+            assert_true(l.overlay == 1 && l.bar.width == 0 && l.colours == 0);
+            assert_px(first.x, margin + up(fmax(w.left, in)), "the curve's place", &w, 0);
+            assert_px(first.width, (int)(right - margin - fmax(w.left, in) - fmax(0, w.along_end - look.gap)), "the curve's width",
+                      &w, 0);
+            assert_px(end_of(first), w.height - margin - up(w.below_beads), "the curve's lower end", &w, 0);
+        } else {
+            const double bar = up(0.8 * look.tick) + up(fmax(bead_colour_bar_width(&look, BEAD_BAR_OF_MOVIE) + w.bar, w.bar_title)),
+                         beyond = fmax(0, w.time_end - 0.4 * em), between = 0.5 * em + 2 * w.time_end,
+                         room = right - margin - bar - beyond - w.left - (chains - 1) * between,
+                         height = w.height - margin - up(l.against ? w.below_numbers : w.below_time) - first.y,
+                         most = floor(0.25 * w.width * w.height / (chains * height));
+            assert_true(l.overlay == w.view_count && l.bar.width > 0);
+            assert_px(first.height, (int)height, "an image's height", &w, 0);
+            assert_px(first.width, (int)fmin(most, floor(room / chains)), "an image's width", &w, 0);
+            assert_px(first.x, up(margin + w.left), "the first image's place", &w, 0);
+            assert_px(l.bar.x, right_of(last) + up(beyond + 0.8 * look.tick), "the bar's place", &w, 0);
+        }
+        bead_movie_layout_free(&l);
+    }
+    assert_true(seen[0] > SIZES * 10 && seen[1] > SIZES * 10);
+}
+
+/* On upright frames labels that have no room beside names have a line below them, where that is long enough for them in small type,
+ * which is 0.85 of the stage's width; names that have the key beside them do not give it up. */
+static void labels_are_below_names_where_they_fit(void **)
+{
+    size_t below = 0;
+    for (unsigned i = 0; i < 2 * 2 * 2 * 40; i++) {
+        const bool upright = i % 2, keyed = i / 2 % 2, wider = i / 4 % 2;
+        const int width = 1080, height = upright ? 1920 : 1080;
+        struct bead_look look;
+        struct bead_movie_layout l;
+        bead_look_film(&look, width, height, true, false);
+        struct bead_movie_wants w = wants_of(&look, width, height, 2);
+        w.layout = BEAD_LAYOUT_STAGE;
+        w.keyed_heading = keyed ? 4 * look.label : width;
+        w.key_width = 0;
+        w.label_width = (0.5 + 0.02 * (i / 8)) * width;
+        w.heading_width = wider ? 2 * width : 4 * look.label;
+        add_view(&w, BEAD_VIEW_STAGE);
+        add_view(&w, BEAD_VIEW_PROFILE);
+        assert_int_equal(bead_movie_arrange(&w, &l, NULL), BEAD_OK);
+        const double room = w.width - 2 * up(2 * look.gap), needed = BEAD_SMALLER_LABEL * w.label_width;
+        if (fabs(needed - 0.85 * room) > 2 || !upright || keyed || !wider) {
+            const bool expected = upright && !keyed && wider && needed < 0.85 * room;
+            if (l.label_lines != expected)
+                fail_msg("%s, %s key, names of %g px, labels of %g px: labels %s", upright ? "upright" : "square",
+                         keyed ? "with" : "without", w.heading_width, w.label_width, l.label_lines ? "below" : "beside");
+            below += expected;
+        }
+        bead_movie_layout_free(&l);
+    }
+    assert_true(below > 5 && below < 35);
+}
+
 /* A frame twice as large has everything twice as large, where it gives up the same: whole pixels can decide that. */
 static void frames_scale(void **)
 {
@@ -638,6 +723,8 @@ int main(void)
                                        cmocka_unit_test(bars_lie_beside_the_clock_or_below_the_words),
                                        cmocka_unit_test(layouts_have_the_columns_of_their_names),
                                        cmocka_unit_test(parts_of_stages_are_as_far_apart_as_labels_need),
+                                       cmocka_unit_test(parts_of_stages_stand_alone),
+                                       cmocka_unit_test(labels_are_below_names_where_they_fit),
                                        cmocka_unit_test(frames_scale)};
     return cmocka_run_group_tests_name("gaps of movies", tests, NULL, NULL);
 }
