@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <dlfcn.h>
 #include <errno.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -375,6 +376,58 @@ static void numbers_are_checked_when_read(void **state)
     bead_trajectory_close(t);
 }
 
+/* The shortest text is read as any other, and then refused for what it says. */
+static void a_scene_of_one_letter_is_read(void **state)
+{
+    struct bad *b = *state;
+    hid_t file = H5Fopen(b->copy, H5F_ACC_RDWR, H5P_DEFAULT), letter = H5Tcopy(H5T_C_S1);
+    drop(file, "/parameters/beadreel/scene");
+    put_dataset(file, "/parameters/beadreel/scene", letter, 1, (hsize_t[]){1}, "7");
+    H5Tclose(letter);
+    H5Fclose(file);
+    assert_int_equal(refused(b->copy, "1:1: is `7`"), BEAD_ERROR_SCENE);
+}
+
+/* The last process that was started. */
+static pid_t started;
+
+pid_t fork(void)
+{
+    static pid_t (*next)(void);
+    if (!next)
+        *(void **)&next = dlsym(RTLD_NEXT, "fork");
+    const pid_t process = next();
+    started = process > 0 ? process : started;
+    return process;
+}
+
+/* The process that reads the file ends, as it does where HDF5 crashes, or because somebody ends it: that is said, and the file is
+ * not read on. */
+static void a_reader_that_ends_is_told(void **state)
+{
+    struct bad *b = *state;
+    static const struct {
+        int signal;
+        const char *words;
+    } ends[] = {{SIGSEGV, "HDF5 crashes on it (Segmentation fault)"}, {SIGKILL, "the process that reads it has ended"}};
+    for (size_t i = 0; i < 2; i++) {
+        struct bead_message msg = {""};
+        struct bead_sample sample;
+        const unsigned force = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
+        started = 0;
+        struct bead_trajectory *t = open_file(b->s.path);
+        if (started > 0) { /* HDF5 is read in a process of its own */
+            assert_int_equal(kill(started, ends[i].signal), 0);
+            assert_int_equal(bead_trajectory_read(t, 5, 0, force, &sample, &msg), BEAD_ERROR_FORMAT);
+            assert_non_null(strstr(msg.text, ends[i].words));
+            assert_int_equal(bead_trajectory_read(t, 5, 0, force, &sample, &msg), BEAD_ERROR_FORMAT);
+            assert_non_null(strstr(msg.text, "cannot be read"));
+            assert_null(strstr(msg.text, "process"));
+        }
+        bead_trajectory_close(t);
+    }
+}
+
 /* A run killed between two of HDF5's writes leaves series of different lengths. */
 static void the_shortest_series_counts(void **state)
 {
@@ -487,6 +540,8 @@ int main(void)
         BAD(signatures),
         BAD(one_thing_wrong),
         BAD(numbers_are_checked_when_read),
+        BAD(a_scene_of_one_letter_is_read),
+        BAD(a_reader_that_ends_is_told),
         BAD(the_shortest_series_counts),
         BAD(settings_reach_the_scene),
         BAD(places_that_cannot_be_written),
