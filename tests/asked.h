@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Requested accuracy against the errors found: peaks of contacts and beads of a chain beside references of its own, for tests and
- * stress.
+/* Requested accuracy against the errors found: peaks of a chain's contacts and beads are compared with the chain's own references,
+ * for tests and stress.
  *
- * The references are two runs of the corrected method with short steps, of different lengths; the finer one counts, their
- * difference says how well it is known. A chain of disorder is chaotic behind the front: there are maxima that no method in double
- * precision gets to what was asked. Which they are is measured: all stiffnesses are changed by random parts of the size of what is
- * asked; a peak that this changes by more than `chaotic` times as much is not predictable to that. */
+ * The references are two runs of the corrected method with short steps, of different lengths; the finer one counts, and their
+ * difference is its uncertainty. A disordered chain is chaotic behind the front: no method in double precision can reach the
+ * requested accuracy for some maxima. They are found by measurement: all stiffnesses are changed by random parts of the size of the
+ * requested accuracy; a peak that this changes by more than `chaotic` times as much is not predictable to that accuracy. */
 #ifndef BEADREEL_TESTS_ASKED_H
 #define BEADREEL_TESTS_ASKED_H
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chains drawn at random, beside references of their own: are peaks as accurate as was asked, or as their uncertainties say? For
- * tests and stress.
+/* Random chains, each with its own references: are peaks as accurate as requested, or as their uncertainties say? For tests and
+ * stress.
  *
  * Materials from .5 to 600 GPa, radii from 1 to 20 mm, 10 to 150 beads, strikers from .01 to 10 m/s; ordered or not, some with a
- * wall, precompression, a slope or damping. Two references with different steps say how well the peaks are known. How strongly a
- * peak answers is measured as in tests/asked.h. */
+ * wall, precompression, a slope or damping. The difference of two references with different steps is the uncertainty of the peaks.
+ * How strongly a peak responds is measured as in tests/asked.h. */
 #ifndef BEADREEL_TESTS_DRAWN_H
 #define BEADREEL_TESTS_DRAWN_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What eyes tell apart: CIELAB (D65), CIEDE2000 (Sharma, Wu and Dalal 2005, Color Res. Appl. 30, 21), WCAG 2.2's contrast, and
+/* What eyes can distinguish: CIELAB (D65), CIEDE2000 (Sharma, Wu and Dalal 2005, Color Res. Appl. 30, 21), WCAG 2.2's contrast, and
  * colours as seen without one kind of cone (Machado, Oliveira and Fernandes 2009, IEEE Trans. Vis. Comput. Graph. 15, 1291). */
 #ifndef BEADREEL_TESTS_EYES_H
 #define BEADREEL_TESTS_EYES_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of graphs share: made-up curves, a picture in memory. */
+/* Shared by the tests of graphs: made-up curves, a picture in memory. */
 #ifndef BEADREEL_TESTS_GRAPHS_H
 #define BEADREEL_TESTS_GRAPHS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tests that need what a machine may lack; after cmocka.h. tests/run.sh counts those left out, and lists what was missing. */
+/* Tests that need things a machine may lack; after cmocka.h. tests/run.sh counts skipped tests, and lists the things missing. */
 #ifndef BEADREEL_TESTS_MISSING_H
 #define BEADREEL_TESTS_MISSING_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Equations run without scenes: their tables called as a run does. */
+/* Equations run without scenes: calls their tables like a run. */
 #ifndef BEADREEL_TESTS_MOTIONS_H
 #define BEADREEL_TESTS_MOTIONS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of movies share: a temporary directory, frames, and the formats there are. */
+/* Shared by the tests of movies: a temporary directory, frames, and the available formats. */
 #ifndef BEADREEL_TESTS_MOVIES_H
 #define BEADREEL_TESTS_MOVIES_H
 

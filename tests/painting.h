@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of painters share: places and levels drawn at random. */
+/* Shared by the tests of painters: random places and levels. */
 #ifndef BEADREEL_TESTS_PAINTING_H
 #define BEADREEL_TESTS_PAINTING_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of pictures share: a small chain, samples made up for it, a directory of their own, PNG read back. */
+/* Shared by the tests of pictures: a small chain, made-up samples of it, a directory, PNG read back. */
 #ifndef BEADREEL_TESTS_PICTURES_H
 #define BEADREEL_TESTS_PICTURES_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The problems that references exist for, chains from scene text, reference tables: for tests, benchmark and stress.
- * Whoever includes this says first what happens when something cannot go on: GIVE_UP(format, ...), which does not return. */
+/* The problems with references, chains from scene text, reference tables: for tests, benchmark and stress. Before including this,
+ * define GIVE_UP(format, ...), which reports a failure and does not return. */
 #ifndef BEADREEL_TESTS_PROBLEMS_H
 #define BEADREEL_TESTS_PROBLEMS_H
 

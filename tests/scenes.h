@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of scenes share: parsing a text, and refusing one with the message expected. */
+/* Shared by the tests of scenes: parsing a text, and refusing one with the expected message. */
 #ifndef BEADREEL_TESTS_SCENES_H
 #define BEADREEL_TESTS_SCENES_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of schematic drawings share: a scene's chains set up, a drawing in memory, its words. */
+/* Shared by the tests of schematic drawings: a scene's chains, a drawing in memory, its words. */
 #ifndef BEADREEL_TESTS_SCHEMATICS_H
 #define BEADREEL_TESTS_SCHEMATICS_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A directory for what a test program writes: made by its group's set-up, emptied and removed by its tear-down; after support.h. */
+/* A directory for the files of a test program: made by its group's set-up, emptied and removed by its tear-down; after
+ * support.h. */
 #ifndef BEADREEL_TESTS_SCRATCH_H
 #define BEADREEL_TESTS_SCRATCH_H
 

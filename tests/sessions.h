@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole runs in tests; what fails fails the test. */
+/* Whole runs in tests; a failure fails the test. */
 #ifndef BEADREEL_TESTS_SESSIONS_H
 #define BEADREEL_TESTS_SESSIONS_H
 

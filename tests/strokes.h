@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is stroked and filled through cairo, as numbers: a program that includes this has these functions of its own in front of the
- * library's, which note the path in pixels of the surface and then draw as ever. */
+/* Strokes and fills through cairo, as numbers: a program that includes this has its own versions of these functions in front of the
+ * library's, which record the path in pixels of the surface and then draw as usual. */
 #ifndef BEADREEL_TESTS_STROKES_H
 #define BEADREEL_TESTS_STROKES_H
 

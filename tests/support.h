@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of the computing half share: scenes from text, runs to a time, reference tables. */
+/* Shared by the tests of the computing half: scenes from text, runs to a time, reference tables. */
 #ifndef BEADREEL_TESTS_SUPPORT_H
 #define BEADREEL_TESTS_SUPPORT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is written into a drawing: a look's watch {texts_note, &texts} keeps each text as markup, with its box in px. */
+/* The texts of a drawing: a look's watch {texts_note, &texts} keeps each text as markup, with its box in px. */
 #ifndef BEADREEL_TESTS_TEXTS_H
 #define BEADREEL_TESTS_TEXTS_H
 

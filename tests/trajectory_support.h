@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the tests of trajectories and tables share: sinks driven directly with made-up samples. */
+/* Shared by the tests of trajectories and tables: sinks driven directly with made-up samples. */
 #ifndef BEADREEL_TESTS_TRAJECTORY_SUPPORT_H
 #define BEADREEL_TESTS_TRAJECTORY_SUPPORT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Work against error: problems, clock and rows that the programs of tests/bench/precision_* share.
+/* Work against error: problems, clock and rows, shared by the programs tests/bench/precision_*.
  *
  * Every program prints rows `problem,solver,setting,cpu_s,error_peaks,error_velocity,evaluations`: CPU seconds of one run (the best
  * of a few, or of many where they are short), the largest relative error of the contacts' peak forces over the run, and the largest

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Work against error of this program's own methods, over steps; and of `auto` over the accuracy asked. All rows of a problem are
- * timed in turn, several times over: a processor that changes its clock meanwhile does so for all of them.
+/* Work against error of this program's own methods, over steps; and of `auto` over the requested accuracy. All rows of a problem
+ * are timed in turn, several times: a processor that changes its clock meanwhile does so for all of them.
  *   precision_ours [problem...]
- *   precision_ours --reference problem     writes the references of a problem that has none from elsewhere */
+ *   precision_ours --reference problem     writes the references of a problem that has no others */
 #include "tests/bench/precision.h"
 
 #include "sim/run/run.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Work against error of the classical Runge-Kutta method as one writes it down: loops over all beads, one thing after the other, no
- * windows, no vectors by hand. What a careful user would have without this program. */
+/* Work against error of the classical Runge-Kutta method in its simplest form: loops over all beads, one step after the other, no
+ * windows, no hand-written vectors. What a careful user would have without this program. */
 #include "tests/bench/precision_watch.h"
 
 struct plain {

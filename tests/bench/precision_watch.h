@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Errors of somebody else's solution, step by step: peaks between the steps from the same septic interpolant as our own, so that
- * only the solver is judged. And the same right-hand side, with our kernels, for solvers written in C. */
+/* Errors of another program's solution, step by step: peaks between steps come from the same septic interpolant as our own, so that
+ * only the solver is judged. Also the same right-hand side, with our kernels, for solvers written in C. */
 #ifndef BEADREEL_BENCH_PRECISION_WATCH_H
 #define BEADREEL_BENCH_PRECISION_WATCH_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A film with a view of one's own, a bar as high as the share of the energy that moves, and a file of one's own beside it, the
- * momentum at each time. Build: cc film.c $(pkg-config --cflags --libs beadreel cairo) */
+/* A film with a custom view, a bar as high as the share of kinetic energy, and a custom file beside it, the momentum at each time.
+ * Build: cc film.c $(pkg-config --cflags --libs beadreel cairo) */
 #include <beadreel/render.h>
 #include <beadreel/session.h>
 #include <beadreel/view.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A force law of one's own, that of Toda's lattice, A (e^(B d) - 1): in a chain made in C, and in a scene that calls it by its
- * name. Build: cc law.c $(pkg-config --cflags --libs beadsim) -lm */
+/* A custom force law, that of Toda's lattice, A (e^(B d) - 1): in a chain made in C, and in a scene that uses its name. Build: cc
+ * law.c $(pkg-config --cflags --libs beadsim) -lm */
 #include <beadreel/chain.h>
 #include <beadreel/law.h>
 #include <beadreel/play.h>

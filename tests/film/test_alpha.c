@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Transparent pictures and movies: what is read back covers what is behind it as the opaque ones do, in every format. */
+/* Transparent pictures and movies: read back in every format and laid over a background, they look like opaque ones. */
 #include <math.h>
 #include <png.h>
 #include <setjmp.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What movies say: captions at their times, title cards before the motion, posters. */
+/* The words of movies: captions at their times, title cards before the motion, posters. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pixels for encoders: BT.709 as its formula says, rectangles as whole frames, palettes exact where they can be. */
+/* Pixels for encoders: BT.709 by its formula, rectangles like whole frames, palettes exact if possible. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Films whose speed changes: how long they take, what they show when, pauses; and their frames. */
+/* Films whose speed changes: their lengths, the times they show, pauses; and their frames. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Frames of films in every layout, shape, theme and size of type, with one to four chains: no word is cut off or lies over another,
- * none is shortened, and what a viewer needs is there. SHOW=DIRECTORY keeps the frames as pictures. */
+/* Frames of films in every layout, shape, theme and size of type, with one to four chains: no word is cut off, shortened or covered
+ * by another, and everything a viewer needs is there. SHOW=DIRECTORY keeps the frames as pictures. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sound of movies: decoded, it is the force at the times that the pictures show, in every format. */
+/* Sound of movies: decoded, it is the force at the times shown by the pictures, in every format. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Movies: what is read back is what was added, at its times, for its duration. */
+/* Movies: frames read back are the ones added, at the same times and for the same duration. */
 #include "movies.h"
 
 #include <math.h>

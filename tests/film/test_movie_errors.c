@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Movies that cannot be made: refused in time, told in one line, and nothing is left of them. */
+/* Movies that cannot be made: refused in time, with one line, and without leftovers. */
 #include "movies.h"
 
 #include "render/encode/movie_internal.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Distances in movie frames: what is below and beside each other is as far apart as labels and gaps between need, no less and no
- * more; what is left over is around the cells. In units of the look's letters, at several sizes. */
+/* Distances in movie frames: parts below and beside each other are exactly as far apart as labels and gaps require; the rest of the
+ * room is around the cells. In units of the look's letters, at several sizes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What encoders are told of unchanged parts is true: nothing that has changed stays behind on the screen. */
+/* Hints to encoders about unchanged parts are true: every change reaches the screen. */
 #include "movies.h"
 
 #include "decode.h"

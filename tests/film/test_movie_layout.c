@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Layouts of movie frames: whatever is asked for, rectangles stay within the frame and apart from each other. */
+/* Layouts of movie frames: whatever is asked for, rectangles stay within the frame and do not overlap. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

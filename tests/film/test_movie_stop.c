@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A wish to stop comes through while a film draws many frames of one sample: title cards and pauses last as long as the scene says.
- */
+/* A request to stop takes effect while a film draws many frames of one sample: title cards and pauses may be arbitrarily long.
+ * */
 #include "support.h"
 
 #include "scratch.h"

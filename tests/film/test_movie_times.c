@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which frames of a movie are drawn: all of them, but in drafts. */
+/* Which frames of a movie are drawn: all of them, except in drafts. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What films write over their views, as numbers: clock, captions, notes with their boxes and tips, races, progress. */
+/* Overlays of films, as numbers: clock, captions, notes with their boxes and tips, races, progress. */
 #include <math.h>
 
 #include "render/draw/looks.h"

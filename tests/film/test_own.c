@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Views and sinks of a program's own: what they draw is there, and those that lack something are refused. */
+/* A program's own views and sinks: their drawings appear, and incomplete ones are refused. */
 #include "support.h"
 
 #include "beadreel/session.h"

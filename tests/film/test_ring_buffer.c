@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pipes: order, bounds, one worker, and no way to wait for ever. */
+/* Pipes: order, bounds, one worker, and no endless waiting. */
 #include "render/movie/ring_buffer.h"
 
 #include <pthread.h>

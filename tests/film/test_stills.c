@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stills through libav: what is read back is what was drawn, with its colours and its size on paper. */
+/* Stills through libav: pictures read back equal those drawn, with their colours and their size on paper. */
 #include "movies.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the fuzz targets share: files, promises, sessions with a watchdog, random numbers. */
+/* Shared by the fuzz targets: files, promises, sessions with a watchdog, random numbers. */
 #include "tests/fuzz/fuzz.h"
 
 #include <fcntl.h>

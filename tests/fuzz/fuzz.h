@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the fuzz targets share. A target is one file fuzz_NAME.c with libFuzzer's entry; `make fuzz` finds and runs it. */
+/* Shared by the fuzz targets. A target is one file fuzz_NAME.c with libFuzzer's entry; `make fuzz` finds and runs it. */
 #ifndef BEADREEL_TESTS_FUZZ_FUZZ_H
 #define BEADREEL_TESTS_FUZZ_FUZZ_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: command lines, a word a line. What is accepted says what to do, and with which file. */
+/* Fuzz target: command lines, a word a line. Accepted ones say what to do, and with which file. */
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: a user's own settings, config.yaml, by themselves and below a scene that takes all of them. */
+/* Fuzz target: a user's own settings, config.yaml, alone and with a scene that uses all of them. */
 #include "beadreel/scene.h"
 #include "sim/scene/scene_internal.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: journals of sweeps, the `.part` that a killed sweep goes on from. Three quarters of the inputs get right check sums,
- * so that what lies behind these is reached. */
+/* Fuzz target: journals of sweeps, the `.part` from which a killed sweep continues. Three quarters of the inputs get correct
+ * checksums, so that the code behind these is reached. */
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: parts of a sweep. The input is the first of two; the second is as it was written (FUZZ_PART, see run.sh). What
- * merges can be written, and opened. */
+/* Fuzz target: parts of a sweep. The input is the first of two; the second is as written (FUZZ_PART, see run.sh). Merged parts can
+ * be written, and opened. */
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: a stranger's picture, film or page, whose scene is looked for. The first byte chooses its ending. */
+/* Fuzz target: the search for the scene in a stranger's picture, film or page. The first byte chooses its ending. */
 #include <stdlib.h>
 #include <string.h>
 

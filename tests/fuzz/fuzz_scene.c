@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: text -> settings. No plan, so thousands a second. */
+/* Fuzz target: text -> settings. No plan, for thousands a second. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: `--set` strings, one a line, applied to a scene with something of everything. What was accepted is a scene whose
- * text, as stored in files, parses again. */
+/* Fuzz target: `--set` strings, one a line, applied to a scene with a bit of everything. If accepted, the scene's text, as stored
+ * in files, parses again. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: files of sweeps. What can be opened is planned, and one in four written as a table. */
+/* Fuzz target: files of sweeps. Those that can be opened are planned, and one in four is written as a table. */
 #include <unistd.h>
 
 #include "beadreel/sweep.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fuzz target: trajectory files. Every sample is read; one in eight is drawn, too. */
+/* Fuzz target: trajectory files. Every sample is read, and one in eight is drawn. */
 #include <unistd.h>
 
 #include "beadreel/trajectory.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mutator of HDF5 files: changes objects, sizes, types, values and attributes through the HDF5 API, as changed bytes are mostly
- * rejected at once. The file is an image in memory. Calls that fail leave the file as it was, which is no harm here. */
+/* Mutator of HDF5 files: changes objects, sizes, types, values and attributes through the HDF5 API, because changed bytes are
+ * mostly rejected at once. The file is an image in memory. Calls that fail leave the file unchanged, which is harmless here. */
 #include <hdf5.h>
 #include <hdf5_hl.h>
 #include <math.h>

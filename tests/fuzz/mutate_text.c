@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mutator of scenes: words and lines, not bytes alone, so that most of what comes out is YAML. Half of the texts that it starts
- * from are ones that were accepted. */
+/* Mutator of scenes: changes words and lines, not only bytes, so that most results are YAML. It starts from accepted texts in half
+ * of all cases. */
 #include <string.h>
 
 #include "tests/fuzz/fuzz.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beads stand over their numbers, their values in profiles and their columns in space-time images: tapered chains, beads of unlike
- * radii, parts of chains, few beads. */
+/* Beads are above their numbers, their values in profiles and their columns in space-time images: tapered chains, beads of
+ * different radii, parts of chains, few beads. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Areas into colours: the same numbers and indices however they are asked for. */
+/* Areas into colours: the same numbers and indices, however they are requested. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Axes as they are drawn: ticks and labels stand at their values, titles fit into the room beside or below the plot, and what is
- * measured without drawing is what drawing takes. Ticks are black and texts red here; texts tell their boxes. */
+/* Axes as drawn: ticks and labels are at their values, titles fit into the room beside or below the plot, and measurements without
+ * drawing agree with drawing. Ticks are black and texts red here; texts report their boxes. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Animation: what is drawn bit by bit is what would be drawn at once, changes are told honestly, frames do not depend on threads.
- */
+/* Animation: drawing bit by bit gives the same picture as drawing at once, reported changes are true, frames do not depend on
+ * threads.
+ * */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

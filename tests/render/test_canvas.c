@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Canvas and painter, of every back end: the backdrop comes back exactly, discs have the right area and place, parts are drawn as
- * wholes, and what cannot be is an error. */
+/* Canvas and painter, for every back end: the backdrop comes back exactly, discs have the right area and place, parts are drawn
+ * like wholes, and impossible requests are errors. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The colour bar says which colour means what: its colours in movies are those of the map, at their places, as BT.709 has them. */
+/* The colour bar explains the colours: in movies, its colours are those of the map, at their places, in BT.709. */
 #include "movies.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contact sheets: which configurations they show, and where pictures, spins, numbers and words stand. Nothing is run: what the runs
- * would find is made up. */
+/* Contact sheets: the configurations they show, and the places of pictures, spins, numbers and words. Nothing is run: the results
+ * of runs are made up. */
 #include "beadreel/render.h"
 #include "render/draw/looks.h"
 #include "render/figure/contact_sheet.h"

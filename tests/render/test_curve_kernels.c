@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Curves as their kernels paint them: instruction sets against each other, and against plain arithmetic. */
+/* Curves as painted by their kernels: instruction sets against each other, and against plain arithmetic. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

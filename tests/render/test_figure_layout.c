@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the parts of a figure stand: plots in rows and columns, headings above them, the bar beside them, all on the page, which
- * they fill; texts do not touch. */
+/* The places of the parts of a figure: plots in rows and columns, headings above them, the bar beside them; they fill the page and
+ * stay within it; texts do not touch. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

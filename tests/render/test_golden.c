@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Golden pictures: every tests/golden/NAME.yaml is run and its picture, or the middle frame of its movie, compared with NAME.png.
- * The pictures are made on Debian 12, where every pixel must be as it was. From cairo 1.18 on glyphs lie between pixels, so that
- * elsewhere text may be off by one, and a few pixels of it by more; but never so many in one place as a mark covers. Where too many
- * pixels differ, BUILD/golden/NAME.png shows what was expected, what came and the difference, side by side.
- * `make golden` (BEADREEL_GOLDEN=update) makes the pictures anew; look at them before they are committed. */
+ * The pictures are made on Debian 12, where every pixel must be unchanged. From cairo 1.18, glyphs lie between pixels, so that
+ * elsewhere text may be off by one, and a few of its pixels by more; but never as many in one place as a mark covers. If too many
+ * pixels differ, BUILD/golden/NAME.png shows the expected picture, the actual one and the difference, side by side. `make golden`
+ * (BEADREEL_GOLDEN=update) makes the pictures again; look at them before you commit them. */
 /* clang-format off: cmocka wants these first */
 #include <setjmp.h>
 #include <stdarg.h>

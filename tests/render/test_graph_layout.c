@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Ranges, words, legends and names of curves in graphs: each is where its rule has it, in numbers. */
+/* Ranges, words, legends and names of curves in graphs: each is where its rule puts it, in numbers. */
 #include "graphs.h"
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a graph draws into a frame, as numbers: a plot of 400 x 200 pixels at 100, 50, whose axes go from 0 to 10. */
+/* The strokes of a graph in a frame, as numbers: a plot of 400 x 200 pixels at 100, 50, with axes from 0 to 10. */
 #include "graphs.h"
 #include "render/draw/looks.h"
 #include "strokes.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The layout of boxes in grids: lengths add up, and wants are met in their order. */
+/* The layout of boxes in grids: lengths add up, and requests are met in their order. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Looks: round ticks that have room, suitable units, numbers as people write them, even colour maps. */
+/* Looks: round ticks that fit, suitable units, numbers as people write them, even colour maps. */
 #include <ctype.h>
 #include <math.h>
 #include <setjmp.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Markup of labels: what becomes of symbols, subscripts and powers. */
+/* Markup of labels: symbols, subscripts and powers. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Space-time images in every orientation: the same pixels, turned or mirrored, in films and in contact sheets; which one each kind
- * of output takes by itself; and no word of a sheet is cut off or lies over another. */
+/* Space-time images in every orientation: the same pixels, turned or mirrored, in films and in contact sheets; the default of each
+ * kind of output; and no word of a sheet is cut off or covered by another. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes with pictures: what they skip, that they are the same for any thread count, and the same again from a trajectory. */
+/* Scenes with pictures: the work they skip, the same pictures for any number of threads, and the same again from a trajectory. */
 #include "support.h"
 
 #include "scratch.h"

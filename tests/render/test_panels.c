@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figures of several panels: where plots stand, what they share, and the same picture from a trajectory. */
+/* Figures of several panels: places of plots, what they share, and the same picture from a trajectory. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures: the same pixels whole or in parts, PNG and PDF that hold exactly what was drawn. */
+/* Pictures: the same pixels whole or in parts, PNG and PDF with exactly the drawing. */
 #include <math.h>
 #include <png.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Values at points of a plane: each has the box that ends half way to its neighbours, on linear and logarithmic axes, also where
- * columns have rows of their own; and a graph shows it there. */
+/* Values at points of a plane: each has the box that ends half-way to its neighbours, on linear and logarithmic axes, also if
+ * columns have different rows; and a graph shows it there. */
 #include "graphs.h"
 #include "render/draw/looks.h"
 #include "render/plot/plane.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plots of sensors: what forces are divided by, one axis for all chains, ranges, horizons; words in bands. */
+/* Plots of sensors: normalised forces, one axis for all chains, ranges, horizons; words in bands. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What profiles keep of the past: a pulse that swings from bead to bead is even over cells. */
+/* The past kept by profiles: a pulse that fluctuates from bead to bead is even over cells. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plots of all ready scenes, made once and looked at in two ways, and made-up ones. In grey: every pair of curves in a panel is
- * told apart by dashes or marks, without its colours. Legends: none takes more room than its plots, inside or outside of them, on
- * pages of several widths. The layouts of all figures pass through here (the Makefile wraps graph_layout_make). */
+/* The plots of all ready scenes, made once and examined in two ways, and made-up ones. In grey: any two curves in a panel differ by
+ * dashes or marks, without their colours. Legends: none takes more room than its plots, inside or outside them, on pages of several
+ * widths. The layouts of all figures pass through here (the Makefile wraps graph_layout_make). */
 #include "graphs.h"
 
 #include "beadreel/session.h"

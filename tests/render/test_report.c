@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reports: samples that read back, text that cannot break out of the page, and what a page is made of. */
+/* Reports: samples that read back, text that cannot break out of the page, and the parts of a page. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

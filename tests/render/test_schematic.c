@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Schematic drawings: all that must be told is, words never cover each other, and nothing is computed for them. */
+/* Schematic drawings: all required words are there and never cover each other, and nothing is computed for them. */
 #include "pictures.h"
 
 /* clang-format off: cmocka wants these first */

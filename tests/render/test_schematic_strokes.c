@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Strokes of schematic drawings as numbers: each part of them is where geometry has it. */
+/* Strokes of schematic drawings as numbers: each part is where geometry puts it. */
 #include "render/draw/looks.h"
 #include "render/draw/markup.h"
 #include "strokes.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The smooth curve of profiles: through the values, its peak as high wherever a pulse is, no value of the wrong sign. */
+/* The smooth curve of profiles: it passes through the values, a pulse has the same height at any place, and no value has the wrong
+ * sign. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

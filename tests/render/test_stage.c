@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The stage: all painters agree, light rises with force, the camera stands still and follows the wave. */
+/* The stage: all painters agree, light rises with force, the camera rests, and follows the wave. */
 #include "tests/scenes.h"
 
 #include "beadreel/view.h"

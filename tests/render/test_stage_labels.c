@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Labels that move with the camera, read back from pixels, and the key of a stage, from what is drawn: all at the places that
+/* Labels that move with the camera, read back from pixels, and the key of a stage, read from the drawing: all at the places that
  * follow from the look's letters. */
 #include "beadreel/law.h"
 #include "beadreel/render.h"

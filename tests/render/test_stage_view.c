@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The view of a stage: its beads are where they belong, light up where they are pressed, and have their names below them. */
+/* The view of a stage: beads are where they belong, light up where they are pressed, and have their names below them. */
 #include "tests/scenes.h"
 
 #include "beadreel/view.h"

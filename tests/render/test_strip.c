@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of thousands of beads: what a pixel shows is the mean of its beads, and a pulse of one bead does not get lost. */
+/* Rows of thousands of beads: a pixel shows the mean of its beads, and a pulse of one bead is not lost. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Words for those who do not see a picture: they follow from the values, and change with them. */
+/* Words for those who cannot see a picture: they follow from the values, and change with them. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The front that theory predicts, over space-time images of films: it is where the closed form has it, no farther than the film,
- * and the same drawn in parts or at once; its force is the pulse's between samples, too. */
+/* The front predicted by theory, over space-time images of films: it is where the closed form puts it, no further than the film,
+ * and the same drawn in parts or at once; its force is the pulse's, also between samples. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

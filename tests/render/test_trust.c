@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Predictability horizon: a comparison run leaves the first one as it is; disordered chains have a horizon and ordered ones none;
- * the picture is the same but for the line. Images of films end at the present. */
+/* Predictability horizon: a comparison run does not change the first one; disordered chains have a horizon and ordered ones none;
+ * the picture is the same except for the line. Images of films end at the present. */
 #include "support.h"
 
 #include "scratch.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Three ways to one picture, for each view: its frames drawn one after the other, each by what has changed; the frame of a view
- * that is drawn for the first time; and its paths, which cairo fills. What differs between the first two is a trail that should not
- * be there; what differs from the third is out of place. */
+/* Three ways to the same picture, for each view: frames drawn one after the other, each by its changes; a frame drawn for the first
+ * time; and paths filled by cairo. Differences between the first two are trails that should not be there; differences from the
+ * third are misplaced parts. */
 #include "tests/scenes.h"
 
 #include "beadreel/view.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What views draw into a plot of 400 x 200 pixels at 100, 50, as numbers: curves, bars, lines of theory, rings of sensors are where
- * the samples have their values. */
+/* The strokes of views in a plot of 400 x 200 pixels at 100, 50, as numbers: curves, bars, lines of theory, rings of sensors are
+ * where the samples put them. */
 #include "render/draw/looks.h"
 #include "render/stage/panel.h"
 #include "render/stage/stage_key.h"

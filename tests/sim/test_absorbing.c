@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Absorbing ends: what they send back. */
+/* Absorbing ends: what they reflect. */
 #include "measures.h"
 
 #include "sim/chain/chain_data.h"

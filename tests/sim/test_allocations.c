@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Failing allocations: each that is made fails once, over every kind of scene and data. What is asked for then works as ever, or is
- * refused for want of memory, with a message, and leaves no memory and no file. */
+/* Failing allocations: each one fails once, over every kind of scene and data. The request then works as usual, or is refused for
+ * lack of memory, with a message, and leaves no memory and no file. */
 #include "tests/support.h"
 
 #include "tests/scratch.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peaks are as accurate as was asked, but not much better: disordered chains, other materials, other shapes. */
+/* Peaks are as accurate as requested, but not much better: disordered chains, other materials, other shapes. */
 #include "support.h"
 
 #include "asked.h"

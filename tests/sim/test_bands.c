@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small vibrations: bands of dimers and of held beads in closed form, three bands and two gaps of trimers, modes of a free row, the
- * mode at a light impurity, and Thouless's identity between vectors and eigenvalues. */
+/* Small vibrations: bands of dimers and of beads held in place, in closed form, three bands and two gaps of trimers, modes of a
+ * free row, the mode at a light impurity, and Thouless's identity between vectors and eigenvalues. */
 #include "support.h"
 
 #include "sim/frequency/bands.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Behind: beads far behind the front are dropped without a change of the measured peaks, or the run says that it was cut short. */
+/* Behind: beads far behind the front are dropped without a change of the measured peaks, or the run reports that it was cut
+ * short. */
 #include "support.h"
 
 #include "sim/run/behind.h"

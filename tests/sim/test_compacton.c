@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The solitary wave of long waves: found again where it is, and beside that of beads, whose speed is known. */
+/* The solitary wave of long waves: found where it is, and compared with that of beads, whose speed is known. */
 #include "sim/measure/compacton.h"
 #include "support.h"
 

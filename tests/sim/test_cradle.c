@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Beads held at their places: springs and pendulums. */
+/* Beads held in place: springs and pendulums. */
 #include "support.h"
 
 #define MATERIAL "materials: {unit: {mass: 1 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}}\n"

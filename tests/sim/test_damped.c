@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Damped contacts: their force jumps as they close, to gamma |D|^a at D m/s. Peaks are the larger of both sides of a jump, and
- * nothing that is found between steps looks across it. */
+/* Damped contacts: their force jumps as they close, to gamma |D|^a at D m/s. Peaks are the larger of both sides of a jump, and no
+ * interpolation between steps crosses it. */
 #include "support.h"
 
 #include "sim/integrate/damped_contacts.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The linear limit of precompressed chains: K = (3/2) A^{2/3} F0^{1/3}, omega = 2 sqrt(K/m) |sin(k/2)|; of dimers the edges of
- * their bands sqrt(2K/M), sqrt(2K/m) and sqrt(2K(1/m + 1/M)), with nothing between the two bands. */
+/* The linear limit of precompressed chains: K = (3/2) A^{2/3} F0^{1/3}, omega = 2 sqrt(K/m) |sin(k/2)|; for dimers the edges of
+ * bands sqrt(2K/M), sqrt(2K/m) and sqrt(2K(1/m + 1/M)), with nothing between the two bands. */
 #include "support.h"
 
 static const double pi = 3.14159265358979323846;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions and transforms that have the same bits on every processor: they are right, and they are these bits. */
+/* Functions and transforms with the same bits on every processor: they are right, and have these bits. */
 #include <float.h>
 #include <inttypes.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is written ends with the chain: not one value behind it, and none before is left as it was. */
+/* Output ends with the chain: no value is written after it, and every value before is written. */
 #include "chains.h"
 
 #include "sim/adjoint/record.h"

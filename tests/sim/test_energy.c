@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The energy budget: it closes, and each part is what it says; and so do the energies of the beads. */
+/* The energy budget: it closes, and each part is right; so are the energies of the beads. */
 #include "measures.h"
 
 enum { KINETIC, CONTACTS, WALL, GRAVITY, SPRINGS, DISSIPATED, WORK, TOTAL, PARTS };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Equations in scenes: bits that do not depend on what is made of them, trajectories that draw the same again and say what they
- * hold, pictures and tables without units. */
+/* Equations in scenes: bits that do not depend on the outputs, trajectories that draw the same again and describe their contents,
+ * pictures and tables without units. */
 #include "support.h"
 
 #include "scratch.h"

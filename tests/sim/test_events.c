@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts that open and close: what the correction of their steps restores, and what it must not touch. */
+/* Contacts that open and close: the accuracy that their correction restores, and the states that it must not touch. */
 #include "chains.h"
 
 #include "sim/integrate/events_patch.h"

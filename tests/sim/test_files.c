@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files that appear whole or not at all: never through links, never over another run's, under names of any length. */
+/* Files that appear whole or not at all: never through links, never over another run's, with names of any length. */
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fits of synthetic experiments: what was put in is found, and as far off as the standard errors say. */
+/* Fits of synthetic experiments: the values put in are found, with errors as large as the standard errors say. */
 #include "support.h"
 
 #include "scratch.h"

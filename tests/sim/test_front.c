@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The front's arrival beside another path to it: forces after every one of many short steps. */
+/* The front's arrival compared with another way to find it: forces after each of many short steps. */
 #include "support.h"
 
 /* Time when the last contact has 1e-4 of the largest force so far, both less the static ones: between steps so short that the

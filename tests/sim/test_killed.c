@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A trajectory whose run is killed can be read, whenever that happens: after each of its writes. So can one whose disk lost the
- * power, whatever it had kept of what was written since it was last waited for. */
+/* A trajectory whose run is killed can be read, after whichever of its writes that happens. So can one whose disk lost power,
+ * whatever it kept of the data written since the last sync. */
 #include "trajectory_support.h"
 
 #include <fcntl.h>

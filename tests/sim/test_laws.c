@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pair forces: every row of the table is whole and agrees with itself, and a row that no other file knows works like any. */
+/* Pair forces: every row of the table is complete and consistent, and a row that no other file knows works like any other. */
 #include "chains.h"
 
 #include "sim/chain/chain_internal.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fronts that never arrive: found as soon as energy and momentum exclude it, told with the line, and no matter for other chains. */
+/* Fronts that never arrive: found as soon as energy and momentum exclude their arrival, reported with the line, and without effect
+ * on other chains. */
 #include "support.h"
 
 #include "scratch.h"

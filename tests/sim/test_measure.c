@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures of single runs, as tables give them, against known values of solitary waves in granular chains. Those marked (x) are
- * exact; the others were measured with an independent program and converged. */
+/* Measures of single runs, from tables, against known values of solitary waves in granular chains. Those marked (x) are exact; the
+ * others were measured with an independent program and converged. */
 #include "measures.h"
 
 #include "beadreel/trajectory.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Maxima and crossings between samples: exact for polynomials that have no higher order than the curve has points. */
+/* Maxima and crossings between samples: exact for polynomials up to the order of the curve's points. */
 #include "support.h"
 
 #include <math.h>

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of the measures, given forces that are known in closed form: where the chain repeats itself, means over cells, the end of
- * a pulse. */
+/* Parts of the measures, for forces in closed form: where the chain repeats itself, means over cells, the end of a pulse. */
 #include "support.h"
 
 #include "sim/measure/measure_private.h"

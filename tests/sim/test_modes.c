@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Energies of modes, from the series on the grid to the rows of a table, beside closed forms. */
+/* Energies of modes, from the series on the grid to the rows of a table, against closed forms. */
 #include "tests/support.h"
 
 #include "tests/scratch.h"

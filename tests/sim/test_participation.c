@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Measures of order and disorder: what dimers and turned cells do to a wave, and how clean it stays. Those marked (x) are exact;
- * the others were measured with an independent program and converged. */
+/* Measures of order and disorder: the effect of dimers and turned cells on a wave, and how clean it stays. Those marked (x) are
+ * exact; the others were measured with an independent program and converged. */
 #include "measures.h"
 
 /* ---- dimers ---- */

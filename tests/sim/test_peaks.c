@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peaks of forces beside the forces themselves: the largest of many samples within each step of the run. */
+/* Peaks of forces against the forces themselves: the largest of many samples within each step of the run. */
 #include "support.h"
 
 enum { SAMPLES = 48 /* of a step */, MOST_BEADS = 64 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Physics that must hold exactly, or to rounding: scaling, conservation, symmetry, known solutions; and that
- * neither window nor instruction set changes a bit. */
+/* Physics that must hold exactly, or to rounding: scaling, conservation, symmetry, known solutions; and neither window nor
+ * instruction set changes a bit. */
 #include "support.h"
 
 static uint64_t hash_of(const char *chain, const char *simulate, double end, struct bead_run_settings settings)

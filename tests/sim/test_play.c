@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Play: what consumers get of chains, and when a run is over. */
+/* Play: what consumers get from chains, and when a run is over. */
 #include "support.h"
 
 #include "sim/chain/chain_internal.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The library's player, and chains made from arrays: the numbers of scenes, and calls that make no sense. */
+/* The library's player, and chains made from arrays: the same numbers as scenes, and calls that make no sense. */
 #include "support.h"
 
 #include "beadreel/law.h"

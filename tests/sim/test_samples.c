@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Samples between steps are as accurate as the steps, where contacts open or close within them, too; and the times of those whose
- * spacing grows. */
+/* Samples between steps are as accurate as the steps, even if contacts open or close within them; and the times of samples with
+ * growing spacing. */
 #include "support.h"
 
 /* A steel chain that is struck, one of disorder, one that parts from its precompression, and light beads that rattle between heavy

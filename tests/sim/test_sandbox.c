@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a process in the sandbox tries to do is refused; the same is done by one outside it. */
+/* Forbidden calls of a process in the sandbox are refused; a process outside it can make them. */
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes: what they mean, their numbers, ready scenes and assets. */
+/* Scenes: their meaning, their numbers, ready scenes and assets. */
 #include "scenes.h"
 
 #include "beadreel/law.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scenes that are wrong, settings, and anything at all: one message with its place, and no crash. */
+/* Wrong scenes, settings, and arbitrary input: one message with its place, and no crash. */
 #include "scenes.h"
 
 /* ---- wrong scenes ---- */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a scene does not need is not computed: proved by what was not evaluated, sampled or written; and what is
- * computed does not depend on what else was asked for. */
+/* A scene computes only what it needs, as counts of evaluations, samples and files prove; and results do not depend on other
+ * requests. */
 #include "support.h"
 
 #include "scratch.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Structures that begin with their size: a caller compiled with an older and smaller one gets the defaults of what it lacks, and a
- * size that cannot be is refused. */
+/* Structures that begin with their size: a caller compiled with an older and smaller one gets defaults for missing members, and an
+ * impossible size is refused. */
 #include "support.h"
 
 #include "scratch.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Waves that break: their breaking times against closed forms and characteristics, and what must hold behind the shock. */
+/* Waves that break: their breaking times against closed forms and characteristics, and the relations that must hold behind the
+ * shock. */
 #include "tests/motions.h"
 
 #include "sim/chain/chain_internal.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lines of dispersions: bells whose frequency and height are known, as a parabola through logarithms finds bells exactly. */
+/* Lines of dispersions: bells with known frequency and height, which a parabola through logarithms finds exactly. */
 #include "support.h"
 
 #include "sim/frequency/bands.h"

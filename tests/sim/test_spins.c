@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Order of spins beside their magnetism: domains and correlations. */
+/* Order of spins apart from their magnetism: domains and correlations. */
 #include "support.h"
 
 #include "sim/chain/spins.h"

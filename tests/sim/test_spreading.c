@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far energy has spread, for energies put where they are known to be: moments, participation and front by hand, exponents of
- * power laws, their standard errors by the correlation. */
+/* How far energy has spread, for energies at known places: moments, participation and front by hand, exponents of power laws, their
+ * standard errors from the correlation. */
 #include "support.h"
 
 #include "sim/measure/spreading.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chains of which other beads than the striker move at first, and chains with gaps. */
+/* Chains in which beads other than the striker move at first, and chains with gaps. */
 #include "support.h"
 
 /* The mean contact force of each pulse is unimodal: the time of its largest value after `from`, by a parabola through samples. */

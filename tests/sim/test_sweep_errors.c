@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sweeps that cannot be run, stored or put together say why, and leave what they found as it was. */
+/* Sweeps that cannot be run, stored or merged say why, and leave existing files unchanged. */
 #include "sweeps.h"
 
 #include "scratch.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A sweep computed in parts and merged is the whole one, for everything that rows can hold. */
+/* A sweep computed in parts and merged equals the whole one, for everything that rows can hold. */
 #include "sweeps.h"
 
 #include "scratch.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sweeps: forces, defects and decay that other programs found. */
+/* Sweeps: forces, defects and decay, against other programs' results. */
 #include "support.h"
 
 #include "beadreel/sweep.h"

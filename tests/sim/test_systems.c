@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of systems: every row is whole and its traits agree with each other. */
+/* The table of systems: every row is complete and its traits agree with each other. */
 #include "tests/support.h"
 
 #include "sim/equation/equation.h"

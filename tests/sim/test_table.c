@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables: exactly the columns promised, numbers that round-trip, in any locale. */
+/* Tables: exactly the promised columns, numbers that round-trip, in any locale. */
 #include "trajectory_support.h"
 
 #include <fcntl.h>

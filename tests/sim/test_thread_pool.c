@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chains one a thread: whatever the number of threads, the same numbers and the same error. */
+/* One chain per thread: for any number of threads, the same numbers and the same error. */
 #include "support.h"
 
 #include <stdatomic.h>

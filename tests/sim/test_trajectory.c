@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Trajectories: what is written is read again, whatever ended the run. */
+/* Trajectories: written data are read again, whatever ended the run. */
 #include "trajectory_support.h"
 
 #include <hdf5_hl.h>

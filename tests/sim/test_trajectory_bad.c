@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files that are not trajectories, or no longer: one clear line, no crash, nothing believed. */
+/* Files that are not, or no longer, trajectories: one clear line, no crash, nothing trusted. */
 #include "trajectory_support.h"
 
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peaks are off by no more than their uncertainties say, or than what was asked; and these say no more than they need. */
+/* Errors of peaks are at most their uncertainties, or the accuracy requested; and uncertainties are not larger than necessary. */
 #include "support.h"
 
 #include "kinds.h"

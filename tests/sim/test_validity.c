@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where the model of elastic spheres ends: strikes, compressions and pressures against closed forms, and what runs say of them. */
+/* The limits of the model of elastic spheres: strikes, compressions and pressures against closed forms, and the reports of runs. */
 #include "measures.h"
 
 #include "sessions.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of the stress table: what was tried, what came out, ok or FAILED; and how a chain is tried.
+/* Rows of the stress table: the trial, its result, ok or FAILED; and how to try a chain.
  *
- * A row is ok when nothing happened that a user would call wrong: numbers stayed finite, energy and (without wall and tilt)
- * momentum were kept, peaks are as accurate as asked, and it ended in time. A scene that is refused with a message is listed as
+ * A row is ok if nothing happened that a user would call wrong: numbers stayed finite, energy and (without wall and tilt) momentum
+ * were conserved, peaks are as accurate as requested, and it ended in time. A scene that is refused with a message is listed as
  * refused. STRESS_QUICK=1 in the environment: fewer and shorter rows, seconds in all. Every program ends with status 1 if a row
  * failed. */
 #ifndef BEADREEL_STRESS_H

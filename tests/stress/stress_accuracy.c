@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Peaks are as accurate as was asked: the disordered chains of up to 256 dimers, and chains of other seeds, magnetisms, materials
- * and shapes. Peaks that are not predictable (tests/asked.h) do not count; how many those are is in the table. */
+/* Peaks are as accurate as requested: the disordered chains of up to 256 dimers, and chains of other seeds, magnetisms, materials
+ * and shapes. Peaks that are not predictable (tests/asked.h) do not count; the table has their number. */
 #include "tests/stress/stress.h"
 
 #include "tests/asked.h"

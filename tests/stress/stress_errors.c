@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is said of the errors of peaks, beside the errors: chains of all kinds, each run for three accuracies, and against a run
- * with much smaller steps, which a second one checks. By hand, as it takes long: stress_errors [times] [FIRST [LAST]], seeds;
- * those of one kind are 15 apart. With `times`, when peaks come is judged, not how high they are. Every fourth chain of a kind runs
- * five times as long as its first pulse. A miss is a peak that is off by more than was asked and than its row says; a row says too
- * much if it says more than ten times the larger of the error and what was asked. Rows that are called unpredictable count apart.
- */
+/* Uncertainties of peaks against their errors: chains of all kinds, each run for three accuracies, and compared with a run with
+ * much smaller steps, which a second one checks. Run it by hand, as it takes long: stress_errors [times] [FIRST [LAST]], seeds;
+ * those of one kind are 15 apart. With `times`, it judges the times of peaks, not their heights. Every fourth chain of a kind runs
+ * five times as long as its first pulse. A miss is a peak whose error exceeds both the requested accuracy and the uncertainty in
+ * its row; an uncertainty is too large if it exceeds ten times the larger of the error and the requested accuracy. Rows called
+ * unpredictable are counted separately.
+ * */
 #include "tests/stress/stress.h"
 
 #include <signal.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Ten million steps of ten beads that bounce between two walls for ever. Chaos makes the motion itself unpredictable; energy must
- * not notice. The wall at the left is the striker, at rest and immovable. */
+/* Ten million steps of ten beads that bounce between two walls for ever. Chaos makes the motion itself unpredictable, but energy
+ * must be conserved. The wall at the left is the striker, at rest and immovable. */
 #include "sim/chain/chain_internal.h"
 #include "tests/stress/stress.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chains far from the usual: masses, moduli, sizes, speeds, compression, damping, laws. Each is run until the front has passed, as
- * accurately as scenes ask by default, and again at a far higher accuracy. */
+/* Chains far from the usual: masses, moduli, sizes, speeds, compression, damping, laws. Each is run until the front has passed, at
+ * the default accuracy of scenes, and again at a far higher accuracy. */
 #include "tests/stress/stress.h"
 
 #define STEEL "modulus: 193 GPa, poisson: 0.3"

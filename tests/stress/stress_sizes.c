@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chains of 1 bead to 1e6 beads: exact answers where there are some, cost and memory for each bead, and bits that must not depend
- * on the window, the instruction set, or (but for powers of two) the speed. */
+/* Chains of 1 bead to 1e6 beads: exact answers where they exist, cost and memory for each bead, and bits that must not depend on
+ * the window, the instruction set, or (except for powers of two) the speed. */
 #include <sys/resource.h>
 
 #include "tests/stress/stress.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The largest stable step of every method in units of 1/omega: by bisection on energy that grows. On a uniform chain under
- * compression, whose vibrations are linear and reach omega, and on struck chains of random dimers, where omega is a bound. */
+/* The largest stable step of every method in units of 1/omega: by bisection on growing energy. For a uniform chain under
+ * compression, whose vibrations are linear and reach omega, and for struck chains of random dimers, where omega is a bound. */
 #include "sim/chain/chain_internal.h"
 #include "tests/stress/stress.h"
 

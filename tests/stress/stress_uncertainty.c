@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* No peak of chains drawn at random is off by more than what was asked, or than its uncertainty says; and uncertainties are not
- * large without need. */
+/* No peak of random chains has an error above both the requested accuracy and its uncertainty; and uncertainties are not needlessly
+ * large. */
 #include "tests/stress/stress.h"
 
 #include "tests/drawn.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Loaded before a program (LD_PRELOAD), or linked into one (fail_alloc.h): its FAIL_AT-th allocation fails, once. Only those made
- * by the program's own code count, by the address of the caller: libraries abort on their own; and only those made until main
- * returns: what a compiler adds at exit, to write counts of coverage, is no code of the program's. FAIL_AT=0 fails none; FAIL_COUNT
- * names a file for how many there were.
- */
+/* Loaded before a program (LD_PRELOAD), or linked into one (fail_alloc.h): its FAIL_AT-th allocation fails, once. Only allocations
+ * by the program's own code count, by the address of the caller, since libraries abort by themselves; and only until main returns,
+ * since code that a compiler adds at exit, to write counts of coverage, is not the program's. FAIL_AT=0 fails none; FAIL_COUNT
+ * names a file for their number.
+ * */
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
