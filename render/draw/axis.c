@@ -81,7 +81,7 @@ static bool try_step(struct bead_axis *axis, const struct room *room, int mantis
     return room->length * step / (high - low) >= needed(room, (double)widest);
 }
 
-/* A short axis may have room for two labels though no round step gives two: "0" and "80" say more than "0" alone. */
+/* A short axis may have room for two labels although no round step gives two: "0" and "80" say more than "0" alone. */
 static bool uneven_step(struct bead_axis *axis, const struct room *room, int first)
 {
     for (int exponent = first; exponent < first + 4; exponent++) {
@@ -109,7 +109,7 @@ static void round_steps(struct bead_axis *axis, struct room room, bool counts)
                 try_step(axis, &room, mantissas[i % 3], exponent);
                 return;
             }
-            break; /* a single tick says little: sets labels closer */
+            break; /* a single tick says little: allows closer labels */
         }
     }
     if (axis->count > 1)
@@ -184,7 +184,7 @@ static void keep_if_room(struct bead_axis *axis, const struct room *room)
     axis->count++;
 }
 
-/* Uneven axes wider than this are labelled at 1, 2 ... 9 times powers of ten only. */
+/* Uneven axes wider than this are only labelled at 1, 2 ... 9 times powers of ten. */
 static const double wide = 5;
 
 static bool has_one_digit(double number)
@@ -193,8 +193,8 @@ static bool has_one_digit(double number)
     return fabs(mantissa - round(mantissa)) < 1e-6;
 }
 
-/* Uneven axes over several numbers of one digit have ticks only there, and with square roots below the highest power of ten only 1,
- * 2 and 5 of it: 0, 2, 5, 10, 20, 30, not 14.5. */
+/* Uneven axes over several one-digit numbers have ticks only there, and with square roots, below the highest power of ten, only at
+ * 1, 2 and 5 of each: 0, 2, 5, 10, 20, 30, not 14.5. */
 static bool only_round(const struct bead_axis *axis)
 {
     if (axis->scale == BEAD_SCALE_LOG)
@@ -291,7 +291,7 @@ static void minor_ticks(struct bead_axis *axis, int every, double decade)
     }
 }
 
-/* Powers of ten tell a scale if two of them are on a long axis. */
+/* Powers of ten define a scale if two of them are on a long axis. */
 static bool has_decades(const struct bead_axis *axis)
 {
     const double low = axis->low * axis->factor, high = axis->high * axis->factor;
@@ -321,10 +321,10 @@ double bead_axis_place(const struct bead_axis *axis, double value)
     return bead_scale_place(axis->scale, axis->low, axis->high, value);
 }
 
-/* From here on two decimals show a number. */
+/* From here, two decimals show a number. */
 static const double plain_from = 0.0099;
 
-/* Numbers with many digits are shown in multiples of a power of ten; logarithmic axes show powers anyway. */
+/* Numbers with many digits are shown in multiples of a power of ten; logarithmic axes always show powers. */
 static int power_of_numbers(double largest, enum bead_scale scale)
 {
     bool plain = scale == BEAD_SCALE_LOG || !isfinite(largest) || largest == 0 || (largest >= plain_from && largest < 99999);

@@ -5,8 +5,8 @@
 #include "beadreel/view.h"
 #include "sim/base/internal.h"
 
-/* `seen` is called for every text drawn on this surface, with the box of its ink in device units: to see what collides. `watch` is
- * borrowed until the surface is gone. False: out of memory. */
+/* `seen` is called for every text drawn on this surface, with the box of its ink in device units, to find collisions. `watch` is
+ * borrowed until the surface is destroyed. False: out of memory. */
 struct bead_text_watch {
     void (*seen)(void *context, const char *markup, double x, double y, double width, double height);
     void *context;
@@ -28,26 +28,25 @@ struct bead_axis {
         char label[24]; /* markup, with a proper minus sign */
     } ticks[24];
     size_t minor_count;
-    double minor[96]; /* places of shorter ticks without labels between those: of uneven scales, and where there are few labels */
+    double minor[96]; /* places of shorter ticks without labels between those: on uneven scales, and if there are few labels */
 };
-/* `em`: the ticks' font size; as many ticks as have room for their labels, set beside each other (`horizontal`) or above each
- * other. An axis whose unit is "1" counts: its ticks are whole numbers; "" is one of numbers. A range that makes no sense gets no
- * ticks. */
+/* `em`: the ticks' font size; as many ticks as labels fit, beside each other (`horizontal`) or above each other. With the unit "1"
+ * an axis counts, with whole numbers at its ticks; "" is for numbers. A range that makes no sense gets no ticks. */
 BEAD_INTERNAL void bead_axis_make(struct bead_axis *axis, double low, double high, const char *si_unit, enum bead_scale scale,
                                   double length, double em, bool horizontal);
 /* 0..1 of a value on the axis. */
 BEAD_INTERNAL double bead_axis_place(const struct bead_axis *axis, double value);
 
 enum bead_side { BEAD_SIDE_LEFT, BEAD_SIDE_BOTTOM, BEAD_SIDE_RIGHT };
-/* Ticks, labels and title ("time (ms)" from title "time"; NULL: none) at a side of the plot rectangle; with downwards the
- * low end of a vertical axis is at the top. labels false: ticks only, no title. The line itself is not drawn: see
- * bead_box_draw. Returns how far out it reached, px. cr NULL: measures only. */
+/* Ticks, labels and title ("time (ms)" from title "time"; NULL: none) at a side of the plot rectangle; with `downwards` the low end
+ * of a vertical axis is at the top. `labels` false: only ticks, no title. The line itself is not drawn: see bead_box_draw. Returns
+ * how far out it reached, px. cr NULL: measures only. */
 BEAD_INTERNAL double bead_axis_draw(cairo_t *cr, const struct bead_look *look, const struct bead_axis *axis, struct bead_rect plot,
                                     enum bead_side side, bool downwards, bool labels, const char *title);
 
 /* Markup of "time (ms)" from the title "time". */
 BEAD_INTERNAL void bead_axis_title(const struct bead_axis *axis, const char *title, char *out, size_t size);
-/* A line of look->line around the plot rectangle, just outside of its pixels. */
+/* A line of look->line around the plot rectangle, just outside its pixels. */
 BEAD_INTERNAL void bead_box_draw(cairo_t *cr, const struct bead_look *look, struct bead_rect plot);
 
 /* Width of a colour bar beside these, px, not rounded. */
@@ -55,17 +54,17 @@ enum bead_bar_of { BEAD_BAR_OF_FIGURE, BEAD_BAR_OF_SHEET, BEAD_BAR_OF_MOVIE };
 BEAD_INTERNAL double bead_colour_bar_width(const struct bead_look *look, enum bead_bar_of place);
 
 struct bead_colours;
-/* A vertical colour bar in `bar` with ticks, title and, where values lie above (below) the range, pointed ends. Returns how
- * far right of the bar it reached, px. cr NULL: measures only. */
+/* A vertical colour bar in `bar` with ticks, title and, if values lie above (below) the range, pointed ends. Returns how far right
+ * of the bar it extends, px. cr NULL: measures only. */
 BEAD_INTERNAL double bead_colour_bar_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
                                           const char *si_unit, const char *title, struct bead_rect bar, bool over, bool under);
 
-/* Draws a lying bar, low values at the left, ticks below, without a title. Returns how far below the bar it reached. */
+/* Draws a horizontal bar, low values at the left, ticks below, without a title. Returns how far below the bar it extends. */
 BEAD_INTERNAL double bead_colour_bar_draw_lying(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
                                                 const char *si_unit, struct bead_rect bar, bool over, bool under);
 
 /* The colours of values beside a vertical axis, which then replaces a bar; beyond the range, the colours of its ends. The axis is
- * linear or logarithmic. Nothing in an empty rectangle. */
+ * linear or logarithmic. Draws nothing in an empty rectangle. */
 BEAD_INTERNAL void bead_colour_axis_draw(cairo_t *cr, const struct bead_look *look, const struct bead_colours *colours,
                                          const struct bead_axis *axis, struct bead_rect bar);
 

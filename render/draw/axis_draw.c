@@ -115,7 +115,7 @@ static bool fits(const struct drawing *d, const struct bead_text_style *style, d
     return width <= room * (1 + 1e-6) && height <= most;
 }
 
-/* Whether lines of this width break no word. */
+/* Do lines of this width break no word? */
 static bool words_fit(const struct drawing *d, const struct bead_text_style *style, const char *markup, double room)
 {
     while (*markup) {
@@ -154,8 +154,8 @@ static bool shrink(const struct drawing *d, double least, double room, const cha
     return fits(d, style, 0, markup, room, INFINITY);
 }
 
-/* Finds a title that fits: a little smaller, then in lines (*wrap) that break neither words nor name from unit, then small, then
- * only its unit, then none. */
+/* Finds a title that fits: a little smaller, then in lines (*wrap) that neither break words nor separate name and unit, then small,
+ * then only its unit, then none. */
 static bool fit_title(const struct drawing *d, const char *title, struct bead_text_style *style, double *wrap, char *markup,
                       size_t size)
 {
@@ -184,7 +184,7 @@ static double one_line(const struct drawing *d, const struct bead_text_style *st
     return height;
 }
 
-/* `out`: reach of ticks and labels. Returns the title's. */
+/* `out`: reach of ticks and labels. Returns the title's reach. */
 static double draw_title(const struct drawing *d, double out, const char *title)
 {
     char markup[2100];

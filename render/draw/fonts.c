@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds fonts: those of the system, and those that come with the program where it brings its own libraries. */
+/* Finds fonts: the system's, and those that come with the program if it brings its own libraries. */
 
 #include <fcntl.h>
 #include <fontconfig/fontconfig.h>
@@ -29,7 +29,7 @@ void bead_fonts_use_own(void)
     pthread_once(&once, use_own);
 }
 
-/* Whether fonts and their configuration can be opened: fontconfig silently leaves out files that cannot. */
+/* Can fonts and their configuration be opened? Fontconfig silently leaves out files that cannot. */
 static bool descriptors_are_left(void)
 {
     enum { NEEDED = 8 };

@@ -47,7 +47,7 @@ double bead_lanes_least(const struct bead_lanes *l)
     return px;
 }
 
-/* Whether the size of a lane is still undecided. */
+/* Is the size of a lane still undecided? */
 static bool is_open(const struct bead_lane *lane)
 {
     return isnan(lane->size);
@@ -71,8 +71,8 @@ static double within(const struct bead_lane *lane, double part)
     return part < lane->least ? ceil(lane->least) : lane->most > 0 && down(part) > lane->most ? down(lane->most) : part;
 }
 
-/* Gives open lanes that would get less than their least that much, or those that would get more than their most: those first of
- * which the others get more room, or less, in all (as lines of CSS's flexible boxes). True: there was one. */
+/* Closes open lanes that would get less than their least, or those that would get more than their most, at that size: first the
+ * kind that differs more in total (as in lines of CSS's flexible boxes). True: there was one. */
 static bool close_some(struct bead_lanes *l, double room)
 {
     const double px = px_of_share(l, room);

@@ -22,14 +22,14 @@ struct bead_insets {
 
 /* A row or a column. */
 struct bead_lane {
-    size_t line;     /* where each row has its own columns: the number of its line of lanes */
+    size_t line;     /* if each row has its own columns: the number of its line of lanes */
     double gap;      /* px before it */
-    double keep[2];  /* px before and after it at least, for labels that reach out of its boxes */
+    double keep[2];  /* px at least before and after it, for labels that extend out of its boxes */
     double least;    /* px; its size unless it has a share */
-    double share;    /* of the length that is left, in proportion to the shares of the other lanes */
+    double share;    /* of the remaining length, in proportion to the shares of the other lanes */
     double most;     /* px, the rest is for the others; 0: any size */
     double spring;   /* share of the length that no lane can use, which becomes a gap before it */
-    double reach[2]; /* px before and after it for labels: `keep`, or more where its boxes need it */
+    double reach[2]; /* px before and after it for labels: `keep`, or more if its boxes need it */
     double at, size; /* px: results */
 };
 
@@ -44,7 +44,7 @@ struct bead_lanes {
 struct bead_layout_box {
     size_t column, row;       /* the first, from 0 */
     size_t columns, rows;     /* how many; 0: one */
-    struct bead_insets reach; /* px that its labels reach out of it */
+    struct bead_insets reach; /* px that its labels extend out of it */
     struct bead_rect at;      /* result */
 };
 
@@ -65,15 +65,15 @@ void bead_lanes_within(struct bead_lanes *lanes, double from, double length);
 /* px that cannot be shared: gaps, room for labels, lanes without a share. */
 double bead_lanes_fixed(const struct bead_lanes *lanes);
 double bead_lanes_least(const struct bead_lanes *lanes);
-/* Sizes and places along one direction, with `reach` as it is. False: the lanes do not get what they want at least. */
+/* Finds sizes and places along one direction, for the current `reach`. False: the lanes do not get their least sizes. */
 bool bead_lanes_divide(struct bead_lanes *lanes);
-/* The room for labels that the boxes ask for, or what it is already if `grow`. */
+/* Finds the room for labels that the boxes ask for; with `grow` at least the current room. */
 void bead_layout_reach(struct bead_layout_grid *grid, bool grow);
 /* The caller's functions for its boxes. */
 struct bead_layout_owner {
     void *user;
     void (*heights)(void *user); /* updates wants of rows that depend on the width of columns; NULL: none does */
-    enum bead_error (*measure)(void *user, struct bead_message *msg); /* sets `reach` of the boxes for their present sizes */
+    enum bead_error (*measure)(void *user, struct bead_message *msg); /* sets `reach` of the boxes for their current sizes */
     enum bead_error (*no_room)(void *user, struct bead_message *msg); /* the error if they do not fit */
 };
 

@@ -70,7 +70,7 @@ void bead_look_screen(struct bead_look *look, int width, int height, bool dark)
     snprintf(look->family, sizeof look->family, "Lato");
 }
 
-/* px: of type that can be read. */
+/* px: of legible type. */
 static const double least_label = 11, least_title = 13;
 
 /* Labels, ticks and the facts have one size; titles and captions are larger. Upright frames are seen on phones, a third as wide as
@@ -134,7 +134,7 @@ void bead_look_paint_panel(const struct bead_look *look, cairo_t *cr, double x, 
     cairo_fill(cr);
 }
 
-/* First row on light, second on dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue,
+/* First row for light, second for dark backgrounds; any two differ by 12 or more (CIEDE2000) for eyes that lack red, green or blue,
  * each has a contrast of 4.5, as letters need. */
 static const struct bead_rgb inks[2][6] = {
     {{0.02, 0.34, 0.81}, {0.74, 0.28, 0.05}, {0.17, 0.40, 0.27}, {0.64, 0.01, 0.52}, {0.43, 0.42, 0.43}, {0.24, 0.16, 0.11}},
@@ -146,7 +146,7 @@ struct bead_rgb bead_look_curve(const struct bead_look *look, size_t index)
     return inks[look->dark][index % (sizeof inks[0] / sizeof inks[0][0])];
 }
 
-/* Whole, dashed, dash-dot, short dashes, long dashes, dash-dot-dot; dotted. */
+/* Solid, dashed, dash-dot, short dashes, long dashes, dash-dot-dot; dotted. */
 static const struct bead_dashes dashes[] = {{0, {0}},        {2, {5.5, 2.5}}, {4, {6, 2, 1.3, 2}},
                                             {2, {2.5, 1.8}}, {2, {12, 2.8}},  {6, {6, 1.8, 1.3, 1.8, 1.3, 1.8}},
                                             {2, {1.2, 1.8}}};

@@ -52,7 +52,7 @@ static size_t character(const char *text)
     return length;
 }
 
-/* Writes one character and returns what follows. Lines do not break beside an equals sign. */
+/* Writes one character and returns the rest. Lines do not break beside an equals sign. */
 static const char *put_character(struct writer *w, const char *text)
 {
     static const char fixed_space[] = "\u00a0";
@@ -125,7 +125,7 @@ static const char *put_math(struct writer *w, const char *text, const char *end)
 
 static const char *put_command(struct writer *w, const char *text, const char *end);
 
-/* The argument at `text`: what is in braces, a command with its own arguments, or one character. */
+/* The argument at `text`: the text in braces, a command with its arguments, or one character. */
 static const char *put_argument(struct writer *w, const char *text, const char *end)
 {
     const bool command = text + 1 < end && *text == '\\';
@@ -151,7 +151,7 @@ static const char *put_fraction(struct writer *w, const char *text, const char *
     return text;
 }
 
-/* Pango draws no line over what is below a root: more than a character is in brackets. */
+/* Pango draws no line over the argument of a root: more than one character is put in brackets. */
 static const char *put_root(struct writer *w, const char *text, const char *end)
 {
     const char *close = text < end && *text == '{' ? markup_closing(text + 1, end) : NULL;
@@ -162,7 +162,7 @@ static const char *put_root(struct writer *w, const char *text, const char *end)
     return text;
 }
 
-/* Words in equations, which are no products of letters. */
+/* Words in equations, which are not products of letters. */
 static const char *put_upright(struct writer *w, const char *text, const char *end)
 {
     const char *close = text < end && *text == '{' ? markup_closing(text + 1, end) : NULL;
@@ -220,7 +220,7 @@ static const char *put_command(struct writer *w, const char *text, const char *e
         markup_put(w, "<i>");
         markup_put(w, sign);
         markup_put(w, "</i>");
-        return to < end && *to == ' ' ? to + 1 : to; /* it ends the name; around signs, it is seen */
+        return to < end && *to == ' ' ? to + 1 : to; /* it ends the name; around signs, it is visible */
     }
     sign = find_sign(signs, sizeof signs / sizeof *signs, text + 1, length);
     if (sign) {
@@ -231,7 +231,7 @@ static const char *put_command(struct writer *w, const char *text, const char *e
     return to;
 }
 
-/* Writes the next piece of what is between dollar signs and returns what follows. */
+/* Writes the next piece of the text between dollar signs and returns the rest. */
 static const char *put_math(struct writer *w, const char *text, const char *end)
 {
     if (*text == '\\' && text + 1 < end)
@@ -257,7 +257,7 @@ static const char *put_math(struct writer *w, const char *text, const char *end)
     return text;
 }
 
-/* The dollar sign that ends an equation, or NULL; as with stars, none begins or ends beside a space. */
+/* The dollar sign that ends an equation, or NULL; as with stars, equations do not begin or end beside a space. */
 static const char *dollar(const char *text, const char *end)
 {
     for (const char *c = text; c < end && *text != ' '; c++) {
@@ -290,7 +290,7 @@ static bool begins(const char *text, const char *end, const char *with)
     return (size_t)(end - text) >= strlen(with) && strncmp(text, with, strlen(with)) == 0;
 }
 
-/* The tag that ends what this one begins, or NULL. */
+/* The closing tag for this one, or NULL. */
 static const char *tag_end(const struct tag *tag, const char *text, const char *end)
 {
     int depth = 1;
@@ -305,7 +305,7 @@ static const char *tag_end(const struct tag *tag, const char *text, const char *
     return NULL;
 }
 
-/* The tag at `text` that is ended, at `to`; or NULL. */
+/* The tag at `text`, whose closing tag is at `to`; NULL: none with a closing tag. */
 static const struct tag *find_tag(const char *text, const char *end, const char **to)
 {
     for (const struct tag *tag = tags; *text == '<' && tag < tags + sizeof tags / sizeof *tags; tag++) {
@@ -324,7 +324,7 @@ size_t bead_markup_tagged(const char *text)
 
 static void put_range(struct writer *w, const char *text, const char *end);
 
-/* Writes what is between two tags and returns what follows; NULL: there are none. */
+/* Writes the text between two tags and returns the rest; NULL: there are none. */
 static const char *put_tagged(struct writer *w, const char *text, const char *end)
 {
     const char *to;
@@ -452,7 +452,7 @@ static bool is_letter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/* Letters of all alphabets, and the sign of degrees: the s of µs and the C of °C are no symbols. */
+/* Letters of all alphabets, and the sign of degrees: the s of µs and the C of °C are not symbols. */
 static bool belongs_to_word(const char *at)
 {
     const gunichar c = g_utf8_get_char_validated(at, -1);

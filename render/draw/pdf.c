@@ -8,7 +8,7 @@
 
 #include "render/origin/origin.h"
 
-/* A piece of the file; text NULL: it is not there. */
+/* A piece of the file; text NULL: it does not exist. */
 struct piece {
     const char *text;
     int length;

@@ -22,8 +22,8 @@ struct bead_picture_notes {
 /* FNV-1a over the visible bytes (B, G, R of every pixel, and alpha). */
 uint64_t bead_frame_hash(const struct bead_frame *frame);
 
-/* PNG, with a palette where the frame has at most 256 colours (then exact and small), else RGB. Writes
- * path.part and renames. Errors: IO, MEMORY. */
+/* PNG, with a palette if the frame has at most 256 colours (then exact and small), else RGB. Writes path.part and renames. Errors:
+ * IO, MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_png_write(const char *path, const struct bead_frame *frame,
                                                         const struct bead_picture_notes *notes, uint64_t *bytes,
                                                         struct bead_message *msg);
@@ -39,7 +39,7 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_vector_write(const char *path, int
                                                            const struct bead_picture_notes *notes, uint64_t *bytes,
                                                            struct bead_message *msg);
 
-/* The notes of a picture as its caller gives them; NULL: none. */
+/* The notes of a picture as given by its caller; NULL: none. */
 
 BEAD_CHECK static inline enum bead_error bead_notes_take(struct bead_picture_notes *own, const struct bead_picture_notes *given,
                                                          struct bead_message *msg)

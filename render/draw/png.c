@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes PNG through libpng, with fast settings for flat colours (no filter, as rows repeat), exact colours, notes. */
+/* Writes PNG through libpng, with fast settings for flat colours (no filter, because rows repeat), exact colours, notes. */
 #include <errno.h>
 #include <glib.h>
 #include <png.h>

@@ -44,7 +44,7 @@ static void put_font(FILE *file, PangoFont *font)
 {
     PangoFontDescription *description = pango_font_describe(font);
     const char *family = pango_font_description_get_family(description);
-    int width, size; /* as laid out; the description's is that of the drawing */
+    int width, size; /* as laid out; the description has the size in the drawing */
     hb_font_get_scale(pango_font_get_hb_font(font), &width, &size);
     fprintf(file, " font-family=\"'%s'%s\" font-size=\"%.7g\"", family, after_comma(family), (double)size / PANGO_SCALE);
     if (pango_font_description_get_weight(description) >= PANGO_WEIGHT_BOLD)

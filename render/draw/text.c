@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Text through Pango, laid out without regard to the pixel grid, so that it is the same in rasters and vector files. */
+/* Text through Pango, laid out independently of the pixel grid, so that it is the same in rasters and vector files. */
 #include <hb.h>
 #include <limits.h>
 #include <math.h>
@@ -16,7 +16,7 @@
 static const double digit_middle = 0.35;
 
 /* Height of a family's lines above and below the baseline, in units of the font size. These are Lato 2.0's own; Lato 2.015 has
- * 0.987 and 0.213: pictures are laid out alike with either. */
+ * 0.987 and 0.213: layouts of pictures are the same with either. */
 static const struct line_metrics {
     const char *family;
     double above, below;
@@ -168,7 +168,7 @@ static bool run_metrics(PangoLayoutIter *runs, int *above, int *below)
     *above = baseline - box.y, *below = box.y + box.height - baseline;
     PangoFont *font = pango_layout_iter_get_run_readonly(runs)->item->analysis.font;
     PangoFontDescription *description = pango_font_describe(font);
-    int width, size; /* as laid out; the description's is that of the drawing */
+    int width, size; /* as laid out; the description has the size in the drawing */
     hb_font_get_scale(pango_font_get_hb_font(font), &width, &size);
     bool other = count_metrics(pango_font_description_get_family(description), size, above, below);
     pango_font_description_free(description);
@@ -176,7 +176,7 @@ static bool run_metrics(PangoLayoutIter *runs, int *above, int *below)
     return other;
 }
 
-/* A line reaches as far as any of its runs; `iter` is at it. */
+/* A line extends as far as any of its runs; `iter` is at it. */
 static bool measure_line(const struct bead_text_style *style, PangoLayoutIter *iter, struct line *line)
 {
     PangoRectangle box;

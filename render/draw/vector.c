@@ -68,7 +68,7 @@ static enum bead_error write_pdf(const struct bead_svg_parts *pdf, FILE *file, s
     return BEAD_OK;
 }
 
-/* Without the date, which cairo takes from the clock; with the scene behind the comments that begin the file. */
+/* Without the date, which cairo takes from the clock; with the scene after the comments that begin the file. */
 static enum bead_error write_eps(const struct bead_svg_parts *eps, FILE *file, struct bead_message *)
 {
     static const char ends[] = "%%EndComments\n";
@@ -121,8 +121,8 @@ struct page {
     const struct bead_picture_notes *notes;
 };
 
-/* A screen reader finds on a page of PDF a figure, whose text bead_pdf_write adds. It holds a dot that nobody sees, since
- * cairo 1.16 fails where images are within a tag; above all else, since what lies below the background is left out. */
+/* For screen readers a PDF page has a figure, whose text bead_pdf_write adds. It holds an invisible dot, since cairo 1.16 fails if
+ * images are within a tag; on top, since anything below the background is left out. */
 static void put_figure(cairo_t *cr)
 {
     cairo_save(cr);
@@ -157,7 +157,7 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
 {
     const struct bead_picture_notes *notes = page->notes;
     double scale = 72 / notes->dpi;
-    /* Cairo crashes without memory for what PDF and SVG cannot express, which it holds twice as pixels; the rest is small. */
+    /* Cairo crashes without memory for parts that PDF and SVG cannot express, which it holds twice as pixels; the rest is small. */
     const uint64_t bytes = (uint64_t)page->width * (uint64_t)page->height * 4 * 2 + (32 << 20);
     if (!bead_memory_room(bytes))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "%s: needs %.2g GB of free addresses (ulimit -v)", part, 1e-9 * (double)bytes);
@@ -173,7 +173,7 @@ static enum bead_error write_page(const struct page *page, FILE *file, FILE *wor
     return err ? err : status ? vector_failed(part, status, msg) : BEAD_OK;
 }
 
-/* In memory first, since cairo writes neither all of SVG nor of PDF, and too much of EPS. */
+/* In memory first, because cairo's SVG and PDF lack some parts, and its EPS has too many. */
 static enum bead_error vector_fill(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct page *page = context;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Vector files: what cairo lacks. It draws letters as outlines only, so the words of a page are kept while it is drawn and written
- * last, run by run, each as wide as it was laid out. And it numbers surfaces through the life of a program, so one picture would
- * get different bytes each time. */
+/* Vector files: features that cairo lacks. It draws letters only as outlines, so the words of a page are kept while it is drawn and
+ * written last, run by run, each as wide as it was laid out. And it numbers surfaces through the life of a program, so one picture
+ * would get different bytes each time. */
 #pragma once
 
 #include <cairo.h>
@@ -12,7 +12,7 @@
 
 #include "beadreel/error.h"
 
-/* Text drawn on this surface goes to `file`, which is borrowed until the surface is gone. False: out of memory. */
+/* Text drawn on this surface goes to `file`, which is borrowed until the surface is destroyed. False: out of memory. */
 bool bead_svg_text_keep(cairo_surface_t *surface, FILE *file);
 /* The file that collects the text of this context; NULL: text is drawn. */
 FILE *bead_svg_text_file(cairo_t *cr);
@@ -33,10 +33,10 @@ struct bead_svg_parts {
  * names). */
 BEAD_CHECK enum bead_error bead_svg_write(const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg);
 
-/* PDF files: what cairo lacks, a text in place of the figure for those who cannot see it, and the scene. */
+/* PDF files: features that cairo lacks, a text in place of the figure for those who cannot see it, and the scene. */
 
-/* Writes a whole file of cairo's, in which a tag Figure holds all of the page, and after it an update (ISO 32000-1, 7.5.6) that
+/* Writes a complete file of cairo's, in which a tag Figure holds the whole page, and after it an update (ISO 32000-1, 7.5.6) that
  * gives the figure the document's subject as its text (/Alt, 14.9.3), and the document its language and a window with its title.
- * `source` (NULL or "": none), the scene, is attached as scene.yaml. Files of other shape stay as they are. Write errors show when
+ * `source` (NULL or "": none), the scene, is attached as scene.yaml. Files of another form stay as they are. Write errors show when
  * the file is closed. */
 void bead_pdf_write(const char *pdf, size_t length, const char *source, FILE *file);

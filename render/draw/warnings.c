@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Warnings of the libraries that draw become errors of the picture that was being drawn. */
+/* Warnings of the libraries that draw become errors of the picture being drawn. */
 #include "render/draw/raster.h"
 
 #include <glib.h>

@@ -31,7 +31,7 @@ void bead_words_draw_within(cairo_t *cr, const struct bead_text_style *style, st
     cairo_restore(cr);
 }
 
-/* Cuts after `length` bytes, never within a character or behind a space. */
+/* Cuts after `length` bytes, never within a character or after a space. */
 static void cut(const char *text, size_t length, char *out, size_t size)
 {
     while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)

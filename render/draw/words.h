@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Words of pictures: lines of text cut to the room that there is, names of chains and materials, numbers and units. */
+/* Words of pictures: lines of text cut to the available room, names of chains and materials, numbers and units. */
 #pragma once
 
 #include <stddef.h>
@@ -18,7 +18,7 @@ double bead_words_width(cairo_t *cr, const struct bead_text_style *style, const 
 void bead_words_draw_within(cairo_t *cr, const struct bead_text_style *style, struct bead_rect box, double x, double y,
                             const char *markup);
 /* Writes the markup of as much of `text` as fits into `room` px, with an ellipsis where it is cut; "": nothing fits. `marked`: the
- * text is one for bead_markup, else plain. Returns the width, px. */
+ * text is for bead_markup, else plain. Returns the width, px. */
 double bead_words_fit(cairo_t *cr, const struct bead_text_style *style, const char *text, bool marked, double room, char *markup,
                       size_t size);
 
@@ -33,7 +33,7 @@ static inline const char *bead_chain_title(const struct bead_chain *chain)
 
 /* Fewest decimals, at most three, that write a magnetism: 0 for 1, 2 for 0.25, 3 for 1/3. */
 int bead_magnetism_digits(double magnetism);
-/* The number that the chain with the most needs, for all of a picture. */
+/* The number for the chain that needs the most, for a whole picture. */
 int bead_magnetism_decimals(const struct bead_chain *const *chains, size_t count);
 
 /* Plain text: "brass wall", "rigid wall". */
