@@ -292,6 +292,10 @@ static enum bead_error vary_bead(const struct bead_reader *reader, const struct 
         *material = v->materials[bead_draw_below(v->seed, MATERIAL_DRAWS, drawer, v->material_count)];
     take_values(reader, *material, value);
     const double radius = tapered(v, k, beads, first, value[BEAD_VARIED_RADIUS]);
+    if (!isnan(v->ratio) && !(radius >= varied[BEAD_VARIED_RADIUS].low && radius <= varied[BEAD_VARIED_RADIUS].high))
+        return bead_wrong(reader, at,
+                          "taper: each bead is %.3g %% smaller than the one before; bead %zu would have a radius of %.3g m",
+                          100 * (1 - v->ratio), k, radius);
     if (radius != value[BEAD_VARIED_RADIUS])
         resize(value, radius);
     const double drawn = draw_value(v, drawer, BEAD_VARIED_RADIUS, radius);

@@ -105,7 +105,9 @@ wrong() {
     fails 2 "$beadsim" wrong.yaml -o none && says "wrong.yaml:1:" && says "$1" && [ ! -e none ]
 }
 ok "a bead without a radius" wrong 'chain.beads.0.taper: `100 %` is out of range; must be from -100 % to below 100 %' '{bead: brass, taper: 100 %}'
-ok "beads too small" wrong 'chain.beads.0: gives a bead a radius of' '{bead: brass, count: 300, taper: 50 %}'
+ok "beads too small" wrong 'chain.beads.0: gives a bead a radius of' '{bead: brass, radius: 1 mm, taper: {from: 1 mm, to: 1 nm}, disorder: {radius: uniform 0.1..0.5}, count: 9}'
+ok "a taper of what is left, not of what is taken away" \
+    wrong 'chain.beads.0: taper: each bead is 97 % smaller than the one before; bead 5 would' '{bead: brass, radius: 5 mm, count: 30, taper: 0.97}'
 ok "a taper to nowhere" wrong 'chain.beads.0.taper.to: is missing' '{bead: brass, taper: {from: 1 mm}}'
 ok "repeat without of" wrong 'chain.beads.0.repeat: belongs to `of`' '{bead: brass, repeat: 3}'
 ok "count beside of" wrong 'chain.beads.0.count: is given beside `of`' '{of: [{bead: brass}], count: 3}'
