@@ -19,7 +19,7 @@ static const struct bead_colormap_info maps[] = {
     {"inferno", "black, red, yellow, white"},
     {"magma", "black, violet, pink, cream"},
     {"batlow", "dark blue, green, orange, pink; even lightness"},
-    {"grey", "black to white in equal steps of lightness"},
+    {"grey", "black to white in equal steps of lightness; for white paper grey_r"},
     {"ember", "white, yellow, red, violet, black; for light pages, white where nothing is"},
     {"dawn", "blue, white, orange red, for velocity and displacement; greys tell the signs apart"},
     {"dusk", "blue, black, orange, for the same in dark pictures"},

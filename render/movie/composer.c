@@ -93,7 +93,8 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .modes = output->movie.modes,
         .trust = output->shown.trust,
         .theory = output->shown.theory,
-        .coloured = curve ? c->layout.colours : 0};
+        .coloured = curve ? c->layout.colours : 0,
+        .sampling = c->held && bead_held_shows(output->shown.field) ? BEAD_SAMPLING_MAX : BEAD_SAMPLING_AREA};
 }
 
 /* Does the view of the first chain draw this one? */

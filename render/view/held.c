@@ -25,6 +25,11 @@ struct bead_held {
     bool fed; /* since the last sample was taken */
 };
 
+bool bead_held_shows(enum bead_field field)
+{
+    return (come_and_go & BEAD_FIELD_BIT(field)) != 0;
+}
+
 double bead_held_spacing(double resolution)
 {
     return widest * resolution;
@@ -80,7 +85,7 @@ void bead_held_feed(struct bead_held *h, const struct bead_sample *sample)
         const double *values = sample->field[f];
         if (!h->value[f] || !values)
             continue;
-        if (h->fed && (come_and_go & BEAD_FIELD_BIT(f)))
+        if (h->fed && bead_held_shows((enum bead_field)f))
             hold(h->value[f], values, h->first, h->end[f]);
         else if (h->end[f] > h->first)
             memcpy(h->value[f] + h->first, values + h->first, (h->end[f] - h->first) * sizeof *values);

@@ -10,6 +10,8 @@
 
 struct bead_held;
 
+/* Does the field show pulses, so that its largest values are held? */
+bool bead_held_shows(enum bead_field field);
 /* The spacing, s, of samples that miss no pulse. `resolution`: as in bead_run_context. */
 double bead_held_spacing(double resolution);
 /* Do pictures this far apart, s, miss pulses of one of these fields (BEAD_FIELD_BITs)? */

@@ -282,6 +282,27 @@ static void impacts_are_seen(void **state)
     }
 }
 
+/* The image, with time downwards, has a stripe at each impact, almost as bright as the largest force is; the mean over the 27 ms of
+ * a pixel would be dark. */
+static void images_show_impacts(void **state)
+{
+    (void)state;
+    static struct decoded movie;
+    film_of_impacts("apng, views: [spacetime]", &movie);
+    const AVFrame *end = movie.frame[movie.count - 1];
+    const double half = 3.14159265358979 * sqrt(cradle_length / 9.80665), turns = cradle_time / end->height / half;
+    size_t stripes = 0;
+    for (int y = 0; y < end->height; y++) {
+        const bool impact = y == 0 || floor(turns * (y + 1)) > floor(turns * y);
+        const uint8_t red = end->data[0][(ptrdiff_t)y * end->linesize[0] + 3 * (end->width / 2)];
+        if (impact != (red > 200))
+            fail_msg("row %d: red is %d %s", y, red, impact ? "at an impact" : "between impacts");
+        stripes += impact;
+    }
+    assert_int_equal(stripes, 6);
+    decoded_free(&movie);
+}
+
 /* The frame that shows most has an impact in it. A picture that stands still has finer edges than the film. */
 static void posters_show_an_impact(void **state)
 {
@@ -314,6 +335,7 @@ int main(void)
         cmocka_unit_test(plans_count_what_is_in_a_gif),
         cmocka_unit_test(few_frames_miss_no_peaks),
         cmocka_unit_test(impacts_are_seen),
+        cmocka_unit_test(images_show_impacts),
         cmocka_unit_test(posters_show_an_impact),
     };
     return cmocka_run_group_tests_name("movie_times", tests, make_directory, remove_directory);
