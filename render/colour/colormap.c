@@ -77,7 +77,7 @@ static void between(const char *colours, size_t count, int place, uint8_t rgb[3]
     }
 }
 
-/* Makes a map of the user's own colours: "#000000 #ff8000 #ffffff". */
+/* Makes a map from the user's own colours: "#000000 #ff8000 #ffffff". */
 static enum bead_error own(const char *colours, size_t length, struct bead_colormap *map, struct bead_message *msg)
 {
     const size_t count = (length + 1) / 8;

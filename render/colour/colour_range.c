@@ -11,11 +11,11 @@ static const double log_span = 1e-4;
 static const double hides = 0.5, headroom = 1.05;
 /* Values of one sign may include smaller ones of the other, up to this part of the largest, from errors or small waves. */
 static const double ripple = 0.05;
-/* Samples seldom hit a maximum: from this part of a round number on, the range ends at the number. */
+/* Samples seldom hit a maximum: from this part of a round number, the range ends at the number. */
 static const double nearly = 0.99;
 
-/* The next number of one digit (1, 2, ... 10 times a power of ten) if `size` nearly is it: the bar then ends with a labelled tick.
- */
+/* The next one-digit number (1, 2, ... 10 times a power of ten) if `size` is nearly that: the bar then ends with a labelled tick.
+ * */
 static double rounded(double size)
 {
     if (!(size > 0) || !isfinite(size))

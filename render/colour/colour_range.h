@@ -19,14 +19,14 @@ struct bead_colour_range {
  * the strike; INFINITY: unknown. */
 struct bead_shown_values {
     double least, largest, typical;
-    double peak; /* the largest magnitude of a sample, which means over pixels and times do not reach; 0: unknown */
+    double peak; /* the largest magnitude of a sample, larger than means over pixels and times; 0: unknown */
 };
 
 /* An automatic range leaves out an event that would take more than half of the colours and so hide the wave. */
 struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed,
                                                 const struct bead_shown_values *values);
-/* Finds the ends of a movie's colour bar that are pointed, from the first frame on. If the scene gives the range, values beyond it
- * are not known yet: such ends say that values may be greater, or less if they have both signs. */
+/* Finds the ends of a movie's colour bar that are pointed from the first frame. If the scene gives the range, values beyond it are
+ * not known yet: such ends show that values may be greater, or less if they have both signs. */
 void bead_colour_range_ends(const struct bead_output *output, const struct bead_chain *chain, const struct bead_colour_range *found,
                             bool *over, bool *under);
 /* Checks the requested range. Errors: SCENE (with the output's place). */

@@ -21,7 +21,7 @@ static int channel(uint32_t colour, int shift)
     return (int)(colour >> shift & 255);
 }
 
-/* Every pixel weighs the same: with less weight for frequent colours, slow gradients of large areas would show steps. */
+/* Every pixel has the same weight: with less weight for frequent colours, slow gradients of large areas would show steps. */
 static void palette_measure(const struct bead_tone *tones, struct box *box)
 {
     static const double importance[] = {0.6, 1, 0.8}; /* approximate weight of blue, green and red for the eye */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A palette of up to 255 colours for all frames of an animation: count all pixels, choose the colours, then convert frames. No
- * dithering: flat areas stay flat and still areas still. With a palette of its own, each frame would need a whole picture, since
+ * dithering: flat areas stay flat and still areas still. With separate palettes, each frame would need a whole picture, since
  * encoders leave out unchanged pixels only with the palette of the first frame. */
 #pragma once
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of formats, and what the formats share. */
+/* The table of formats, and their shared functions. */
 #include "render/origin/origin_private.h"
 
 #include <errno.h>
@@ -16,7 +16,7 @@
 struct format {
     const char *endings;
     origin_get *get;
-    origin_put *put; /* NULL: what writes the rest of the file writes the text, too */
+    origin_put *put; /* NULL: the writer of the file also writes the text */
 };
 
 static const struct format formats[] = {
@@ -36,7 +36,7 @@ static const struct format formats[] = {
 
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-/* Films of more bytes than this are not read whole into memory; a text has a scene, and words before it. */
+/* Films with more bytes than this are not read whole into memory; a text has a scene, preceded by words. */
 static const size_t most_bytes = (size_t)1 << 31, most_text = 2 * BEAD_YAML_BYTES;
 
 static const struct format *find_format(const char *path)

@@ -36,7 +36,7 @@ static bool next_box(struct origin_span *span, struct origin_span *contents, cha
 }
 
 /* The boxes that lead to texts: moov/udta/meta/ilst/(c)cmt/data in MP4, moov/meta/ilst/1/data in MOV. Those of `ilst` have the
- * names of their kinds, or numbers. Returns the number of bytes to skip before the boxes within; -1: no way to a text. */
+ * names of their kinds, or numbers. Returns the number of bytes to skip before the boxes within; -1: no text there. */
 static int way_into(const char name[4], bool in_list)
 {
     static const struct {
@@ -73,7 +73,7 @@ void origin_get_boxes(struct origin_span file, FILE *text)
     offer_boxes(file, false, 0, text);
 }
 
-/* The last box: readers of AVIF skip what they do not know. */
+/* Appends the last box: readers of AVIF skip unknown boxes. */
 bool origin_put_boxes(struct origin_file *file, struct origin_span text)
 {
     struct origin_block packet, block;

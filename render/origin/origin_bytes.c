@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bytes of files: numbers, blocks that are inserted, and texts that say how a file was made. */
+/* Bytes of files: numbers, inserted blocks, and texts about how a file was made. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdlib.h>

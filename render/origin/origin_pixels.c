@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Texts in JPEG, GIF, TIFF and WebP, of whose encoders none writes any. */
+/* Texts in JPEG, GIF, TIFF and WebP, whose encoders do not write any. */
 #include <stdlib.h>
 
 #include "render/origin/origin_private.h"
@@ -22,7 +22,7 @@ void origin_get_jpeg(struct origin_span file, FILE *text)
     }
 }
 
-/* After the segments of applications, since JFIF's must be the first; a long text in several. */
+/* Follows the segments of applications, since JFIF's must be the first; a long text has several. */
 bool origin_put_jpeg(struct origin_file *file, struct origin_span text)
 {
     unsigned char head[4];
@@ -48,7 +48,7 @@ bool origin_put_jpeg(struct origin_file *file, struct origin_span text)
 
 enum { GIF_HEAD = 13, GIF_EXTENSION = 0x21, GIF_COMMENT = 0xfe, GIF_IMAGE = 0x2c, GIF_END = 0x3b, GIF_BLOCK = 255 };
 
-/* The bytes of the colours that these flags announce. */
+/* The number of bytes of the colours announced by these flags. */
 static size_t gif_colours(uint64_t flags)
 {
     return flags & 0x80 ? (size_t)3 << ((flags & 7) + 1) : 0;
@@ -116,7 +116,7 @@ static void put_tiff_text(struct origin_span text, off_t at, FILE *file)
     origin_put_little((uint64_t)at, 4, file);
 }
 
-/* The text, and a new list that has it, follow the file. Its old list stays where it is. */
+/* Appends the text, and a new list that includes it. The old list stays in place. */
 bool origin_put_tiff(struct origin_file *file, struct origin_span text)
 {
     unsigned char head[8], list[2 + TIFF_ENTRY * TIFF_MOST];
@@ -172,7 +172,7 @@ void origin_get_webp(struct origin_span file, FILE *text)
     }
 }
 
-/* Makes a lossless still one of the extended kind. Its bits tell width - 1 and height - 1, 14 of each, and whether it has alpha. */
+/* Makes a lossless still one of the extended kind. Its bits are width - 1 and height - 1, 14 of each, and a flag for alpha. */
 static bool extend_webp(struct origin_file *file)
 {
     unsigned char head[CHUNK_HEAD + 5];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Texts in PNG files: of stills before the pixels, by libpng; of animations, which libav writes, at the end. */
+/* Texts in PNG files: of stills before the pixels, by libpng; of animations, written by libav, at the end. */
 #include <png.h>
 #include <setjmp.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 /* ---- reading ---- */
 
 struct reader {
-    struct origin_span rest; /* what libpng has not read */
+    struct origin_span rest; /* the bytes not yet read by libpng */
     jmp_buf jump;
 };
 
@@ -41,15 +41,15 @@ static const char *find(png_structp png, png_infop info, const char *key)
     return NULL;
 }
 
-/* All calls of libpng that may longjmp. Pixels are skipped, and so are the pictures of an animation, which it does not know. */
+/* All calls of libpng that may longjmp. Pixels are skipped, and so are the pictures of an animation, which libpng does not know. */
 static void read_texts(struct reader *reader, png_structp png, png_infop info, png_infop end, FILE *text)
 {
     if (setjmp(reader->jump))
         return;
     png_set_read_fn(png, reader, on_read);
     png_set_benign_errors(png, 1);
-    png_set_crc_action(png, PNG_CRC_QUIET_USE,
-                       PNG_CRC_QUIET_USE); /* the texts of a file whose pixels are damaged are sought, too */
+    /* The texts of a file with damaged pixels are searched, too. */
+    png_set_crc_action(png, PNG_CRC_QUIET_USE, PNG_CRC_QUIET_USE);
     png_read_info(png, info);
     const char *program = find(png, info, "Software"), *scene = find(png, info, "Source");
     if (program && scene) {
@@ -77,7 +77,7 @@ void origin_get_png(struct origin_span file, FILE *text)
 
 enum { PNG_CHUNK = 12 /* the bytes of one without contents */ };
 
-/* CRC-32 of ISO 3309, as PNG has it. */
+/* CRC-32 of ISO 3309, as in PNG. */
 static uint32_t crc(const char *bytes, size_t length)
 {
     uint32_t value = UINT32_MAX;

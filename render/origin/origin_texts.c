@@ -26,7 +26,7 @@ void bead_origin_escape(const char *text, FILE *file)
     }
 }
 
-/* The character that a name at the beginning of a text stands for, as UTF-8; returns the length of the name, 0: it is none. */
+/* The character, as UTF-8, for a name at the beginning of a text; returns the length of the name, 0: there is none. */
 static size_t resolve(struct origin_span text, char utf8[8])
 {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {

@@ -31,7 +31,7 @@ struct bead_sink {
     char *path;
     struct bead_grid grid; /* of the samples kept */
     size_t stride;         /* of all samples, each stride-th is kept */
-    bool measured, held;   /* samples kept are far apart: each holds the largest values since the one before */
+    bool measured, held;   /* kept samples are far apart: each has the largest values since the previous one */
     size_t samples, chain_count;
     struct report_chain *chains;
     struct bead_tale *tale;

@@ -73,7 +73,7 @@ static double bytes_a_sample(const struct bead_sink *s)
     return 2 * numbers;
 }
 
-/* A grid of times, at multiples of a trajectory's own step if it replays one. */
+/* A grid of times, at multiples of a trajectory's step if one is replayed. */
 static struct bead_grid grid_of(const struct bead_grid *native, const double time[2], double every)
 {
     if (!(native->every > 0))
@@ -99,8 +99,8 @@ static enum bead_error choose_times(struct bead_sink *s, struct bead_message *ms
     return s->samples > 1 ? BEAD_OK : bead_output_wrong(s->output, msg, "every: a report needs two samples or more");
 }
 
-/* Measures are of the whole run and need samples dense enough for its pulses; so do samples kept that are too far apart for them,
- * as those of the short impacts of a long run. */
+/* Measures of the whole run need samples dense enough for its pulses; so do kept samples that are too far apart for these, as for
+ * short impacts in a long run. */
 static void choose_stride(struct bead_sink *s)
 {
     const struct bead_shown *shown = &s->output->shown;
@@ -144,7 +144,7 @@ static enum bead_error report_create(const struct bead_output *output, const str
     return BEAD_OK;
 }
 
-/* The fields of a chain that are kept. */
+/* The fields of a chain to keep. */
 static unsigned report_fields(const struct bead_sink *s, const struct report_chain *c)
 {
     return BEAD_FIELD_BIT(s->output->shown.field) | (c->beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);

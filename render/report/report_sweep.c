@@ -13,7 +13,7 @@
 #include "sim/sweep/sweep_internal.h"
 
 /* Pixels of all images together (the wave does not reach about half of them, which cost nothing); of one image along the chain, and
- * along time as a part of that. With more than MOST_IMAGES configurations, each second or third and so on is shown. */
+ * along time as a part of that. With more than MOST_IMAGES configurations, every second, third and so on is shown. */
 static const double wanted_pixels = 3.6e6, least_places = 24, most_places = 200, tall = 0.75;
 enum { MOST_IMAGES = 4000, SAMPLES_A_ROW = 4 };
 
@@ -114,7 +114,7 @@ static enum bead_error take_sample(void *context, const struct bead_sample *samp
     return BEAD_OK;
 }
 
-/* All images end as the last front arrives, or at the scene's `until`. */
+/* All images end when the last front arrives, or at the scene's `until`. */
 static enum bead_error find_end(struct sweep_report *r, const struct bead_sweep_settings *settings, struct bead_message *msg)
 {
     const double until = bead_sweep_scene(r->sweep)->simulate.until;

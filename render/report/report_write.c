@@ -106,7 +106,7 @@ static enum bead_error read_file(const char *name, char **text, size_t *length, 
     return bead_asset_read(asset, text, length, msg);
 }
 
-/* A file of assets/report as it is. */
+/* Writes an unchanged file of assets/report. */
 static enum bead_error include_file(const char *name, FILE *file, struct bead_message *msg)
 {
     BEAD_FREED char *text = NULL;
@@ -180,7 +180,7 @@ static enum bead_error write_part(const struct filling *filling, const char *nam
     return include_file(name, file, msg);
 }
 
-/* Writes a text with its parts filled in; `name` is that of its file, for messages. */
+/* Writes a text with its parts filled in; `name`: of its file, for messages. */
 static enum bead_error fill(const struct filling *filling, const char *name, const char *text, FILE *file, struct bead_message *msg)
 {
     enum bead_error err = BEAD_OK;
@@ -219,7 +219,7 @@ static enum bead_error write_body(const struct filling *filling, FILE *file, str
 static enum bead_error fill_page(void *context, FILE *file, const char *part, struct bead_message *msg)
 {
     const struct filling *filling = context;
-    (void)part; /* errors of writing are reported as the file is closed */
+    (void)part; /* errors of writing are reported when the file is closed */
     return fill(filling, "page.html", filling->text, file, msg);
 }
 

@@ -33,9 +33,9 @@ struct report_page {
     const struct report_part *parts;
 };
 
-/* Writes the page to `path`, whole or not at all, with a decimal point in every locale. {{title}} and {{scene}} are those of
- * `scene`, {{version}} is the program's; `context` is for the page's own parts. Errors: IO, MEMORY, FORMAT (the templates), those
- * of the parts. */
+/* Writes the page to `path`, whole or not at all, with a decimal point in every locale. {{title}} and {{scene}} come from `scene`,
+ * {{version}} is the program's; `context` is for the page's own parts. Errors: IO, MEMORY, FORMAT (the templates), those of the
+ * parts. */
 BEAD_CHECK enum bead_error report_write_page(const struct report_page *page, const struct bead_scene *scene, const void *context,
                                              const char *path, uint64_t *bytes, struct bead_message *msg);
 

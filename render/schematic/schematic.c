@@ -44,7 +44,7 @@ static void draw_title(const struct bead_drafting *d, struct bead_box *area)
     area->height -= 2 * look->title;
 }
 
-/* A wrapped text at the bottom of the area, which shrinks by its height. */
+/* Draws a wrapped text at the bottom of the area, which shrinks by its height. */
 static bool draw_caption(const struct bead_drafting *d, struct bead_box *area)
 {
     double em = d->sketch->look->label, width, height;
@@ -103,7 +103,7 @@ struct paper {
     struct bead_look look;
 };
 
-/* Chains are long and low: their drawings, on screens, have type in parts of the width, too. */
+/* Chains are long and low: on screens, the type of their drawings is also a part of the width. */
 static void enlarge(struct bead_look *look, int width)
 {
     static const double part = 0.017, most = 1.6;
@@ -144,7 +144,7 @@ static enum bead_error try_paper(struct paper *paper, struct bead_message *msg)
     return err;
 }
 
-/* With larger type if there is room for it. */
+/* Chooses larger type if there is room for it. */
 static enum bead_error choose_paper(const struct bead_output *output, const struct bead_run_context *context, struct paper *paper,
                                     struct bead_message *msg)
 {

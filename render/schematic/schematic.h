@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Schematic drawings of a scene, for which nothing is simulated. A contact, drawn to scale (thesis, Fig. 2); the cells of its
- * chains (Fig. 3); the experiment (Fig. 4). */
+/* Schematic drawings of a scene, without simulation: a contact, drawn to scale (thesis, Fig. 2); the cells of its chains (Fig. 3);
+ * the experiment (Fig. 4). */
 #pragma once
 
 #include "beadreel/sink.h"
@@ -27,7 +27,7 @@ struct bead_drafting {
     const struct bead_output *output;
     const struct bead_run_context *context;
     struct bead_box area; /* to draw in, without margins */
-    bool once;            /* cells as written, not reversed, too */
+    bool once;            /* cells only as written, not also reversed */
 };
 
 /* false: no room. */

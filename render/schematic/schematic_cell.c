@@ -55,7 +55,7 @@ static size_t split_groups(const struct bead_segment *segment, struct group *gro
     return count;
 }
 
-/* Whether the cell is its own mirror image. */
+/* Is the cell its own mirror image? */
 static bool mirrored(const struct bead_segment *segment)
 {
     for (size_t i = 0, j = segment->cell_beads - 1; i < j; i++, j--) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A contact drawn to scale: two beads, or a bead and the wall, cut along their axis, pressed together as the output says. The
- * outlines meet in a chord of half length q; each bead is flattened by delta_i = R_i - sqrt(R_i^2 - q^2), which for small ones is
- * q^2 / (2 R_i): Hertz's share of the compression (thesis, 2.1 and Fig. 2). */
+/* A contact drawn to scale: two beads, or a bead and the wall, cut along their axis and pressed together as the output asks. The
+ * outlines meet in a chord of half length q; each bead is flattened by delta_i = R_i - sqrt(R_i^2 - q^2), for small q about q^2 /
+ * (2 R_i): Hertz's share of the compression (thesis, 2.1 and Fig. 2). */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@
 
 /* In units of the label's font size: rows above and below the beads, and distances. */
 static const double names_row = 1.9, dimensions_row = 3.0, near = 0.95, right_angle = 0.4;
-/* A bead this many times larger than the other is not shown whole, but up to this many radii of the other. */
+/* Of a bead this many times larger than the other, only this many radii of the other are shown. */
 static const double whole = 2.2, shown = 1.5;
 /* Thickness of the wall, in radii of the bead. */
 static const double thickness = 0.3;
@@ -22,7 +22,7 @@ static const double thickness = 0.3;
 struct side {
     const struct bead_material *material; /* NULL: rigid wall */
     bool wall, cut;                       /* cut: not shown whole */
-    int index;                            /* of its symbols; 0: the beads are alike, or only one */
+    int index;                            /* of its symbols; 0: the beads are alike, or there is only one */
     double sign;                          /* -1: left of the chord */
     double radius, flattened, extent;     /* m; extent: from the chord outwards */
     double x, r;                          /* px: centre, radius */
@@ -235,7 +235,7 @@ static bool draw_dimensions(const struct contact *c, const struct bead_box *area
             bead_sketch_line(sketch, ends[i], i == 1 ? c->y + c->q + 0.3 * em : c->y, ends[i], y + 0.35 * em);
     }
     bead_sketch_colour(sketch, sketch->look->ink);
-    const double arrows = 1.3 * em; /* that two heads need */
+    const double arrows = 1.3 * em; /* room for two heads */
     bool inside = true;
     for (size_t i = 0; i < 2; i++)
         inside = inside && (ends[i + 1] == ends[i] || ends[i + 1] - ends[i] > arrows);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Chooses the beads of a long chain that the drawing of the experiment shows, and its words, from which the plan is made. */
+/* Chooses the beads of a long chain that the drawing of the experiment shows, and its words, for the plan. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -194,7 +194,7 @@ void bead_parts_header(struct bead_plan_row *row, const struct bead_text_style *
     snprintf(pieces[1], sizeof pieces[1], "%zu bead%s", bead_chain_beads(row->chain) - 1,
              bead_chain_beads(row->chain) == 2 ? "" : "s");
     for (size_t i = 0; i < row->below.count; i++)
-        pieces[1][0] = strcmp(pieces[1], row->below.words[i][0]) == 0 ? '\0' : pieces[1][0]; /* a brace says it */
+        pieces[1][0] = strcmp(pieces[1], row->below.words[i][0]) == 0 ? '\0' : pieces[1][0]; /* a brace names it */
     if (*bead_chain_spins(row->chain)) {
         bead_number(bead_chain_magnetism(row->chain), decimals, number, sizeof number);
         snprintf(pieces[2], sizeof pieces[2], BEAD_SYMBOL("M") " = %s", number);

@@ -112,7 +112,7 @@ static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row)
     return anchor_labels(plan, row);
 }
 
-/* The room that the rows do not need is shared by the spaces above, between and below them. */
+/* The spaces above, between and below rows share the remaining room. */
 static bool place_rows(struct bead_plan *plan, size_t count)
 {
     plan->drop = most_drop / (double)count;

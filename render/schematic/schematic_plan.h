@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plans of the drawing of an experiment: the parts of each chain that are shown, their size, and the places of their labels. */
+/* Plans of the drawing of an experiment: the parts of each chain to show, their size, and the places of their labels. */
 #pragma once
 
 #include "render/draw/layout.h"
@@ -47,13 +47,13 @@ struct bead_plan {
     struct bead_lanes lanes; /* of these rows */
     struct bead_box area;
     double em, scale; /* scale: px a metre */
-    double drop;      /* em, that a guide falls at most */
+    double drop;      /* em: the most that a guide falls */
     bool details;     /* second lines of the labels below */
 };
 
 enum { BEAD_PLAN_ANGLE_PERCENT = 42 }; /* the ramp's slope */
 
-/* Makes as many rows as fit. False: not even one. */
+/* Makes as many rows as fit. False: not even one does. */
 BEAD_CHECK bool bead_plan_make(const struct bead_drafting *d, struct bead_box area, struct bead_plan *plan);
 void bead_plan_free(struct bead_plan *plan);
 

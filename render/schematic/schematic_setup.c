@@ -178,7 +178,7 @@ static bool differ_in_size_only(const struct bead_material *a, const struct bead
            near(a->mass / pow(a->radius, 3), b->mass / pow(b->radius, 3)) && memcmp(a->colour, b->colour, sizeof a->colour) == 0;
 }
 
-/* The last material that differs from `first` in size only. All but `first` are marked as not used; if there are several, *listed
+/* The last material that differs from `first` only in size. All but `first` are marked as not used; if there are several, *listed
  * counts them all. */
 static size_t last_alike(const struct bead_scene *scene, bool *used, size_t first, size_t *listed)
 {
@@ -193,7 +193,7 @@ static size_t last_alike(const struct bead_scene *scene, bool *used, size_t firs
     return last;
 }
 
-/* The largest and the smallest bead of a material, where tapers and the like make them differ. True: they do. */
+/* The largest and the smallest bead of a material, if tapers and the like make them differ. True: they differ. */
 static bool find_sizes(const struct bead_drafting *d, size_t material, struct bead_material ends[2])
 {
     const struct bead_scene *scene = d->context->scene;
@@ -216,7 +216,7 @@ static bool find_sizes(const struct bead_drafting *d, size_t material, struct be
     return any && !near(ends[0].radius, ends[1].radius);
 }
 
-/* Lists the materials of beads in the order of the scene; if there are many, those that differ in size only are one entry. */
+/* Lists the materials of beads in the order of the scene; if there are many, those that differ only in size are one entry. */
 static size_t list_materials(const struct bead_drafting *d, struct bead_piece *pieces)
 {
     const struct bead_scene *scene = d->context->scene;
@@ -246,7 +246,7 @@ static size_t list_materials(const struct bead_drafting *d, struct bead_piece *p
     return count;
 }
 
-/* Adds a line about the chains that are not drawn. */
+/* Adds a line about the chains left out. */
 static bool say_rest(const struct bead_drafting *d, struct bead_box *area, size_t rest)
 {
     struct bead_piece piece = {{0}, NULL};

@@ -185,7 +185,7 @@ struct cluster {
     double x, width;
 };
 
-/* Moves a cluster to where its labels' mean distance from their anchors is 0. */
+/* Moves a cluster so that its labels' mean distance from their anchors is 0. */
 static void sketch_settle(struct cluster *cluster, const struct bead_label *labels, double gap, double low, double high)
 {
     double sum = 0, at = 0;

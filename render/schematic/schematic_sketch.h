@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sketches: the strokes of schematic drawings. The box of every text is kept for a check that all can be read. Lengths in px, y
+/* Sketches: the strokes of schematic drawings. The box of every text is kept, to check that all can be read. Lengths in px, y
  * downwards. */
 #pragma once
 
@@ -22,7 +22,7 @@ struct bead_sketch {
 };
 
 void bead_sketch_free(struct bead_sketch *sketch);
-/* Whether two texts overlap, or one reaches out of 0..width, 0..height. */
+/* Do two texts overlap, or does one leave 0..width, 0..height? */
 bool bead_sketch_crowded(const struct bead_sketch *sketch, double width, double height);
 
 /* The look's text; `size` of the font. */
@@ -36,7 +36,7 @@ void bead_sketch_colour(struct bead_sketch *sketch, struct bead_rgb colour);
 struct bead_rgb bead_sketch_mixed(const struct bead_look *look, struct bead_rgb colour, double part);
 void bead_sketch_line(struct bead_sketch *sketch, double x0, double y0, double x1, double y1);
 void bead_sketch_dashed(struct bead_sketch *sketch, bool dashed);
-/* With a head at its end, and at its start where `both`. */
+/* With a head at its end and, if `both`, at its start. */
 void bead_sketch_arrow(struct bead_sketch *sketch, double x0, double y0, double x1, double y1, bool both);
 /* A curly brace below x0..x1 at y, its point `depth` lower. */
 void bead_sketch_brace(struct bead_sketch *sketch, double x0, double x1, double y, double depth);
@@ -72,6 +72,6 @@ const char *bead_cell_word(size_t beads, bool several);
 
 /* Markup of a letter in mathematical italics with a lower index (0: none). */
 void bead_symbol_words(const char *letter, int index, char *out, size_t size);
-/* Markup: "large steel, R = 4.76 mm, 3.63 g"; for several that differ in size only, "a to b, R = 4.76 mm to 1.80 mm, 3.63 g to
- * 0.195 g"; of one, if first is last. */
+/* Markup: "large steel, R = 4.76 mm, 3.63 g"; for several that differ only in size, "a to b, R = 4.76 mm to 1.80 mm, 3.63 g to
+ * 0.195 g"; for one, if first is last. */
 void bead_materials_words(const struct bead_material *first, const struct bead_material *last, char *out, size_t size);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of beads: grow them, and find where each bead is. */
+/* Rows of beads: grows them, and finds the place of each bead. */
 #include "render/schematic/schematic_strip.h"
 
 #include <math.h>

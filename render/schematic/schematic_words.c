@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Words that several schematic drawings use: names of cells, groups of beads, materials. */
+/* Words shared by schematic drawings: names of cells, groups of beads, materials. */
 
 #include "render/draw/markup.h"
 #include "render/schematic/schematic_sketch.h"
@@ -12,7 +12,7 @@ const char *bead_cell_word(size_t beads, bool several)
     return words[row][several];
 }
 
-/* "steel, 4.76 mm" has the number of "4.76\u00a0mm". */
+/* Does a label contain the radius? "steel, 4.76 mm" contains "4.76\u00a0mm". */
 static bool says_radius(const char *label, const char *radius)
 {
     char number[32];

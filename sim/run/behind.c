@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Drops beads far behind the front, and follows what that may have changed: see behind.h. */
+/* Drops beads far behind the front, and follows the motion that this may have changed: see behind.h. */
 #include "sim/run/behind.h"
 
 #include "sim/chain/contact_walk.h"
 
-/* Steps between cuts; beads dropped at once at least; beads kept besides, and at least. */
+/* Steps between cuts; fewest beads dropped at once; extra beads kept, and fewest beads kept. */
 enum { EVERY = 8, FEWEST = 8, SPARE = 20, LEAST = 24 };
 /* Beads between the edge and the target at the time of a peak. */
 enum { MARGIN = 16 };
@@ -70,7 +70,7 @@ double bead_behind_step(struct bead_behind *b, struct bead_stepper *s, double la
     size_t front = bead_stepper_contacts(s);
     while (front > before && s->end.f[front - 1] < part * largest)
         front--;
-    b->reached = b->reached || (before > 0 && b->edge > (double)front); /* it will be near any peak to come */
+    b->reached = b->reached || (before > 0 && b->edge > (double)front); /* it will be near any later peak */
     const double ahead = (double)contacts - (double)front;
     const double kept = fmax(LEAST, (double)front - (double)b->target + b->widening * ahead + SPARE);
     if (!((double)front - kept >= (double)(before + FEWEST)))

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adds up energies and integrates the loss to damping: see budget.h.
  *
- * The force f of a contact takes the power f D from the beads, with D the rate of its compression, and the elastic force e stores
- * e D: (f - e) D is lost. That is gamma |D|^(a+1) in a closed contact. If damping would pull, the contact has no force, and the
- * rest of its elastic energy is lost as it opens. Both are integrated as the motion is. */
+ * The force f of a contact takes the power f D from the beads, with D the rate of its compression, and the elastic force e stores e
+ * D: (f - e) D is lost. That is gamma |D|^(a+1) in a closed contact. If damping would pull, the contact has no force, and the rest
+ * of its elastic energy is lost as it opens. Both are integrated like the motion. */
 #include "sim/run/budget.h"
 
 #include "sim/integrate/damped_contacts.h"
@@ -20,7 +20,7 @@ static double power(const struct bead_stepper *s, size_t k, double d, double rat
     return (bead_damped_contacts_within(s, k, d, rate) - s->chain->law->force(s->table.stiffness[k], s->table.law, d)) * rate;
 }
 
-/* Was contact k closed for the whole of the last step? Damped springs that pull as well are. */
+/* Was contact k closed for the whole of the last step? Damped springs, which also pull, are. */
 static bool was_closed(const struct bead_stepper *s, size_t k)
 {
     return !s->was_closed || s->was_closed[k];
@@ -40,7 +40,7 @@ static double left_behind(const struct bead_stepper *s)
     return sum;
 }
 
-/* The power at time t and u, v that damped contacts or an absorbing end take, or a drive gives, W. */
+/* The power, W, at time t and u, v, that damped contacts or an absorbing end take, or a drive gives. */
 typedef double power_in(const struct bead_stepper *s, double t, const double *u, const double *v);
 
 static double into_contacts(const struct bead_stepper *s, double, const double *u, const double *v)
@@ -60,8 +60,8 @@ static double into_end(const struct bead_stepper *s, double, const double *, con
     return bead_dashpot_force(&s->chain->end, last) * last;
 }
 
-/* Its integral over the last step, as the method has integrated the motion: an error of one that the other lacks would look as
- * energy that is not conserved. rk4 keeps no stages, and makes steps so short that polynomials do. */
+/* Its integral over the last step, by the method that integrates the motion: an error of only one of them would look like energy
+ * that is not conserved. rk4 keeps no stages, and its steps are so short that polynomials suffice. */
 static double integral(const struct bead_stepper *s, power_in *power_of)
 {
     double *u = s->y, *v = s->w[0], sum = 0;
@@ -94,7 +94,7 @@ double bead_absorption(const struct bead_stepper *s)
     return s->chain->end.coefficient > 0 && s->active == s->beads ? integral(s, into_end) : 0;
 }
 
-/* The power of a drive, per step, at t0 + x h: of a bead whose displacement is given, against its contact k. */
+/* The power of a drive, per step, at t0 + x h: for a bead whose displacement is given, against its contact k. */
 static double against_contact(const struct bead_stepper *s, const struct bead_dense *dense, size_t k, double x)
 {
     const struct bead_chain *c = s->chain;
@@ -105,7 +105,7 @@ static double against_contact(const struct bead_stepper *s, const struct bead_de
     return s->h * (force - c->static_force[k]) * bead_drive_at(c, s->t0 + x * s->h).x[1];
 }
 
-/* ... of a force on bead j. */
+/* ... for a force on bead j. */
 static double on_bead(const struct bead_stepper *s, const struct bead_dense *dense, size_t j, double x)
 {
     const struct bead_polynomial displacement = bead_dense_bead(s, j);
@@ -116,8 +116,7 @@ static double on_bead(const struct bead_stepper *s, const struct bead_dense *den
 
 typedef double power_at(const struct bead_stepper *s, const struct bead_dense *dense, size_t i, double x);
 
-/* Its integral over from..to, at both ends of which it is not smooth, because a contact opens or closes: x runs as 3 y^2 - 2 y^3,
- * so that d^(3/2) is smooth in y. */
+/* Its integral over from..to, where a contact opens or closes at both ends: with x = 3 y^2 - 2 y^3, d^(3/2) is smooth in y. */
 static double work_between(const struct bead_stepper *s, const struct bead_dense *dense, power_at *power_of, size_t i, double from,
                            double to)
 {
@@ -130,7 +129,7 @@ static double work_between(const struct bead_stepper *s, const struct bead_dense
     return sum;
 }
 
-/* Its integral over 0..until, from point to point where one of contacts first..last opens or closes. */
+/* Its integral over 0..until, split where one of contacts first..last opens or closes. */
 static double work_with(const struct bead_stepper *s, const struct bead_dense *dense, power_at *power_of, size_t i, size_t first,
                         size_t last, double until)
 {
@@ -168,7 +167,7 @@ static double of_force(const struct bead_stepper *s, double t, const double *, c
     return bead_drive_at(s->chain, t).x[0] * v[s->driven];
 }
 
-/* A bead whose displacement is given: what its own energy changes by, and what it does to its contacts. */
+/* For a bead whose displacement is given: the change of its own energy, and its work on its contacts. */
 static double work_of_displacement(const struct bead_stepper *s, const struct bead_dense *dense, double until)
 {
     const struct bead_chain *c = s->chain;
@@ -199,8 +198,8 @@ double bead_drive_work(const struct bead_stepper *s, struct bead_dense *dense, d
 }
 
 /* Energy of a contact relative to its static state, including the work of the force that holds the precompression. Gravity is the
- * potential energy of the beads on their slope: contact k carries the weight of those above it, except that of the striker, which
- * the static state leaves out. */
+ * potential energy of the beads on their slope: contact k carries the weight of those above it, except the striker's, which the
+ * static state leaves out. */
 static void add_contact(const struct bead_stepper *s, const struct bead_state *state, size_t k, double *energy,
                         struct bead_budget *budget)
 {
@@ -215,7 +214,7 @@ static void add_contact(const struct bead_stepper *s, const struct bead_state *s
         energy[j] += bead_chain_share(c, k) * (elastic + gravity);
 }
 
-/* A pendulum's is potential energy of gravity. */
+/* A pendulum's spring energy is potential energy of gravity. */
 static void add_spring(const struct bead_chain *c, size_t bead, double u, double *energy, struct bead_budget *budget)
 {
     const double gravity = 0.5 * bead_chain_pendulum_of(c, c->material[bead]) * (u * u);

@@ -11,9 +11,9 @@
 double bead_dissipation(const struct bead_stepper *stepper);
 /* Energy that an absorbing end has taken in the last step, J. */
 double bead_absorption(const struct bead_stepper *stepper);
-/* Work of the drive in the last step up to the part `until` of it (1: the whole; always with damping, and then no `dense`), J. */
+/* Work of the drive, J, in the last step up to the part `until` of it (with damping always 1, the whole step, and no `dense`). */
 double bead_drive_work(const struct bead_stepper *stepper, struct bead_dense *dense, double until);
-/* The budget at time t in the last step, before which `dissipated` J were lost, to an absorbing end, too, and up to which, or with
+/* The budget at time t in the last step. Before this step, `dissipated` J were lost, also to an absorbing end; up to t, or with
  * damping up to the start of the step, a drive did the given work. The step is repeated up to t: interpolated samples do not follow
  * a contact that closes. `beads`: room for 3 (beads + 1) numbers, zeros before the first call, which the budget points to. Errors:
  * MEMORY. */

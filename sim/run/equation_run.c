@@ -26,7 +26,7 @@ static const struct bead_equation *equation_of(const struct bead_chain *chain)
     return chain->spec->system->equation;
 }
 
-/* Points of a run; its samples have those of the chain. On a grid of three quarters as many cells errors are (4/3)^p times as
+/* Points of a run; its samples have the chain's points. On a grid of three quarters as many cells errors are (4/3)^p times as
  * large, p the order: five times the difference (bead_uncertainty_measured) is 1.7 times the error for p = 1, as at shocks, and 7
  * times for p = 3, as in smooth waves. */
 static size_t points_of(const struct bead_run_settings *settings)
@@ -39,7 +39,7 @@ static struct bead_motion_settings settings_of(const struct bead_chain *chain, s
                                                double tolerance_factor)
 {
     tolerance_factor = tolerance_factor > 0 ? tolerance_factor : 1;
-    const double half = 0.5; /* steps that are not bound by the accuracy differ, too */
+    const double half = 0.5; /* steps that the accuracy does not bound also differ */
     return (struct bead_motion_settings){.spec = &chain->spec->equation,
                                          .points = points,
                                          .shown = chain->beads,

@@ -9,7 +9,7 @@
 #include "sim/integrate/stepper.h"
 
 /* The force of one contact, or the mean of a bead's two. The force jumps where a contact with damping closes; because steps end
- * there, a curve is smooth, and at its ends has the force within the step. */
+ * there, a curve is smooth, and has the force within the step at its ends. */
 struct bead_force_curve {
     const struct bead_stepper *stepper;
     size_t count;

@@ -28,7 +28,7 @@ static double peak_within(const struct bead_stepper *s, size_t k)
 static void update_record(struct bead_front *front, const struct bead_stepper *s, size_t n)
 {
     double force = s->kernels->largest(n - s->first, s->end.f + s->first);
-    if (s->steps == 1) /* with damping, the force jumps at the striker's impact, often higher than ever again */
+    if (s->steps == 1) /* with damping, the force jumps at the striker's impact, often higher than ever after */
         front->largest_force = s->kernels->largest(n, s->start.f);
     if (!(force > near_record * front->largest_force))
         return;
@@ -98,9 +98,9 @@ static enum bead_error refine(const struct bead_stepper *s, double level, double
     return BEAD_OK;
 }
 
-/* Energy, J, of the beads that still push those behind them. Before them are beads of which each moves on to the left faster than
- * the next, or as fast, without touching it: a bead that catches up with one of them only loses energy. At a free end, their common
- * motion presses nothing. */
+/* Energy, J, of the beads that still push those behind them. Each bead before them moves to the left at least as fast as the next,
+ * without touching it: a bead that catches up with one of them only loses energy. At a free end, their common motion presses
+ * nothing. */
 static double energy_behind(const struct bead_stepper *s)
 {
     const struct bead_chain *c = s->chain;
@@ -132,15 +132,15 @@ static double last_force(const struct bead_stepper *s, double energy, bool meeti
     return force + bead_damping_force(&s->table, compression, sqrt(2 * energy * weight));
 }
 
-/* A bead hands over up to four times the energy of its motion with a lighter one: that then moves on twice as fast. So do the first
+/* A bead hands over up to four times the energy of its motion with a lighter one, which then moves twice as fast. So do the first
  * beads of a broad pulse that breaks into narrow ones. A rigid wall doubles the force. Both are margins, not bounds: of 70 random
- * damped chains 17 were given up, in none of which, run five times as long, more than .82 of the level arrived. A chain that
- * gathers the energy of many contacts in one would break them. */
+ * damped chains 17 were given up; run five times as long, none of them reached more than .82 of the level. A chain that gathers the
+ * energy of many contacts in one would exceed them. */
 static const double handed_over = 4, doubled = 2;
 
-/* With damping: can a force of the last contact above `level`, N, come of what contacts store or their beads meet with now? Damping
- * forces alone spread as heat does, so that none is ever larger than the largest; pulses of elastic forces keep their energies at
- * most. The strongest contacts are at the front, and one is enough. */
+/* With damping: can the energy that contacts store, or with which their beads meet now, cause a force of the last contact above
+ * `level`, N? Damping forces alone spread like heat, so none ever exceeds the largest; pulses of elastic forces at most keep their
+ * energies. The strongest contacts are at the front, and one is enough. */
 static bool is_enough(const struct bead_stepper *s, double level)
 {
     const struct bead_chain *c = s->chain;

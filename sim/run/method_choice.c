@@ -12,10 +12,10 @@
 
 /* The accuracy for which a method's row gives theta. */
 static const double row_accuracy = 1e-6;
-/* From this accuracy on, shorter steps without correction of contact events cost less (tests/bench). */
+/* From this accuracy, shorter steps without correction of contact events cost less (tests/bench). */
 static const double low_accuracy = 1.5e-4;
 /* If contacts cannot open, forces are smooth and peaks are more accurate than requested (tests/bench); the energy of the fastest
- * vibrations over many periods limits the steps (tests/stress). Only far from opening: the branch point does damage long before a
+ * vibrations over many periods limits the steps (tests/stress). Only far from opening: the branch point does harm long before a
  * contact reaches it. */
 static const double smooth_theta = 1, smooth_order = 8, smooth_cap = 2.2, far_from_opening = 0.1;
 
@@ -44,7 +44,7 @@ static double opening_energy(const struct bead_contact_walk *w)
     return w->static_force * w->static_compression - law->row->energy(w->stiffness, law, w->static_compression);
 }
 
-/* No contact can store more energy above the static state than the striker and what else moves at first bring. */
+/* No contact can store more energy above the static state than the striker and other beads that move at first bring. */
 static bool never_opens(const struct bead_chain *chain)
 {
     const double v = chain->spec->striker_velocity, energy = 0.5 * chain->striker_mass * v * v + chain->started;
@@ -110,7 +110,7 @@ enum bead_error bead_choose_method(const struct bead_chain *chain, const struct 
         choice->order = smooth_order;
         choice->cap = smooth_cap;
     } else if (!chain->law->one_sided) {
-        /* Steps of the corrected method, whose errors are also those of smooth forces. */
+        /* Steps of the corrected method, whose errors are like those of smooth forces. */
         const struct bead_method_info *corrected = &bead_method_row("rkn8")->info;
         choice->theta = corrected->theta;
         choice->order = corrected->theta_order;

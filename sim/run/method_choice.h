@@ -20,7 +20,7 @@ struct bead_method_choice {
 /* Errors: SCENE, with the method's name. */
 BEAD_CHECK enum bead_error bead_choose_method(const struct bead_chain *chain, const struct bead_simulate *asked,
                                               struct bead_method_choice *choice, struct bead_message *msg);
-/* True of chains so long that steps no longer become shorter with their length: errors may be larger than asked. */
+/* True for chains so long that steps no longer become shorter with their length: errors may be larger than asked. */
 bool bead_is_long(const struct bead_chain *chain);
 /* Step in units of 1/omega for peaks of this relative accuracy. */
 double bead_method_theta(const struct bead_method_choice *choice, double accuracy);

@@ -43,7 +43,7 @@ static struct bead_peak static_peak(const struct bead_chain *chain, bool of_bead
 /* A maximum lower than this part of the highest is no rival. */
 static const double rivalry = 0.5;
 
-/* Maxima of lower forces are of no interest. */
+/* Maxima of lower forces do not matter. */
 static double interest(const struct bead_peaks *p, size_t i)
 {
     const double best = p->best[i].value, second = p->second ? fmax(BEAD_PEAKS_SECOND * best, p->second[i].value) : best;
@@ -51,7 +51,7 @@ static double interest(const struct bead_peaks *p, size_t i)
 }
 
 /* A lower bound of the compression of contact k beyond the static one, m, at a higher maximum. A bead has a higher force only if
- * one of its contacts has. */
+ * one of its contacts does. */
 static double least_of(const struct bead_peaks *p, const struct bead_chain *chain, size_t k)
 {
     const double here = interest(p, k), best = p->of_beads && k + 1 < chain->beads ? fmin(here, interest(p, k + 1)) : here;
@@ -201,7 +201,7 @@ static double force_bound(const struct bead_peaks *p, const struct bead_stepper 
     return p->of_beads ? 0.5 * force : force;
 }
 
-/* Keeps the highest maximum, and others that are asked for. An open one is the flank of what follows. */
+/* Keeps the highest maximum, and others if requested. An open one is the flank of a later maximum. */
 static void keep(struct bead_peaks *p, size_t index, struct bead_peak found)
 {
     const struct bead_peak before = p->best[index];
@@ -218,7 +218,7 @@ static void keep(struct bead_peaks *p, size_t index, struct bead_peak found)
 }
 
 /* The maximum within a part of the step at whose start the force rises and at whose end it falls, if it comes before the limit and
- * is higher than `least`; false: it does not, or is not. */
+ * is higher than `least`; else returns false. */
 static bool maximum_in_part(const struct bead_stepper *s, const struct bead_curve_part *part, double rate0, double rate1,
                             double least, double limit, struct bead_peak *found)
 {
@@ -343,7 +343,7 @@ static double bead_bend(const struct bead_stepper *s, const struct bead_state *s
 }
 
 /* A bead's force changes little while one contact force rises as the other falls: it may reach a new maximum within the step
- * although it falls (or rises) at both ends. At one of them it then bends enough in the other direction. */
+ * although it falls (or rises) at both ends. It then bends enough in the other direction at one of them. */
 static bool may_swing(const struct bead_peaks *p, const struct bead_stepper *s, size_t j, struct bead_slope at0,
                       struct bead_slope at1)
 {

@@ -17,16 +17,16 @@ struct bead_peaks;
 /* of_beads: mean of a bead's two contact forces; else contact forces. Only those in `span` are searched. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_create(const struct bead_stepper *stepper, bool of_beads, struct bead_span span,
                                              struct bead_peaks **peaks, struct bead_message *msg);
-/* Also keeps a rival of each, which a change of the chain may make the highest: of the maxima above half the highest, the last one,
- * which responds most strongly, or the one before the highest if that is the last. Before the first step. Errors: MEMORY. */
+/* Also keeps a rival of each, which a change of the chain may make the highest: the last maximum above half the highest, which
+ * responds most strongly, or the one before the highest if that is the last. Call it before the first step. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_peaks_keep_rivals(struct bead_peaks *peaks, const struct bead_stepper *stepper,
                                                   struct bead_message *msg);
-/* Also keeps the second highest maximum of each, if it is above this part of the highest: one that errors of the run may have made
- * lower. Maxima less than `apart` seconds after the highest count as the same. Before the first step. Errors: MEMORY. */
+/* Also keeps the second highest maximum of each, if it is above this part of the highest: errors of the run may have made it lower.
+ * Maxima less than `apart` seconds after the highest count as the same. Call it before the first step. Errors: MEMORY. */
 #define BEAD_PEAKS_SECOND 0.9
 BEAD_CHECK enum bead_error bead_peaks_keep_second(struct bead_peaks *peaks, const struct bead_stepper *stepper, double apart,
                                                   struct bead_message *msg);
-/* Counts maxima of each after its time only, s. The times must outlive the peaks. Before the first step. */
+/* Counts maxima of each only after its time, s. The times must outlive the peaks. Call it before the first step. */
 void bead_peaks_only_after(struct bead_peaks *peaks, const double *after);
 void bead_peaks_destroy(struct bead_peaks *peaks);
 /* Searches the last step; maxima after time `limit` do not count. When the step contains `limit`, forces still rising then are
@@ -37,5 +37,5 @@ void bead_peaks_step(struct bead_peaks *peaks, const struct bead_stepper *steppe
 const struct bead_peak *bead_peaks_found(const struct bead_peaks *peaks);
 /* The rivals, if they are kept (else NULL); time NaN: none. */
 const struct bead_peak *bead_peaks_rivals(const struct bead_peaks *peaks);
-/* The second highest, the same. */
+/* The second highest; NULL and NaN as above. */
 const struct bead_peak *bead_peaks_second(const struct bead_peaks *peaks);

@@ -73,7 +73,7 @@ static enum bead_error advance(struct pass *pass, struct bead_runner *runner, do
     const enum bead_error err = bead_play_run(runner, &way, msg);
     if (err == BEAD_ERROR_NUMBERS && played->check_runs && runner >= played->check_runs &&
         runner < played->check_runs + played->count) {
-        bead_runner_destroy(runner); /* what it would have shown is unknown */
+        bead_runner_destroy(runner); /* its result is unknown */
         return BEAD_OK;
     }
     /* One chain that ends without its front does not stop the others. */
@@ -329,9 +329,9 @@ enum bead_error bead_play(const struct bead_play *play, struct bead_played *play
     return err || is_cut_short(played) ? err : bead_compare_finish(play, played, msg);
 }
 
-/* How much faster than the front signals behind it may be, tried one after the other; 0: all beads are kept. In chains of dimers
- * with random spins they are 1.26 times as fast, a little more where the front has come far and is weak. In chains of equal cells
- * none is faster; where some are, this shows at once. */
+/* How much faster than the front signals behind it may be, tried in this order; 0: all beads are kept. In chains of dimers with
+ * random spins they are 1.26 times as fast, a little more if the front has come far and is weak. In chains of equal cells none is
+ * faster; if some are, this shows at once. */
 static const double widenings[] = {[BEAD_PLAY_USUAL] = 1.3, 1.8, 0, [BEAD_PLAY_ALIKE] = 1, 1.4, 1.8, 0};
 
 enum bead_error bead_play_cut(struct bead_play *play, size_t *try, struct bead_played *played, struct bead_message *msg)

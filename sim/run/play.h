@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Play: runs chains and hands samples to consumers. Only here are runs advanced, checked for a stop, and ended.
+/* Play: runs chains and hands samples to consumers. Runs are advanced, checked for a stop, and ended only here.
  *
  *   struct bead_consumer consumer = {.needs = {.fields = ..., .grid = ...}, .take = take, .context = mine};
  *   struct bead_play play = {.chains = chains, .chain_count = 1, .simulate = &scene->simulate, .kernels = bead_kernels_find(NULL),
@@ -36,7 +36,7 @@ struct bead_consumer {
     size_t next, count; /* kept by bead_play */
 };
 
-/* A source of samples that are read rather than computed. */
+/* A source of samples that are read, not computed. */
 struct bead_stored {
     enum bead_error (*read)(const struct bead_stored *stored, double time, unsigned fields, struct bead_sample *sample,
                             struct bead_message *msg);
@@ -59,7 +59,7 @@ struct bead_play {
     double patience;                   /* limit for that, in passages of a wave; 0: 200 */
     const struct bead_span *peak_span; /* peaks of these contacts and beads only; NULL: all */
     double widening;                   /* beads far behind the front are dropped: see behind.h; 0: none */
-    size_t target;                     /* with that: the first contact or bead whose peaks are wanted; 0: all are */
+    size_t target;                     /* then the first contact or bead whose peaks are wanted; 0: all are */
     bool full_window, hash;
     int threads;                /* results do not depend on it */
     double refinement;          /* tolerance of the runs in units of the requested one; 0: 1 */
@@ -99,20 +99,20 @@ BEAD_CHECK enum bead_error bead_play_advance(const struct bead_play *play, struc
 BEAD_CHECK enum bead_error bead_play_finish(const struct bead_play *play, struct bead_played *played, struct bead_message *msg);
 /* Tolerance factor of check runs. */
 double bead_play_check_factor(const struct bead_play *play);
-/* Tolerance factor of comparison runs, whose `samples` consumers want, or only their peaks. */
+/* Tolerance factor of comparison runs whose `samples` consumers want, or only peaks. */
 double bead_play_comparison_factor(const struct bead_play *play, bool samples);
 
-/* The tries of bead_play_cut: with `target`, plays with as few beads behind the front as the peaks allow, by one try after the
- * other, from *try to the last, which keeps all; *try is then that of the results. */
-enum bead_play_try { BEAD_PLAY_USUAL, BEAD_PLAY_ALIKE = 3 }; /* of random chains; of one that may have equal cells */
+/* The tries of bead_play_cut: with `target`, plays with as few beads behind the front as the peaks allow, in one try after another,
+ * from *try to the last, which keeps all; *try is then the one with the results. */
+enum bead_play_try { BEAD_PLAY_USUAL, BEAD_PLAY_ALIKE = 3 }; /* for random chains; for a chain that may have equal cells */
 BEAD_CHECK enum bead_error bead_play_cut(struct bead_play *play, size_t *try, struct bead_played *played, struct bead_message *msg);
-/* Fails with the message about a chain that its front does not pass. */
+/* Fails with the message about a chain whose front does not reach its end. */
 enum bead_error bead_play_lost(const struct bead_runner *runner, struct bead_message *msg);
 
 /* The extent to which one run is played. */
 struct bead_way {
     double until;    /* s: up to the first step that ends at this time or later, */
-    double patience; /* or with which the passage is over: its limit in passages of a wave; 0: no passage */
+    double patience; /* or in which the passage is over: its limit in passages of a wave; 0: no passage */
     const volatile sig_atomic_t *stop;
     enum bead_error (*stepped)(void *context, const struct bead_runner *runner, struct bead_message *msg); /* NULL: not called */
     void *context;
