@@ -15,7 +15,7 @@ static const double ripple = 0.05;
 static const double nearly = 0.99;
 
 /* The next one-digit number (1, 2, ... 10 times a power of ten) if `size` is nearly that: the bar then ends with a labelled tick.
- * */
+ */
 static double rounded(double size)
 {
     if (!(size > 0) || !isfinite(size))

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stills of pixels in files: PNG with its notes, or, by the name's ending, a picture of libav's encoders, with none of the notes
- * except dpi.
- * */
+ * except dpi. */
 #pragma once
 
 #include <stdbool.h>

@@ -281,8 +281,7 @@ static double least_height(const struct bead_cells *c, size_t view)
 }
 
 /* The greatest height of curves and bars. On phones, if no image takes the rest of the room, they may be as high as the frame is
- * wide.
- * */
+ * wide. */
 static double most_of_curve(const struct bead_cells *c, const struct column *column, size_t view)
 {
     bool image = false;

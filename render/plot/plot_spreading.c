@@ -20,8 +20,7 @@ static void set_axes(struct bead_panel *panel, const char *seconds, const double
 }
 
 /* Adds the curve of number `n`, and its power law in the same colour, whose values go to `law`: times, then numbers. Returns the
- * number of series.
- * */
+ * number of series. */
 static size_t add(struct bead_series *series, char (*labels)[256], int n, const double *time, const double *y, size_t count,
                   const struct bead_exponent *exponent, double law[LAW])
 {

@@ -16,8 +16,7 @@
  * means of a magnetism and their two fits. */
 enum { MARKS = 5, SERIES_OF_PLACE = MARKS + 2, SERIES_OF_DECAY = 3, DECAY_PANELS = 2, RULERS = 2 };
 /* Numbers of the series of a place for each magnetism, x and others, in addition to those of configurations: marks or a band, two
- * curves.
- * */
+ * curves. */
 enum { NUMBERS_OF_ROW = 2 * MARKS + 2 * 3 };
 /* Points of the line of a fit. */
 enum { POINTS = 65 };

@@ -35,8 +35,7 @@ static void stage_destroy(struct bead_view *v)
 }
 
 /* On a floor, two balls meet above one between them that is smaller than a quarter of both: they are drawn apart, with air around
- * it.
- * */
+ * it. */
 static void part_from_others(struct bead_view *v, size_t i)
 {
     for (size_t j = i - 1; j-- > 0 && v->place[i] - v->place[j] < 2 * v->largest;) {

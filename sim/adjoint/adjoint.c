@@ -101,7 +101,7 @@ static size_t step_at(const struct bead_record *record, double time)
     return low;
 }
 
-/* The beads of a force and those beside them. */
+/* The beads of a force and their neighbours. */
 static struct bead_part beads_near(const struct traveller *t)
 {
     const size_t first = t->of->contact[0], last = t->of->contact[t->of->contacts - 1];

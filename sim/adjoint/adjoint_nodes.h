@@ -19,7 +19,7 @@ struct bead_adjoint_point {
     double weight; /* h^2 K/m of the stiffness at the distance of one step */
 };
 
-/* Arrays of contacts or beads have room for whole vectors, before them too. */
+/* Arrays of contacts or beads have room for whole vectors, also before them. */
 struct bead_adjoint_nodes {
     const struct bead_tableau *method;
     const struct bead_record *record;
@@ -49,8 +49,8 @@ BEAD_CHECK enum bead_error bead_adjoint_nodes_load(struct bead_adjoint_nodes *no
 /* Fills the arrays of the nodes from x = `from` of the step down to `back`, for a part of the beads in whole vectors. The
  * acceleration of the first one lacks the force before it. */
 void bead_adjoint_nodes_fill(struct bead_adjoint_nodes *nodes, double from, double back, struct bead_part part);
-/* The x to go back to from x = `from`: the start of the step, 0, or earlier, so that the branch point of a contact of more weight
- * than `heavy` has a short part for itself. */
+/* The x to go back to from x = `from`: the start of the step, 0, or earlier, so that the branch point of a contact heavier than
+ * `heavy` has a separate short part. */
 double bead_adjoint_nodes_part(const struct bead_adjoint_nodes *nodes, double from, double heavy, struct bead_part part);
 /* The compression of a contact over the step. */
 struct bead_adjoint_curve {

@@ -86,8 +86,8 @@ bool bead_file_stays_beneath(const char *directory, const char *path)
     return stays;
 }
 
-/* Names of the file that claims an unfinished one where there are no locks, and of the one that keeps others from taking over the
- * claim of a run that was killed. */
+/* Names of the file that claims an unfinished one if there are no locks, and of the one that keeps others from taking over the
+ * claim of a killed run. */
 static const char claim_ending[] = ".lock", taking_ending[] = ".take";
 
 /* Length of the beginning of `name` that has at most `most` bytes and only whole characters of UTF-8. */
@@ -182,7 +182,7 @@ enum bead_error bead_file_close(FILE *file, const char *part, struct bead_messag
     int failed = fflush(file) != 0 || ferror(file);
     int error = errno;
     if (!failed && (error = sync_open(fileno(file))))
-        failed = 1; /* this descriptor reports all failures since it wrote; commit opens another */
+        failed = 1; /* this descriptor reports all failures since its writes; commit opens another */
     if (fclose(file) != 0 && !failed) {
         failed = 1;
         error = errno;
@@ -246,7 +246,7 @@ static bool still_names(const char *part, int descriptor)
            open_file.st_ino == named.st_ino;
 }
 
-/* Claims beside a file say whose they are: "PID HOST BOOT NAMESPACE", where process numbers hold for one boot and one namespace. */
+/* Claims beside a file name their owner: "PID HOST BOOT NAMESPACE"; process numbers are valid for one boot and one namespace. */
 struct owner {
     int pid;
     char host[80], boot[64], space[64];
@@ -268,7 +268,7 @@ static struct owner this_process(void)
     return own;
 }
 
-/* Finds whose claim it is; false: the file does not say, perhaps not yet. */
+/* Finds the owner of a claim; false: the file does not name it, perhaps not yet. */
 static bool read_owner(const char *beside, struct owner *owner)
 {
     const int descriptor = open(beside, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -436,7 +436,7 @@ double bead_file_room(const char *path)
     while (directory && statvfs(directory, &found) != 0) {
         if (errno != ENOENT || strcmp(directory, ".") == 0 || strcmp(directory, "/") == 0)
             return INFINITY;
-        char *parent = directory_of(directory); /* of one that is not there yet */
+        char *parent = directory_of(directory); /* of one that does not exist yet */
         free(directory);
         directory = parent;
     }

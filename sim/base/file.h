@@ -19,16 +19,16 @@
 #include "beadreel/sink.h"
 #include "sim/base/internal.h"
 
-/* Does `path` stay in the directory that it is seen from: is it relative, without `..`? */
+/* Does `path` stay in the current directory, that is, is it relative and without `..`? */
 BEAD_INTERNAL bool bead_file_is_inside(const char *path);
-/* Does `path`, which is inside, stay below `directory` where its directories are symbolic links? What is not there yet does. */
+/* Does `path`, which is inside, stay below `directory` even if its directories are symbolic links? Missing files do. */
 BEAD_INTERNAL bool bead_file_stays_beneath(const char *directory, const char *path);
 /* Name of the unfinished file: `path` and ".part"; of names that the file system would find too long then, the beginning, a
  * fingerprint of the name, and ".part". *part belongs to the caller (free). Errors: MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_part_name(const char *path, char **part, struct bead_message *msg);
 /* Open `part` for reading and writing as it is, or new: a descriptor that the caller closes; -1 on failure. Never through a
- * symbolic link, never anything but a regular file of this one name, so that nothing else is overwritten and a FIFO does not block.
- * `created` (may be NULL): it was not there. Errors: IO. */
+ * symbolic link, and only a regular file with just this name, so that nothing else is overwritten and a FIFO does not block.
+ * `created` (may be NULL): it did not exist. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_open(const char *part, int *descriptor, bool *created, struct bead_message *msg);
 /* Open `part` for writing, emptied; opened as above. On failure *file is NULL and no new file is left. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_create(const char *part, FILE **file, struct bead_message *msg);
@@ -38,11 +38,11 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_close(FILE *file, const char 
 /* The closed file `part` becomes `path`, for good: fsync, rename, fsync of the directory. Only a file or a symbolic link is
  * replaced. On failure `part` is removed. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_commit(const char *part, const char *path, struct bead_message *msg);
-/* A lock on an unfinished file, which is open: flock, or, on file systems that have none, a file beside it that only one run can
+/* A lock on an unfinished file, which is open: flock, or, on file systems without it, a file beside it that only one run can
  * make. */
 struct bead_file_lock {
     int descriptor; /* of the unfinished file, for reading and writing; -1: none */
-    bool created;   /* it was not there */
+    bool created;   /* it did not exist */
     char *beside;   /* name of the file beside it; NULL: none is needed */
 };
 
@@ -53,8 +53,8 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_lock(const char *part, const 
 /* Close the unfinished file and give up the lock. */
 BEAD_INTERNAL void bead_file_unlock(struct bead_file_lock *lock);
 
-/* A claim on a file that a run is going to write: its unfinished file is locked until the claim is released, so that of two
- * runs with the same output the second is refused before it has touched anything.
+/* A claim on a file that a run is going to write: its unfinished file is locked until the claim is released, so that if two runs
+ * have the same output, the second is refused before it has touched anything.
  *
  *   bead_file_claim(path, &claim, msg);    ... write and commit `path` as above ...    bead_file_release(claim, false); */
 struct bead_claim;
@@ -69,25 +69,25 @@ BEAD_INTERNAL const char *bead_file_claimed_by(const struct bead_claim *claim);
  * allowed. */
 BEAD_INTERNAL void bead_file_abandon(const struct bead_claim *claim);
 
-/* Remove `part` (NULL, or not there: nothing happens). */
+/* Remove `part`, if it exists; NULL is allowed. */
 BEAD_INTERNAL void bead_file_discard(const char *part);
 /* Creates a directory and its parents; NULL or "": nothing to do. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_directory(const char *directory, struct bead_message *msg);
 /* Creates the directory of the file `path` and its parents. Errors: IO. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_make_parents(const char *path, struct bead_message *msg);
-/* Are both there, and one file by one name or by two? */
+/* Do both exist, and are they the same file? */
 BEAD_INTERNAL bool bead_file_same(const char *a, const char *b);
 /* Free bytes on the file system of `path`; infinite if unknown. */
 BEAD_INTERNAL double bead_file_room(const char *path);
 /* Size of the file in bytes; 0: there is none. */
 BEAD_INTERNAL uint64_t bead_file_bytes(const char *path);
 
-/* Open a regular file for reading; anything else is not even touched, as opening a pipe would wake its writer. -1: errno says why,
- * ENXIO: it is not a regular file. */
+/* Open a regular file for reading; anything else is not even opened, because opening a pipe would wake its writer. -1: errno says
+ * why, ENXIO: it is not a regular file. */
 BEAD_INTERNAL int bead_file_look(const char *path);
-/* Says why, as of bead_file_look. */
+/* The reason for an errno of bead_file_look. */
 BEAD_INTERNAL const char *bead_file_reason(int error);
-/* The whole of a regular file of at most `most` bytes. *bytes end with a NUL more, and are to be freed; NULL on failure. Errors:
+/* The whole of a regular file of at most `most` bytes. *bytes end with an extra NUL, and are to be freed; NULL on failure. Errors:
  * IO, SCENE (too long), MEMORY. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t most, char **bytes, size_t *length,
                                                         struct bead_message *msg);
@@ -95,6 +95,6 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read(const char *path, size_t
  * came while it was waited for). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read_input(const char *path, size_t most, char **bytes, size_t *length,
                                                               struct bead_message *msg);
-/* As above for what is open, which it closes; -1: errno says why it is not. */
+/* As above for an open file, which it closes; -1: errno says why it is not open. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_file_read_open(int file, const char *path, size_t most, char **bytes, size_t *length,
                                                              struct bead_message *msg);

@@ -6,7 +6,7 @@
 
 #include "sim/base/number.h"
 
-/* Bytes of the UTF-8 character at `c`; 0: it is none. Overlong forms, surrogates and what lies beyond U+10FFFF are none. */
+/* Bytes of the UTF-8 character at `c`; 0: invalid, as are overlong forms, surrogates and numbers beyond U+10FFFF. */
 static size_t character(const unsigned char *c)
 {
     static const struct {

@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* It, or a library that it needs, is not on this machine. The loader has no code for this, only words, in the language of strerror.
- */
+/* Is it, or a library that it needs, missing on this machine? The loader has no code for this, only words, in the language of
+ * strerror. */
 static bool is_absent(const char *why)
 {
     return strstr(why, strerror(ENOENT)) != NULL;

@@ -29,12 +29,12 @@ static inline bool bead_memory_ample(void)
 {
     return bead_memory_room((uint64_t)4 << 30);
 }
-/* Make *pointer a cleared array of `count` elements. Where there is no memory it is NULL, and the message says so:
- * bead_new(&s->rows, rows, msg, "a table of %zu rows", rows): "out of memory for a table of 12 rows". Errors: MEMORY. */
+/* Make *pointer a cleared array of `count` elements. If there is no memory it is NULL, and the message says so: bead_new(&s->rows,
+ * rows, msg, "a table of %zu rows", rows): "out of memory for a table of 12 rows". Errors: MEMORY. */
 #define bead_new(pointer, count, msg, ...) bead_allocate((pointer), (count), sizeof **(pointer), (msg), __VA_ARGS__)
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_allocate(void *pointer, size_t count, size_t size, struct bead_message *msg,
                                                        const char *what, ...) BEAD_PRINTF(5, 6);
-/* Before the declaration of a pointer: what it then points to is freed where it goes out of scope. */
+/* Before the declaration of a pointer: its target is freed when the pointer goes out of scope. */
 #define BEAD_FREED __attribute__((cleanup(bead_free_variable)))
 static inline void bead_free_variable(void *pointer)
 {

@@ -38,7 +38,7 @@ bool bead_file_same(const char *a, const char *b)
            found[0].st_ino == found[1].st_ino;
 }
 
-/* Up to `room` bytes. Waiting in poll() ends with a signal, even where its handler restarts other calls. */
+/* Up to `room` bytes. Waiting in poll() ends with a signal, even if its handler restarts other calls. */
 static enum bead_error read_open(int file, const char *path, size_t room, char *bytes, size_t *length, struct bead_message *msg)
 {
     while (*length < room) {

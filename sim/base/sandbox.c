@@ -112,7 +112,7 @@ static void filter_calls(const uint16_t *calls, size_t count, uint32_t listed, u
         syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, flags, &program);
 }
 
-/* Landlock: no file below any directory, for whatever the filter would miss. The numbers of its rights grow with its version. */
+/* Landlock: no file below any directory, in case the filter misses a call. The numbers of its rights grow with its version. */
 static void lock_files(void)
 {
 #ifdef SYS_landlock_create_ruleset
@@ -195,7 +195,7 @@ static bool is_among(int descriptor, const int *descriptors, size_t count)
     return i < count;
 }
 
-/* Beside stderr. Locks of files that are being written belong to the asking process. */
+/* Except stderr. Locks of files being written belong to the asking process. */
 static void close_others(const int *descriptors, size_t count)
 {
     int last = STDERR_FILENO;
@@ -229,7 +229,7 @@ bool bead_sandbox_end(pid_t process, int *status)
     return true;
 }
 
-/* An answer is whole where it ends with this. */
+/* An answer is complete if it ends with this. */
 enum { END = 0 };
 
 /* In memory first: fdopen() asks more of the kernel than the sandbox allows. */

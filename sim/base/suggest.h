@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Names: is it one of some, which of them is the nearest ("did you mean"), and lists of them in messages. */
+/* Names: membership in a list, the nearest one ("did you mean"), and lists of them in messages. */
 #pragma once
 
 #include <stdbool.h>

@@ -7,9 +7,10 @@
 
 /* Any text for a message: one line, shortened; returns `shown`. */
 const char *bead_text_show(const char *text, char *shown, size_t size);
-/* Bytes of the character at `c` that a terminal would obey rather than show: a control character (C0, DEL, C1), or one that turns
- * the direction of the text or ends the line (U+061C, U+200E to U+200F, U+2028 to U+202E, U+2066 to U+2069). 0: it may be shown. */
+/* Bytes of the character at `c` if a terminal would obey it rather than show it: a control character (C0, DEL, C1), or one that
+ * turns the direction of the text or ends the line (U+061C, U+200E to U+200F, U+2028 to U+202E, U+2066 to U+2069). 0: it may be
+ * shown. */
 size_t bead_text_obeyed(const char *c);
-/* Does UTF-8 end with other directions of text than it began with, so that what is written behind it is turned, too? That is, has
- * it an embedding, an override or an isolate that it does not close (Unicode Standard Annex 9)? */
+/* Does UTF-8 text end with a different direction than it began with, so that the text after it is also turned? That is, does it
+ * have an embedding, an override or an isolate that it does not close (Unicode Standard Annex 9)? */
 bool bead_text_turns(const char *text);

@@ -17,8 +17,8 @@
 #include "sim/yaml/yaml.h"
 
 static const double gravity = 9.80665; /* m/s^2, standard */
-/* Radius of the drawn masses of a string, as a part of the distance that their motion leaves them (half: they would touch), and the
- * least, of that at rest. Chosen by eye. */
+/* Radius of the drawn masses of a string, as a part of the distance that their motion leaves (at half they would touch), and the
+ * least, as a part of the distance at rest. Chosen by eye. */
 static const double radius_of_points = 0.45, least_radius = 0.15;
 
 /* The last part of a path that the scene has. NULL: the scene was not read from a text. */
@@ -132,7 +132,7 @@ static bool mirrors(const struct bead_segment *a, const struct bead_segment *b)
 }
 
 /* The magnetism of the cells whose spins the scene gives; other cells count only if there are no such cells. Of these, the first
- * written are up, and so is all but their mirror image. */
+ * written is up, and so are all except its mirror image. */
 static double find_magnetism(const struct bead_chain *chain)
 {
     double up[2] = {0, 0}, all[2] = {0, 0};
@@ -245,7 +245,7 @@ static void find_start(struct bead_chain *chain)
     }
 }
 
-/* Nobody knows what a drive will bring in: count the energy of its bead at the largest velocity. */
+/* The energy that a drive will bring in is unknown: counts the energy of its bead at the largest velocity. */
 static void find_drive(struct bead_chain *chain)
 {
     const size_t bead = chain->spec->drive.bead;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A chain's insides, for the computing half only. */
+/* The inside of a chain, for the computing half only. */
 #pragma once
 
 #include <stdint.h>
@@ -22,7 +22,7 @@ struct bead_chain {
     double slope;            /* m/s^2: gravity along the chain */
     double striker_mass;     /* kg */
     double striker_force;    /* N: constant force on the striker: its weight, on a tilt */
-    double spring_rate;      /* 1/s^2: the largest stiffness over mass of the springs that hold beads at their places */
+    double spring_rate;      /* 1/s^2: the largest stiffness over mass of the springs that hold beads in place */
     struct bead_dashpot end; /* of the last bead */
     double started;          /* J: energy of the beads that do not start at rest, without the striker's velocity */
     double speed;            /* m/s: bead_chain_speed */
@@ -40,7 +40,7 @@ struct bead_chain {
     double *stiffness;          /* [contacts] */
     double *static_force;       /* [contacts] N */
     double *static_compression; /* [contacts] m; below 0: a gap */
-    double *spring;             /* [beads] N/m: of what holds beads at their places; NULL: nothing does */
+    double *spring;             /* [beads] N/m: of the springs that hold beads in place; NULL: none */
 };
 
 /* Part of a contact's energy that counts as the energy of the bead beside it: half of it, or all at the wall. */
@@ -49,9 +49,9 @@ static inline double bead_chain_share(const struct bead_chain *chain, size_t con
     return contact + 1 < chain->beads ? 0.5 : 1;
 }
 
-/* Stiffness of what holds a bead of a material at its place: its spring, and gravity where it is a pendulum, N/m. */
+/* Stiffness that holds a bead of a material in place, N/m: its spring, and gravity if it is a pendulum. */
 double bead_chain_spring_of(const struct bead_chain *chain, size_t material);
-/* Part of that due to gravity. */
+/* The part of that due to gravity. */
 double bead_chain_pendulum_of(const struct bead_chain *chain, size_t material);
 
 /* Energy of a bead displaced by u from its place, J. */
@@ -88,7 +88,7 @@ static inline bool bead_chain_is_damped(const struct bead_chain *chain)
 /* Fields (BEAD_FIELD_BITs) that follow from the displacements of all beads. */
 unsigned bead_chains_derivable(const struct bead_chain *const *chains, size_t count);
 
-/* The derivatives of a quantity by the numbers of a chain. */
+/* The derivatives of a quantity with respect to the numbers of a chain. */
 struct bead_chain_raw_rates {
     const double *stiffness, *static_force; /* [contacts] by A_k at constant static forces, and by the static forces */
     const double *mass;                     /* [beads] by m_j at constant forces */

@@ -9,7 +9,7 @@
 /* `file:line:column: ` of the chain in its scene, or `--set:number:column: `, into `text`; "" without a scene. Returns text. */
 BEAD_INTERNAL const char *bead_chain_place(const struct bead_chain *chain, const char *path, char *text, size_t size);
 unsigned bead_chain_fields(const struct bead_chain *chain); /* BEAD_FIELD_BITs of those it has */
-/* May its values have either sign: is a colour map for both wanted? */
+/* May its values have either sign, so that they need a colour map for both? */
 BEAD_INTERNAL bool bead_chain_signed(const struct bead_chain *chain, enum bead_field field);
 /* Colour of a bead, sRGB 0..1 [3]. */
 BEAD_INTERNAL const double *bead_chain_colour(const struct bead_chain *chain, size_t bead);
@@ -37,8 +37,7 @@ BEAD_INTERNAL double bead_chain_flight(const struct bead_chain *chain);
  * unit of velocities. */
 BEAD_INTERNAL double bead_chain_speed(const struct bead_chain *chain);
 
-/* The furthest that the springs and pendulums that hold beads let one go from its place, m, if it gets all of the energy; 0 where
- * not all beads are held. */
+/* How far the springs and pendulums that hold beads let one move, m, if it gets all of the energy; 0 unless all beads are held. */
 BEAD_INTERNAL double bead_chain_swing(const struct bead_chain *chain);
 
 /* The axis along a chain: value i of a field is at first + i * spacing. */
@@ -51,5 +50,5 @@ BEAD_INTERNAL struct bead_chain_axis bead_chain_axis(const struct bead_chain *ch
 
 /* Law `index`; NULL after the last. */
 const struct bead_law *bead_law_info(size_t index);
-/* Has the row what every row needs? Errors: USAGE, with the name of what is missing. */
+/* Is the row complete? Errors: USAGE, with the name of what is missing. */
 BEAD_CHECK enum bead_error bead_law_check(const struct bead_law *law, struct bead_message *msg);

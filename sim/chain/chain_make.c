@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes a chain from a caller's arrays: as if a scene had said the same, so that all the rest need not know. */
+/* Makes a chain from a caller's arrays, as if a scene had defined it, so that the rest need not distinguish them. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 static const size_t most_beads = 100000000;
 
-/* A scene with nothing in it but the chain, in one piece of memory. Materials: the beads, the striker, the wall. */
+/* A scene with only the chain, in one piece of memory. Materials: the beads, the striker, the wall. */
 struct own {
     struct bead_scene scene;
     struct bead_chain_spec spec;

@@ -96,7 +96,7 @@ void bead_chain_write_sensors(struct bead_json *json, const struct bead_chain *c
     bead_json_close(json, "]");
 }
 
-/* m: on a tilt gravity works on the striker while it pushes; allow for this way. */
+/* m: on a tilt gravity works on the striker while it pushes; allow for this distance. */
 static const double tilt_reach = 1e-3;
 
 double bead_chain_energy(const struct bead_chain *chain)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The beads of a chain by materials, and its contacts, as --info shows them: how the scene was understood. */
+/* The beads of a chain by materials, and its contacts, for --info: how the scene was understood. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The user's own settings: found for what runs or describes a scene, and listed by --info. */
+/* The user's own settings: found for commands that run or describe a scene, and listed by --info. */
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>

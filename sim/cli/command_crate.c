@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --crate: what was run, when, with which program, and what it made, in the form that archives read: RO-Crate 1.1, profile Process
- * Run Crate. */
+/* --crate: the run, its time, its program and its files, in a form that archives read: RO-Crate 1.1, profile Process Run Crate. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +45,7 @@ struct crate {
     char began[32], ended[32];
 };
 
-/* The place of a file in the crate, as part of a URI (RFC 3986); NULL: it is not in it. To be freed. */
+/* The place of a file in the crate, as part of a URI (RFC 3986); NULL: it is outside. To be freed. */
 static char *place(const struct crate *crate, const char *path)
 {
     const size_t length = strlen(crate->folder);
@@ -175,7 +174,7 @@ static enum bead_error fill_scene(void *context, FILE *file, const char *, struc
     return BEAD_OK;
 }
 
-/* The directory of the one file that -o names, or else that of -o: the path of an output without its name in the scene. */
+/* The directory of the one file that -o names, or else the directory -o: the path of an output without its name in the scene. */
 static void find_folder(struct crate *crate, const char *output)
 {
     struct bead_planned made = {.made = false};

@@ -87,7 +87,7 @@ static void end(struct bead_json *json)
     fputc('\n', json->out);
 }
 
-/* With the user's own settings, where there are some. */
+/* Adds the user's own settings, if there are any. */
 static void end_with(struct bead_json *json, const struct bead_config *config)
 {
     command_write_config(json, config);
@@ -187,7 +187,7 @@ void command_describe_sweep(FILE *out, const char *file, const struct bead_sweep
     end_with(&json, config);
 }
 
-/* The lines of the plan, which are for people, as they are. */
+/* Writes the lines of the plan, which are for people, unchanged. */
 static void write_lines(struct bead_json *json, char *text)
 {
     char *rest = NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Removes unfinished files if a fault in a library ends the program; takes the room that libraries want. */
+/* Removes unfinished files if a fault in a library ends the program; provides the room that libraries need. */
 #include <malloc.h>
 #include <pthread.h>
 #include <signal.h>
@@ -29,14 +29,14 @@ static void on_fault(int number, siginfo_t *info, void *)
         if (running)
             bead_session_abandon(running);
         (void)!write(STDERR_FILENO, said, sizeof said - 1);
-        if (number == SIGTRAP) /* GLib has said why */
+        if (number == SIGTRAP) /* GLib has printed the reason */
             _exit(1);
     }
     (void)signal(number, SIG_DFL);
     (void)raise(number);
 }
 
-/* The C library sets 64 MiB of addresses aside for each thread that allocates (HEAP_MAX_SIZE of glibc); where they are few, as on
+/* The C library sets 64 MiB of addresses aside for each thread that allocates (HEAP_MAX_SIZE of glibc); if they are few, as on
  * clusters that count them, threads share one heap. */
 static void save_addresses(void)
 {
@@ -65,7 +65,7 @@ void command_take_room(void)
     pthread_attr_destroy(&attributes);
 }
 
-/* Where the stack has run out, a handler needs another one; a sanitizer has its own. */
+/* If the stack overflows, a handler needs another one; a sanitizer has its own. */
 static bool have_other_stack(void)
 {
     static char room[64 << 10];

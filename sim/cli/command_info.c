@@ -78,7 +78,7 @@ static void print_validity(FILE *out, const struct bead_chain *chain)
         fprintf(out, "\n");
 }
 
-/* Print the equation's own keys, as the scene gives them. */
+/* Print the equation's own keys, as given in the scene. */
 static void print_equation(FILE *out, const struct bead_chain *chain, size_t index)
 {
     const struct bead_chain_axis along = bead_chain_axis(chain, false);

@@ -59,7 +59,7 @@ struct command {
     const struct command_program *program;
     enum command_action action;
     const struct command_list *list;
-    struct bead_job job; /* what a session gets of it */
+    struct bead_job job; /* the session's part of it */
     bool json, watch, no_config, crate;
     bool piped;                             /* the one file goes to standard output */
     struct bead_config *config;             /* the user's own settings, owned; NULL: none */
@@ -92,30 +92,30 @@ struct command_option {
     const char *help;           /* one line; %s: the words it takes */
     const char *const *words;   /* the only values it takes, NULL-terminated; NULL: any, or as `apply` checks */
     size_t text, flag;          /* offsets in struct command, of a text that keeps the value and of a flag that is set; 0: none */
-    enum command_action action; /* what is asked for; COMMAND_RUN: the option does not say */
+    enum command_action action; /* the action asked for; COMMAND_RUN: the option does not choose one */
     bool draws;                 /* only for programs that draw */
     enum bead_error (*apply)(struct command *command, const char *value, struct bead_message *msg); /* NULL: no more than that */
     const char
         *separators; /* for keys of the output -o: characters between the values of a list; "": one value; NULL: no such key */
     bool run;        /* 10:20 are all from 10 to 20, written 10..20 */
-    const struct bead_option *key; /* that key, where it has choices; NULL: those of the list of its name, if any */
+    const struct bead_option *key; /* that key, if it has choices; NULL: the choices of the list with its name, if any */
 };
 
 /* Row i of the table; NULL: there are no more. */
 const struct command_option *command_option(size_t i);
-/* Does this program have the option? One that does not draw has none for drawing. */
+/* Does this program have the option? A program that does not draw has no options for drawing. */
 bool command_offers(const struct command_program *program, const struct command_option *row);
 /* The only values that an option takes, at most COMMAND_MOST_WORDS of them; returns their number, 0 if any value may be tried. */
 enum { COMMAND_MOST_WORDS = 16 };
 size_t command_words(const struct command_program *program, const struct command_option *row,
                      const char *words[COMMAND_MOST_WORDS]);
 
-/* The exit status: that of the error, or 128 + N where signal N stopped the run. */
+/* The exit status: the error's, or 128 + N if signal N stopped the run. */
 int command_status(enum bead_error err, int signal);
 
-/* The actions. Errors: those of session.h, scene.h, trajectory.h; IO where stdout fails. */
+/* The actions. Errors: those of session.h, scene.h, trajectory.h; IO if stdout fails. */
 enum bead_error command_run(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);
-/* A new directory, and its end with all that is in it. Errors: IO. */
+/* Makes a new directory, and removes it with its contents. Errors: IO. */
 enum bead_error command_make_temporary(char path[PATH_MAX], struct bead_message *msg);
 void command_remove_temporary(const char *path);
 enum bead_error command_plan(const struct command *command, const volatile sig_atomic_t *stop, struct bead_message *msg);

@@ -70,8 +70,8 @@ enum bead_error bead_h5_fail_by(struct bead_h5 *h5, const char *done, int error)
     return bead_h5_fail(h5, false, "cannot be %s: %s", done, bead_file_reason(error));
 }
 
-/* A group's names (120 bytes and more) and its table of them (328) are sorted and linked within: half of the old beside half of the
- * new cannot be read. No block up to the second size lies in two pages, which could be halved. */
+/* A group's names (120 bytes and more) and its table of them (328) are sorted and linked within: half of the old with half of the
+ * new is unreadable. No block up to the second size lies in two pages, which might be written separately. */
 static const hsize_t group_block = 100, page_part = 512;
 
 /* Open the new file and empty it; false on failure. */
@@ -140,7 +140,8 @@ hid_t bead_h5_text_type(size_t size, H5T_cset_t characters)
     return type;
 }
 
-/* The type of texts of `width` bytes each, `size` bytes in all: ASCII if possible, as Octave's `load` stops at the first UTF-8. */
+/* The type of texts of `width` bytes each, `size` bytes in all: ASCII if possible, because Octave's `load` stops at the first
+ * UTF-8. */
 static hid_t type_of_texts(const char *texts, size_t size, size_t width)
 {
     H5T_cset_t characters = H5T_CSET_ASCII;

@@ -19,7 +19,7 @@
 struct bead_h5 {
     hid_t file;                  /* -1: not open in this process */
     const char *path;            /* for messages; borrowed */
-    const char *kind;            /* what it is read as, for messages: "sweep", "trajectory" */
+    const char *kind;            /* the kind it is read as, for messages: "sweep", "trajectory" */
     enum bead_error code;        /* of failures: IO when writing, FORMAT when reading */
     struct bead_h5_disk disk;    /* of a file being written */
     struct bead_h5_check check;  /* of one being read */
@@ -32,7 +32,7 @@ struct bead_h5 {
 /* Keep the first failure and its message: "path: ...", with HDF5's reason if `cause`. Returns the error. */
 enum bead_error bead_h5_fail(struct bead_h5 *h5, bool cause, const char *format, ...) BEAD_PRINTF(3, 4);
 
-/* Open HDF5's libraries, for a caller who will need them later; making or opening a file does so, too. May be called from any
+/* Open HDF5's libraries, for a caller that will need them later; making or opening a file also does so. May be called from any
  * thread. Errors: UNSUPPORTED (missing, with the package to install). */
 BEAD_CHECK enum bead_error bead_h5_load(struct bead_message *msg);
 extern const struct bead_library_info bead_h5_libraries[];
@@ -40,14 +40,14 @@ extern const struct bead_library_info bead_h5_libraries[];
  * files that it could not close. */
 void bead_h5_no_exit_handler(void);
 
-/* For tests that look into HDF5, and for fuzzing: files are read in this process, not in one of their own. */
+/* For tests that look into HDF5, and for fuzzing: files are read in this process, not in a separate one. */
 void bead_h5_stay_in_process(void);
 
 /* Make a new file, or open one for reading. `path` must outlive the bead_h5, which must not move while the file is open. */
 void bead_h5_create(struct bead_h5 *h5, const char *path, struct bead_message *msg);
 void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct bead_message *msg);
-/* Is the finished file at `path`, bit for bit, what was written? *bytes gets its length. Errors: IO, MEMORY, FORMAT (it is not, or
- * has no digests). */
+/* Is the finished file at `path`, bit for bit, as written? *bytes gets its length. Errors: IO, MEMORY, FORMAT (it is not, or has no
+ * digests). */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_message *msg);
 /* Close the file, if open; a failure to write the rest is kept. */
 void bead_h5_shut(struct bead_h5 *h5);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The process that reads HDF5 files, and how it is asked: see h5_apart.h. */
+/* The process that reads HDF5 files, and questions to it: see h5_apart.h. */
 #include "sim/hdf5/h5_apart.h"
 
 #include <errno.h>
@@ -14,7 +14,7 @@
 #include "sim/base/sandbox.h"
 #include "sim/hdf5/h5_private.h"
 
-/* Room for what is read at once: a chunk of any trajectory, or a row of one with many beads, which is no longer than its file. */
+/* Room for one read: a chunk of any trajectory, or a row of one with many beads, which is no longer than its file. */
 static const size_t least_room = 16 << 20, most_room = 1 << 30;
 
 /* Both processes see it. The asking process does not trust what the other one writes. */
@@ -36,7 +36,7 @@ struct bead_h5_apart {
 
 /* ---- in the process ---- */
 
-/* `asks`: a process that has ended is no reason to end, too. */
+/* `asks`: this process does not end if the other one has ended. */
 static bool pass_turn(int turn, bool asks)
 {
     const char byte = 0;
@@ -75,7 +75,7 @@ static _Noreturn void live(struct bead_h5 *asked, int file, int turn, struct sha
 
 /* ---- the asking process ---- */
 
-/* It ended without being asked to. */
+/* The process ended without being asked to. */
 static void tell_end(struct bead_h5 *h5)
 {
     int status = 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads HDF5 files in a separate process, in a sandbox: a file that leads HDF5 astray ends only that process, and an attacker who
- * takes it over by a file finds nothing to write to.
+ * takes it over with a file has nothing to write to.
  *
- * The functions that read (h5_read.c) ask that process where there is one; there, the same functions read (h5_serve.c). Questions,
+ * The functions that read (h5_read.c) ask that process if it exists; there, the same functions read (h5_serve.c). Questions,
  * answers and data are in memory that both share; a byte through a socket passes the turn. */
 #pragma once
 
@@ -35,7 +35,7 @@ struct bead_h5_question {
 };
 
 struct bead_h5_answer {
-    int64_t number; /* also an identifier, a truth, a length */
+    int64_t number; /* also an identifier, a truth value, a length */
     double value;
     size_t rows;
 };

@@ -124,7 +124,7 @@ static herr_t check_read(H5FD_t *public, H5FD_mem_t, hid_t, haddr_t address, siz
     while (size > 0) {
         const size_t index = (size_t)(address / BEAD_SEAL_BLOCK), skipped = (size_t)(address % BEAD_SEAL_BLOCK);
         const size_t there = (size_t)(bead_seal_end(seal, index) - address), part = there < size ? there : size;
-        if (skipped == 0 && part == there) { /* the whole block, straight to where it is wanted */
+        if (skipped == 0 && part == there) { /* the whole block, straight to its destination */
             if (!read_exactly(reader, to, part, address) || !fits(reader, index, to))
                 return -1;
         } else {

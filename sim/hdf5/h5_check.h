@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An HDF5 driver for reading: HDF5 gets no block of a sealed file (h5_seal.h) that is not as it was written.
+/* An HDF5 driver for reading: from a sealed file (h5_seal.h), HDF5 only gets blocks that are as written.
  *
  * A file that is being written grows after HDF5 has asked for its length; this driver always says how long it is now. */
 #pragma once
@@ -12,7 +12,7 @@
 struct bead_h5_check {
     int file; /* open for reading; taken over, and set to -1, when HDF5 opens the file */
     struct bead_seal seal;
-    int error; /* errno of what the driver itself could not do */
+    int error; /* errno of a failure of the driver itself */
     bool damaged;
     uint64_t from, to; /* the first block that is */
     hid_t driver;

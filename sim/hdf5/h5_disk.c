@@ -22,7 +22,7 @@ struct kept {
 struct disk {
     H5FD_t public; /* HDF5 requires it to be first */
     int file;
-    haddr_t allocated, end; /* end of what HDF5 uses, and of the file */
+    haddr_t allocated, end; /* end of the part that HDF5 uses, and of the file */
     haddr_t flushed;        /* end of the part that readers of the flushed file may read */
     bool changed;           /* since the last flush */
     struct bead_h5_disk *caller;
@@ -119,8 +119,8 @@ static void failed(struct disk *disk, int error)
         disk->caller->error = error;
 }
 
-/* Earlier writes reach the disk before later ones, through the descriptor that wrote them, which hears of failures. Some file
- * systems cannot. */
+/* Earlier writes reach the disk before later ones, through the descriptor that wrote them, to which failures are reported. Some
+ * file systems cannot do this. */
 static void synchronise(struct disk *disk)
 {
     if (!disk->caller->error && fdatasync(disk->file) != 0 && errno != EINVAL && errno != EROFS)
@@ -248,7 +248,7 @@ static unsigned entries(const unsigned char node[8])
     return memcmp(node, "TREE", 4) == 0 ? node[6] + 256u * node[7] : 0;
 }
 
-/* Has it fewer entries than on the disk? It has been split in two. */
+/* Does it have fewer entries than on the disk? Then it has been split in two. */
 static bool shrinks(const struct disk *disk, const struct kept *kept)
 {
     unsigned char before[8];
@@ -257,9 +257,9 @@ static bool shrinks(const struct disk *disk, const struct kept *kept)
            entries(before) > entries(kept->bytes);
 }
 
-/* Writes the part of one step's pieces that comes `first`, or the rest. Returns whether there was any. A piece in two pages could
- * be halved. Its end, which may point to new blocks, comes before its head, which says how much of it is in use; if that becomes
- * less, the other way round. */
+/* Writes the part of one step's pieces that comes `first`, or the rest. Returns whether there was any. A piece in two pages might
+ * be written halfway. Its end, which may point to new blocks, comes before its head, which says how much of it is in use; if that
+ * becomes less, the other way round. */
 static bool put_half(struct disk *disk, int step, bool first)
 {
     bool any = false;
@@ -280,9 +280,9 @@ static bool put_half(struct disk *disk, int step, bool first)
     return any;
 }
 
-/* New blocks are in the file already, but nothing refers to them. After each of these steps, and in the midst of one, the file can
- * be read: the superblock gets the new length, indices and groups refer to the new blocks, objects to the new indices and sizes.
- * Each step is on the disk before the next begins, as a disk that loses its power may have written the last things first. */
+/* New blocks are in the file already, but nothing refers to them. After and during each of these steps, the file can be read: the
+ * superblock gets the new length, indices and groups refer to the new blocks, objects to the new indices and sizes. Each step is on
+ * the disk before the next begins, because a disk that loses power may have written the last data first. */
 static herr_t disk_flush(H5FD_t *public, hid_t, hbool_t)
 {
     struct disk *disk = (struct disk *)public;

@@ -13,7 +13,7 @@
 #include "sim/base/file.h"
 #include "sim/base/memory.h"
 
-/* Follow no links out of the file: an untrusted file must not refer to others. */
+/* Follow no links out of the file, because an untrusted file must not refer to others. */
 static herr_t refuse_external(const char *, const char *, const char *, const char *, unsigned *, hid_t, void *)
 {
     return -1;
@@ -27,7 +27,7 @@ hid_t bead_h5_access(hid_t class)
     return access;
 }
 
-/* Files up to this size are looked through when they are opened; of larger ones, what is read is. */
+/* Files up to this size are checked completely when opened; of larger ones, the parts that are read. */
 static const uint64_t checked_whole = 64 << 20;
 
 static bool is_part(const char *path)
@@ -37,7 +37,7 @@ static bool is_part(const char *path)
     return length >= sizeof ending && strcmp(path + length - (sizeof ending - 1), ending) == 0;
 }
 
-/* A run writes the head of its file last of what is flushed first, some hundredths of a second after it has made the file. */
+/* In the first flush, a run writes the head of its file last, some hundredths of a second after making the file. */
 static void await_head(int file)
 {
     static const struct timespec moment = {.tv_nsec = 10000000};
@@ -129,8 +129,8 @@ static enum bead_error open_checked(struct bead_h5 *h5)
     }
     BEAD_H5_QUIET;
     BEAD_H5_AUTO access_list = H5Pcreate(H5P_FILE_ACCESS);
-    /* Closing the file closes all objects in it. A run that is still writing holds a lock; data it has flushed may be read.
-     * No filter is needed, so none is looked for in other files. */
+    /* Closing the file closes all objects in it. A run that is still writing holds a lock; flushed data may be read. No filter is
+     * needed, so none is searched for in other files. */
     if (access_list < 0 || H5PLset_loading_state(0) < 0 || H5Pset_fclose_degree(access_list, H5F_CLOSE_STRONG) < 0 ||
         bead_h5_check_use(access_list, &h5->check) < 0)
         return bead_h5_fail(h5, true, "cannot be opened");

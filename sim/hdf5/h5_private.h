@@ -23,7 +23,7 @@ struct bead_h5_quiet bead_h5_quiet_begin(void);
 void bead_h5_quiet_end(struct bead_h5_quiet *before);
 void bead_h5_release(hid_t *id);
 
-/* HDF5 prints nothing until the end of the block. `unused`, as clang ignores the use by the cleanup. */
+/* HDF5 prints nothing until the end of the block. `unused`, because clang ignores the use by the cleanup. */
 #define BEAD_H5_QUIET __attribute__((cleanup(bead_h5_quiet_end), unused)) struct bead_h5_quiet quiet_guard = bead_h5_quiet_begin()
 /* An identifier of any kind, closed at the end of the block. */
 #define BEAD_H5_AUTO __attribute__((cleanup(bead_h5_release))) hid_t
@@ -35,8 +35,8 @@ bool bead_h5_load_for(struct bead_h5 *h5);
 /* Open the file that h5->check has open, in this process. */
 void bead_h5_open_here(struct bead_h5 *h5);
 bool bead_h5_stays_in_process(void);
-/* Opens a file for reading as bead_file_look does. An unfinished one that was made a moment ago has its head then, and one that has
- * been finished meanwhile is found under its name. */
+/* Opens a file for reading as bead_file_look does. Waits for the head of an unfinished file made a moment ago, and finds one
+ * finished meanwhile under its name. */
 int bead_h5_look(const char *path);
 /* bead_h5_is of an open file; -1: no. */
 bool bead_h5_is_open(int file);

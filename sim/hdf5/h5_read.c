@@ -81,8 +81,8 @@ static bool type_is_own(hid_t type)
                          H5Tequal(type, H5T_STD_U8LE) > 0 || (H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0));
 }
 
-/* Why data are not laid out as this program lays them out, within their file; NULL: they are. A file that is not trusted could
- * refer to others, unpack to any size, or lead HDF5 astray. */
+/* Why data do not have this program's layout within their file; NULL: they do. A file that is not trusted could refer to others,
+ * unpack to any size, or lead HDF5 astray. */
 static const char *strange(const struct bead_h5 *h5, hid_t dataset)
 {
     BEAD_H5_AUTO list = H5Dget_create_plist(dataset);
@@ -243,7 +243,7 @@ void bead_h5_read_texts(struct bead_h5 *h5, const char *name, struct bead_h5_tex
         texts[i].text[sizeof texts[i].text - 1] = '\0';
 }
 
-/* The text that the process apart has found; to be freed. */
+/* The text found by the separate process; to be freed. */
 static char *ask_text(struct bead_h5 *h5, const char *name, size_t limit)
 {
     const int64_t length = bead_h5_ask(h5, name, (struct bead_h5_question){.what = BEAD_H5_TEXT, .rows = limit}, NULL).number;

@@ -27,8 +27,8 @@ static uint64_t word_at(const unsigned char *bytes)
     return le64toh(word);
 }
 
-/* 64 bits, never 0. Four lanes, as one multiplication waits for another. Each step can be undone, so a change of one word always
- * shows. */
+/* 64 bits, never 0. Four lanes, because one multiplication waits for another. Each step is invertible, so a change of one word
+ * always shows. */
 static uint64_t digest_of(const void *bytes, size_t size)
 {
     enum { STRIDE = 4 * sizeof(uint64_t) };

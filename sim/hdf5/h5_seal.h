@@ -3,7 +3,7 @@
  *
  * HDF5 ignores what follows the end that its superblock names, so the seal is there: a mark, `covered` (bytes of the file before
  * the seal), a digest for each block of these, the length of the seal, the digest of all this, a mark again. Numbers are 64 bits,
- * little endian. One flipped bit spoils one mark at most, so that a damaged seal is told from none. A program that changes the file
+ * little endian. One flipped bit spoils one mark at most, so that a damaged seal differs from none. A program that changes the file
  * cuts the seal off. Digests show damage; they do not protect against intent. */
 #pragma once
 
@@ -19,9 +19,9 @@ struct bead_seal {
     size_t room;      /* of `digest` */
 };
 
-/* Note that these bytes were written: blocks within them are known, blocks that they touch are not. False: no memory. */
+/* Note that these bytes were written: blocks within them are known, blocks they only touch are not. False: no memory. */
 bool bead_seal_note(struct bead_seal *seal, uint64_t address, size_t size, const void *bytes);
-/* Read what is not known, and append the seal to the open file, whose length is `covered`. Returns 0 or an errno. */
+/* Read unknown blocks, and append the seal to the open file, whose length is `covered`. Returns 0 or an errno. */
 int bead_seal_write(struct bead_seal *seal, int file, uint64_t covered);
 
 enum bead_seal_state { BEAD_SEAL_NONE, BEAD_SEAL_THERE, BEAD_SEAL_DAMAGED, BEAD_SEAL_NO_MEMORY };

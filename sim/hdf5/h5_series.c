@@ -5,8 +5,8 @@
 /* Columns in a chunk, at most, so that no chunk nears HDF5's limit of 4 GB. */
 static const hsize_t widest_chunk = 1 << 20;
 
-/* Allocate also the components that are never written, as jsfive cannot read missing chunks. They extend the file without a write:
- * these zeros take no room on most disks. */
+/* Also allocate the components that are never written, because jsfive cannot read missing chunks. They extend the file without a
+ * write, and take no room on most disks. */
 static herr_t reserve_chunks(hid_t layout)
 {
     return H5Pset_alloc_time(layout, H5D_ALLOC_TIME_EARLY) < 0 ? -1 : H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER);

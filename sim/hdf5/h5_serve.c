@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Opens a file in a process apart, and answers requests there: see h5_apart.h. */
+/* Opens a file in a separate process, and answers requests there: see h5_apart.h. */
 #include "sim/hdf5/h5_apart.h"
 #include "sim/hdf5/h5_private.h"
 
@@ -10,7 +10,7 @@
 
 #include "sim/base/file.h"
 
-/* The process apart does the reading: numbers are put 8 bytes apart, texts as they are. */
+/* The separate process does the reading: numbers are put 8 bytes apart, texts as they are. */
 static struct bead_h5_answer answer(struct bead_h5 *h5, const char *name, struct bead_h5_question q, void *bytes)
 {
     struct bead_h5_answer a = {0};
@@ -83,7 +83,7 @@ void bead_h5_open(struct bead_h5 *h5, const char *path, const char *kind, struct
         .file = -1, .path = path, .kind = kind, .code = BEAD_ERROR_FORMAT, .msg = msg, .check = {.file = -1, .driver = -1}};
     h5->check.file = bead_h5_look(path);
     if (h5->check.file < 0 || fstat(h5->check.file, &found) != 0) {
-        const int error = errno; /* directories and pipes are there, but of no format */
+        const int error = errno; /* directories and pipes exist, but have no format */
         h5->code = error == EISDIR || error == ENXIO ? BEAD_ERROR_FORMAT : BEAD_ERROR_IO;
         bead_h5_fail_by(h5, "read", error);
         h5->code = BEAD_ERROR_FORMAT;

@@ -74,7 +74,7 @@ static const struct bead_option card_rows[] = {
 const struct bead_options bead_card_options = {"outputs.card", "a title card with title, chains and scale of time",
                                                BEAD_OPTIONS(card_rows), NULL, NULL};
 
-/* The unit behind times of the motion in messages. */
+/* The unit after times of the motion in messages. */
 static const char *unit_of(const struct bead_reader *reader)
 {
     return *bead_scene_system(reader->scene)->time_unit ? " s" : "";

@@ -60,7 +60,7 @@ static enum bead_error check_orientation(const struct bead_reader *reader, const
         "is matrix, which is how pictures without axes lie: needs `axes: false`; must be time-right or time-down");
 }
 
-/* Views need chains that have what they show. */
+/* Views need chains with the quantities they show. */
 BEAD_OUTPUT_CHECK(bead_output_check_views)
 {
     const struct bead_views_asked *views = &output->views;

@@ -47,7 +47,7 @@ static const struct bead_options sweep_image_options = {
     "image of a sweep", "mean of a field over all chains of a sweep, in space and time; each runs for it",
     BEAD_OPTIONS(sweep_image_rows), sweep_image_shared, &bead_output_family};
 
-/* A mean over magnetisms would say nothing. */
+/* A mean over magnetisms would be meaningless. */
 static BEAD_OUTPUT_CHECK(check_sweep_image)
 {
     const struct bead_scene *scene = reader->scene;

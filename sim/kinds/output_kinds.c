@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kinds of outputs, in the order of their enum, and what everybody asks of them. */
+/* The kinds of outputs, in the order of their enum, and queries of them. */
 #include "sim/kinds/output_kinds.h"
 
 #include "beadreel/sink.h"
@@ -36,7 +36,7 @@ bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind sourc
     switch (source) {
     case BEAD_OF_TRAJECTORIES:
     case BEAD_OF_DIFFERENCE:
-    case BEAD_OF_TRAJECTORY: /* what it was made with does not make another one */
+    case BEAD_OF_TRAJECTORY: /* a trajectory is not made from one */
         return type->options && !type->stores_samples;
     case BEAD_OF_SWEEP:
         return type->sweep_options;
@@ -82,7 +82,7 @@ const char *bead_output_kind_name(const struct bead_output *output)
     return output->own ? output->own->name : bead_output_key(output->kind);
 }
 
-/* The kinds, those that sweeps have otherwise, and panels. */
+/* The kinds, those with different keys in sweeps, and panels. */
 const struct bead_options *bead_output_options(size_t index)
 {
     static const struct bead_options *const panels[] = {&bead_image_panel_options, &bead_plot_panel_options};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Kinds of outputs: the type of each says what it is called, which keys it has, how they are checked, and what sets the kind apart.
- * Parser, help, messages, --set, --info and sessions ask the types. */
+/* Kinds of outputs: the type of each has its name, its keys, their checks, and its traits. Parser, help, messages, --set, --info
+ * and sessions ask the types. */
 #pragma once
 
 #include "sim/base/internal.h"
@@ -36,15 +36,15 @@ struct bead_output_type {
     bool draws;
     bool only_in_scenes;                /* of a sweep, or of several trajectories: a file name alone means another kind */
     bool shows_configurations;          /* of a sweep, or of a chain that could be one: --sheet */
-    const char *shown_of[BEAD_SOURCES]; /* the `show` that a file name alone asks for; NULL: its default */
+    const char *shown_of[BEAD_SOURCES]; /* the `show` that only a file name asks for; NULL: its default */
 };
 
 /* The type of a kind, and its key: "image". */
 const struct bead_output_type *bead_output_type(enum bead_output_kind kind);
 const char *bead_output_key(enum bead_output_kind kind);
-/* The key that an output has, which of those of the program's own is their sink's name. */
+/* The key of an output; for outputs of a program's own sinks, the name of the sink. */
 const char *bead_output_kind_name(const struct bead_output *output);
-/* The program's own sink for files that end so; NULL: none. */
+/* The program's own sink for files with this ending; NULL: none. */
 const struct bead_sink_type *bead_output_own_of(const struct bead_own *own, const char *file);
 /* The file endings of a kind: ".png, .pdf, .svg or .eps". */
 const char *bead_output_endings(enum bead_output_kind kind);
@@ -56,26 +56,26 @@ bool bead_output_made_of(enum bead_output_kind kind, enum bead_source_kind sourc
 bool bead_output_ending_means(enum bead_output_kind kind, enum bead_source_kind source);
 /* The kind that a file's ending asks for: the first that can be made. BEAD_OUTPUT_KINDS: none. */
 enum bead_output_kind bead_output_kind_of(const char *file, enum bead_source_kind source);
-/* The file that an output makes besides its own, as its path, and the key that asks for it; "": none. */
+/* The path of the second file that an output makes, and the key that asks for it; "": none. */
 const char *bead_output_second(const struct bead_output *output, const char **key);
 /* Does a file end like one of these? */
 BEAD_INTERNAL bool bead_output_ends_like(const char *endings, const char *path);
 
 /* The contents of plots and tables: one row for each value of `show`. */
 struct bead_show_type {
-    const char *const *keys;      /* that it takes besides those of all plots and tables */
+    const char *const *keys;      /* that it takes in addition to those of all plots and tables */
     const char *why_not;          /* it takes no others */
     const char *without_contacts; /* why it needs contacts; NULL: it does not */
     unsigned ends;                /* bits of the kinds that need to know the end of the run before it starts */
-    bool drawing;                 /* of the scene, with keys of its own; nothing is computed */
+    bool drawing;                 /* of the scene, with its own keys; nothing is computed */
     bool modes;                   /* energies of modes */
     bool of_field;                /* the output's `field` */
     bool vibrations;              /* of the chain at rest, whose contacts must be closed; nothing is run */
     bool of_places;               /* of the beads and contacts listed, or of sensors */
     bool of_run;                  /* kept by a run: no trajectory has it */
     bool of_motion;               /* its field is velocity by default */
-    bool own_times;               /* no samples but its own are close enough */
-    bool of_powers;               /* powers of time are found in it: its times widen */
+    bool own_times;               /* only its own samples are close enough */
+    bool of_powers;               /* it shows powers of time: its times widen */
 };
 BEAD_INTERNAL const struct bead_show_type *bead_show_type(enum bead_show show);
 /* The `show` of a single run that curves of a sweep's chains correspond to; BEAD_SHOW_COUNT: there is none. */

@@ -55,7 +55,7 @@ static enum bead_error read_own(struct bead_reader *reader, const struct bead_at
 
 /* ---- an entry ---- */
 
-/* Which kind: the one key of the map that is the name of one. */
+/* Finds the kind: the one key of the map that names one. */
 static enum bead_error find_kind(const struct bead_reader *reader, const struct bead_at *at, struct bead_output *output)
 {
     size_t found = 0;
@@ -75,7 +75,7 @@ static enum bead_error find_kind(const struct bead_reader *reader, const struct 
     output->kind = BEAD_OUTPUT_OWN;
     if (output->own)
         return BEAD_OK;
-    /* No key is the name of a kind: is one nearly so? */
+    /* No key is the name of a kind: is one similar? */
     char all[160] = "", near[96];
     for (size_t i = 0; i + 1 < at->node->count; i += 2) {
         struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
@@ -179,7 +179,7 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
 
 /* ---- the list ---- */
 
-/* Place in the entry's map of its list of files; 0: it names one. */
+/* The position in the entry's map of its list of files; 0: it names one file. */
 static size_t find_list(const struct bead_node *entry)
 {
     for (enum bead_output_kind kind = 0; kind < BEAD_OUTPUT_KINDS; kind++) {
@@ -192,7 +192,7 @@ static size_t find_list(const struct bead_node *entry)
     return 0;
 }
 
-/* An output that names several files, {plot: [a.pdf, a.png], ...}, is as many outputs; 0: its list is empty. */
+/* An output that names several files, {plot: [a.pdf, a.png], ...}, is that many outputs; 0: its list is empty. */
 static size_t files_of(const struct bead_node *entry)
 {
     size_t list = find_list(entry);

@@ -36,7 +36,7 @@ static BEAD_OPTION_READER(read_until)
     return read_end(reader, at, &((struct bead_output *)settings)->shown.time[1]);
 }
 
-/* A word, followed by a number or a name where it needs one. */
+/* A word, followed by a number or a name if it needs one. */
 static BEAD_OPTION_READER(read_sound)
 {
     struct bead_sound_asked *sound = &((struct bead_output *)settings)->movie.sound;

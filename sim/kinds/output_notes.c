@@ -92,7 +92,7 @@ BEAD_OPTION_READER(bead_output_read_stops)
     return BEAD_OK;
 }
 
-/* Beads, contacts and walls that there are; in one of the chains, if the note is for all. */
+/* The bead, contact or wall must exist; in one of the chains, if the note is for all. */
 static enum bead_error check_thing(const struct bead_reader *reader, const struct bead_at *at, const struct bead_note *note)
 {
     const struct bead_scene *scene = reader->scene;

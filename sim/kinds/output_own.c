@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kind of outputs that a program's own sinks make: keys for what of the chains they get. The key of the file is the sink's
+/* The kind of outputs made by a program's own sinks: keys for the parts of the chains they get. The key of the file is the sink's
  * name: output_list.c. */
 #include <string.h>
 

@@ -63,7 +63,7 @@ static void fit_stage(const struct bead_reader *reader, const struct bead_at *at
     }
 }
 
-/* Each chain has its own panel, except in plots of peaks and where all share one; of the curves of a sweep each place has. */
+/* Each chain has its own panel, except in plots of peaks and if all share one; for the curves of a sweep, each place does. */
 static bool side_by_side(const struct bead_reader *reader, const struct bead_output *output)
 {
     const bool one = output->kind == BEAD_OUTPUT_PLOT && (output->curves.show == BEAD_SHOW_PEAKS || output->curves.overlay);
@@ -72,7 +72,7 @@ static bool side_by_side(const struct bead_reader *reader, const struct bead_out
     return reader->scene->chain_count > 1 && !one;
 }
 
-/* An output without `size` has that of its style, its panels or its kind of file. */
+/* An output without `size` has the size of its style, its panels or its kind of file. */
 static enum bead_error settle_size(const struct bead_reader *reader, const struct bead_at *at, bool draws,
                                    struct bead_output *output)
 {

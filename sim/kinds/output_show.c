@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* `show`: what plots and tables can show, and which keys go with what. */
+/* `show`: what plots and tables can show, and the keys for each. */
 #include <string.h>
 
 #include "beadreel/law.h"
@@ -104,7 +104,7 @@ const struct bead_show_type *bead_show_type(enum bead_show show)
     return &shows[show];
 }
 
-/* Keys that only some of them take; of sweeps `row` is NULL. */
+/* Keys that only some of them take; for sweeps `row` is NULL. */
 static enum bead_error check_keys(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output,
                                   const struct bead_option *row)
 {
@@ -141,7 +141,7 @@ static enum bead_error check_moments(const struct bead_reader *reader, const str
     return BEAD_OK;
 }
 
-/* The places listed must have what is shown. */
+/* The places listed must have the quantity shown. */
 static enum bead_error check_listed(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
     const struct bead_scene *scene = reader->scene;
@@ -167,7 +167,7 @@ static enum bead_error check_listed(const struct bead_reader *reader, const stru
     return BEAD_OK;
 }
 
-/* Places need a sensor where none is listed. */
+/* Without listed places, there must be a sensor. */
 static enum bead_error check_places(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
     const struct bead_curves_asked *curves = &output->curves;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kinds of output that only sweeps have, results and contact sheets, and what plots, tables and reports of sweeps share. */
+/* The kinds of output that only sweeps have, results and contact sheets, and the parts shared by plots, tables and reports of
+ * sweeps. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -142,7 +143,7 @@ const struct bead_output_type bead_sweep_output = {.sweep_options = &sweep_file_
 
 /* ---- the sheet ---- */
 
-/* Cells are whole numbers: magnetisms asked for may be this far off. */
+/* Cells are whole numbers, so magnetisms asked for may be this far off. */
 static const double sheet_near = 0.05;
 
 static BEAD_OPTION_READER(read_magnetism)

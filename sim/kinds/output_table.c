@@ -60,8 +60,8 @@ static BEAD_OUTPUT_CHECK(check_show)
     return bead_output_check_show(reader, at, output, &table_options);
 }
 
-/* A damped contact's force jumps as it closes: the derivatives of what follows would jump with it. Springs are not in the equations
- * of the derivatives. */
+/* A damped contact's force jumps as it closes, and later derivatives would jump with it. Springs are not in the equations of the
+ * derivatives. */
 static enum bead_error check_derivatives(const struct bead_reader *reader, const struct bead_at *at, const char *key,
                                          const char *what)
 {
@@ -128,7 +128,7 @@ const struct bead_output_type bead_table_output = {.options = &table_options,
                                                    .checks = {bead_output_check_times, check_show, check_sensitivities},
                                                    .check_sweep = bead_output_check_sweep_curves,
                                                    .shows = true,
-                                                   /* The peaks that sweeps measure are those of bead forces. */
+                                                   /* Sweeps measure peaks of bead forces. */
                                                    .shown_of = {[BEAD_OF_CONFIGURATION] = "bead-peaks",
                                                                 [BEAD_OF_TRAJECTORY] = "sensors",
                                                                 [BEAD_OF_TRAJECTORIES] = "sensors",

@@ -5,7 +5,7 @@
 
 #include "sim/kinds/outputs.h"
 
-/* The file beside "run.h5" is "run.xdmf"; its readers take what follows a colon for the name of a dataset. */
+/* The file beside "run.h5" is "run.xdmf"; its readers take text after a colon for the name of a dataset. */
 static BEAD_OPTION_READER(read_xdmf)
 {
     struct bead_output *output = settings;

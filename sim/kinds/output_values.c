@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Readers of the values of outputs' keys that are more than a number, a word or a choice. */
+/* Readers of values of outputs' keys that are more than a number, a word or a choice. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ bool bead_output_ends_like(const char *endings, const char *path)
     return false;
 }
 
-/* "; did you mean `movie: a.mp4`?": the first kind of output whose files end like this; "": none. */
+/* "; did you mean `movie: a.mp4`?": the first kind of output with this ending of files; "": none. */
 static const char *suggest_kind(const struct bead_reader *reader, const char *path, char *text, size_t size)
 {
     const struct bead_options *table;
@@ -109,7 +109,7 @@ BEAD_OPTION_READER(bead_output_read_views)
     return err;
 }
 
-/* `each`: in chains of unlike lengths `last` is the last one of each. */
+/* `each`: in chains of different lengths `last` is the last one of each. */
 static enum bead_error read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, bool each,
                                   size_t *index)
 {
@@ -352,7 +352,7 @@ static const char *unit_of(const struct bead_reader *reader, enum bead_field fie
     return *bead_scene_system(reader->scene)->time_unit ? bead_field_info(field)->unit : "";
 }
 
-/* Longer than other texts: 1024 colours. Names are those of the program that draws. */
+/* Longer than other texts: 1024 colours. The program that draws knows the names. */
 BEAD_OPTION_READER(bead_output_read_colormap)
 {
     char **map = (char **)(void *)((char *)settings + option->offset);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Messages about outputs that have been read: the tree of the scene knows where each of their keys was given. */
+/* Messages about outputs that have been read: the tree of the scene has the place of each of their keys. */
 #include "beadreel/scene.h"
 
 #include <stdarg.h>

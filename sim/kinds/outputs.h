@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Inside of the kinds of outputs: rows, readers and checks that their tables share, and the list of outputs. */
+/* The inside of the kinds of outputs: rows, readers and checks shared by their tables, and the list of outputs. */
 #pragma once
 
 #include "sim/kinds/output_kinds.h"
@@ -112,26 +112,26 @@ BEAD_CHECK enum bead_error bead_output_check_said(struct bead_reader *reader, co
                                                   const struct bead_caption *said);
 /* Notes have all but the last, `pause`. */
 extern const struct bead_option bead_caption_rows[5];
-/* The keys that go with what is shown, by the row `show` of the table that was read. */
+/* Checks that the keys go with `show`, by its row in the table that was read. */
 BEAD_CHECK enum bead_error bead_output_check_show(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_output *output, const struct bead_options *options);
 /* The same for curves of the chains of a sweep. */
 BEAD_CHECK BEAD_OUTPUT_CHECK(bead_output_check_lines);
-/* Do all chains have modes, as the value of a key wants? */
+/* Do all chains have modes, as the value of a key requires? */
 BEAD_CHECK enum bead_error bead_output_need_modes(const struct bead_reader *reader, const struct bead_at *at, const char *key);
-/* Is the size one that can be drawn? */
+/* Can the size be drawn? */
 BEAD_CHECK enum bead_error bead_output_check_size(const struct bead_reader *reader, const struct bead_at *at,
                                                   const struct bead_paper *paper);
 
 /* The value of `outputs`. Errors: SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct bead_at *at);
 
-/* Traits that all outputs of the program's own share; their settings, by the table that their sink makes of it. */
+/* Traits shared by all outputs of a program's own sinks; their settings, by the table that the sink makes from it. */
 extern const struct bead_output_type bead_own_output;
 /* Is every sink complete, with a name that is not a kind's? Errors: USAGE. */
 BEAD_CHECK enum bead_error bead_output_check_own(const struct bead_own *own, struct bead_message *msg);
 
-/* Settings of which a kind has no key. */
+/* Settings for which a kind has no key. */
 extern const struct bead_output bead_output_automatic;
 /* The settings of an output or panel, which begins as bead_output_automatic, with its kind and place, by the tables and checks of
  * `type`. */

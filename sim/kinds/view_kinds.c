@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of views as scenes know them: names and traits, without any drawing. Scene parsing and render both ask it. */
+/* The table of views, as scenes use them: names and traits, without any drawing. Scene parsing and render both ask it. */
 #include "sim/kinds/view_kinds.h"
 
 const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS] = {
@@ -8,7 +8,7 @@ const struct bead_view_info bead_view_infos[BEAD_VIEW_KINDS] = {
 #undef VIEW
 };
 
-/* A view's type begins with its traits; the rest is for those who draw. */
+/* A view's type begins with its traits; the rest is for drawing. */
 static const struct bead_view_info *info_of(const struct bead_view_type *type)
 {
     return *(const struct bead_view_info *const *)(const void *)type;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Waves from files, of drives and of what was measured: their points become a part of the scene's text, so that the text stored in
+/* Waves from files, for drives and measured data: their points become a part of the scene's text, so that the text stored in
  * trajectories is complete. */
 #include <math.h>
 #include <stdlib.h>
@@ -79,7 +79,7 @@ static const char *field_of(const char *line, size_t index, size_t *length)
     return line;
 }
 
-/* Is the field this name? Ignores blanks and quotation marks around it. */
+/* Is the field equal to this name? Ignores blanks and quotation marks around it. */
 static bool is_named(const char *field, size_t length, const char *name)
 {
     static const char around[] = " \"";
@@ -114,7 +114,8 @@ static const char *next_line(const char *line)
     return end ? end + 1 : "";
 }
 
-/* The first line that has both columns; NULL: there is none, and `missing` is one that no line has beside the other. */
+/* The first line that has both columns; NULL: there is none, and `missing` is the column that no line has together with the
+ * other. */
 static const char *find_columns(const struct wave_file *file, const char *text, size_t columns[2], const char **missing)
 {
     *missing = NULL;
@@ -141,7 +142,7 @@ static bool number_in(const char *line, size_t column, double *number)
 }
 
 /* Instruments write their settings first, then the names of columns, and some of them units: numbers begin where both columns have
- * one. From there on lines without anything, and those that begin with #, count for nothing. */
+ * one. After that, empty lines and lines that begin with # are ignored. */
 static enum bead_error write_points(const struct bead_reader *reader, const struct bead_at *at, const struct wave_file *file,
                                     const char *text, FILE *out)
 {
@@ -211,7 +212,7 @@ static enum bead_error take_points(struct bead_reader *reader, const struct bead
     return err;
 }
 
-/* Settings, which may be laid over a scene once more, name another file, or read the file in another way. */
+/* Settings, which may be applied to the scene again, may name another file, or read the file in another way. */
 static enum bead_error keep(const struct bead_reader *reader, struct bead_node *node)
 {
     node->was = bead_yaml_copy(reader->yaml, node, node->place, NULL);
@@ -230,7 +231,7 @@ static enum bead_error take_wave(struct bead_reader *reader, const struct bead_a
     return BEAD_OK;
 }
 
-/* The map has its points instead of the keys of its file; a name alone is that of a file. */
+/* Replaces the keys of the map's file by its points; a name alone is a file's. */
 static enum bead_error take_measured(struct bead_reader *reader, const struct bead_at *at, bool *changed)
 {
     struct bead_node *node = (struct bead_node *)(uintptr_t)at->node;
@@ -320,7 +321,7 @@ enum bead_error bead_wave_points_read(const struct bead_reader *reader, const st
 
 /* ---- what was measured ---- */
 
-/* By the conversion of its map: value = offset + gain of the column, time = start + that of the column. */
+/* By the conversion of its map: value = offset + gain times the column, time = start + the column's time. */
 static enum bead_error read_measured(struct bead_reader *reader, const struct bead_at *at, const char *unit,
                                      struct bead_measured *measured)
 {

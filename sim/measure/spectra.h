@@ -40,7 +40,7 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_spectra_of(const struct bead_spect
 BEAD_INTERNAL const struct bead_medium *bead_spectra_medium(const struct bead_spectra *spectra, size_t chain);
 
 /* A line of a dispersion: the strongest at this wave number, within a band's share of the frequencies (half-way to its neighbours).
- * */
+ */
 struct bead_spectral_line {
     double exact, found, amplitude; /* Hz; exact NaN: no band. `found` lies between rows, on a parabola through the logarithms of
                                      * three (with Hann's window at most 2 % of a step off) */

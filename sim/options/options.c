@@ -160,7 +160,7 @@ static bool is_usual(const struct bead_option *option, double value)
     return value == 0 || (fabs(value) >= option->usual[0] && !(option->usual[1] > 0 && fabs(value) > option->usual[1]));
 }
 
-/* The unit in which a number without one is likely to be meant; NULL: as it is. */
+/* The unit that a number without one was probably meant in; NULL: as it is. */
 static const char *likely_unit(const struct bead_reader *reader, const struct bead_option *option, const char *text, double value)
 {
     char with_unit[160], why[200];
@@ -184,7 +184,7 @@ enum bead_error bead_read_number(const struct bead_reader *reader, const struct 
         plain.unit = NULL;
         option = &plain;
     }
-    if (!is_scalar(at->node)) /* words for a message are put together where it is needed: most values are right */
+    if (!is_scalar(at->node)) /* words for a message are only made when needed: most values are right */
         return bead_read_scalar(reader, at, bead_option_allowed(option, allowed, sizeof allowed), &text);
     text = at->node->text;
     if (option->word && strcmp(text, option->word) == 0) {
@@ -488,7 +488,7 @@ enum bead_error bead_options_read(struct bead_reader *reader, const struct bead_
         struct bead_at key = {at, at->node->items[i]->text, 0, at->node->items[i]};
         err = bead_options_find(options, key.key) ? BEAD_OK : foreign_key(reader, &key, options);
     }
-    const bool misspelt = kept || err; /* what seems to be missing may be that */
+    const bool misspelt = kept || err; /* that may be the key that seems to be missing */
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && (row = bead_options_row(options, i)); i++) {
         const struct bead_node *value = bead_node_get(at->node, row->key, NULL);
         struct bead_at key = {at, row->key, 0, value ? value : at->node};

@@ -54,7 +54,7 @@ struct bead_reader {
     struct bead_faults *faults; /* NULL: the first is the only one */
     struct bead_faults *doubts; /* numbers without a unit that can hardly be meant; NULL: they are not collected */
     bool unsound;               /* the chains are wrong: nothing can be checked against them */
-    bool without_units;         /* what moves has none: see bead_option.of_motion */
+    bool without_units;         /* the system has none: see bead_option.of_motion */
 };
 
 /* The errors of a scene: one line each, as many as fit. */
@@ -62,7 +62,7 @@ struct bead_faults {
     size_t count;
     struct bead_message lines;
 };
-/* After one thing was read: keeps the error of the whole, and says whether to read the next. */
+/* Call it after reading an element: keeps the error of the whole, and returns whether to read the next. */
 bool bead_reads_on(const struct bead_reader *reader, enum bead_error err, enum bead_error *kept);
 
 enum { BEAD_OPEN_LOW = 1, BEAD_OPEN_HIGH = 2 }; /* the limit itself is not allowed */
@@ -73,7 +73,7 @@ enum { BEAD_OPEN_LOW = 1, BEAD_OPEN_HIGH = 2 }; /* the limit itself is not allow
     enum bead_error name(BEAD_UNUSED struct bead_reader *reader, BEAD_UNUSED const struct bead_at *at, \
                          BEAD_UNUSED const struct bead_option *option, BEAD_UNUSED void *settings)
 
-/* A row gives its key, type and place in this order, and by name what else it has. */
+/* A row gives its key, type and place in this order, and other members by name. */
 struct bead_option {
     const char *key;
     enum bead_option_type type;
@@ -91,17 +91,17 @@ struct bead_option {
     double word_value;
     const char *const *choices; /* NULL-terminated */
     const unsigned *values;     /* what the choices mean; NULL: their index */
-    const char *shape;          /* what a custom value looks like, or other words for the range of a number */
+    const char *shape;          /* the form of a custom value, or other words for the range of a number */
     const char *help;
     /* The form of a custom value, for the schema: "number", "flag", "text", "any" (also NULL), the heading of a table, or a word
      * that means itself; [lists of], [2 of], {maps of}, and a|b. */
     const char *like;
-    bool of_motion;              /* a time of what moves: without a unit where that has none */
+    bool of_motion;              /* a time of the motion: without a unit if the system has none */
     BEAD_OPTION_READER((*read)); /* of custom values; NULL: those that need the key look it up */
     const struct bead_options *map;
 };
 
-/* In rows: a time of what moves. In a second, a pulse passes some ten thousand beads. */
+/* In rows: a time of the motion. A pulse passes some ten thousand beads in a second. */
 #define BEAD_TIME_OF_MOTION .unit = "s", .of_motion = true, .low = 0, .high = 1e6, .usual = {0, 1}, .likely = BEAD_LIKELY("ms")
 #define BEAD_LIKELY(...)  \
     (const char *const[]) \
@@ -147,7 +147,7 @@ const char *bead_options_heading(const struct bead_options *options, char *text,
 void bead_options_help(const struct bead_options *options, FILE *out);
 void bead_options_man(const struct bead_options *options, FILE *out);
 
-/* Does a number have limits? A count always has, also where they are equal. */
+/* Does a number have limits? A count always does, even if they are equal. */
 bool bead_option_is_bounded(const struct bead_option *option);
 /* "must be ..." of a row: "from 0 to 10000 m/s or auto" into `text`; returns text. */
 const char *bead_option_allowed(const struct bead_option *option, char *text, size_t size);
@@ -158,12 +158,12 @@ enum bead_error bead_wrong(const struct bead_reader *reader, const struct bead_a
 void bead_doubt(const struct bead_reader *reader, const struct bead_at *at, const char *unit, const char *likely);
 /* Fail at the place of a key in the map at `at`. */
 #define BEAD_WRONG_KEY(reader, at, key, ...) bead_wrong(reader, (const struct bead_at[]){bead_at_key(at, key)}, __VA_ARGS__)
-/* Two keys of which a map may have one: fails where the map around `at` has `other`, too. Errors: SCENE. */
+/* Two keys of which a map may have one: fails if the map around `at` also has `other`. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_not_beside(const struct bead_reader *reader, const struct bead_at *at, const char *other);
-/* Keys that have no place in this map, ending with NULL, and the reason. Errors: SCENE. */
+/* Keys that do not belong in this map, ending with NULL, and the reason. Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_without(const struct bead_reader *reader, const struct bead_at *at, const char *const *keys,
                                         const char *why);
-/* Fail with what is there: "is 5; must be WANTED". */
+/* Fail with the value: "is 5; must be WANTED". */
 enum bead_error bead_must_be(const struct bead_reader *reader, const struct bead_at *at, const char *wanted);
 /* A list of 1 to `most` values, which are called `what` ("entries"). Errors: SCENE. */
 BEAD_CHECK enum bead_error bead_need_list(const struct bead_reader *reader, const struct bead_at *at, const char *wanted,
@@ -171,9 +171,9 @@ BEAD_CHECK enum bead_error bead_need_list(const struct bead_reader *reader, cons
 enum bead_error bead_no_memory(const struct bead_reader *reader);
 /* Does the map at `at` have the key? */
 bool bead_given(const struct bead_at *at, const char *key);
-/* The place of `key` in the map at `at`: of its value, or of the map where it has none. */
+/* The place of `key` in the map at `at`: of its value, or of the map if it has none. */
 struct bead_at bead_at_key(const struct bead_at *at, const char *key);
-/* The place of a list's item; a value that is no list is its only one. */
+/* The place of a list's item; a value that is not a list is its only one. */
 struct bead_at bead_at_item(const struct bead_at *at, size_t index);
 
 /* Readers of single values, for custom options. */
@@ -191,6 +191,7 @@ enum { BEAD_CHOICES = 30 }; /* the most, where a list of them is made */
 BEAD_CHECK enum bead_error bead_read_choice(const struct bead_reader *reader, const struct bead_at *at, const char *const *choices,
                                             unsigned *value);
 BEAD_CHECK enum bead_error bead_read_flag(const struct bead_reader *reader, const struct bead_at *at, bool *value);
-/* One line of text, without control characters and what Unicode reserves, that does not turn the text after it: a key, say. */
+/* One line of text, for example a key, without control characters or characters reserved by Unicode, that does not turn the text
+ * after it. */
 BEAD_CHECK enum bead_error bead_check_text(const struct bead_reader *reader, const struct bead_at *at, const char *text);
 BEAD_CHECK enum bead_error bead_read_text(const struct bead_reader *reader, const struct bead_at *at, char **text);

@@ -40,8 +40,7 @@ static enum bead_error energy_sample(struct bead_sink *sink, const struct bead_s
 }
 
 /* The sum is constant to 1e-10 of the input. Runs may lose twice their accuracy of the energy before they shorten steps (drift_part
- * in run/run.c), as much again until they notice, and with damping, where they do not, up to four times: a tenth is asked for.
- * */
+ * in run/run.c), as much again until they notice, and with damping, where they do not, up to four times: a tenth is asked for. */
 const struct table bead_table_energy = {.accuracy = 1e-11,
                                         .why = "the energy budget",
                                         .prepare = energy_prepare,

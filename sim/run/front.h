@@ -20,8 +20,7 @@ bool bead_front_is_lost(const struct bead_front *front, const struct bead_steppe
 BEAD_CHECK enum bead_error bead_front_watch(struct bead_front *front, const struct bead_stepper *stepper, struct bead_message *msg);
 
 /* Passing: the time when the first pulse is over at the end of the chain, so that plots show the whole pulse. Ends runs without
- * `until`.
- * */
+ * `until`. */
 
 /* Two places count: the last contact, and the bead of the last sensor with its two contacts. The pulse is over when their force,
  * without its static part, falls below 5 % of its maximum so far, or has a minimum below 50 % of it; at the latest, after the

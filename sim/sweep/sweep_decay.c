@@ -81,8 +81,7 @@ static double bound(const struct decay_panel *p, size_t used, size_t all)
     return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
 }
 
-/* Lists the differences of a profile's logarithms from those of finer runs; returns the number of chains that have them.
- * */
+/* Lists the differences of a profile's logarithms from those of finer runs; returns the number of chains that have them. */
 static size_t find_changes(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, enum sweep_profile which)
 {
     const size_t beads = p->shown->beads;

@@ -83,8 +83,7 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     return BEAD_OK;
 }
 
-/* Relative uncertainty of a place's forces and their times, where it was not measured: the worst measured.
- * */
+/* Relative uncertainty of a place's forces and their times, where it was not measured: the worst measured. */
 struct worst {
     double force, time;
 };

@@ -30,7 +30,7 @@ struct bead_node {
     const char *text;         /* scalar, without NUL bytes */
     struct bead_node **items; /* list: elements; map: key, value, key, value, ... */
     size_t count;             /* of items: two a pair */
-    struct bead_node *was;    /* before what it names took its place: settings change that; NULL: as it was */
+    struct bead_node *was;    /* the node before the contents of its file replaced it, which settings change; NULL: not replaced */
 };
 
 struct bead_yaml;
@@ -52,14 +52,14 @@ BEAD_CHECK enum bead_error bead_yaml_piece(struct bead_yaml *yaml, const char *t
  * `naming` (NULL after the last). Errors: SCENE (`--set:number:column: ...`), MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_lay(struct bead_yaml *yaml, const struct bead_override *override, const char *const *naming,
                                          struct bead_message *msg);
-/* The node at the end of a path like that of an override; an empty map where there is none, which is then a part of the document.
+/* The node at the end of a path like that of an override; an empty map if there is none, which is then a part of the document.
  * Errors: as above. */
 BEAD_CHECK enum bead_error bead_yaml_find(struct bead_yaml *yaml, const char *path, const char *const *naming,
                                           const struct bead_node **node, struct bead_message *msg);
 /* The path of a file that `node` names, to be freed: names in a document are relative to it, those in options
  * (--set, --output) to the working directory. NULL: no memory. */
 char *bead_yaml_beside(const struct bead_yaml *yaml, const struct bead_node *node, const char *file);
-/* Note the name of a file of which the document has parts, or what is made of it. Errors: MEMORY. */
+/* Note the name of a file whose contents, or results made from it, are parts of the document. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_yaml_note_part(struct bead_yaml *yaml, const char *path, struct bead_message *msg);
 /* Note the name, and read the file as bead_file_read does. */
 BEAD_CHECK enum bead_error bead_yaml_read_part(struct bead_yaml *yaml, const char *path, size_t most, char **text, size_t *length,

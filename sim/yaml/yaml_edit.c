@@ -141,7 +141,7 @@ static enum bead_error follow(const struct edit *e, const char *path, struct bea
         if (depth >= BEAD_YAML_DEPTH)
             return wrong(e, path, "nested too deeply; at most 32 levels are allowed");
         if (node->kind == BEAD_NODE_SCALAR && node->plain && !*node->text)
-            node->kind = BEAD_NODE_MAP; /* `simulate:` with nothing behind it */
+            node->kind = BEAD_NODE_MAP; /* `simulate:` with nothing after it */
         if (node->kind == BEAD_NODE_SCALAR)
             return wrong(e, path, "the key before it holds a single value, perhaps what was read of a file; set that as a whole");
         enum bead_error err = node->kind == BEAD_NODE_LIST ? find_element(e, node, path, end, slot, &used)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The insides of YAML documents, shared by yaml*.c. */
+/* The inside of YAML documents, shared by yaml*.c. */
 #pragma once
 
 #include "sim/yaml/yaml.h"

@@ -2,8 +2,7 @@
 /* The errors left by each way to correct contacts that open or close; contacts.sh adds the cost.
  *   contacts_ways ends WAY STEP TOLERANCE       largest error of a contact's peak: 500 beads in random dimers
  *   contacts_ways between WAY STEP TOLERANCE    largest error of a velocity between the ends of steps, of the striker's: a steel
- * chain
- * */
+ * chain */
 #define GIVE_UP(...) (fprintf(stderr, __VA_ARGS__), fputc('\n', stderr), exit(1))
 #include "tests/problems.h"
 

@@ -2,8 +2,7 @@
 /* Frames of movies, to compare encoders.
  *   pictures_frames raw MOVIE OUT.yuv       the frames as raw planes, 4:2:0 BT.709
  *   pictures_frames psnr MOVIE RAW.yuv      dB, of luma: of all pixels; of the blocks of 16 x 16 that differ from the frame before
- *   pictures_frames options QUALITY         this program's options for mp4 files, as those of `ffmpeg`
- * */
+ *   pictures_frames options QUALITY         this program's options for mp4 files, as those of `ffmpeg` */
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <math.h>

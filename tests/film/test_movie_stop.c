@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A request to stop takes effect while a film draws many frames of one sample: title cards and pauses may be arbitrarily long.
- * */
+/* A request to stop takes effect while a film draws many frames of one sample: title cards and pauses may be arbitrarily long. */
 #include "support.h"
 
 #include "scratch.h"

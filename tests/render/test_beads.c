@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Animation: drawing bit by bit gives the same picture as drawing at once, reported changes are true, frames do not depend on
- * threads.
- * */
+ * threads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The derivatives of peak forces, against central differences of accurate runs, exact scaling, and the closed form of a collision.
- * */
+ */
 #include "support.h"
 
 #include "beadreel/session.h"

@@ -4,8 +4,7 @@
  * those of one kind are 15 apart. With `times`, it judges the times of peaks, not their heights. Every fourth chain of a kind runs
  * five times as long as its first pulse. A miss is a peak whose error exceeds both the requested accuracy and the uncertainty in
  * its row; an uncertainty is too large if it exceeds ten times the larger of the error and the requested accuracy. Rows called
- * unpredictable are counted separately.
- * */
+ * unpredictable are counted separately. */
 #include "tests/stress/stress.h"
 
 #include <signal.h>

@@ -2,8 +2,7 @@
 /* Loaded before a program (LD_PRELOAD), or linked into one (fail_alloc.h): its FAIL_AT-th allocation fails, once. Only allocations
  * by the program's own code count, by the address of the caller, since libraries abort by themselves; and only until main returns,
  * since code that a compiler adds at exit, to write counts of coverage, is not the program's. FAIL_AT=0 fails none; FAIL_COUNT
- * names a file for their number.
- * */
+ * names a file for their number. */
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
