@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors left by each way to correct contacts that open or close; contacts.sh adds the cost.
+ *
  *   contacts_ways ends WAY STEP TOLERANCE       largest error of a contact's peak: 500 beads in random dimers
- *   contacts_ways between WAY STEP TOLERANCE    largest error of a velocity between the ends of steps, of the striker's: a steel
- * chain */
+ *   contacts_ways between WAY STEP TOLERANCE    largest error of a velocity within steps, over the striker's: a steel chain */
 #define GIVE_UP(...) (fprintf(stderr, __VA_ARGS__), fputc('\n', stderr), exit(1))
 #include "tests/problems.h"
 

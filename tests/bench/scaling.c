@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cost and memory of long chains, and of many: cost of a bead in a step, and its memory, from 1e2 to 1e6 beads; an ensemble of
- * random chains on all cores; memory of the picture of a million beads. scaling BUILD writes BUILD/bench/scaling.csv, .png and .pdf
+ * random chains on all cores; memory of the picture of a million beads.
+ *
+ *   scaling BUILD      writes BUILD/bench/scaling.csv, .png and .pdf
+ *
  * BENCH_QUICK=1: up to 1e4 beads and few chains. */
 #include <malloc.h>
 #include <stdint.h>

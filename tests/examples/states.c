@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Run a scene and print the hash of all its states: displacements and velocities of all chains after every step. states SCENE
- * DIRECTORY [KEY=VALUE]... Build: cc states.c $(pkg-config --cflags --libs beadsim) */
+/* Run a scene and print the hash of all its states: displacements and velocities of all chains after every step.
+ *
+ *   states SCENE DIRECTORY [KEY=VALUE]...
+ *
+ * Build: cc states.c $(pkg-config --cflags --libs beadsim) */
 #include <beadreel/session.h>
 #include <beadreel/sweep.h>
 #include <inttypes.h>
