@@ -64,3 +64,19 @@ void bead_write_number(FILE *file, double value)
     bead_number_text(text, value);
     fputs(text, file);
 }
+
+/* Where 9.99 is too little, so much more reads as 10.0. What is less than a billionth too little differs by rounding. */
+static const double past_ten = 1.005, nearly = 1 - 1e-9;
+
+void bead_write_uncertainty(FILE *file, double value)
+{
+    char text[ROOM];
+    if (!isfinite(value) || value <= 0) {
+        bead_write_number(file, value);
+        return;
+    }
+    snprintf(text, ROOM, "%.2e", value);
+    if (strtod(text, NULL) < nearly * value && !bump(text))
+        snprintf(text, ROOM, "%.2e", past_ten * value);
+    fputs(text, file);
+}

@@ -9,3 +9,5 @@ enum { BEAD_NUMBER_ROOM = 40 };
 /* In the style of %g: "1e-06", "0.1", "nan", "-inf". The decimal point is that of the current locale. */
 void bead_number_text(char text[BEAD_NUMBER_ROOM], double value);
 void bead_write_number(FILE *file, double value);
+/* An error of a number, which is known roughly only: three digits, rounded up. */
+void bead_write_uncertainty(FILE *file, double value);

@@ -75,6 +75,9 @@ void bead_table_text(FILE *file, const char *text);
 void bead_table_numbers(FILE *file, size_t count, const double *numbers);
 /* ",a"; "," if the number is not finite. */
 void bead_table_known(FILE *file, double number);
+/* The same of uncertainties, with three digits. */
+void bead_table_uncertainties(FILE *file, size_t count, const double *numbers);
+void bead_table_known_uncertainty(FILE *file, double number);
 
 /* The name of a chain and a comma, if there are several chains. */
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain);

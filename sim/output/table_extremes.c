@@ -70,7 +70,7 @@ static enum bead_error extremes_sample(struct bead_sink *sink, const struct bead
         bead_table_numbers(sink->file, 1, &part);
     }
     if (bead_table_is_judged(sink))
-        bead_table_numbers(sink->file, 1, &sink->columns[sample->chain].uncertainty);
+        bead_table_uncertainties(sink->file, 1, &sink->columns[sample->chain].uncertainty);
     bead_table_end_row(sink);
     return BEAD_OK;
 }

@@ -115,7 +115,7 @@ static void measures_end(struct bead_sink *sink, const struct bead_outcome *outc
             bead_table_numbers(sink->file, 1, &m->value);
             fprintf(sink->file, ",%s,%s", m->unit, m->note);
             if (bead_table_is_judged(sink))
-                bead_table_numbers(sink->file, 1, &uncertainty);
+                bead_table_uncertainties(sink->file, 1, &uncertainty);
             bead_table_end_row(sink);
         }
     }

@@ -36,11 +36,18 @@ struct listed {
     const bool *rivalled;
 };
 
-static void write_column(FILE *file, bool wanted, const double *numbers, size_t index)
+static void write_uncertainty(const struct bead_sink *sink, const double *numbers, size_t index)
 {
     const double unknown = NAN;
-    if (wanted)
-        bead_table_numbers(file, 1, numbers ? &numbers[index] : &unknown);
+    if (sink->output->curves.uncertainty)
+        bead_table_uncertainties(sink->file, 1, numbers ? &numbers[index] : &unknown);
+}
+
+static void write_deviation(const struct bead_sink *sink, const double *numbers, size_t index)
+{
+    const double unknown = NAN;
+    if (bead_scene_tolerances(sink->context.scene))
+        bead_table_numbers(sink->file, 1, numbers ? &numbers[index] : &unknown);
 }
 
 /* Is a contact, or one of the two of a bead, beyond the limits of the model? */
@@ -71,9 +78,9 @@ static void write_peak(const struct bead_sink *sink, const struct listed *listed
         if (states[i].holds)
             fprintf(sink->file, "%s%s", used++ > 0 ? " " : "", states[i].word);
     }
-    write_column(sink->file, sink->output->curves.uncertainty, listed->uncertainty, index);
-    write_column(sink->file, bead_scene_tolerances(sink->context.scene), listed->deviation, index);
-    write_column(sink->file, sink->output->curves.uncertainty, listed->time_uncertainty, index);
+    write_uncertainty(sink, listed->uncertainty, index);
+    write_deviation(sink, listed->deviation, index);
+    write_uncertainty(sink, listed->time_uncertainty, index);
     fputc('\n', sink->file);
 }
 

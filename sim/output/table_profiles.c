@@ -53,8 +53,9 @@ static void write_profile(struct bead_sink *sink, size_t chain, size_t moment, d
     for (size_t i = 0; i < count; i++) {
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, sink->output->curves.profile_times[moment]);
-        bead_table_numbers(sink->file, bead_table_is_judged(sink) ? 3 : 2,
-                           (const double[]){places[i], values[i], checks && sink->unknown ? NAN : *worst});
+        bead_table_numbers(sink->file, 2, (const double[]){places[i], values[i]});
+        if (bead_table_is_judged(sink))
+            bead_table_uncertainties(sink->file, 1, (const double[]){checks && sink->unknown ? NAN : *worst});
         bead_table_end_row(sink);
     }
 }

@@ -57,6 +57,21 @@ void bead_table_known(FILE *file, double number)
         bead_write_number(file, number);
 }
 
+void bead_table_uncertainties(FILE *file, size_t count, const double *numbers)
+{
+    for (size_t i = 0; i < count; i++) {
+        fputc(',', file);
+        bead_write_uncertainty(file, numbers[i]);
+    }
+}
+
+void bead_table_known_uncertainty(FILE *file, double number)
+{
+    fputc(',', file);
+    if (isfinite(number))
+        bead_write_uncertainty(file, number);
+}
+
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain)
 {
     if (sink->context.chain_count == 1)
@@ -152,6 +167,6 @@ void bead_table_end_sample(struct bead_sink *sink, const struct bead_sample *sam
     for (size_t i = 0; i < sink->column_count; i++)
         bead_table_numbers(sink->file, 1, &sink->columns[i].value);
     for (size_t i = 0; bead_table_is_judged(sink) && i < sink->column_count; i++)
-        bead_table_numbers(sink->file, 1, &sink->columns[i].uncertainty);
+        bead_table_uncertainties(sink->file, 1, &sink->columns[i].uncertainty);
     bead_table_end_row(sink);
 }

@@ -57,9 +57,9 @@ static void write_contact(struct bead_sink *sink, size_t chain, const struct bea
         else
             fputc(',', sink->file);
         if (bead_table_is_judged(sink))
-            bead_table_numbers(sink->file, 3, uncertainty);
+            bead_table_uncertainties(sink->file, 3, uncertainty);
         if (bead_table_is_judged(sink) && j == 0)
-            bead_table_numbers(sink->file, 1, &uncertainty[3]);
+            bead_table_uncertainties(sink->file, 1, &uncertainty[3]);
         else if (bead_table_is_judged(sink))
             fputc(',', sink->file);
         bead_table_end_row(sink);

@@ -104,7 +104,7 @@ static void write_spectrum(struct bead_sink *sink, const struct bead_spectral *f
                 bead_table_numbers(sink->file, 1, &found[c].values[p * found[c].rows + k]);
         }
         for (size_t i = 0; bead_table_is_judged(sink) && i < sink->column_count; i++)
-            bead_table_numbers(sink->file, 1, &sink->columns[i].uncertainty);
+            bead_table_uncertainties(sink->file, 1, &sink->columns[i].uncertainty);
         bead_table_end_row(sink);
     }
 }
@@ -173,8 +173,9 @@ static void write_spectrogram(struct bead_sink *sink, size_t chain, const struct
             continue;
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / found->rows) * found->between);
-        bead_table_numbers(sink->file, bead_table_is_judged(sink) ? 3 : 2,
-                           (const double[]){at, found->values[i], sink->unknown ? NAN : largest});
+        bead_table_numbers(sink->file, 2, (const double[]){at, found->values[i]});
+        if (bead_table_is_judged(sink))
+            bead_table_uncertainties(sink->file, 1, (const double[]){sink->unknown ? NAN : largest});
         bead_table_end_row(sink);
     }
 }
@@ -225,9 +226,9 @@ static void write_dispersion(struct bead_sink *sink, size_t chain, const struct 
         bead_table_chain_name(sink, chain);
         bead_write_number(sink->file, found->first + (double)(i / bands) * found->between);
         fprintf(sink->file, ",%zu", i % bands + 1);
-        bead_table_numbers(
-            sink->file, bead_table_is_judged(sink) ? 5 : 3,
-            (const double[]){line.exact, line.found, line.amplitude, worst, bead_uncertainty_measured(0, line.found, other)});
+        bead_table_numbers(sink->file, 3, (const double[]){line.exact, line.found, line.amplitude});
+        if (bead_table_is_judged(sink))
+            bead_table_uncertainties(sink->file, 2, (const double[]){worst, bead_uncertainty_measured(0, line.found, other)});
         bead_table_end_row(sink);
     }
 }

@@ -63,7 +63,7 @@ static void write_row(struct bead_sink *sink, const struct bead_sample *sample, 
             bead_table_known(sink->file, errors[i - BEAD_SPREADING_NUMBERS]);
     }
     for (size_t i = 0; bead_table_is_judged(sink) && i < NUMBERS; i++)
-        bead_table_known(sink->file, columns[i].uncertainty);
+        bead_table_known_uncertainty(sink->file, columns[i].uncertainty);
     bead_table_end_row(sink);
 }
 

@@ -338,7 +338,8 @@ static bool may_be_overtaken(const struct bead_uncertainty_of *of, const struct 
         if (other && is_late(other, from) && !is_same(of, &p->peaks[i], other) && !(of->end > 0 && other->time > of->end))
             return true;
     }
-    return bead_log(reach) + late_height(p, i, from) > bead_log(p->peaks[i].value);
+    const double late = late_height(p, i, from);
+    return isfinite(late) && bead_log(reach) + late > bead_log(p->peaks[i].value);
 }
 
 bool bead_uncertainty_is_lost(const struct bead_uncertainty_of *of, const struct bead_uncertain_peaks *p, size_t i, double from,

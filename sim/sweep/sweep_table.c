@@ -55,9 +55,9 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
     const double found[] = {s->threshold.plateau, s->threshold.plateau_error, s->threshold.critical, s->threshold.critical_error};
     for (size_t i = 0; i < 4; i++)
         bead_table_known(o->file, s->has_threshold ? found[i] : NAN);
-    bead_table_known(o->file, uncertain * m->mean);
-    bead_table_known(o->file, uncertain * m->mean * s->clean);
-    bead_table_known(o->file, s->has_threshold ? uncertain * s->threshold.plateau : NAN);
+    bead_table_known_uncertainty(o->file, uncertain * m->mean);
+    bead_table_known_uncertainty(o->file, uncertain * m->mean * s->clean);
+    bead_table_known_uncertainty(o->file, s->has_threshold ? uncertain * s->threshold.plateau : NAN);
     fputc('\n', o->file);
 }
 
@@ -111,8 +111,8 @@ static double time_uncertainty(const struct bead_sweep_peak *peak, const struct 
 /* A row's force and time. */
 static void write_uncertainties(const struct out *o, const struct bead_sweep_peak *peak, const struct worst *worst)
 {
-    bead_table_known(o->file, force_uncertainty(peak, worst));
-    bead_table_known(o->file, time_uncertainty(peak, worst));
+    bead_table_known_uncertainty(o->file, force_uncertainty(peak, worst));
+    bead_table_known_uncertainty(o->file, time_uncertainty(peak, worst));
 }
 
 /* The ratio of two forces, which are both uncertain. */
@@ -144,7 +144,7 @@ static enum bead_error write_configurations(const struct out *o, struct bead_mes
                 bead_table_known(o->file, peak->time);
                 fprintf(o->file, ",%zu,%.*s,%s", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
                 write_uncertainties(o, peak, &worst[place]);
-                bead_table_known(o->file, by ? ratio_uncertainty(peak, by, &worst[place]) : NAN);
+                bead_table_known_uncertainty(o->file, by ? ratio_uncertainty(peak, by, &worst[place]) : NAN);
                 fputc('\n', o->file);
             }
         }
@@ -190,10 +190,10 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
                 bead_table_known(o->file, d->energy[j]);
                 for (size_t k = 0; k < sizeof fits / sizeof *fits; k++)
                     bead_table_known(o->file, fits[k]);
-                bead_table_known(o->file, uf->peaks[j]);
-                bead_table_known(o->file, ue->peaks[j]);
+                bead_table_known_uncertainty(o->file, uf->peaks[j]);
+                bead_table_known_uncertainty(o->file, ue->peaks[j]);
                 for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-                    bead_table_known(o->file, known[k]);
+                    bead_table_known_uncertainty(o->file, known[k]);
                 fputc('\n', o->file);
             }
         }
@@ -257,8 +257,8 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
             bead_table_known(o->file, numbers[k]);
         bead_table_known(o->file, curve->slope);
         bead_table_known(o->file, curve->slope_error);
-        bead_table_known(o->file, curve->points[i].uncertainty);
-        bead_table_known(o->file, curve->slope_uncertainty);
+        bead_table_known_uncertainty(o->file, curve->points[i].uncertainty);
+        bead_table_known_uncertainty(o->file, curve->slope_uncertainty);
         fputc('\n', o->file);
     }
 }
@@ -321,9 +321,9 @@ static enum bead_error write_spreading(const struct out *o, struct bead_message 
             for (size_t n = 0; n < sizeof fits / sizeof *fits; n++)
                 bead_table_known(o->file, fits[n]);
             for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++)
-                bead_table_known(o->file, s->uncertainty[n][i]);
+                bead_table_known_uncertainty(o->file, s->uncertainty[n][i]);
             for (int n = 0; n < 2; n++)
-                bead_table_known(o->file, s->of_exponent[n]);
+                bead_table_known_uncertainty(o->file, s->of_exponent[n]);
             fputc('\n', o->file);
         }
     }

@@ -58,7 +58,7 @@ static void write_line(FILE *file, const struct bead_sweep_lines *lines, const s
             bead_table_known(file, line->error[p * line->mean.rows + k]);
         }
         for (size_t p = 0; line->uncertainty && p < line->mean.columns; p++)
-            bead_table_known(file, line->uncertainty[p]);
+            bead_table_known_uncertainty(file, line->uncertainty[p]);
         fputc('\n', file);
     }
 }
@@ -83,7 +83,7 @@ static void write_strongest(FILE *file, const struct bead_sweep_lines *lines, co
         const double row = round(found.found / mean->step);
         bead_table_known(file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
         if (line->uncertainty)
-            bead_table_known(file, line->uncertainty[i / bands]);
+            bead_table_known_uncertainty(file, line->uncertainty[i / bands]);
         fputc('\n', file);
     }
 }

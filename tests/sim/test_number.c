@@ -85,6 +85,34 @@ static void no_shorter_text_reads_back(void **state)
     }
 }
 
+/* Three digits above the value, of which the last is the least that is enough. */
+static void errors_are_rounded_up(void **state)
+{
+    (void)state;
+    static const struct {
+        double value;
+        const char *text;
+    } cases[] = {{1e-6, "1.00e-06"},
+                 {1.001, "1.01e+00"},
+                 {8.432217097101848e-05, "8.44e-05"},
+                 {9.991e-9, "1.00e-08"},
+                 {3 * 1e-12, "3.00e-12"},
+                 {0.5, "5.00e-01"},
+                 {0, "0"},
+                 {NAN, "nan"},
+                 {INFINITY, "inf"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        FILE *file = tmpfile();
+        char text[BEAD_NUMBER_ROOM] = "";
+        assert_non_null(file);
+        bead_write_uncertainty(file, cases[i].value);
+        rewind(file);
+        assert_non_null(fgets(text, sizeof text, file));
+        assert_string_equal(text, cases[i].text);
+        assert_int_equal(fclose(file), 0);
+    }
+}
+
 static void times_have_the_prefix_of_their_size(void **state)
 {
     (void)state;
@@ -107,6 +135,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(texts_are_as_a_reader_expects_them),
         cmocka_unit_test(no_shorter_text_reads_back),
+        cmocka_unit_test(errors_are_rounded_up),
         cmocka_unit_test(times_have_the_prefix_of_their_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

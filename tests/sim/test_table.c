@@ -64,7 +64,7 @@ static void peaks_of_one_chain(void **state)
         const char *word = j == 12 ? ",open," : j == 5 ? ",unpredictable," : j == 3 ? ",exceeded," : ",,";
         assert_true(strncmp(at, word, strlen(word)) == 0);
         assert_true(strtod(at + strlen(word), &at) == (double)j / 1000);
-        assert_true(strtod(at + 1, &at) == (double)j * 1e-12 && *at == '\0');
+        assert_true(strtod(at + 1, &at) == (double)j / 1e12 && *at == '\0');
     }
     assert_null(strtok_r(NULL, "\n", &rest));
     tear_down(&s, 1);
