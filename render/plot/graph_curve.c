@@ -291,7 +291,7 @@ struct graph_thinning graph_thin(const struct graph_cell *cell, const struct bea
     if (series->mark != BEAD_MARK_LINE_POINTS || spacing >= least_spacing * radius * (curves > 1 ? 1 : least_mark))
         return (struct graph_thinning){1, 0};
     size_t every = (size_t)ceil(thinned_spacing * radius / spacing);
-    return (struct graph_thinning){every, (2 * turn + 1) * every / (2 * (curves > 0 ? curves : 1))};
+    return (struct graph_thinning){every, (2 * turn + 1) * every / (2 * curves)};
 }
 
 bool graph_is_guide(const struct graph_cell *cell, const struct bead_look *look, const struct bead_series *series)
