@@ -117,12 +117,18 @@ double bead_film_motion(const struct bead_film_clock *clock, double film)
     return within <= 0 ? p->motion : fmin(p[1].motion, p->motion + motion_of(p, motion, within));
 }
 
-double bead_film_time(const struct bead_film_clock *clock, double motion)
+/* The piece that shows a moment of the motion. */
+static const struct bead_film_piece *showing(const struct bead_film_clock *clock, double motion)
 {
     size_t i = 0;
     while (i + 1 < clock->count && clock->piece[i + 1].motion <= motion)
         i++;
-    const struct bead_film_piece *p = &clock->piece[i];
+    return &clock->piece[i];
+}
+
+double bead_film_time(const struct bead_film_clock *clock, double motion)
+{
+    const struct bead_film_piece *p = showing(clock, motion);
     if (motion <= p->motion)
         return p->film;
     double length = p[1].motion - p->motion, until = fmin(motion, p[1].motion) - p->motion;
@@ -139,12 +145,9 @@ double bead_film_after(const struct bead_film_clock *clock, double motion, doubl
 
 double bead_film_factor(const struct bead_film_clock *clock, double motion)
 {
-    size_t i = 0;
     if (clock->count == 0)
         return 1 / clock->slowed;
-    while (i + 1 < clock->count && clock->piece[i + 1].motion <= motion)
-        i++;
-    const struct bead_film_piece *p = &clock->piece[i];
+    const struct bead_film_piece *p = showing(clock, motion);
     if (motion == p->motion && p->pause > 0)
         return 0;
     double part = fmin(1, fmax(0, (motion - p->motion) / (p[1].motion - p->motion)));

@@ -50,6 +50,25 @@ static void the_curve_is_integrated(void **state)
     }
 }
 
+/* The speed that is said is the one that is seen: the motion's growth with the film's time. */
+static void speeds_are_those_of_the_motion(void **state)
+{
+    (void)state;
+    struct bead_film_clock clock;
+    struct bead_speed speeds[] = {{0, 1.0 / 4000}, {0.7e-3, 1.0 / 500}, {1.2e-3, 1.0 / 500}, {1.6e-3, 1.0 / 2000}};
+    struct bead_caption captions[] = {{.at = 0.4e-3, .pause = 1.5, .until = NAN, .lasting = NAN}};
+    struct bead_movie_asked movie = {.duration = 10, .speeds = speeds, .speed_count = 4, .captions = captions, .caption_count = 1};
+    bead_film_clock_make(&movie, whole, movie.duration, &clock);
+    size_t standing = 0;
+    for (int i = 1; i < 200; i++) {
+        const double film = bead_film_length(&clock) * i / 200, d = 1e-5, before = bead_film_motion(&clock, film - d),
+                     after = bead_film_motion(&clock, film + d), factor = bead_film_factor(&clock, bead_film_motion(&clock, film));
+        assert_true(fabs((after - before) / (2 * d) - factor) < 2e-4 * factor + 1e-15);
+        standing += factor == 0;
+    }
+    assert_true(fabs((double)standing - 1.5 / bead_film_length(&clock) * 200) < 1.5);
+}
+
 /* A pause adds to the film; what begins there lasts beyond it. */
 static void the_motion_stands_in_a_pause(void **state)
 {
@@ -76,6 +95,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(even_time_has_no_pieces),
         cmocka_unit_test(the_curve_is_integrated),
+        cmocka_unit_test(speeds_are_those_of_the_motion),
         cmocka_unit_test(the_motion_stands_in_a_pause),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
