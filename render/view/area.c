@@ -129,10 +129,10 @@ void bead_area_divide(struct bead_area *a, const double *borders)
     const double scale = (double)pixels / (borders[a->beads] - borders[0]);
     for (size_t p = 0, bead = 0; a->level && p < pixels; p++) {
         const double from = (double)p, to = from + 1;
-        while (bead + 1 < a->beads && (borders[bead + 1] - borders[0]) * scale <= from)
+        while ((borders[bead + 1] - borders[0]) * scale <= from)
             bead++;
         const double beyond = to - (borders[bead + 1] - borders[0]) * scale;
-        const bool across = beyond > 1e-9 && bead + 1 < a->beads;
+        const bool across = beyond > 1e-9;
         a->level[p] = (unsigned)(across ? a->rows + bead : bead);
         if (across)
             a->beyond[bead] = beyond;
