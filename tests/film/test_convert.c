@@ -88,6 +88,38 @@ static void bt709_is_exact(void **state)
     bead_frame_free(&frame);
 }
 
+/* Four pixels share their colour: of those that cover something, wherever they are among the four, as if they were opaque; but for
+ * rounding, what is transparent adds none. */
+static void transparent_pixels_add_no_colour(void **state)
+{
+    (void)state;
+    AVFrame *picture = new_picture(AV_PIX_FMT_YUVA420P, 32, 2), *opaque = new_picture(AV_PIX_FMT_YUV420P, 32, 2);
+    for (int clear = 0; clear < 16; clear++) { /* a bit for each pixel of a block */
+        struct bead_frame frame = random_frame(32, 2, 1);
+        for (int i = 0; i < 64; i++)
+            memcpy(frame.pixels + (size_t)(i / 32) * frame.stride + 4 * (size_t)(i % 32), (const uint8_t[]){40, 90, 200, 255}, 4);
+        frame.alpha = false;
+        convert_all(&frame, opaque);
+        frame.alpha = true;
+        for (int i = 0; i < 64; i++) {
+            if (clear >> (i / 32 * 2 + i % 2) & 1)
+                memset(frame.pixels + (size_t)(i / 32) * frame.stride + 4 * (size_t)(i % 32), 0, 4);
+        }
+        convert_all(&frame, picture);
+        for (int i = 0; i < 64; i++) {
+            const int x = i % 32, y = i / 32, bit = clear >> (y * 2 + x % 2) & 1;
+            assert_int_equal(picture->data[3][y * picture->linesize[3] + x], bit ? 0 : 255);
+            assert_true(clear == 15 ||
+                        picture->data[0][y * picture->linesize[0] + x] == opaque->data[0][y * opaque->linesize[0] + x]);
+            for (int plane = 1; plane < 3; plane++)
+                assert_int_equal(picture->data[plane][x / 2], clear == 15 ? 128 : opaque->data[plane][x / 2]);
+        }
+        bead_frame_free(&frame);
+    }
+    av_frame_free(&picture);
+    av_frame_free(&opaque);
+}
+
 /* Of all levels, also beside the block that is converted. */
 static void instruction_sets_give_the_same_bytes(void **state)
 {
@@ -330,6 +362,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bt709_is_exact),
+        cmocka_unit_test(transparent_pixels_add_no_colour),
         cmocka_unit_test(instruction_sets_give_the_same_bytes),
         cmocka_unit_test(bt709_has_the_levels_of_the_standard),
         cmocka_unit_test(changed_rectangles_are_enough),
