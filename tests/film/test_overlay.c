@@ -282,6 +282,40 @@ static void names_have_samples_of_lines(void **)
     }
 }
 
+/* What layouts keep for a heading is what it takes when it is drawn: name, M and label with gaps between them. */
+static void headings_are_as_wide_as_measured(void **)
+{
+    static struct film f;
+    open_film(&f,
+              "chain: {name: A chain with a name, label: of beads, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{cell: "
+              "[large-steel, aluminium], spins: \"1011\"}]}",
+              "views: [profile]");
+    const struct bead_look *look = &f.composer->look;
+    const struct bead_rect rect = {20, 10, 2000, (int)(3 * look->title)};
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 2100, 100);
+    assert_true(bead_text_watch(surface, &f.watch));
+    cairo_t *cr = cairo_create(surface);
+    for (int small = 0; small < 2; small++) {
+        const struct bead_heading heading = {f.chains[0], look->ink, false, false, small ? 0.6 : 1};
+        f.texts.count = 0;
+        bead_heading_draw(cr, look, &heading, 1, rect);
+        const struct text *name = &f.texts.text[0], *m = &f.texts.text[1], *label = &f.texts.text[2];
+        assert_true(f.texts.count == 3 && strstr(label->markup, "of beads"));
+        const double gap = label->x - m->x - m->width, to_label = label->x - rect.x;
+        assert_true(gap > 0.8 * look->gap && fabs(m->x - name->x - name->width - gap) < 3);
+        if (small) {
+            assert_true(fabs(to_label - bead_heading_least(look, f.chains[0], true)) < 2);
+            assert_true(fabs(m->x - rect.x - bead_heading_least(look, f.chains[0], false)) < 2);
+        } else {
+            assert_true(fabs(label->width - bead_label_width(look, f.chains[0])) < 2);
+            assert_true(fabs(to_label + label->width + 1 - bead_heading_width(look, f.chains[0])) < 2.5);
+        }
+    }
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    close_film(&f);
+}
+
 /* ---- cards ---- */
 
 /* A card says title and text, a rule, the chains by their names, and facts: all from one left edge, below each other, on the page.
@@ -345,8 +379,11 @@ static void cards_say_what_is_shown(void **)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_are_in_their_lines), cmocka_unit_test(notes_are_boxes_with_tips),
-        cmocka_unit_test(races_say_who_leads),      cmocka_unit_test(names_have_samples_of_lines),
+        cmocka_unit_test(words_are_in_their_lines),
+        cmocka_unit_test(notes_are_boxes_with_tips),
+        cmocka_unit_test(races_say_who_leads),
+        cmocka_unit_test(names_have_samples_of_lines),
+        cmocka_unit_test(headings_are_as_wide_as_measured),
         cmocka_unit_test(cards_say_what_is_shown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
