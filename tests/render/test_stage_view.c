@@ -67,15 +67,15 @@ static void feed_view(struct setting *s, enum bead_field field, double value)
     bead_stage_compose_row(s->view);
 }
 
-/* A stage of this chain, at rest, of 1740 x 260 px. */
-static void open_magnified(struct setting *s, const char *chain, enum bead_light light, double magnify)
+/* A stage of this chain, at rest, of 1740 x 360 px, or of a part of that. */
+static void open_smaller(struct setting *s, const char *chain, enum bead_light light, double magnify, int part)
 {
     struct bead_message msg = {""};
     char text[600];
     snprintf(text, sizeof text, "%s\noutputs: [{movie: a.mp4}]\n", chain);
     *s = (struct setting){.scene = parse(text)};
     require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
-    bead_look_film(&s->look, 1920, 1080, true, false);
+    bead_look_film(&s->look, 1920 / part, 1080 / part, true, false);
     const size_t beads = bead_chain_beads(s->chain);
     const struct bead_view_setup setup = {.chain = s->chain,
                                           .field = bead_chain_spec(s->chain)->system->has_contacts ? BEAD_FIELD_FORCE
@@ -89,7 +89,8 @@ static void open_magnified(struct setting *s, const char *chain, enum bead_light
                                           .magnify = magnify,
                                           .light = light};
     require(bead_view_stage_type.create(&setup, &s->view, &msg), &msg);
-    require(bead_view_stage_type.place(s->view, (struct bead_rect){90, 100, 1740, 360}, NULL, &msg), &msg);
+    require(bead_view_stage_type.place(s->view, (struct bead_rect){90 / part, 100 / part, 1740 / part, 360 / part}, NULL, &msg),
+            &msg);
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1920, 1080);
     const struct bead_text_watch watch = {see, &s->labels};
     assert_true(bead_text_watch(surface, &watch));
@@ -98,6 +99,11 @@ static void open_magnified(struct setting *s, const char *chain, enum bead_light
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     feed_view(s, bead_stage_field(&setup), 0);
+}
+
+static void open_magnified(struct setting *s, const char *chain, enum bead_light light, double magnify)
+{
+    open_smaller(s, chain, light, magnify, 1);
 }
 
 static void open_view(struct setting *s, const char *chain, enum bead_light light)
@@ -188,6 +194,49 @@ static void beads_touch_where_they_do(void **state)
             assert_true(fabs(stage->wall.colour[k] - 0.3 * own * own) < 1e-6);
         }
         close_view(&s);
+    }
+}
+
+/* A stage half as large shows the same: all places in radii of the largest bead, all lights and colours as they are. */
+static void stages_scale(void **state)
+{
+    (void)state;
+    const char *const chains[] = {few, unlike, taper, apart};
+    for (size_t c = 0; c < sizeof chains / sizeof *chains; c++) {
+        struct setting s[2];
+        for (int k = 0; k < 2; k++) {
+            open_smaller(&s[k], chains[c], BEAD_LIGHT_CONTACTS, 1e-6, 1 + k);
+            feed_view(&s[k], BEAD_FIELD_CONTACT_FORCE, 25);
+        }
+        const struct bead_stage *a = &s[0].view->stage, *b = &s[1].view->stage;
+        const double rounding = 2.0 / BEAD_STAGE_RADII + 2.0 / 64 / (double)b->unit, first[2] = {a->beads[0].x, b->beads[0].x};
+        assert_true(a->count == b->count && fabs(a->unit / (2 * (double)b->unit) - 1) < 0.03);
+        for (size_t i = 0; i < a->count; i++) {
+            const struct bead_stage_bead *of[2] = {&a->beads[i], &b->beads[i]};
+            double places[2][4];
+            for (int k = 0; k < 2; k++) {
+                const double unit = k ? b->unit : a->unit,
+                             all[4] = {of[k]->x - first[k], of[k]->r, of[k]->edge[0] - first[k], of[k]->edge[1] - first[k]};
+                for (int p = 0; p < 4; p++)
+                    places[k][p] = isfinite(all[p]) ? all[p] / unit : 99;
+            }
+            for (int p = 0; p < 4; p++) {
+                if (!(fabs(places[0][p] - places[1][p]) < rounding * (double)(1 + i)))
+                    fail_msg("chain %zu, bead %zu, place %d: %g and %g radii", c, i, p, places[0][p], places[1][p]);
+            }
+            assert_memory_equal(of[0]->colour, of[1]->colour, sizeof of[0]->colour);
+            assert_memory_equal(of[0]->light, of[1]->light, sizeof of[0]->light);
+            for (int side = 0; side < 2; side++)
+                assert_true(fabs(of[0]->near[side] - of[1]->near[side]) < 0.1 &&
+                            fabs(of[0]->tilt[side] - of[1]->tilt[side]) < 0.05 &&
+                            fabs(of[0]->slope[side] - of[1]->slope[side]) < 0.05);
+        }
+        const double wall[2] = {(a->wall.x - first[0]) / a->unit, (b->wall.x - first[1]) / b->unit};
+        assert_true((a->wall.width > 0) == (c != 3) && fabs(a->wall.width / a->unit - b->wall.width / b->unit) < 1e-5);
+        assert_true(c == 3 || fabs(wall[0] - wall[1]) < rounding * (double)a->count);
+        assert_memory_equal(a->wall.light, b->wall.light, sizeof a->wall.light);
+        close_view(&s[0]);
+        close_view(&s[1]);
     }
 }
 
@@ -644,6 +693,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_beads_part_heavy_ones),
         cmocka_unit_test(beads_touch_where_they_do),
+        cmocka_unit_test(stages_scale),
         cmocka_unit_test(swings_stay_on_the_stage),
         cmocka_unit_test(beads_are_over_their_numbers),
         cmocka_unit_test(lights_know_the_way_of_the_wave),
