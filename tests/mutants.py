@@ -65,6 +65,7 @@ def possible(file):
         for pattern, others in SWAPS:
             for found in re.finditer(pattern, text):
                 for other in others:
+                    other = other if file.startswith("sim/") else other.replace("0.501", "0.6")  # pixels hide a thousandth
                     after = line[:found.start()] + found.expand(other.replace("\\", "\\")) + line[found.end():]
                     if "\0" not in after and after != line:
                         yield Fault(file, number, line, after)
