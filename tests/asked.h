@@ -89,10 +89,10 @@ static inline double difference(const struct bead_peak *a, const struct bead_pea
 
 /* What came of asking. */
 struct answer {
-    double worst, worst_all; /* error, in units of what was asked, of the predictable peaks, and of all */
+    double worst, worst_all; /* error, in units of the accuracy requested, of the predictable peaks, and of all */
     size_t index;            /* of that peak: contacts, then beads */
-    size_t peaks, chaotic;   /* how many there are, and are not predictable */
-    double known;            /* how well the predictable ones are known, in the same units */
+    size_t peaks, chaotic;   /* how many there are, and how many are not predictable */
+    double known;            /* uncertainty of the predictable ones, in the same units */
 };
 
 struct asking {
@@ -165,7 +165,7 @@ static inline struct answer ask(struct asking *a, double accuracy)
     return answer;
 }
 
-/* The chain of a row of tests/reference/fig7_cases.csv; false behind the last and where it has more than `most` dimers. */
+/* The chain of a row of tests/reference/fig7_cases.csv; false after the last and if it has more than `most` dimers. */
 static inline bool read_disordered(FILE *file, size_t most, char *text, size_t size, size_t *dimers)
 {
     char line[2048], bits[512];

@@ -93,7 +93,7 @@ static void take_subtitle(const AVStream *stream, AVPacket *packet, struct decod
     avcodec_free_context(&codec);
 }
 
-/* The film's stream. FFmpeg from 6.1 on has the first picture of an AVIF loop as a stream of its own. */
+/* The film's stream. FFmpeg from 6.1 has the first picture of an AVIF loop as a separate stream. */
 static unsigned stream_of_film(const AVFormatContext *format)
 {
     unsigned film = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Movies read back with libav, for tests of what was written. */
+/* Movies read back with libav, to test the files written. */
 #ifndef BEADREEL_TESTS_DECODE_H
 #define BEADREEL_TESTS_DECODE_H
 

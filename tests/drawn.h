@@ -70,7 +70,7 @@ static inline bool draw_chain(uint64_t seed, double most, char text[DRAWN_TEXT])
     return damped;
 }
 
-/* A chain, its peaks as exactly as they can be had, and how strongly each answers. */
+/* A chain, its peaks as exact as possible, and how strongly each responds. */
 struct drawn {
     char text[DRAWN_TEXT];
     bool damped;
@@ -109,10 +109,10 @@ static inline void drawn_end(struct drawn *d)
 
 /* What came of asking. */
 struct kept {
-    double error, of_uncertainty; /* largest error in units of what was asked; of the larger of that and the uncertainty, of peaks
-                                     that it says are predictable */
+    double error, of_uncertainty; /* largest error in units of the accuracy requested; of the larger of that and the uncertainty,
+                                   * for peaks called predictable */
     double hidden;                /* largest uncertainty of a peak that is not ill-conditioned, of the larger of error and asked */
-    double ill;                   /* largest answer of a peak to a change of the stiffnesses by what was asked */
+    double ill;                   /* largest response of a peak to a change of the stiffnesses by the accuracy requested */
     size_t index;                 /* of the worst peak */
 };
 
@@ -123,7 +123,7 @@ static inline struct peaks find_coarse(const char *text, double accuracy, double
     return find_peaks_at(text, simulate, factor);
 }
 
-/* How strongly the peaks answer to changes of the stiffnesses of the size of `accuracy`, in units of that. With damping answers
+/* How strongly the peaks respond to changes of the stiffnesses of the size of `accuracy`, in units of that. With damping, responses
  * hardly depend on the size, and larger ones cost less. */
 static inline void drawn_answers(const struct drawn *d, double accuracy, double *answer)
 {

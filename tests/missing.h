@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Leaves the test out, and says for want of `what`: a program or library, with its Debian package. */
+/* Skips the test for lack of `what`: a program or library, with its Debian package. */
 #define skip_without(what)                        \
     do {                                          \
         print_message("# missing: %s\n", (what)); \

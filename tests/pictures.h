@@ -29,7 +29,7 @@ void free_sample(struct bead_sample *sample);
 
 /* A field's values over the chain at a time. */
 typedef double (*made_up)(size_t bead, double time);
-/* 10 N at bead j from 0.1 j ms to 0.1 (j + 1) ms, but for 5 us of rise and fall. */
+/* 10 N at bead j from 0.1 j ms to 0.1 (j + 1) ms, except for 5 us of rise and fall. */
 double pulse_down_the_chain(size_t bead, double time);
 /* The first output of the scene from such values. */
 void draw_output(const struct built *built, made_up values);

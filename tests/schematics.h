@@ -84,7 +84,7 @@ static inline void assert_legible(const struct seen *seen, double width, double 
     }
 }
 
-/* Draw output `index` of the scene; what was written is in `seen`. */
+/* Draw output `index` of the scene; its words are in `seen`. */
 static inline enum bead_error draw(const struct staged *s, size_t index, struct seen *seen, cairo_surface_t **kept)
 {
     const struct bead_output *output = &s->scene->outputs[index];

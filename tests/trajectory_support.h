@@ -167,7 +167,7 @@ static inline void finish(struct stand *s)
     assert_int_equal(access(s->part, F_OK), -1);
 }
 
-/* Checks that nothing but `files` files are left. */
+/* Checks that only `files` files are left. */
 static inline void tear_down(struct stand *s, int files)
 {
     if (s->sink)

@@ -24,7 +24,7 @@ struct problem {
     const char *name, *chain;
     const char *files;  /* tests/reference/FILES_peaks.csv and FILES_states.csv */
     double early, end;  /* s: velocities are compared at `early`, peaks up to `end` */
-    double finest;      /* s: step of the reference, where it is made by this program */
+    double finest;      /* s: step of the reference, if this program makes it */
     const char *method; /* and its method */
 };
 

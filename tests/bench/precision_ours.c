@@ -43,7 +43,7 @@ static void solve(void *context)
     bead_run_destroy(run);
 }
 
-/* A run of its own that ends at the early time, so that this is the end of a step. */
+/* A separate run that ends at the early time, so that this is the end of a step. */
 static double early_velocities(const struct problem *problem, const struct task *task)
 {
     struct task early = *task;
@@ -80,7 +80,7 @@ static double share_of_time(void)
     return quick() ? 0.01 : 0.03;
 }
 
-/* The row asked for, NULL where its run fails, which for a long step is no news; it comes behind the others. */
+/* The row asked for, NULL if its run fails, which is normal for a long step; it comes after the others. */
 static struct measurement *measure(struct measurements *all, const char *solver, const char *setting, const char *simulate)
 {
     const struct problem *problem = all->problem;
@@ -101,7 +101,7 @@ static struct measurement *measure(struct measurements *all, const char *solver,
     return task.failed ? NULL : m;
 }
 
-/* Steps halved until rounding is all that is left, or time is up. */
+/* Steps are halved until only rounding is left, or time is up. */
 static void sweep_steps(struct measurements *all, const char *method)
 {
     const double longest = 8e-6, shortest = quick() ? 0.5e-6 : 0.01e-6, floor_of_rounding = 1e-12;

@@ -101,8 +101,8 @@ static inline void equations_rates(struct equations *e, const double *y, double 
     e->evaluations++;
 }
 
-/* Absolute tolerances that mean the same for displacements and velocities: of the striker's velocity, and of how far it goes within
- * the time of the fastest oscillation. Relative tolerances would let displacements, which grow, get worse. */
+/* Absolute tolerances that mean the same for displacements and velocities: parts of the striker's velocity, and of its distance in
+ * the time of the fastest oscillation. Relative tolerances would let displacements, which grow, become worse. */
 static inline void equations_scales(const struct equations *e, double *scale)
 {
     const struct bead_chain *chain = e->stepper->chain;
@@ -111,7 +111,7 @@ static inline void equations_scales(const struct equations *e, double *scale)
         scale[i] = i <= e->beads ? u : v;
 }
 
-/* A solver: to `end` (stopping at `early` too), telling `watch`, where it is not NULL, every step. False: it gave up. */
+/* A solver: runs to `end` (stopping also at `early`) and reports every step to `watch`, unless that is NULL. False: it gave up. */
 typedef bool (*peer_solver)(struct equations *equations, const struct problem *problem, double tolerance, struct watch *watch);
 
 struct peer_task {

@@ -42,7 +42,7 @@ static inline double scaling_memory(const struct scaling_row *row)
     return row->memory;
 }
 
-/* A panel with logarithmic beads and `axis` upwards; labels stand where the curves end, above the first and below the second. */
+/* A panel with logarithmic beads and `axis` upwards; labels are where the curves end, above the first and below the second. */
 static inline void scaling_panel(cairo_t *cr, const struct scaling_plot *p, struct bead_rect plot, const double range[2],
                                  enum bead_scale scale, const char *unit, const char *title, const struct scaling_curve *curves,
                                  size_t count)

@@ -146,7 +146,8 @@ static struct rgba_file read_rgba(const char *path)
     return file;
 }
 
-/* What is painted over a colour is as in the opaque picture, over that of the page or of a panel; glows aside, which add light. */
+/* Anything painted over a colour is as in the opaque picture, over the colour of the page or of a panel; except glows, which add
+ * light. */
 static void compare(const char *what, const uint8_t *clear, const uint8_t *opaque, size_t count, const struct bead_look *look)
 {
     const struct bead_rgb *grounds[2] = {&look->background, &look->panel};

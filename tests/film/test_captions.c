@@ -202,7 +202,7 @@ static void cards_come_first_and_take_their_time(void **state)
     release_chain(&card);
 }
 
-/* The poster is one of the movie's frames: the one asked for, or one with something to see. */
+/* The poster is one of the movie's frames: the requested one, or one with something to see. */
 static void posters_are_frames(void **state)
 {
     (void)state;

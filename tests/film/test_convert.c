@@ -58,7 +58,7 @@ static void convert_all(const struct bead_frame *frame, AVFrame *picture)
     bead_convert_find(picture->format)(frame, bead_convert_align(frame, all), picture);
 }
 
-/* Every value is the rounded one of the real-number formula, but for the precision of the fixed point. */
+/* Every value is the rounded one of the real-number formula, within the precision of the fixed point. */
 static void bt709_is_exact(void **state)
 {
     (void)state;
@@ -286,7 +286,7 @@ static void palette_is_exact_for_few_colours(void **state)
     for (int colours = 1; colours <= 255; colours += 127) {
         uint32_t chosen[256];
         double difference[2];
-        for (int i = 0; i < 3333; i++) { /* the second picture has colours of its own */
+        for (int i = 0; i < 3333; i++) { /* the second picture has other colours */
             int k = i % ((colours + 1) / 2), other = colours - 1 - k;
             set(0, i, k * 37 % 256, k, 255 - k);
             set(1, i, other * 37 % 256, other, 255 - other);

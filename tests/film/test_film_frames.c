@@ -171,7 +171,7 @@ static double image_share(const struct stage *s)
     return area / ((double)w->width * w->height);
 }
 
-/* What a viewer cannot do without: title, exaggeration, names and units of axes, names of chains and M. */
+/* Things a viewer cannot do without: title, exaggeration, names and units of axes, names of chains and M. */
 static void check_words(const struct stage *s, const struct wish *w, const char *what)
 {
     const char *words[] = {"A story in a frame", "displacements", "force (N)", "bead", "Clean", "Delocalised", "Steel", "Glass"};
@@ -237,7 +237,7 @@ static void test_every_frame(void **state)
         w.right = (i + i / (16 * LAYOUTS) + i / (32 * LAYOUTS)) % 2; /* every layout, shape and number of chains has both */
         w.size[0] = shapes[i % 4][0];
         w.size[1] = shapes[i % 4][1];
-        w.large = w.light; /* what is light has the places of what is dark */
+        w.large = w.light; /* light parts have the places of dark ones */
         check(&w);
     }
 }
@@ -293,7 +293,7 @@ static void test_windows_that_move(void **state)
     }
 }
 
-/* The drawing of the cell is once in the picture, whole, on what is left beside the curve, and hides nothing. */
+/* The drawing of the cell is in the picture once, whole, in the room beside the curve, and hides nothing. */
 static void test_cells_in_the_picture(void **state)
 {
     (void)state;
@@ -320,8 +320,7 @@ static void test_cells_in_the_picture(void **state)
     }
 }
 
-/* Where a bar has no room beside the images, the axis of the curve has their colours: each number stands at the colour of its
- * force. */
+/* If a bar does not fit beside the images, the axis of the curve has their colours: each number is at the colour of its force. */
 static void test_colours_have_a_scale(void **state)
 {
     (void)state;
@@ -392,8 +391,8 @@ static void test_coloured_beads_have_a_scale(void **state)
     assert_true(without_images);
 }
 
-/* What chains share is said once: their materials at the first, the scale of the light at the last, and labels have the room left.
- */
+/* Properties shared by chains are shown once: materials at the first chain, the scale of the light at the last, and labels have the
+ * rest of the room. */
 static void test_keys_leave_room_for_labels(void **state)
 {
     (void)state;
@@ -470,7 +469,7 @@ static void test_names_are_words(void **state)
     close_stage(&s);
 }
 
-/* What chooses the poster: how far two chains differ, not how much they show. */
+/* The poster is chosen by how far two chains differ, not by how much they show. */
 static void test_differences_count(void **state)
 {
     static struct stage s;
@@ -500,7 +499,7 @@ static void test_differences_count(void **state)
     close_stage(&s);
 }
 
-/* What is pressed at first is nothing to see: the wave is, wherever it adds the same. */
+/* Initial compression is not interesting: the wave is, wherever it adds the same. */
 static void test_precompression_is_no_peak(void **state)
 {
     static struct stage s;
@@ -616,7 +615,7 @@ static void test_headings_show_equations(void **state)
     close_stage(&s);
 }
 
-/* Axes that end on a number, and long titles, are whole on phones and on old projectors, too. */
+/* Axes that end on a number, and long titles, are complete also on phones and on old projectors. */
 static void test_numbers_at_the_end_are_whole(void **state)
 {
     static const int sizes[][2] = {{390, 844}, {390, 218}, {1024, 768}};
@@ -664,7 +663,7 @@ static void test_numbers_of_a_grid_part(void **state)
     }
 }
 
-/* Rows of beads share the numbers below the last one only if each bead of every row stands over its number there. */
+/* Rows of beads share the numbers below the last one only if each bead of every row is above its number there. */
 static void test_unlike_rows_have_their_own_numbers(void **state)
 {
     static const int size[2] = {1920, 1080};
@@ -721,7 +720,7 @@ static void test_names_of_images_have_one_size(void **state)
     close_stage(&s);
 }
 
-/* Where the label beside one name has to be smaller, those beside the others are, too. */
+/* If the label beside one name has to be smaller, so are those beside the others. */
 static void test_labels_of_chains_have_one_size(void **state)
 {
     (void)state;
@@ -764,7 +763,7 @@ static const struct text *written(const struct texts *seen, const char *part)
     return NULL;
 }
 
-/* Where one name has to be smaller, or to have its M below, those of the others do, too; and all are whole. */
+/* If one name has to be smaller, or to have its M below, so do the others; and all are complete. */
 static void test_names_of_chains_have_one_size(void **state)
 {
     (void)state;
@@ -828,7 +827,7 @@ static void test_numbers_at_the_end_have_air(void **state)
 
 /* ---- notes ---- */
 
-/* px: left, right and top of what is red within rows from..to. */
+/* px: left, right and top of the red pixels in rows from..to. */
 static void find_red(const struct bead_frame *frame, int from, int to, double red[3])
 {
     red[0] = red[2] = INFINITY;

@@ -75,7 +75,7 @@ static const struct film films[] = {
      motion_with_speed, 3},
 };
 
-/* Within a hundredth of a second of where the motion stops, or goes on again, it fades. */
+/* Within a hundredth of a second of the times where the motion stops or continues, it fades. */
 static double fade(size_t from_edge)
 {
     return from_edge < RATE / 100 ? 0.5 * (1 + cos(3.14159265358979 * (double)from_edge / (RATE / 100.0))) : 0;
@@ -105,7 +105,7 @@ static float *expect(const struct film *film, size_t count)
     return wanted;
 }
 
-/* Root of the mean square of the difference, in units of that of what is wanted. */
+/* Root of the mean square of the difference, in units of that of the expected sound. */
 static double difference(const float *got, const float *wanted, size_t count)
 {
     double error = 0, all = 0;

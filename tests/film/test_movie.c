@@ -335,7 +335,7 @@ static size_t number(const uint8_t *bytes, int count)
     return value;
 }
 
-/* The first frame of the loop, alone, as a file of its own. */
+/* The first frame of the loop alone, as a separate file. */
 static void write_webp_frame(const uint8_t *frame, size_t size)
 {
     FILE *file = fopen(place("frame.webp"), "wb");

@@ -10,7 +10,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-/* Who asks for what cannot be is told what can. */
+/* Messages about impossible requests name the possible ones. */
 static void formats_without_alpha_are_refused(void **state)
 {
     (void)state;
@@ -143,7 +143,7 @@ static void unwritable_places_are_told(void **state)
     unlink(place("plain"));
 }
 
-/* A limit on the size of files stands for a full disk: an error, and nothing is left of the file. */
+/* A limit on the size of files replaces a full disk: an error, and nothing is left of the file. */
 static void full_disk_is_told(void **state)
 {
     (void)state;

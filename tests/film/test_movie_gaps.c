@@ -87,8 +87,7 @@ static void assert_px(int got, int expected, const char *what, const struct bead
 
 /* ---- words ---- */
 
-/* Clock, badge and title side by side, or in lines of their own where they do not fit; facts and the remark below, without a gap.
- */
+/* Clock, badge and title side by side, or in separate lines if they do not fit; facts and the remark below, without a gap. */
 static void assert_words(const struct bead_movie_wants *w, const struct bead_movie_layout *l, int left, int right)
 {
     const struct bead_look *look = w->look;
@@ -225,7 +224,7 @@ static void assert_columns(const struct bead_movie_wants *w, const struct bead_m
             assert_px(here.x - right_of(before), room + (along ? l->beyond[0] + l->beyond[1] : 0), "the gap between columns", w, 0);
         }
     }
-    /* The bar stands right of all, in the height of the plots. */
+    /* The bar is right of everything, with the height of the plots. */
     const struct bead_rect last = l->chains[columns - 1].plot[0];
     assert_true((l->bar.height > l->bar.width) == (!w->colourless && w->width >= 1.5 * w->height));
     if (l->bar.height > l->bar.width) {
@@ -327,7 +326,7 @@ static void cells_are_as_far_apart_as_labels_need(void **)
     assert_true(seen > 100 && tall > 20); /* most have room for all */
 }
 
-/* Beside the clock where there is room: badge, title, a lying bar; each as long as it is short enough for what is left. */
+/* Beside the clock, if there is room: badge, title, a horizontal bar; each if it fits into the remaining room. */
 static void words_are_beside_the_clock_where_they_fit(void **)
 {
     struct bead_look look;
@@ -381,7 +380,7 @@ static void bars_lie_beside_the_clock_or_below_the_words(void **)
         const int pad = up(1.2 * look.tick), gap = up(look.gap), margin = l.time.y,
                   words = right_of(l.badge.y == l.time.y ? l.badge : l.time);
         const int thick = up(bead_colour_bar_width(&look, BEAD_BAR_OF_MOVIE));
-        if (l.bar.width == 0) { /* too short even in a line of its own */
+        if (l.bar.width == 0) { /* too short even in a separate line */
             const struct bead_rect plot = l.chains[0].plot[0];
             assert_true(plot.width - w.bar_title - 2 * pad < 4 * look.tick + 8);
             bead_movie_layout_free(&l);
@@ -515,7 +514,7 @@ static void parts_of_stages_are_as_far_apart_as_labels_need(void **)
             continue;
         }
         const int named =
-            l.chains[0].name.width > 0 && l.chains[0].name.y < first.y - above ? above : 0; /* names in a line of their own */
+            l.chains[0].name.width > 0 && l.chains[0].name.y < first.y - above ? above : 0; /* names in a separate line */
         assert_true(l.overlay == 1 && (l.bar.width > 0) == (l.colours == 0));
         assert_true((double)chains * first.width * first.height <= 0.25 * area + first.width);
         for (size_t c = 0; c < chains; c++) {
@@ -585,8 +584,8 @@ static void parts_of_stages_are_as_far_apart_as_labels_need(void **)
     assert_true(beside > 20 && below > 4 && bars > 10 && drawn > 5);
 }
 
-/* Curves without images end where the numbers of their own axis need it, whatever times would; images without curves begin where
- * times need it. Both reach from the air below the beads down to their labels. */
+/* Curves without images end where the numbers of their own axis require, whatever times would; images without curves begin where
+ * times require. Both extend from the air below the beads down to their labels. */
 static void parts_of_stages_stand_alone(void **)
 {
     size_t seen[2] = {0};

@@ -191,7 +191,7 @@ static double share_of_headings(const struct bead_movie_wants *w, const struct b
     return area / ((double)w->width * w->height);
 }
 
-/* Beads have 35 to 45 % of the frame and, in the usual type, images 15 to 25 %; where room is short images give way, never what a
+/* Beads have 35 to 45 % of the frame and, in the usual type, images 15 to 25 %; if room is short, images give way, never things a
  * viewer cannot do without. */
 static void test_stage_has_its_share(void **state)
 {
@@ -267,8 +267,8 @@ static void test_images_have_a_bar(void **state)
     assert_true(bars > SHAPES);
 }
 
-/* The title of both axes of three images on a phone is wider than one of them, but not than all: in a line of its own it is above
- * all, no image has a title of its time below, and they are the larger for it. */
+/* The title of both axes of three images on a phone is wider than one of them, but not than all: in a separate line it is above
+ * all, no image has a title of its time below, and images are larger. */
 static void test_one_title_for_all_images(void **state)
 {
     (void)state;
@@ -368,7 +368,7 @@ static void test_bars_are_for_colours(void **state)
     bead_movie_layout_free(&with);
 }
 
-/* On phones, a bar that has no room beside the clock has a line of its own, below the words; what has room is where it was. */
+/* On phones, a bar that does not fit beside the clock has a separate line below the words; one that fits stays in place. */
 static void test_bars_on_phones(void **state)
 {
     (void)state;
@@ -389,7 +389,7 @@ static void test_bars_on_phones(void **state)
         assert_true(found.bar.width >= 4 * look.tick && found.bar.height > 0 && found.bar_title.width >= w.bar_title);
         assert_true(below ? found.bar.y >= found.title.y + found.title.height && found.bar_title.x == found.time.x
                           : found.bar_title.x >= found.time.x + found.time.width);
-        assert_true(below || !was_below); /* of longer titles, too */
+        assert_true(below || !was_below); /* also for longer titles */
         was_below = below;
         begins_below = begins_below || (words == 2 && below);
         check(&w, &found);
@@ -433,7 +433,7 @@ static void test_curves_fill_phones(void **state)
     }
 }
 
-/* An overlaid curve takes what rows of beads below it do not need, alone all there is, and beside images what is left. */
+/* An overlaid curve takes the room that rows of beads below it do not need, alone all of it, and beside images the rest. */
 static void test_overlays_fill_frames(void **state)
 {
     (void)state;
@@ -520,7 +520,7 @@ static void test_too_small(void **state)
     assert_null(layout.chains);
 }
 
-/* Whatever a level leaves out, those after it leave out, too, and no gap or least height grows again but that below titles. */
+/* Later levels leave out whatever a level leaves out, and no gap or least height grows again, except that below titles. */
 static void test_levels_leave_out_more_and_more(void **state)
 {
     (void)state;

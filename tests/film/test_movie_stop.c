@@ -11,7 +11,7 @@
 
 static volatile sig_atomic_t stop;
 
-/* Stands for a table in front of the film, and asks to stop as it gets its first sample, or as it is finished before the film. */
+/* Acts as a table before the film, and asks to stop when it gets its first sample, or when it is finished before the film. */
 struct bead_sink {
     double end;
 };
@@ -70,7 +70,7 @@ static const struct bead_sink_type asker = {.name = "asker",
                                             .end = asker_end,
                                             .destroy = asker_destroy};
 
-/* Frames in what is left of the film. */
+/* Frames in the rest of the film. */
 static size_t frames_when_stopped(const char *captions, bool late, int threads)
 {
     static const struct bead_sink_type *const askers[] = {&asker, NULL};
@@ -111,7 +111,7 @@ static void a_title_card_can_be_stopped(void **state)
         assert_int_equal(frames_when_stopped("card: {for: 30 s}", false, threads), 0);
 }
 
-/* The run is over, and the film has 300 frames of its last sample to draw. With threads, the 20 before them may wait, too. */
+/* The run is over, and the film has 300 frames of its last sample to draw. With threads, the 20 before them may also be waiting. */
 static void a_pause_at_the_end_can_be_stopped(void **state)
 {
     (void)state;

@@ -202,7 +202,7 @@ static double spacing(const char *views, int fps, int gap)
     return film.times.grid.every;
 }
 
-/* The largest values so far are those between frames, too, and so are impacts: a film of few frames needs more samples for them. */
+/* The largest values so far include those between frames, and so do impacts: a film of few frames needs more samples for them. */
 static void few_frames_miss_no_peaks(void **state)
 {
     (void)state;
@@ -303,7 +303,7 @@ static void images_show_impacts(void **state)
     decoded_free(&movie);
 }
 
-/* The frame that shows most has an impact in it. A picture that stands still has finer edges than the film. */
+/* The frame that shows most has an impact in it. A still has finer edges than the film. */
 static void posters_show_an_impact(void **state)
 {
     (void)state;

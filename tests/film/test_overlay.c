@@ -198,7 +198,7 @@ static void notes_are_boxes_with_tips(void **)
     }
 }
 
-/* The chain whose wave leads says by how many beads. */
+/* The chain with the leading wave is named, with the number of beads. */
 static void races_say_who_leads(void **)
 {
     static const struct {
@@ -260,7 +260,7 @@ static void names_have_samples_of_lines(void **)
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     close_film(&f);
-    /* A name is as large as its room, but no larger than its type, and no smaller than what the layout keeps for it. */
+    /* A name is as large as its room, but no larger than its type, and no smaller than the layout allows. */
     open_film(&f, "chain: {name: A chain with a name, beads: [{bead: large-steel, count: 24}]}", "views: [spacetime]");
     const struct bead_look *own = &f.composer->look;
     const double least = bead_name_least(own, f.chains[0]), smallest = bead_name_size(own, f.chains[0], 0);
@@ -318,8 +318,8 @@ static void headings_are_as_wide_as_measured(void **)
 
 /* ---- cards ---- */
 
-/* A card says title and text, a rule, the chains by their names, and facts: all from one left edge, below each other, on the page.
- * Of more chains than fit it says how many more there are. */
+/* A card has title and text, a rule, the chains with their names, and facts: all from one left edge, below each other, on the page.
+ * If there are more chains than fit, it says how many more. */
 static void cards_say_what_is_shown(void **)
 {
     for (size_t chains = 1; chains <= CHAINS; chains = chains == 1 ? 2 : CHAINS + (chains == CHAINS)) {

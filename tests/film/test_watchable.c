@@ -96,7 +96,7 @@ static void find_luminance(const AVFrame *frame, const double table[256], double
     }
 }
 
-/* How often the luminance turns after it has changed by `least` at least, within one second at most. */
+/* How often the luminance reverses after a change of at least `least`, within one second at most. */
 static size_t most_turns(const double *light, const double *time, size_t count, double least)
 {
     double turn[MOST_FRAMES], low = light[0], high = light[0]; /* since the last turn */

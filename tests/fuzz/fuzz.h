@@ -43,7 +43,7 @@ size_t fuzz_mutate_text(uint8_t *data, size_t size, size_t most, unsigned seed);
 /* This text was accepted, so that it is worth changing further. */
 void fuzz_accept(const uint8_t *data, size_t size);
 size_t fuzz_mutate_h5(uint8_t *data, size_t size, size_t most, unsigned seed);
-/* How many files and objects HDF5 holds open: those that the program forgets make it crash at exit. */
+/* How many files and objects HDF5 holds open: forgotten ones make it crash at exit. */
 size_t fuzz_open_h5(void);
 
 #endif

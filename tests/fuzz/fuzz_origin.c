@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     snprintf(path, sizeof path, "file%s", bead_origin_endings(data[0] % formats));
     path[strcspn(path, ",")] = 0;
-    uint8_t *file = malloc(size); /* by itself, so that the sanitizer sees its end */
+    uint8_t *file = malloc(size); /* separate, so that the sanitizer sees its end */
     if (!file)
         return 0;
     memcpy(file, data + 1, size - 1);

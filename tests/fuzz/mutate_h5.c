@@ -227,8 +227,8 @@ static void change_object(hid_t file)
         change_dataset(file, name);
 }
 
-/* Files whose bytes were changed end with this mark, which HDF5 ignores: its functions that change files crash over damaged ones,
- * so these get nothing but more changed bytes. */
+/* Files with changed bytes end with this mark, which HDF5 ignores: its functions that change files crash on damaged ones, so only
+ * more bytes are changed in these. */
 static const char mark[] = "bytes";
 enum { MARK = sizeof mark - 1 };
 

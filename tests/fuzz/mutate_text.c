@@ -182,7 +182,7 @@ void fuzz_accept(const uint8_t *data, size_t size)
     accepted[slot].size = size;
 }
 
-/* What is changed: an accepted text, or what libFuzzer has chosen. */
+/* The text to change: an accepted one, or libFuzzer's choice. */
 static void begin(struct text *t, const uint8_t *data, size_t size)
 {
     if (accepted_count > 0 && fuzz_random(2)) {

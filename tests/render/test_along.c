@@ -52,7 +52,7 @@ static struct made make(size_t k)
     return m;
 }
 
-/* Chains share numbers where beads are drawn over them only if those of both stand there. */
+/* Chains share numbers, with beads drawn over them, only if both chains' beads are above them. */
 static void test_chains_of_like_places(void **state)
 {
     (void)state;

@@ -92,7 +92,7 @@ static void test_table_has_the_same_borders(void **state)
 
 /* ---- columns ---- */
 
-/* What a column shows is the same while later ones are filled, and the extremes are those of all columns at any time. */
+/* A column stays the same while later ones are filled, and the extremes are those of all columns at any time. */
 static void assert_columns_stay(int across, enum bead_sampling sampling)
 {
     struct bead_area *area = make_area(across, sampling);
@@ -137,7 +137,7 @@ static void test_columns_stay_as_they_are(void **state)
     }
 }
 
-/* Pixels as one by one, in images that lie either way; nothing is written beside them. */
+/* Equal to single pixels, in images of either orientation; nothing is written beside them. */
 static void assert_image(const struct bead_area *area, int across, bool down, int from, int to)
 {
     const struct bead_colours colours = {NULL, BEAD_SCALE_LINEAR, -9, 5};

@@ -84,8 +84,7 @@ static bool has_place(const struct drawn *d, bool minor, double middle)
     return found;
 }
 
-/* Ticks that reach `out` px away from the plot; each stands at a label's place, or at one of the shorter ticks, and is as wide as
- * the line. */
+/* Ticks that extend `out` px from the plot; each is at a label's place, or at one of the shorter ticks, and as wide as the line. */
 static size_t ticks_at(const struct drawn *d, int out, bool minor)
 {
     size_t count = 0;
@@ -159,8 +158,7 @@ static double middle_of(const struct drawn *d, const struct text *text)
     return d->side == BEAD_SIDE_BOTTOM ? text->x + 0.5 * text->width : text->y + 0.5 * text->height;
 }
 
-/* Labels stand beside the ends of their ticks, a third of a letter away, in the middle; the axis reaches to the end of the widest.
- */
+/* Labels are beside the ends of their ticks, a third of a letter away, in the middle; the axis extends to the end of the widest. */
 static void labels_stand_at_their_ticks(void **state)
 {
     (void)state;
@@ -203,8 +201,7 @@ static double natural_width(const struct bead_look *look, const char *markup, do
     return width;
 }
 
-/* The title of a plot with so much room along its axis: within that room, outside of the labels, inside of what the axis reaches.
- */
+/* The title of a plot with this much room along its axis: within that room, outside the labels, inside the reach of the axis. */
 static enum fitted fit(struct drawn *d, int room, const char *title)
 {
     const bool lying = d->side == BEAD_SIDE_BOTTOM;
@@ -308,8 +305,7 @@ static void boxes_surround_their_pixels(void **state)
     }
 }
 
-/* One label tells no scale: wherever a range begins, and however far it reaches, there are two or more, with minor ticks between.
- */
+/* One label defines no scale: wherever a range begins, and however long it is, there are two or more, with minor ticks between. */
 static void logarithmic_axes_have_labels(void **state)
 {
     (void)state;

@@ -96,7 +96,8 @@ static void copy_changes(struct bead_frame *to, const struct bead_frame *from, c
     }
 }
 
-/* A view drawn by its changes, the same view drawn whole each time, and a copy kept up to date by what the first one told. */
+/* A view drawn by its changes, the same view drawn whole each time, and a copy updated by the changes that the first one
+ * reports. */
 struct pair {
     struct bead_view *dirty, *full;
     struct bead_camera *camera; /* NULL: none */
@@ -200,7 +201,7 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct pl
         small += area < (size_t)place.plot.width * (size_t)place.plot.height;
     }
     assert_true(place.window > 0 || small > 0); /* and something was saved */
-    /* What stands still costs nothing. */
+    /* Beads at rest cost nothing. */
     struct bead_changes none = {0};
     struct bead_sample sample;
     make_sample(0, FRAMES - 1, u, f, &sample);
@@ -345,8 +346,8 @@ static uint8_t level_at(const struct bead_frame *frame, int x, int y, int channe
     return frame->pixels[(size_t)y * frame->stride + 4 * (size_t)x + (size_t)channel];
 }
 
-/* The line above the way to the lens is as long as what the lens shows, and where that is in the row; it does not leave the plot.
- */
+/* The line above the way to the lens has the length and place in the row of the part shown by the lens; it does not leave the
+ * plot. */
 static void test_what_the_lens_shows_is_marked(void **state)
 {
     (void)state;
@@ -378,7 +379,7 @@ static void test_what_the_lens_shows_is_marked(void **state)
             fail_msg("frame %zu: marked from %d to %d, shown from %.1f to %.1f", i, first - v->area.x, last - v->area.x, from, to);
         assert_true(length < 0.6 * v->area.width);
     }
-    /* As paths, too, without a frame before, the lens is full of beads. */
+    /* Also as paths, without a frame before, the lens is full of beads. */
     cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 900, 200);
     cairo_t *cr = cairo_create(paper);
     const struct bead_view *v = p.full;
@@ -459,7 +460,7 @@ static void test_arrows_and_means(void **state)
         assert_true(fabs(length[k] / length[0] - fmin(parts[k], 1.2)) < 0.5 / length[0]);
 }
 
-/* As paths, in PDF and SVG, too, each sensor has its ring, with the striker in the picture and without. */
+/* Also as paths, in PDF and SVG, each sensor has its ring, with the striker in the picture and without. */
 static void test_sensors_have_rings_as_paths(void **state)
 {
     (void)state;
@@ -523,7 +524,7 @@ static void test_sensors_have_rings_as_paths(void **state)
     }
 }
 
-/* Whole frames, all views: a copy that only gets what was told to have changed stays equal. */
+/* Whole frames, all views: a copy that only gets the reported changes stays equal. */
 static void compare_copies(enum bead_follow follow)
 {
     struct world w = make_world();
@@ -606,7 +607,7 @@ static char *run_with_threads(const char *directory, int threads, struct bead_gr
     output.movie.window = 10;
     output.movie.captions = captions;
     output.movie.caption_count = 1;
-    output.path = name; /* a codec for tests; scenes may not ask for it */
+    output.path = name; /* a codec for tests; scenes cannot choose it */
     struct bead_run_context context = {.scene = w.scene,
                                        .chains = (const struct bead_chain *const *)w.chains,
                                        .chain_count = 2,
@@ -707,8 +708,8 @@ static void test_magnification_is_as_large_as_can_be(void **state)
     assert_int_equal(met, 0xff);
 }
 
-/* Heavy beads press the light one between them with all that they have, be it struck first or later: as drawn, no contact takes
- * more than half of its radius. Compressions by Hertz's law, of the energy that two heavy beads have in each other's eyes. */
+/* Heavy beads press the light one between them with all their energy, whether it is struck first or later: as drawn, no contact
+ * takes more than half of its radius. Compressions by Hertz's law, from the energy of the two heavy beads' relative motion. */
 static void test_magnification_of_light_beads(void **state)
 {
     (void)state;

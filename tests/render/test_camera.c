@@ -150,9 +150,9 @@ static void heads_come_back(void **state)
             put(&w, (size_t)k + 4, 1, 1); /* passes it */
         assert_true(find(&c, &w) == k && c.arrived && !c.meets);
     }
-    assert_int_equal(c.way, 1); /* it has turned round at the first contact, too */
+    assert_int_equal(c.way, 1); /* it has also turned round at the first contact */
     w = pulse(12, 1);
-    assert_true(find(&c, &w) == 11); /* of what is within nine contacts of where it was */
+    assert_true(find(&c, &w) == 11); /* of loads within nine contacts of the previous place */
     assert_true(find(&c, &w) == 12);
     struct bead_step_camera left = {0};
     w = pulse(70, -1);
@@ -228,7 +228,7 @@ static void windows_hold_the_front(void **state)
     run(30, 8, 0.9, 60);
 }
 
-/* As many beads as asked for, at most, each drawn whole, in frames of any shape with any number of chains. */
+/* At most as many beads as requested, each drawn whole, in frames of any shape with any number of chains. */
 static void window_of(const char *layout, size_t chains, int width, int height, size_t window)
 {
     char text[4096];

@@ -113,7 +113,7 @@ static void test_backdrop_comes_back(void **state)
     close_stage(&s);
 }
 
-/* A place of the frame, and a rectangle of that: nothing else is touched, however large what is painted. The place's corner is
+/* A place of the frame, and a rectangle of that: nothing else is touched, however large the things painted. The place's corner is
  * (0, 0). */
 static void test_a_part_of_the_frame_only(void **state)
 {
@@ -258,7 +258,7 @@ static size_t make_balls(struct bead_ball *balls, struct bead_mark *marks)
     return 9;
 }
 
-/* The same bits whether drawn at once, in stripes, or again over what was there. */
+/* The same bits whether drawn at once, in stripes, or again over the previous picture. */
 /* Mean level of 5 x 5 pixels of a ball of radius 400 px whose shade, under a point lamp, would begin in the middle of the canvas,
  * `way` px further away from the lamp. */
 static double shade_at(const struct context *s, double way)
@@ -321,7 +321,7 @@ static void test_parts_are_as_the_whole(void **state)
     close_stage(&s);
 }
 
-/* Both of Mesa's are open at once, and take turns. */
+/* Both of Mesa's are open at the same time, and alternate. */
 static void test_opengl_has_the_same_pixels_everywhere(void **state)
 {
     static const char *const names[2] = {"osmesa", "egl"};
@@ -370,7 +370,7 @@ static void test_opengl_has_limits(void **state)
     assert_non_null(strstr(msg.text, "too large"));
 }
 
-/* Without its shaders a canvas can be made, but drawing says what is missing. */
+/* Without its shaders a canvas can be made, but drawing reports the missing one. */
 static void test_missing_shaders(void **state)
 {
     struct bead_canvas *canvas = open_canvas(*state, 8, 8);
@@ -427,7 +427,7 @@ static void test_says_who_painted(void **state)
     bead_canvas_destroy(canvas);
 }
 
-/* Without a name it is the first of the table that can be had: OSMesa, EGL, plain. */
+/* Without a name it is the first available one of the table: OSMesa, EGL, plain. */
 static void test_the_first_that_works(void **state)
 {
     struct bead_canvas *canvas, *named = NULL;
@@ -447,7 +447,7 @@ static void test_the_first_that_works(void **state)
     bead_canvas_destroy(named);
 }
 
-/* Where OpenGL is not asked for, nothing of it is opened, nor is the environment changed. */
+/* If OpenGL is not requested, nothing of it is opened, and the environment does not change. */
 static void test_plain_needs_no_opengl(void **state)
 {
     static const char *const variables[] = {"LP_NUM_THREADS", "LIBGL_ALWAYS_SOFTWARE"};
@@ -477,7 +477,7 @@ static void test_plain_needs_no_opengl(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plain_needs_no_opengl), /* before all that opens it */
+        cmocka_unit_test(test_plain_needs_no_opengl), /* before anything opens it */
         FOR_EACH(test_backdrop_comes_back),
         FOR_EACH(test_a_part_of_the_frame_only),
         FOR_EACH(test_what_lies_outside_is_refused),

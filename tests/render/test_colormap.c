@@ -77,7 +77,7 @@ static void test_zero_looks_like_the_page(void **state)
     }
 }
 
-/* NAME_r is every map from its other end: those of the project, and colours of one's own. */
+/* NAME_r is every map from its other end: the project's maps, and the user's own colours. */
 static void test_every_map_turns_round(void **state)
 {
     (void)state;
@@ -97,7 +97,7 @@ static void test_every_map_turns_round(void **state)
     assert_int_equal(bead_colormap_load("viridis_r_r", &turned, NULL), BEAD_ERROR_SCENE);
 }
 
-/* How far two colours of a map are apart in CIELAB. */
+/* The distance of two colours of a map in CIELAB. */
 static double apart(const struct bead_colormap *map, int i, int j)
 {
     double a[3], b[3];

@@ -110,7 +110,7 @@ static void compare(const struct barred *b, const AVFrame *picture, double *most
 static const char *const maps[] = {"inferno", "viridis", "vik"};
 enum { MAPS = sizeof maps / sizeof *maps };
 
-/* As the encoder gets them: nothing but rounding. */
+/* As encoders get them: only rounding. */
 static void planes_for_encoders_have_the_colours_of_the_map(void **state)
 {
     (void)state;

@@ -133,8 +133,8 @@ static void pictures_stand_in_a_grid(void **)
     }
 }
 
-/* As many as fit in their order; of many magnetisms, from the highest to the lowest, evenly in 1 - M^2 to the power of 1.5; the
- * ones asked for. */
+/* As many as fit, in their order; with many magnetisms, from the highest to the lowest, evenly in 1 - M^2 to the power of 1.5; the
+ * requested ones. */
 static void assert_spread(const char *sweep, const char *size)
 {
     struct laid l;
@@ -211,7 +211,7 @@ static void rows_are_spread_over_magnetism(void **)
     clear(&l);
 }
 
-/* Makes up what the runs found, of eight beads; the second one's wave never arrives, which leaves out two numbers. */
+/* Makes up the results of runs, of eight beads; the second one's wave never arrives, which leaves out two numbers. */
 static void make_up(struct contact_sheet *s, size_t i)
 {
     static const signed char spins[8] = {-1, 1, 1, 0, 0, 0, 1, -1};

@@ -123,7 +123,7 @@ static void assert_width(const struct bead_figure *f, bool few, const char *what
                  most);
 }
 
-/* A line for each heading, and one for the horizon, between a chain's plots and what is above; as wide as the plots, the last one
+/* A line for each heading, and one for the horizon, between a chain's plots and the parts above; as wide as the plots, the last one
  * up to the margin. */
 static void assert_headings(const struct laid *l, bool trust)
 {
@@ -226,7 +226,7 @@ static void parts_stand_in_a_grid(void **state)
 
 /* ---- texts ---- */
 
-/* All that is written around images is on the page, apart, and near the page's margin on each side. */
+/* All words around images are on the page, apart, and near the page's margin on each side. */
 static void texts_are_apart_and_fill_the_page(void **state)
 {
     (void)state;
@@ -240,7 +240,7 @@ static void texts_are_apart_and_fill_the_page(void **state)
                  trust ? ", trust: true" : "");
         lay_out(&l, chains, output, NULL);
         const struct bead_text_watch watch = {texts_note, &l.texts};
-        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1); /* texts are told of wherever they are */
+        cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1); /* texts are reported wherever they are */
         assert_true(bead_text_watch(surface, &watch));
         cairo_t *cr = cairo_create(surface);
         assert_int_equal(bead_figure_start(l.figure, &msg), BEAD_OK);

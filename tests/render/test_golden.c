@@ -55,7 +55,7 @@ static const uint8_t *pixel(const struct raster *r, int x, int y)
     return r->rgb + 3 * ((size_t)y * (size_t)r->width + (size_t)x);
 }
 
-/* By how much the pixel of `a` is out of what those of `b` within `reach` of it span. */
+/* How far the pixel of `a` is outside the range of those of `b` within `reach` of it. */
 static int outside(const struct raster *a, const struct raster *b, int x, int y, int reach)
 {
     int most = 0;

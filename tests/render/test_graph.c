@@ -83,7 +83,7 @@ static void assert_nothing_hidden(const struct graph_layout *layout, const char 
     }
 }
 
-/* The words of all rulers stand beside their lines, or all in legends. */
+/* The words of all rulers are beside their lines, or all in legends. */
 static void assert_words_in_one_place(const struct graph_layout *layout, const char *what)
 {
     size_t words[3] = {0};
@@ -99,7 +99,7 @@ static void assert_readable(const struct bead_graph *graph, const struct bead_lo
 {
     static struct texts texts;
     const struct bead_text_watch watch = {note, &texts};
-    struct canvas c = make_canvas(1, 1); /* texts are told of wherever they are */
+    struct canvas c = make_canvas(1, 1); /* texts are reported wherever they are */
     struct graph_layout layout = lay_out(graph, look, width, height);
     struct bead_message msg = {""};
     texts.count = 0;
@@ -170,7 +170,8 @@ static void test_words_never_collide(void **state)
     }
 }
 
-/* Axes hold rulers with their bands, and error bars, besides the points; each kind of ruler is in the range of its own axis. */
+/* In addition to the points, axes include rulers with their bands, and error bars; each kind of ruler is in the range of its own
+ * axis. */
 static void test_axes_hold_all(void **state)
 {
     (void)state;
@@ -313,7 +314,7 @@ static void test_legends_without_room_go_outside(void **state)
     graph_layout_free(&layout);
 }
 
-/* The gaps of dashes are no room for words: what is covered does not depend on them. */
+/* Words cannot use the gaps of dashes: the covered part does not depend on them. */
 static void test_gaps_of_dashes_are_covered(void **state)
 {
     (void)state;
@@ -341,7 +342,7 @@ static void test_gaps_of_dashes_are_covered(void **state)
     }
 }
 
-/* Panels of figures stay where they are: axes end higher for a legend that has no room, where the scene does not say how high. */
+/* Panels of figures stay in place: axes end higher for a legend that does not fit, unless the scene gives their ends. */
 static void test_legends_of_parts_stay_inside(void **state)
 {
     (void)state;

@@ -90,14 +90,14 @@ static void ranges_leave_room_around_the_data(void **)
     assert_range(plain, true, none, 2, line, -1, 1);
     assert_range(plain, true, near, 2, line, 0.9, 1.1);
     assert_range(plain, true, empty, 1, line, -0.06, 1.06);
-    /* Logarithmic: a factor of 1.3, or 4 % of the decades; what is not above 0 does not count. */
+    /* Logarithmic: a factor of 1.3, or 4 % of the decades; values not above 0 do not count. */
     assert_range(logs, true, decades, 4, line, 1 / 1.3, 130);
     assert_range(logs, true, many, 2, line, pow(10, -0.48), pow(10, 12.48));
     assert_range(logs, false, decades, 4, line, 1, 100);
     assert_range(logs, false, decades, 4, points, 1 / 1.3, 130);
     assert_range(logs, false, one, 2, line, 5 / 1.3, 5 * 1.3);
     assert_range(logs, true, empty, 1, line, 1 / 1.3, 13);
-    /* Ends as asked for; one alone beyond the data has another that makes sense. */
+    /* Ends as requested; a single one beyond the data gets a sensible other one. */
     static const struct {
         double low, high, found[2];
         enum bead_scale scale;
@@ -143,7 +143,7 @@ static void masks_count_covered_cells(void **)
     assert_int_equal(covered(&mask, LEFT, TOP, across * size, 30 * size - 0.1), 0);
     assert_int_equal(covered(&mask, LEFT, TOP, across * size, 30 * size + 0.1), across);
     assert_int_equal(covered(&mask, LEFT, TOP + 31 * size + 0.1, across * size, 10 * size), 0);
-    assert_int_equal(covered(&mask, LEFT + 10.5 * size, TOP + 28 * size, 3 * size, 6 * size), 4); /* all that it touches */
+    assert_int_equal(covered(&mask, LEFT + 10.5 * size, TOP + 28 * size, 3 * size, 6 * size), 4); /* everything it touches */
     for (int side = 0; side < 4; side++) { /* out of the plot: as if all were covered */
         const double out[4][2] = {{-0.1, 0}, {0, -0.1}, {0.1, 0}, {0, 0.1}}, *o = out[side];
         const double x0 = o[0] > 0 ? LEFT + (across - 5) * size : LEFT, y0 = o[1] > 0 ? TOP + (down - 5) * size : TOP;
@@ -269,7 +269,7 @@ static void legends_are_columns_of_entries(void **)
         graph_legend_measure(&legend, &look, width - 1, 0);
         assert_true(legend.columns == 1 || legend.box.width < width);
     }
-    /* Words longer than the width are broken, or cut, to what is left beside the sample, three letters at least. */
+    /* Words longer than the width are broken, or cut, to the room beside the sample, three letters at least. */
     graph_legend_measure(&legend, &look, 3.1 * em + 70, 1);
     assert_at(legend.wrap, 70);
     assert_true(entries[1].width <= 70 && entries[1].height > 1.8 * height_of("one") &&
@@ -481,7 +481,7 @@ static void names_stand_where_lines_end(void **)
     }
 }
 
-/* Names at ends need lines, each of its own name, and no more than a fifth of the panel's share of the page. */
+/* Names at ends require lines with different names, and at most a fifth of the panel's share of the page. */
 static void names_are_wanted_at_ends_of_lines(void **)
 {
     static const double x[] = {0, 10}, y[] = {1, 2};
@@ -553,7 +553,7 @@ static void names_are_wanted_at_ends_of_lines(void **)
 
 /* ---- pages ---- */
 
-/* A title above the plots' left end, or at the margin where it is too long for that; a caption at the bottom. */
+/* A title above the plots' left end, or at the margin if it is too long for that; a caption at the bottom. */
 static void titles_begin_above_the_axes(void **)
 {
     static char caption[] = "A caption of some words.", shorter[] = "Title", wide[] = "A title as long as the whole page is wide";
@@ -598,7 +598,7 @@ static void titles_begin_above_the_axes(void **)
     }
 }
 
-/* A page twice as large has everything twice as far: no length is in pixels of its own. */
+/* On a page twice as large everything is twice as far: no length is in pixels. */
 static void layouts_scale_with_the_page(void **)
 {
     static struct data d;
@@ -641,7 +641,7 @@ static void layouts_scale_with_the_page(void **)
             const struct bead_rect q = a->plot;
             assert_true(fabs(2.0 * q.x - b->plot.x) <= near && fabs(2.0 * q.y - b->plot.y) <= near);
             assert_true(fabs(2.0 * q.width - b->plot.width) <= near && fabs(2.0 * q.height - b->plot.height) <= near);
-            /* Plots of a row and of a column are in line, and of one size, but for residuals of half the height. */
+            /* Plots of a row and of a column are in line, and of the same size, except for residuals of half the height. */
             const struct graph_cell *left = p % at[0].columns ? a - 1 : NULL;
             assert_true(!left || (left->plot.y == q.y && left->plot.height == q.height && left->plot.width == q.width));
             assert_true(!above || (above->plot.x == q.x && above->plot.width == q.width));
@@ -652,7 +652,7 @@ static void layouts_scale_with_the_page(void **)
             const double scale = a->legend.box.width > 0 && b->legend.box.width > 0 ? b->legend.box.width / a->legend.box.width : 2;
             assert_true(fabs(scale - 2) < 0.06);
         }
-        /* What is outside is at the margin, in line with the first plot. */
+        /* Outer parts are at the margin, in line with the first plot. */
         for (int k = 0; k < 2; k++) {
             const struct graph_box b = at[k].legend.box;
             const double margin = looks[k].margin;

@@ -92,7 +92,7 @@ static void bars_reach_their_errors_within_the_frame(void **)
 
 /* ---- points ---- */
 
-/* The corners of each shape, about its place: how many, how far, and in which direction the first one is. */
+/* The corners of each shape around its place: how many, how far, and the direction of the first one. */
 static void shapes_are_what_they_are_called(void **)
 {
     static const struct {
@@ -209,7 +209,7 @@ static void points_of_equal_x_are_beside_each_other(void **)
     const double first_off = 32 * ((sqrt(5) - 1) / 2 - 0.5);
     assert_at((strokes.list[2].low[0] + strokes.list[2].high[0]) / 2, at_x(9) + first_off);
     draw_panel(&(struct bead_series){.x = last + 1, .y = y, .count = 2, .mark = BEAD_MARK_POINTS, .shape = 1, .jitter = true}, 1);
-    assert_at((strokes.list[0].low[0] + strokes.list[0].high[0]) / 2, at_x(9)); /* no other x says how wide */
+    assert_at((strokes.list[0].low[0] + strokes.list[0].high[0]) / 2, at_x(9)); /* no other x gives the width */
 }
 
 /* Marks of dense curves: 16 radii apart, those of several curves evenly between each other's; sparse ones have all. */
@@ -260,7 +260,7 @@ static void marks_of_dense_curves_alternate(void **)
     }
 }
 
-/* Points: of full size with room, side by side where it is narrow, never invisible; clouds by the root of their number. */
+/* Points: full size if there is room, side by side if it is narrow, never invisible; clouds by the root of their number. */
 static void points_have_the_size_that_fits(void **)
 {
     static double x[4000], y[4000];
@@ -423,7 +423,7 @@ static void bands_lie_between_their_edges(void **)
     }
 }
 
-/* Where a name may stand: the last point, or where the frame cuts the line off; nowhere above and below. */
+/* Places for a name: the last point, or the point where the frame cuts the line off; nowhere above and below. */
 static void lines_end_where_the_frame_cuts_them(void **)
 {
     static const double x[] = {2, 8, 12, 14}, y[] = {1, 3, 7, 9}, high[] = {1, 9, 13, 14}, gap[] = {1, 3, NAN, 9};
@@ -454,7 +454,7 @@ static void lines_end_where_the_frame_cuts_them(void **)
     }
 }
 
-/* Each axis has its own scale: a logarithmic one below has no place for what is not above 0. */
+/* Each axis has its own scale: a logarithmic one below has no place for values not above 0. */
 static void axes_have_their_own_scales(void **)
 {
     static const double x[] = {1, 10, 100, -1, 1000, 0, 1}, y[] = {-10, 10, 0, 5, 2, 5, 10}, error[] = {5, 5, 5, 5, 5, 5, 5};

@@ -55,7 +55,7 @@ static void test_lengths_add_up(void **state)
     }
 }
 
-/* What a lane cannot use goes to the others; a second one reaches its limit only when the first has given up its part. */
+/* Room that a lane cannot use goes to the others; a second one reaches its limit only when the first has given up its part. */
 static void test_limits_follow_each_other(void **state)
 {
     (void)state;
@@ -67,7 +67,7 @@ static void test_limits_follow_each_other(void **state)
     assert_true(lane[0].size == 10 && lane[1].size == 110); /* and 180 px are left */
 }
 
-/* `least` goes before `most`, and that before shares; without room the caller is told. */
+/* `least` goes before `most`, and that before shares; a lack of room is reported to the caller. */
 static void test_wants_have_an_order(void **state)
 {
     (void)state;
@@ -89,7 +89,7 @@ static void test_wants_have_an_order(void **state)
     lane[1] = (struct bead_lane){.share = 1, .least = 60};
     struct bead_lanes two = lanes_of(lane, 2, 100);
     assert_true(bead_lanes_divide(&two));
-    assert_true(lane[0].size == 10 && lane[1].size == 90); /* what the first leaves, nothing is empty */
+    assert_true(lane[0].size == 10 && lane[1].size == 90); /* the rest of the first; nothing is empty */
 }
 
 /* Labels and gaps are not plots. */
@@ -122,7 +122,7 @@ static void test_springs_spread_the_rest(void **state)
     assert_true(lane[0].at == 7 && lane[1].at == 32);
 }
 
-/* Rows that have columns of their own begin anew, and each has the whole length. */
+/* Rows with their own columns begin anew, and each has the whole length. */
 static void test_lines_have_columns_of_their_own(void **state)
 {
     (void)state;

@@ -56,7 +56,7 @@ static void test_markup(void **state)
     assert_string_equal(out, "*u*_{*xxx*} and *N*_{1}");
     bead_markup_symbols("t (\u00b5s) at 20 \u00b0C, s \u03a9", out, sizeof out); /* parts of units */
     assert_string_equal(out, "*t* (\u00b5s) at 20 \u00b0C, *s* \u03a9");
-    bead_markup("*long*", small, sizeof small); /* no room: as it stands, cut */
+    bead_markup("*long*", small, sizeof small); /* no room: unchanged, cut */
     assert_string_equal(small, "*lo");
 }
 
@@ -176,7 +176,7 @@ static void marks_become_spans(void **)
         if (strcmp(out, cases[i][1]) != 0)
             fail_msg("'%s' becomes '%s', not '%s'", cases[i][0], out, cases[i][1]);
         bead_text_escape(cases[i][0], plain, sizeof plain);
-        for (size_t size = 0; size <= needed; size++) { /* all of it, or the text as it stands, as far as there is room */
+        for (size_t size = 0; size <= needed; size++) { /* all of it, or the unchanged text, as far as there is room */
             memset(out, '#', sizeof out);
             bead_markup(cases[i][0], out, size);
             assert_true(out[size] == '#' && (size == 0 || strlen(out) < size));
@@ -188,8 +188,7 @@ static void marks_become_spans(void **)
     }
 }
 
-/* Single letters, with subscript characters after them; the letters of words, units, numbers and what is marked already are none.
- */
+/* Single letters, with subscript characters after them; letters of words, units, numbers and marked text do not count. */
 static void symbols_are_single_letters(void **)
 {
     static const char *const cases[][2] = {{"x", "*x*"},

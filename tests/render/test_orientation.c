@@ -98,7 +98,7 @@ static void compare_films(int across, int until)
         bead_frame_free(&films[o]);
 }
 
-/* Also while a film runs, when a line stands at the present. */
+/* Also while a film runs, with a line at the present. */
 static void test_films_turn(void **state)
 {
     (void)state;
@@ -219,7 +219,7 @@ static void check_pictures(const struct paper *p, enum bead_orientation orientat
     }
 }
 
-/* The spins stand beside the beads that they belong to. */
+/* The spins are beside the beads that they belong to. */
 static void check_spins(const struct paper *p, enum bead_orientation orientation)
 {
     const bool down = orientation != BEAD_TIME_RIGHT && orientation != BEAD_MATRIX;

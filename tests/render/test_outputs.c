@@ -191,7 +191,7 @@ static void a_trajectory_draws_the_same_again(void **state)
     }
 }
 
-/* A scene without pictures can be drawn all the same: with an output's defaults, and what the command line says of it. */
+/* A scene without pictures can still be drawn: with an output's defaults, and the command line's options for it. */
 static void a_trajectory_alone_can_be_drawn(void **state)
 {
     (void)state;

@@ -361,7 +361,7 @@ static void test_instruction_sets_give_the_same_pixels(void **state)
     require(bead_frame_create(WIDTH, HEIGHT, &before, &msg), &msg);
     for (int number = 0; number <= DRAWINGS + 2; number++) {
         struct drawing d = number < DRAWINGS ? make_drawing(number) : number == DRAWINGS ? make_ways(7) : make_wild();
-        d.ways = number == DRAWINGS || number == DRAWINGS + 2; /* wild ones, too */
+        d.ways = number == DRAWINGS || number == DRAWINGS + 2; /* also wild ones */
         const int level = levels[number % LEVELS];
         fill(&before, level);
         draw_with(least, &one, &d, level);

@@ -109,7 +109,7 @@ static void test_labels_and_bars_are_shared(void **state)
     release(&built, still);
     still = make_panels(&built, "size: [700, 900], panels: [[{field: force}], [{field: force}], [{field: force, range: [0, 9]}]]");
     const struct bead_rect *bar = &still->panels[0].figure->bar;
-    assert_true(still->panels[1].set.no_bar && !still->panels[2].set.no_bar); /* a range of its own */
+    assert_true(still->panels[1].set.no_bar && !still->panels[2].set.no_bar); /* its own range */
     assert_int_equal(bar->y, plot_of(&still->panels[0]).y);
     assert_int_equal(bar->y + bar->height, plot_of(&still->panels[1]).y + plot_of(&still->panels[1]).height);
     release(&built, still);
@@ -322,7 +322,7 @@ static void test_profiles_are_panels(void **state)
     release(&built, still);
 }
 
-/* Energies of modes at the times asked for, of samples that other panels want closer. */
+/* Energies of modes at the requested times, from samples that other panels need closer. */
 static void test_modes_are_panels(void **state)
 {
     (void)state;

@@ -275,7 +275,7 @@ static void test_pdf_raster_is_the_png_s(void **state)
     free(part.rgb);
 }
 
-/* The longest run of pixels darker than paper in a row or column, from which the frame around an image stands out. */
+/* The longest run of pixels darker than paper in a row or column, to which the frame around an image belongs. */
 static int longest_line(const struct png_file *png, bool column, int index)
 {
     int longest = 0, run = 0;
@@ -287,8 +287,8 @@ static int longest_line(const struct png_file *png, bool column, int index)
     return longest;
 }
 
-/* At the 100 dpi of a screen, poppler paints images over whole pixels: the frame must be above them on all four sides. The image
- * is white but for the pulse. */
+/* At a screen's 100 dpi, poppler paints images over whole pixels: the frame must be above them on all four sides. The image is
+ * white except for the pulse. */
 static void test_pdf_frames_are_seen_on_screens(void **state)
 {
     (void)state;
@@ -373,8 +373,8 @@ static void test_same_picture_same_bytes(void **state)
     assert_same_twice("s.svg", "image: s.svg");
 }
 
-/* Letters of an SVG file are text in named fonts, after the drawing; or outlines, if asked for. It has a title and a description.
- */
+/* Letters of an SVG file are text in named fonts, after the drawing; or outlines, if requested. It has a title and a
+ * description. */
 static void test_svg_keeps_letters(void **state)
 {
     (void)state;

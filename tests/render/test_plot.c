@@ -152,12 +152,12 @@ static void test_horizons_are_marked(void **state)
     release(&run);
 }
 
-/* Of the first sensor, a straight line was measured, 1 N at 0.2 ms and 4 N at 0.8 ms, by volts, microseconds and a late trigger: it
- * is drawn where it was, and below is what the computed curve leaves of it. */
+/* At the first sensor, a straight line was measured, 1 N at 0.2 ms and 4 N at 0.8 ms, in volts, microseconds and with a late
+ * trigger: it is drawn at its place, and its difference from the computed curve is below. */
 static void test_differences_are_below(void **state)
 {
     (void)state;
-    static const char *const trusts[] = {"", ", trust: true"}; /* what a comparison run differs by is no residual */
+    static const char *const trusts[] = {"", ", trust: true"}; /* the difference from a comparison run is not a residual */
     for (int trust = 0; trust < 2; trust++) {
         char settings[200];
         snprintf(settings, sizeof settings,
@@ -183,7 +183,7 @@ static void test_differences_are_below(void **state)
     release(&run);
 }
 
-/* The word of a band stands in it; beside one that is thinner than letters; nowhere where curves leave no room. */
+/* The word of a band is in it; beside one that is thinner than letters; nowhere if curves leave no room. */
 static void test_words_stand_in_bands(void **state)
 {
     (void)state;

@@ -10,11 +10,11 @@
 #include "render/plot/plot_private.h"
 #include "sessions.h"
 
-/* The plots of the ready scenes, with fewer points and configurations where there are many: what the curves are called and how they
- * are told apart does not depend on these. */
+/* The plots of the ready scenes, with fewer points and configurations if there are many: the names of curves and their differences
+ * do not depend on these. */
 static const struct ready_figure {
     const char *scene, *only[3], *settings[6];
-    size_t least_pairs; /* of curves that are told apart */
+    size_t least_pairs; /* of curves that differ */
 } ready_figures[] = {
     {"sensors", {"sensors.png"}, {NULL}, 4},
     {"panels", {"panels.pdf"}, {NULL}, 1},
@@ -156,7 +156,7 @@ static void look_at(const struct bead_panel *panel)
         cairo_surface_destroy(picture[i]);
 }
 
-/* Any number of lines and of marks, up to what the table of dashes and that of shapes give together. */
+/* Any number of lines and of marks, up to the product of the tables of dashes and shapes. */
 static void test_many_curves_are_told_apart(void **state)
 {
     (void)state;

@@ -78,7 +78,7 @@ static void sensors_have_names_of_any_length(void **state)
     clear_stage(s);
 }
 
-/* The room that rows do not need is shared evenly: above, between and below them, a third each of what a page is higher. */
+/* The spaces above, between and below rows share the remaining room evenly, a third each of a page's extra height. */
 static void rows_share_what_is_left(void **state)
 {
     (void)state;
@@ -131,7 +131,7 @@ static void ends_that_absorb_are_no_free_ends(void **state)
     clear_stage(s);
 }
 
-/* Many entries and many chains: what is left out is said. */
+/* Many entries and many chains: a line names those left out. */
 static void what_is_left_out_is_said(void **state)
 {
     (void)state;
@@ -158,7 +158,8 @@ static void what_is_left_out_is_said(void **state)
     clear_stage(s);
 }
 
-/* A tapered chain is one row of beads and one entry of the legend; of many other materials some are named. One M is said. */
+/* A tapered chain is one row of beads and one entry of the legend; of many other materials some are named. M is given if there is
+ * one. */
 static void tapered_chains_are_one_row(void **state)
 {
     (void)state;
@@ -264,7 +265,7 @@ static void nothing_is_computed(void **state)
     size_t length;
     in_directory("c.svg", path, sizeof path);
     char *svg = read_all(path, &length);
-    assert_null(strstr(svg, "<image")); /* nothing but paths and glyphs */
+    assert_null(strstr(svg, "<image")); /* only paths and glyphs */
     free(svg);
     assert_no_part_files();
 }

@@ -71,7 +71,7 @@ static void contact_is_to_scale(void **state)
                    blue = find_run(picture, true, middle, 140, 140, 255, 4);
         struct run grey = find_run(picture, true, middle, 168, 168, 168, 2);
         double width = blue.last - red.first + 1, scale = width / (12e-3 - d1 - d2);
-        close_to((grey.count + 2) / scale, d1 + d2, 6 / scale); /* but for the chord, which is not grey */
+        close_to((grey.count + 2) / scale, d1 + d2, 6 / scale); /* except for the chord, which is not grey */
         int chord = (int)lround(red.first + scale * (8e-3 - d1));
         struct run line = {-1, -1, 0};
         for (int x = chord - 4; x <= chord + 4; x++) {

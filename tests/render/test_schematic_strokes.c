@@ -278,7 +278,7 @@ static struct bead_look look_of(const struct staged *s)
     return look;
 }
 
-/* The middle of the ink of the n-th text that says so; a symbol alone, not in formulas. */
+/* The middle of the ink of the n-th text with these words; a symbol alone, not in formulas. */
 static void middle_of(const struct seen *seen, const char *text, size_t n, double at[2])
 {
     for (size_t i = 0; i < seen->count; i++) {
@@ -303,7 +303,7 @@ static size_t lines_of(struct bead_rgb ink, const struct stroke *lines[], size_t
 }
 
 /* Each triangle of centre, foot and end of the chord: R - delta, q and R; its right angle towards the chord's side of its own bead;
- * the dimensions of delta from the chord to the outlines as they were. */
+ * the dimensions of delta from the chord to the original outlines. */
 static void contacts_have_their_triangles(void **)
 {
     static const struct {
@@ -353,7 +353,7 @@ static void contacts_have_their_triangles(void **)
                 assert_point(lines[at + 3], 1, foot + sign * 0.4 * em, level);
                 assert_true(fabs(lines[at]->width - 1.4 * look.line) < 1e-9);
                 at += 4;
-                /* R stands 0.95 em from the middle of its line, upright to it, on the upper side. */
+                /* R is 0.95 em from the middle of its line, perpendicular to it, on the upper side. */
                 double said[2], name[2];
                 char symbol[160];
                 bead_symbol_words("R", i < 2 || i == 3 || i == 4 ? side + 1 : 0, symbol, sizeof symbol);
@@ -366,8 +366,8 @@ static void contacts_have_their_triangles(void **)
                     assert_true(fabs(name[0] - centre[side]) < 0.5 * em && name[1] < level - scale * radius);
             }
             assert_int_equal(at, count - 1);
-            /* Outlines: what is left in ink, what was there dashed and faint, both from one end of the chord to the other; a wall's
-             * face. */
+            /* Outlines: the remaining parts in ink, the original ones dashed and faint, both from one end of the chord to the
+             * other; a wall's face. */
             size_t outlines[2] = {0, 0}, faces = 0;
             for (size_t j = 0; j < strokes.count; j++) {
                 const struct stroke *out = &strokes.list[j];
@@ -428,8 +428,7 @@ static void contacts_have_their_triangles(void **)
     }
 }
 
-/* What is written below a contact has the numbers of Hertz's law: A = 4/3 E* sqrt(R*), with 1/E* and 1/R* the sums of both sides.
- */
+/* The words below a contact have the numbers of Hertz's law: A = 4/3 E* sqrt(R*), with 1/E* and 1/R* the sums of both sides. */
 static void formulas_have_the_contacts_numbers(void **)
 {
     static const struct {
@@ -568,8 +567,8 @@ static double slope_of(const struct stroke *s, size_t from, size_t to)
     return (s->at[to].y - s->at[from].y) / (s->at[to].x - s->at[from].x);
 }
 
-/* Beads in contact with each other, on a guide of the chain's tilt; the striker rests on the ramp and comes in on the beads' axis;
- * the wall stands at the last bead; rings mark sensors; all of it is in the middle. */
+/* Beads touch each other, on a guide with the chain's tilt; the striker rests on the ramp and arrives on the beads' axis; the wall
+ * is at the last bead; rings mark sensors; everything is in the middle. */
 static void beads_lie_on_their_guide(void **)
 {
     for (int variant = 0; variant < 4; variant++) {

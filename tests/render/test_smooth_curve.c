@@ -69,7 +69,7 @@ static void values_are_kept(void **state)
     assert_memory_equal(y, sy, sizeof y);
 }
 
-/* What is drawn again after a value has changed is all that it changes, and a part is as in the whole. */
+/* The part redrawn after a value has changed is all that it changes, and a part is as in the whole. */
 static void influence_ends(void **state)
 {
     (void)state;

@@ -302,8 +302,8 @@ static void light_rises_with_force(void **state)
 
 /* ---- camera ---- */
 
-/* A pulse five beads wide runs to the end and back, through a window of 16 beads in so many frames. Returns the part of frames in
- * which the camera stands still. */
+/* A pulse five beads wide runs to the end and back, through a window of 16 beads in this many frames. Returns the part of frames in
+ * which the camera is still. */
 static double follow_pulse(double crossing)
 {
     enum { CONTACTS = 129 };
@@ -377,7 +377,7 @@ static void waves_that_meet_are_both_in_the_window(void **state)
         last = left;
     }
     assert_true(both > 40);
-    assert_int_equal(still, near); /* it stands where they meet */
+    assert_int_equal(still, near); /* it stays where they meet */
 }
 
 static void camera_rests_and_follows(void **state)
@@ -391,7 +391,7 @@ static void camera_rests_and_follows(void **state)
     assert_true(bead_pan_eased(0.01) < 1e-4 && bead_pan_eased(0.99) > 1 - 1e-4);
 }
 
-/* Materials without a colour of their own are told apart by all eyes, as curves are. */
+/* Materials without given colours differ for all eyes, like curves. */
 static void own_materials_differ(void **state)
 {
     (void)state;

@@ -62,7 +62,7 @@ static void draw(struct drawn *d, double left)
     require(bead_moving_labels_draw(d->labels, left, &d->frame, &d->background, NULL, &msg), &msg);
 }
 
-/* How much ink a box of the strip has that takes away from this channel (0: blue), in pixels, and where its middle is. */
+/* How much ink that takes away from this channel (0: blue) is in a box of the strip, in pixels, and the place of its middle. */
 static double ink(const struct drawn *d, int channel, int x0, int x1, int y0, int y1, double *middle)
 {
     double sum = 0, moment = 0;
@@ -80,7 +80,7 @@ static double ink(const struct drawn *d, int channel, int x0, int x1, int y0, in
 
 static const struct bead_rgb black = {0, 0, 0};
 
-/* Marks stand at their place to a sixteenth of a pixel: lines of the look's width above a text, triangles below one. */
+/* Marks are at their place to a sixteenth of a pixel: lines of the look's width above a text, triangles below one. */
 static void marks_move_by_parts_of_a_pixel(void **)
 {
     for (int pointer = 0; pointer < 2; pointer++) {
@@ -121,7 +121,7 @@ static void texts_are_in_the_middle(void **)
         const int base = below ? (int)round(round(0.38 * 20) + 20) : (int)round(0.95 * 20), top = base - 16;
         double middle, all = ink(&d, 1, 0, strip.width, top, base + 1, &middle);
         assert_true(all > 15 && fabs(middle - 200) < 0.7);
-        assert_true(ink(&d, 1, 0, strip.width, base + 1, base + 3, NULL) < 0.1); /* digits stand on their line */
+        assert_true(ink(&d, 1, 0, strip.width, base + 1, base + 3, NULL) < 0.1); /* digits are on their line */
         int highest = top;
         while (highest < base && ink(&d, 1, 0, strip.width, highest, highest + 1, NULL) < 0.2)
             highest++;
@@ -192,7 +192,7 @@ static void beads_are_counted(void **)
     require(bead_moving_labels_count(d.labels, place, 17, 200, strip.width / scale, BEAD_LABEL_TICK, &msg), &msg);
     size_t seen = 0;
     double before = -1;
-    for (int k = 0; k < 40; k++) { /* the camera goes on by one bead at a time */
+    for (int k = 0; k < 40; k++) { /* the camera advances by one bead at a time */
         draw(&d, place[k]);
         double middle;
         for (int bead = 17 + k + 5; bead < 17 + k + 35; bead++) {
@@ -217,7 +217,7 @@ static void beads_are_counted(void **)
     close_drawn(&one);
 }
 
-/* Where an axis would have no second number, a window shows one of its beads at a time: a multiple of all that it shows. */
+/* If an axis has no second number, a window shows one of its beads at a time: a multiple of all that it shows. */
 static void few_numbers_have_room(void **)
 {
     const struct bead_rect narrow = {strip.x, strip.y, 60, strip.height};
@@ -365,7 +365,7 @@ static void keys_are_rows_of_samples(void **)
     close_keyed(&k);
 }
 
-/* The window follows one of several waves: it says so where there are two or more, of strikers, drives, and beads that start. */
+/* The window follows one of several waves: its key says so if there are two or more, of strikers, drives, and beads that start. */
 static void several_waves_are_told(void **)
 {
     static const struct {

@@ -133,7 +133,7 @@ static double gap_of(const struct bead_stage *s, size_t i)
     return hypot(b->x - a->x, b->r - a->r) - a->r - b->r;
 }
 
-/* No bead goes through another, and what is between two heavy ones has as much air on both sides. */
+/* No bead passes through another, and one between two heavy ones has equal air on both sides. */
 static void light_beads_part_heavy_ones(void **state)
 {
     (void)state;
@@ -379,7 +379,7 @@ static void the_key_light_is_heard(void **state)
         }
 }
 
-/* How far from light on a nearly black bead the colours are along a row of pixels, at most, levels. */
+/* The largest distance, in levels, from light on a nearly black bead of the colours along a row of pixels. */
 static double off_scale(const uint8_t *row, int from, int width)
 {
     double most = 0;
@@ -580,9 +580,9 @@ static void the_row_marks_what_is_on_the_stage(void **state)
     }
 }
 
-/* What is struck is in the window, from one end of a long chain to the other, which is seen as a whole: the window ends beyond its
- * last bead, and moves by less than itself, so that a pulse of five beads stays in it. A stage twice as wide may be twice as high.
- */
+/* A struck bead is in the window, from one end of a long chain to the other, which is seen as a whole: the window ends beyond its
+ * last bead, and moves by less than its width, so that a pulse of five beads stays in it. A stage twice as wide may be twice as
+ * high. */
 static void windows_go_along(void **state)
 {
     (void)state;
@@ -617,7 +617,7 @@ static void windows_go_along(void **state)
     close_view(&s);
 }
 
-/* Notes point at beads where they are drawn, at contacts where two beads touch, at the wall; at what is out of sight in the row. */
+/* Notes point at beads where they are drawn, at contacts where two beads touch, at the wall; at things out of sight in the row. */
 static void things_are_found_where_they_are_drawn(void **state)
 {
     (void)state;
@@ -639,7 +639,7 @@ static void things_are_found_where_they_are_drawn(void **state)
             assert_true(fabs(off) < rounding);
             if (spot.below)
                 assert_true(spot.y == v->row.y + spot.r && spot.r == 0.5 * v->row.height && spot.row.width == v->row.width);
-            else /* they stand on one floor, seen from above */
+            else /* they rest on one floor, seen from above */
                 assert_true(fabs(spot.r - (double)b[i].r) < rounding &&
                             fabs(spot.y - v->strip.y - v->stage.centre - BEAD_STAGE_COSINE * (v->stage.unit - spot.r)) < 1e-3);
         }

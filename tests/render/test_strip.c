@@ -154,7 +154,7 @@ static void a_row_at_rest_has_the_colours_of_its_beads(void **state)
     }
 }
 
-/* Steel and aluminium in turn, against pixels of every width: no pattern but what is there. */
+/* Steel and aluminium in turn, against pixels of every width: no pattern except the real one. */
 static void cells_do_not_beat_against_pixels(void **state)
 {
     (void)state;

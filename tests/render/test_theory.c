@@ -171,8 +171,8 @@ static void it_is_the_same_in_parts(void **state)
     }
 }
 
-/* On any colour a light line is seen, and its edges: black of 0.6, on either side, no narrower than half the line and no wider than
- * it. What each channel has gained is light * (1 - ground) - dark * 0.6 * ground, of two areas, which two channels tell. */
+/* A light line is visible on any colour, and so are its edges: black of 0.6, on either side, no narrower than half the line and no
+ * wider than it. Each channel gains light * (1 - ground) - dark * 0.6 * ground, with two areas, which two channels determine. */
 static void it_has_dark_edges(void **state)
 {
     (void)state;

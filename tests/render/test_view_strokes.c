@@ -255,7 +255,7 @@ static bool passes(const struct stroke *curve, double x, double y)
     return false;
 }
 
-/* Numbers below the plot stand below their beads, of which the first and the last have half a step more; returns how many there
+/* Numbers below the plot are below their beads, of which the first and the last have half a step more; returns how many there
  * are. */
 static size_t numbers_are_below_beads(const struct shown *s, double first, double last)
 {
@@ -343,7 +343,7 @@ static void profiles_have_their_values(void **)
     }
 }
 
-/* Of a string the curve goes through each mass between the ends, where it is zero. */
+/* For a string the curve passes through each mass between the ends, where it is zero. */
 static void strings_are_fixed(void **)
 {
     enum { MASSES = 7 };
@@ -662,7 +662,7 @@ static void theory_is_as_fast_as_its_force(void **)
             assert_at(light->at[e].x, LEFT + WIDTH * (down ? place[e] : when[e]));
             assert_true(fabs(light->at[e].y - (TOP + HEIGHT * (down ? when[e] : matrix ? place[e] : 1 - place[e]))) < 0.02);
         }
-        /* The words stand in the corner where beads are at rest, on a piece of the page. */
+        /* The words are in the corner where beads are at rest, on a piece of the page. */
         const struct stroke *box = &strokes.list[2];
         const double pad = 0.4 * s.look.tick;
         assert_true(strokes.count == 3 && stroke_has(box, true, s.look.background) && s.seen.count == 1);

@@ -41,7 +41,7 @@ static void test_functions_fit_the_traits(void **state)
     assert_null(bead_view_find(BEAD_VIEW_KINDS));
 }
 
-/* What a list of views must be, as an error message says it, names every view. */
+/* The error message about a list of views names every view. */
 static void test_messages_name_every_view(void **state)
 {
     (void)state;
@@ -74,7 +74,7 @@ static void test_any_and_all(void **state)
     assert_false(bead_views_any(&views, BEAD_SHOWS_BEADS));
 }
 
-/* Beside other views sensors show the movie's field, alone as well, and of both runs where the movie says how far to trust it. */
+/* Beside other views sensors show the movie's field, also when alone, and of both runs if the movie shows how far to trust it. */
 static void test_movies_of_sensors_show_their_field(void **state)
 {
     (void)state;

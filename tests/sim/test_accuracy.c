@@ -84,8 +84,8 @@ static void orders_are_those_of_the_tables(void **state)
     }
 }
 
-/* Asked for an accuracy, peaks are within it, and the steps are not much shorter than that takes: at most 100 times better, unless
- * the step is the longest allowed. */
+/* With a requested accuracy, peaks are within it, and the steps are not much shorter than necessary: at most 100 times better,
+ * unless the step is the longest allowed. */
 static void accuracy_is_what_was_asked(void **state)
 {
     (void)state;
@@ -136,7 +136,7 @@ static void compare_peaks(size_t contacts, const struct bead_peak *peaks, double
     }
 }
 
-/* The same for chains that no reference exists for, against a run of their own with a step 20 times shorter than the default's. */
+/* The same for chains without references, against another run with a step 20 times shorter than the default. */
 static void accuracy_holds_for_other_chains(void **state)
 {
     (void)state;

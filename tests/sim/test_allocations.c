@@ -15,7 +15,7 @@
 /* Something that is done and undone. */
 typedef enum bead_error (*action)(const void *context, struct bead_message *msg);
 
-/* Removes what an action has made, and returns how many of these files are unfinished: a sweep's journal is meant to stay. */
+/* Removes the files of an action, and returns how many of these are unfinished: a sweep's journal is meant to stay. */
 static int clear(void)
 {
     char path[1024];
@@ -69,7 +69,7 @@ static long fail_each(action act, const void *context)
 #ifdef FAIL_ALLOC_SANITIZED
     skip_without("a build without sanitizers");
 #endif
-    if (act(context, &msg)) /* what is made once for the whole program is there from now on */
+    if (act(context, &msg)) /* things made once for the whole program exist from now on */
         fail_msg("%s", msg.text);
     read_tables(whole);
     for (long k = 1;; k++) {

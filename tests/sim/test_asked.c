@@ -39,7 +39,7 @@ static void quiet_chain(char *text, size_t size)
     snprintf(text + used, size - used, "]}\n");
 }
 
-/* What is little beside the striker's velocity is much beside that of the last beads. */
+/* A small error compared with the striker's velocity is large compared with that of the last beads. */
 static void quiet_contacts_are_as_asked(void **state)
 {
     (void)state;
@@ -54,7 +54,7 @@ static void quiet_contacts_are_as_asked(void **state)
     asking_end(&asking);
 }
 
-/* Light beads that rattle between others. In the first chain steps become longer where the wave has passed, too long for the next
+/* Light beads that rattle between others. In the first chain steps become longer after the wave has passed, too long for the next
  * collision; in the second a bead is hit from both sides within one. */
 static void rattling_beads_are_as_asked(void **state)
 {

@@ -145,7 +145,7 @@ static void free_rows_have_standing_waves(void **state)
 }
 
 /* A bead of half the mass in a uniform row: w^2 = wmax^2 / (1 - 1/4), and amplitudes fall by (1 - 1/2) / (1 + 1/2) from bead to
- * bead (Montroll and Potts 1955): a length of 1 / ln 3, but for the ends' part of 1/n. */
+ * bead (Montroll and Potts 1955): a length of 1 / ln 3, except for the ends' part of 1/n. */
 static void light_impurities_hold_a_mode(void **state)
 {
     (void)state;

@@ -52,8 +52,8 @@ static double difference(const struct found *a, const struct found *b)
 #define RANDOM(cell, count, seed) \
     "chain: {beads: [{cell: " cell ", count: " #count ", spins: random, seed: " #seed "}, {cell: " cell ", count: 10}]}\n"
 
-/* The force behind 256 random cells is that of the whole chain to a hundredth of what was asked, for less than two thirds of the
- * evaluations. */
+/* The force behind 256 random cells is that of the whole chain to a hundredth of the requested accuracy, for less than two thirds
+ * of the evaluations. */
 static void peaks_are_those_of_the_whole_chain(void **)
 {
     const struct bead_span span = {515, 517};
@@ -70,8 +70,8 @@ static void peaks_are_those_of_the_whole_chain(void **)
     }
 }
 
-/* Where signals travel faster than the cut allows, the run says so: with less than the speed of the front in any chain, and with
- * the usual widening where hard beads are beside soft ones. With more beads it agrees. */
+/* If signals travel faster than the cut allows, the run says so: with less than the speed of the front in any chain, and with the
+ * usual widening if hard beads are beside soft ones. With more beads it agrees. */
 static void a_cut_too_near_is_noticed(void **)
 {
     const struct bead_span span = {259, 261};

@@ -64,7 +64,7 @@ static void momentum_is_kept(void **state)
     drop(&x, s);
 }
 
-/* v x 32 is t / 2, u x 16: to the bit where steps are halved, but for numbers that nothing distinguishes from zero. */
+/* v x 32 is t / 2, u x 16: to the bit if steps are halved, except for numbers indistinguishable from zero. */
 static void scaling_is_exact(void **state)
 {
     (void)state;
@@ -86,7 +86,7 @@ static void scaling_is_exact(void **state)
     drop(&y, b);
 }
 
-/* A precompressed chain (on a slope, too) hit hard enough to open: errors against a run with finer steps. */
+/* A precompressed chain (also on a slope) hit hard enough to open: errors against a run with finer steps. */
 static void check_opening(double tilt)
 {
     struct setup x;

@@ -93,7 +93,7 @@ static void cradles_keep_their_energy(void **state)
     }
 }
 
-/* Three balls touch: what is left to each before they swing back is that of a row without pendulums (numbers of an independent
+/* Three balls touch: the velocity of each before they swing back is that of a row without pendulums (numbers of an independent
  * program), as a collision takes a thousandth of the period. */
 static void three_balls_part_as_without_strings(void **state)
 {

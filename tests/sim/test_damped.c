@@ -171,7 +171,7 @@ static void the_front_counts_the_impact(void **state)
 
 enum { CONTACTS = 7, ACCURACIES = 4 };
 
-/* Peaks of a chain of 8 beads until 1 ms, asked for as these; the first of them stands in for exact. */
+/* Peaks of a chain of 8 beads until 1 ms, requested like these; the first of them counts as exact. */
 static void assert_as_accurate(const char *chain, const double asked[ACCURACIES])
 {
     struct bead_peak exact[CONTACTS];

@@ -22,7 +22,7 @@ static void derived_forces_are_those_sampled(void **state)
             double time = i * 0.003e-3;
             run_until(run, time);
             struct bead_sample s = sample_at(run, time);
-            const size_t beads = bead_chain_beads(built.chain); /* nothing behind the last one is read or written */
+            const size_t beads = bead_chain_beads(built.chain); /* nothing after the last one is read or written */
             memcpy(u, s.field[BEAD_FIELD_DISPLACEMENT], beads * sizeof *u);
             u[beads] = contact[beads] = bead[beads] = NAN;
             bead_derive_forces(built.chain, u, contact, bead);

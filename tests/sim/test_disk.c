@@ -8,7 +8,7 @@
 #include <sys/syscall.h>
 
 enum call { NONE, PWRITE, FDATASYNC, FTRUNCATE, CLOSE, FSYNC };
-/* The call that fails, how many times it goes well before, and the reason; how often it was made. */
+/* The call that fails, how many times it succeeds before, and the reason; how often it was made. */
 static struct {
     enum call call;
     int spared, error, calls;

@@ -33,7 +33,7 @@ static void derivatives_belong_to_the_wave(void **state)
     }
 }
 
-/* Noise has the standard deviation asked for, and no mean. */
+/* Noise has the requested standard deviation, and no mean. */
 static void noise_has_its_amplitude(void **state)
 {
     (void)state;
@@ -163,8 +163,8 @@ static void work_is_the_energy(void **state)
     }
 }
 
-/* Velocities at many times against Runge and Kutta's method, which knows no events, at 1e-11. Steps that grew while contacts were
- * soft left them off by up to 50 times what was asked. */
+/* Velocities at many times against the method of Runge and Kutta, which knows no events, at 1e-11. Steps that grew while contacts
+ * were soft had errors up to 50 times the accuracy requested. */
 static void drives_keep_the_accuracy(void **state)
 {
     (void)state;
@@ -202,7 +202,7 @@ static void drives_keep_the_accuracy(void **state)
     }
 }
 
-/* A lone bead under a force of straight lines: cubic parabolas between the kinks, and uniform motion behind the last. */
+/* A lone bead under a force of straight lines: cubic parabolas between the kinks, and uniform motion after the last. */
 static void kinks_are_exact(void **state)
 {
     (void)state;

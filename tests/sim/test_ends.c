@@ -70,7 +70,7 @@ static void strings_start_with_their_masses(void **state)
     }
 }
 
-/* Back at its first step from its last one, a stepper is as it was then: what the wave had not reached is at rest again. */
+/* Back at its first step from its last one, a stepper is as it was then: beads that the wave had not reached are at rest again. */
 static void records_bring_back_rest(void **state)
 {
     (void)state;

@@ -120,7 +120,7 @@ static void a_clean_pulse_is_the_front(void **state)
                     "simulate: {until: 1.1 ms}\n");
     assert_true(read_places(400, before) && read_places(b.rows - 1, after)); /* at .52 ms, and 1.1 ms */
     assert_near(before[FRONT] / b.start, 0.99366, 6e-6);
-    assert_near(before[PAST] / b.start, 0.99366, 1e-4); /* and a little of what is behind */
+    assert_near(before[PAST] / b.start, 0.99366, 1e-4); /* and a little of the rest behind */
     assert_near(before[REFLECTED] / b.start, 1 - 0.99366, 6e-6);
     assert_near(before[BEHIND], 0, 6e-6 * b.start);
     assert_true(after[FRONT] == 0);

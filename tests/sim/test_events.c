@@ -114,8 +114,8 @@ static void bits_are_the_same(void **state)
     drop(&x, NULL);
 }
 
-/* A long chain goes through the stages in tiles, a short one does not. With the same beads, all moving, they agree to the bit but
- * for what the short one's end has told its neighbours. */
+/* A long chain goes through the stages in tiles, a short one does not. With the same beads, all moving, they agree to the bit,
+ * except for the effect of the short one's end on its neighbours. */
 static void tiles_change_no_bit(void **state)
 {
     (void)state;

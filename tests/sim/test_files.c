@@ -15,7 +15,7 @@
 
 #include "scratch.h"
 
-/* A file's path in the scratch directory; every test has names of its own. */
+/* A file's path in the scratch directory; every test has different names. */
 static void in_directory(const char *name, char path[PATH_MAX])
 {
     snprintf(path, PATH_MAX, "%s/%s", directory, name);
@@ -106,7 +106,7 @@ static void a_second_claim_is_refused_and_removes_nothing(void **state)
     assert_null(second);
     assert_non_null(strstr(msg.text, "another run"));
     assert_int_equal(access(part, F_OK), 0);
-    assert_int_equal(bead_file_write(path, fill, "done", NULL, &msg), BEAD_OK); /* the claim does not stand in its own way */
+    assert_int_equal(bead_file_write(path, fill, "done", NULL, &msg), BEAD_OK); /* the claim does not block itself */
     assert_int_equal(bead_file_claim(path, &second, &msg), BEAD_OK);            /* the finished file is nobody's */
     bead_file_release(first, false);
     assert_int_equal(access(part, F_OK), 0); /* that is the second's now */

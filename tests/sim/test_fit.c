@@ -19,7 +19,7 @@ static double chance(uint64_t seed, uint64_t index)
     return sqrt(-2 * log(u)) * cos(2 * 3.14159265358979323846 * v);
 }
 
-/* What a bead of the true chain feels, at times that are no samples of the fit, with noise. */
+/* The force on a bead of the true chain, at times that are not samples of the fit, with noise. */
 static void measure(uint64_t seed, double noise, char *text)
 {
     struct built b = build("chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 6}],\n"
@@ -57,7 +57,7 @@ static struct bead_fit_key *fit(const char *measured, struct bead_session **sess
     return (*session)->scene->fit.keys;
 }
 
-/* Without noise, nothing but the errors of the runs is left. */
+/* Without noise, only the errors of the runs remain. */
 static void the_truth_is_found(void **state)
 {
     (void)state;

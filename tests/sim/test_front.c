@@ -47,7 +47,7 @@ static void fronts_arrive_when_the_last_force_rises(void **state)
         "chain: {damping: {coefficient: 5}, beads: [{bead: large-steel, count: 8}], wall: rigid}\n",
         "chain: {striker: {bead: lead, velocity: 3 m/s}, beads: [{bead: ptfe, count: 4}]}\n",
     };
-    /* Long steps, too: their motion is off by less, and polynomials over whole ones by more. */
+    /* Also long steps: the error of their motion is smaller, that of polynomials over whole ones larger. */
     static const struct {
         const char *simulate;
         double tolerance; /* s, as measured; the reference has steps of 20 ns, between which logarithms bend */

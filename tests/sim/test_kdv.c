@@ -442,7 +442,7 @@ static void coefficients_are_exact(void **state)
     for (int n = 0; n < STEPS; n++, h *= 3) {
         bead_etd_rows(omega, MODES, h, row);
         for (size_t j = 0; j <= MODES; j++) {
-            const double *a = (const double *)&row[j]; /* nothing but numbers */
+            const double *a = (const double *)&row[j]; /* only numbers */
             bead_wide exact[12];
             exact_row(((bead_wide)omega[j].high + omega[j].low) * h, h, exact);
             for (size_t i = 0; i < sizeof *row / sizeof *a; i++) /* two turns; the others are times */

@@ -11,7 +11,7 @@
 #include "sim/trajectory/trajectory_data.h"
 #include "sim/trajectory/trajectory_sink.h"
 
-/* What the program did to its file: bytes written at an offset, or (with no bytes) its new length; or it waited for the disk. */
+/* The program's operations on its file: bytes written at an offset, or (without bytes) its new length; or a wait for the disk. */
 struct change {
     off_t offset;
     size_t size;
@@ -36,7 +36,7 @@ static void record(off_t offset, const void *bytes, size_t size)
         memcpy(change->bytes, bytes, size);
 }
 
-/* These stand before the C library's. */
+/* These precede the C library's. */
 ssize_t pwrite(int file, const void *bytes, size_t size, off_t offset)
 {
     record(offset, bytes, size);
@@ -90,7 +90,7 @@ static size_t check_file(const char *path, size_t change)
     return samples;
 }
 
-/* A run of 300 odd samples, recorded; returns how many. */
+/* A run of about 300 samples, recorded; returns how many. */
 static size_t record_run(struct stand *s)
 {
     struct bead_message msg = {""};
@@ -101,7 +101,7 @@ static size_t record_run(struct stand *s)
     begin(s);
     for (int i = 0; i < 150; i++) {
         deliver(s, 2);
-        if (i % 40 == 0) { /* half a chunk is flushed, too */
+        if (i % 40 == 0) { /* half a chunk is also flushed */
             s->sink->flushed -= 10;
             deliver(s, 1);
             s->sink->flushed -= 10;

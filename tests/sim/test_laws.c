@@ -43,7 +43,7 @@ static struct bead_law_spec example_of(const struct bead_law *law)
     return spec;
 }
 
-/* What a row lacks; NULL: it is whole. */
+/* The member that a row lacks; NULL: it is complete. */
 static const char *lacks(const struct bead_law *law)
 {
     if (!law->name || !law->description)
@@ -330,7 +330,7 @@ static void a_row_without_exponent_has_events(void **state)
     assert_below(between(&unsaid, "rkn8", 4e-6, &spring, 4e-6, 5), 1e-9);
 }
 
-/* Largest error of a contact's first peak, relative to it, of steps as asked for. */
+/* Largest error of a contact's first peak, relative to it, with the requested steps. */
 static double peaks_off(const struct bead_law *law, double stiffness, double accuracy)
 {
     const double end = 0.5e-3;
@@ -360,7 +360,7 @@ static double peaks_off(const struct bead_law *law, double stiffness, double acc
     return most;
 }
 
-/* No row of a table of peaks says less than what was asked; so what is within that is within what its row says. */
+/* No row of a table of peaks has less than the requested accuracy; so errors within that are within the row's uncertainty. */
 static void peaks_of_other_laws_are_as_asked(void **state)
 {
     (void)state;
@@ -381,7 +381,7 @@ static struct bead_method_choice choose(struct setup *x, const char *method, enu
     return choice;
 }
 
-/* Nothing is known of how its force begins: its contact events are left alone, and nobody takes it for Hertz's. */
+/* The beginning of its force is unknown: its contact events are left alone, and it is not taken for Hertz's. */
 static void a_row_that_begins_as_no_power_has_no_events(void **state)
 {
     (void)state;
@@ -410,8 +410,8 @@ static void a_row_that_begins_as_no_power_has_no_events(void **state)
     drop(&x, s);
 }
 
-/* Laws of a program's own are found by their names, in scenes and in what is made from these; those that lack something are
- * refused, and so are names that the library has. */
+/* A program's own laws are found by their names, in scenes and in results made from these; incomplete ones are refused, and so are
+ * names that the library has. */
 static void own_laws_are_found_by_name(void **state)
 {
     (void)state;

@@ -64,7 +64,7 @@ static double first(const double *b, double x)
     return b[0] * x;
 }
 
-/* Parameters that begin at 0 have a step, too; what no data can tell is said. */
+/* Parameters that begin at 0 also have a step; parameters that the data cannot determine are reported. */
 static void what_cannot_be_found_is_said(void **state)
 {
     (void)state;

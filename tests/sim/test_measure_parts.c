@@ -87,7 +87,7 @@ static struct bead_pulse_found two_bells(const struct built *built, double secon
 }
 
 /* Momentum is the integral of the force over the pulse, sqrt(pi) w F for a bell. The pulse lasts to the first minimum below a
- * twentieth of its maximum: with a dip to .3 of it both bells are one pulse, with one to .0004 the first is a pulse of its own. */
+ * twentieth of its maximum: with a dip to .3 of it both bells are one pulse, with one to .0004 the first is a separate pulse. */
 static void a_pulse_lasts_to_a_deep_minimum(void **state)
 {
     (void)state;
@@ -173,8 +173,8 @@ static double stored(const struct bead_chain *chain, size_t contact, double forc
     return sum;
 }
 
-/* What is measured of the bells is what they were made of: integrals of squares of bells are sqrt(pi / 2) widths, the front runs
- * one contact in `bell_later` widths; of two beads and contacts the larger counts. Loads at rest take no part. */
+/* Measures of the bells agree with their parameters: integrals of squares of bells are sqrt(pi / 2) widths, the front runs one
+ * contact in `bell_later` widths; of two beads and contacts the larger counts. Loads at rest have no effect. */
 static void a_pulse_is_what_it_was_made_of(void **state)
 {
     (void)state;

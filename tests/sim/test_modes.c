@@ -35,7 +35,7 @@ static void series_keep_every_mode(void **state)
     bead_spectral_destroy(&s);
 }
 
-/* The rows of "modes.csv" from `scene`: how many there are, and the first one's values behind its time. */
+/* The rows of "modes.csv" from `scene`: how many there are, and the first one's values after its time. */
 static size_t rows_of(const char *scene, size_t count, double *first)
 {
     char path[768], line[4096], header[4096];

@@ -51,7 +51,7 @@ static void reversed_dimers(void **state)
 {
     enum { DIMERS = 160 };
     (void)state;
-    /* Defects: how many, how far apart (in dimers; 1: adjacent), the part of the energy that is left. */
+    /* Defects: how many, how far apart (in dimers; 1: adjacent), the remaining part of the energy. */
     static const struct {
         int count, apart;
         double energy, tolerance;
@@ -166,7 +166,7 @@ static void disorder_delocalises(void **state)
     assert_true(mean > 0 && mean < 0.1);
 }
 
-/* Neither the speed of the striker nor the time that a run goes on behind the front's arrival matter. */
+/* Neither the speed of the striker matters, nor the time that a run continues after the front's arrival. */
 static void index_has_no_scale(void **state)
 {
     (void)state;
@@ -185,7 +185,7 @@ static void index_has_no_scale(void **state)
     none("clean index"); /* the front has not arrived */
 }
 
-/* What is said to be at the end, or as the front arrives, is: however far apart the samples are. */
+/* Measures at the end, or when the front arrives, are right, however far apart the samples are. */
 static void states_are_read_at_their_times(void **state)
 {
     (void)state;

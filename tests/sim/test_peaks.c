@@ -13,7 +13,7 @@ struct sampled {
     double rest;          /* N */
 };
 
-/* `after`: maxima before this time do not count. Before the front, rounding has maxima of its own. */
+/* `after`: maxima before this time do not count. Before the front, rounding has its own maxima. */
 static void take(struct sampled *s, double force, double time, double spacing, double after)
 {
     const double middle = s->last[1];

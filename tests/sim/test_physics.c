@@ -223,7 +223,7 @@ static void peaks_ahead_of_the_wave_are_static(void **state)
     }
 }
 
-/* An fpu-alpha spring struck beyond 1 / alpha: it is said, not blamed on the accuracy. */
+/* An fpu-alpha spring struck beyond 1 / alpha: reported, not blamed on the accuracy. */
 static void a_collapsing_spring_is_told(void **state)
 {
     (void)state;

@@ -8,7 +8,7 @@
 enum { CHAINS = 2 };
 #define DIMERS(count) "chain: {beads: [{cell: [large-steel, aluminium], count: " #count "}]}\n"
 
-/* What a consumer has seen of each chain. */
+/* The samples of each chain that a consumer has seen. */
 struct seen {
     size_t samples[CHAINS], steps[CHAINS], enough;
     double last[CHAINS], time[CHAINS];

@@ -274,7 +274,7 @@ static void uncertainty_is_that_asked_for(void **state)
     bead_chain_destroy(chain);
 }
 
-/* Nothing can be done with what has been finished, and what has failed goes on failing. */
+/* A finished player can do nothing more, and a failed one keeps failing. */
 static void calls_out_of_order_fail(void **state)
 {
     (void)state;

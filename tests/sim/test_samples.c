@@ -110,8 +110,8 @@ static double first_step_error(const char *law, double h)
     return most;
 }
 
-/* With polynomials alone it were the power p + 1 of the step. What the first rounds of correction leave goes with more than twice
- * that, but for small terms of the power 2 (p + 1). */
+/* With polynomials alone it would be the power p + 1 of the step. The error after the first rounds of correction has more than
+ * twice that power, except for small terms of the power 2 (p + 1). */
 static void they_converge_where_a_contact_closes(void **state)
 {
     (void)state;

@@ -69,7 +69,7 @@ static bool takes_memory(void)
     return mmap(NULL, (size_t)1 << 30, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED;
 }
 
-/* What is allowed: to take some memory, to read an open file. */
+/* Allowed calls: to take some memory, to read an open file. */
 static bool computes(void)
 {
     char byte;
@@ -79,7 +79,7 @@ static bool computes(void)
     return done;
 }
 
-/* In a process of its own. Returns 1: done, 0: not; fails the test where the process ends by a signal. */
+/* In a separate process. Returns 1: done, 0: not; fails the test if the process ends by a signal. */
 static int attempt(bool (*act)(void), bool inside)
 {
     int status = -1;

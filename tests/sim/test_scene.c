@@ -60,7 +60,7 @@ static void identifiers_become_words(void **state)
     }
 }
 
-/* One column wide, but for chains side by side and for panels. */
+/* One column wide, except for chains side by side and for panels. */
 static void papers_are_as_wide_as_they_need(void **state)
 {
     (void)state;

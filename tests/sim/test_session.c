@@ -89,8 +89,8 @@ static double last_peak(void)
     return peak;
 }
 
-/* Where only the last contacts are asked for, beads far behind the front are dropped, unless something else is to be seen of them.
- * A clean chain then costs about as much a bead whatever its length. */
+/* If only the last contacts are requested, beads far behind the front are dropped, unless another output shows them. A clean chain
+ * then costs about the same per bead, whatever its length. */
 static void beads_behind_the_front_are_dropped(void **state)
 {
     (void)state;
@@ -118,9 +118,9 @@ static void beads_behind_the_front_are_dropped(void **state)
     }
 }
 
-/* A second run says how well peaks are known, and takes fewer steps than the first, even if a few peaks answer strongly, as at 1e-6
- * in the second chain. In the third one, where energy drifts, many do: a finer run measures them, and it alone costs more than the
- * run; as its motion is lost before the end, two coarse ones look for what comes then. */
+/* A second run gives the uncertainty of peaks, with fewer steps than the first, even if a few peaks respond strongly, as at 1e-6 in
+ * the second chain. In the third one, where energy drifts, many do: a finer run measures them, and costs more than the run; as its
+ * motion is lost before the end, two coarse ones look for later maxima. */
 static void comparison_runs_are_cheaper(void **state)
 {
     (void)state;
@@ -261,7 +261,7 @@ static void nonsense_is_stopped(void **state)
 
 #define BUDGET CHAIN "simulate: {until: 1 ms}\noutputs: [{table: peaks.csv, show: peaks}, {table: energy.csv, show: energy}]\n"
 
-/* A budget wants more of the run's accuracy, and only where it is made; the plan says so. */
+/* A budget needs more accuracy of the run, and only if it is made; the plan says so. */
 static void a_budget_left_out_changes_nothing(void **state)
 {
     (void)state;

@@ -14,7 +14,7 @@
 #include "sessions.h"
 #include "sweeps.h"
 
-/* As an older header would have had it; what stands behind it in memory is the caller's own. */
+/* As an older header defines it; the memory after it is the caller's own. */
 struct old_job {
     size_t size;
     const char *input;

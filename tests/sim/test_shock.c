@@ -384,7 +384,7 @@ static double off_the_cubic(size_t n, const double *u, size_t at, int half)
     return u[at] - sum / ((2 * half - 1) * (2 * half + 1) * (2 * half + 3));
 }
 
-/* What the manual says of the ripples behind a shock: how high, and that the rest of the wave has none. */
+/* The manual's statements about the ripples behind a shock: their height, and that the rest of the wave has none. */
 static void ripples_behind_a_shock_are_small(void **state)
 {
     (void)state;

@@ -32,8 +32,8 @@ static void bells_are_found_between_rows(void **state)
     }
 }
 
-/* At the first and the last row, or beside rows without any amplitude, a line is where its row is; none where nothing is. The first
- * row has no amplitude but rounding. */
+/* At the first and the last row, or beside rows without any amplitude, a line is where its row is; there is none without amplitude.
+ * The first row only has rounding errors. */
 static void lines_at_the_ends(void **state)
 {
     (void)state;

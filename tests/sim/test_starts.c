@@ -105,7 +105,7 @@ static void strikes_from_both_sides_are_alike(void **state)
     release(&right);
 }
 
-/* Centres of unlike beads are the sum of their radii apart; what a precompression takes away is no part of positions. */
+/* Centres of different beads are the sum of their radii apart; positions do not include the effect of a precompression. */
 static void unlike_beads_touch(void **state)
 {
     (void)state;
@@ -183,7 +183,7 @@ static void gaps_are_where_they_are_said_to_be(void **state)
     release(&random);
 }
 
-/* A chain that stands on its wall: each contact carries the beads above it, the striker not yet. */
+/* A chain that rests on its wall: each contact carries the beads above it, but not yet the striker. */
 static void a_standing_chain_carries_its_weight(void **state)
 {
     (void)state;

@@ -308,7 +308,7 @@ static void files_are_not_trusted(void **state)
     assert_int_equal(bead_sweep_is(path, &is, &msg), BEAD_OK);
     assert_true(is);
     read_file(path, &bytes, &size);
-    /* What is read is what was written. */
+    /* The sweep read equals the one written. */
     assert_int_equal(bead_sweep_open(path, NULL, &read, &msg), BEAD_OK);
     for (size_t i = 0; i < 6; i++)
         assert_memory_equal(peak_of(read, i), peak_of(sweep, i), sizeof(struct bead_sweep_peak));
@@ -331,7 +331,7 @@ static void files_are_not_trusted(void **state)
         assert_null(read);
         assert_non_null(strstr(msg.text, changes[i].name));
     }
-    /* Files of earlier versions lack what is known of times. */
+    /* Files of earlier versions lack the uncertainties of times. */
     change_value(path, copy, "peak_time_uncertainty", 0);
     remove_data(copy, "peak_time_uncertainty");
     remove_data(copy, "reference_peak_time_uncertainty");
@@ -374,8 +374,8 @@ static enum bead_error look_on(void *context, const struct bead_sample *sample, 
     return BEAD_OK;
 }
 
-/* Waves in a thousand random cells are chaotic along the chain: the force at its end is off by more than was asked, and the sweep
- * says so; in a short chain it is as asked. */
+/* Waves in a thousand random cells are chaotic along the chain: the error of the force at its end exceeds the requested accuracy,
+ * and the sweep says so; in a short chain it is as requested. */
 static void long_chains_say_that_they_are_off(void **state)
 {
     (void)state;

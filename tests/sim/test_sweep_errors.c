@@ -70,7 +70,7 @@ static void journals_of_others_are_refused(void **state)
     assert_false(bead_sweep_journal_look(path, &progress));
 }
 
-/* A journal that grows no more: the sweep fails, what is in the journal is gone on with. */
+/* A journal that cannot grow: the sweep fails, and a later one continues from the journal. */
 static void full_disks_are_errors(void **state)
 {
     (void)state;

@@ -156,7 +156,7 @@ static void decays_at(const char *accuracy, struct bead_sweep **sweep, struct be
     assert_int_equal(count, 2);
 }
 
-/* A number is off by no more than is said, `rounding` aside, and that is not much. */
+/* Errors of a number are within its uncertainty, apart from `rounding`, and that is small. */
 static void is_known(double rough, double fine, double said, double most)
 {
     if (!(fabs(rough - fine) <= said + 1e-9 * fabs(fine)))

@@ -22,7 +22,7 @@ static const char *contradicts(const struct bead_system *system)
     return system->has_striker && !system->has_contacts ? "contacts for the striker" : NULL;
 }
 
-/* What a row lacks; NULL: it is whole. */
+/* The member that a row lacks; NULL: it is complete. */
 static const char *lacks(const struct bead_system *system)
 {
     if (!system->name || !system->help || !system->label)

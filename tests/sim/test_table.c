@@ -170,7 +170,7 @@ static void failures_leave_no_file(void **state)
     tear_down(&s, 0);
 }
 
-/* What is written to `part`, which is open, goes to `device` instead. */
+/* Text written to `part`, which is open, goes to `device` instead. */
 static void write_to(const char *device, const char *part)
 {
     char link[64], name[1024];

@@ -158,7 +158,7 @@ static void chains_and_spans(void **state)
     tear_down(&s, 1);
 }
 
-/* Only what was asked for is computed and stored. */
+/* Only requested fields are computed and stored. */
 static void nothing_more_than_asked(void **state)
 {
     (void)state;
@@ -178,7 +178,7 @@ static void nothing_more_than_asked(void **state)
         assert_int_equal(H5Lexists(file, name, H5P_DEFAULT), 0);
     }
     assert_int_equal(H5Lexists(file, "/contacts", H5P_DEFAULT), 0);
-    /* y and z are there for readers, one chunk of each: not all of them know that what is missing is 0. */
+    /* y and z are there for readers, one chunk of each: not all of them know that missing chunks are 0. */
     hid_t velocity = H5Dopen2(file, "/particles/chain/velocity/value", H5P_DEFAULT);
     assert_int_equal(H5Dget_storage_size(velocity), 3 * 256 * 13 * sizeof(double));
     H5Dclose(velocity);
@@ -231,7 +231,7 @@ static void stopped_runs_keep_whole_samples(void **state)
     tear_down(&s, 1);
 }
 
-/* When it was flushed must not show in what is stored. */
+/* The times of flushes must not show in the stored data. */
 static void contents_do_not_depend_on_flushes(void **state)
 {
     (void)state;

@@ -401,8 +401,7 @@ pid_t fork(void)
     return process;
 }
 
-/* The process that reads the file ends, as it does where HDF5 crashes, or because somebody ends it: that is said, and the file is
- * not read on. */
+/* If the process that reads the file ends, because HDF5 crashes or somebody ends it, that is reported, and reading stops. */
 static void a_reader_that_ends_is_told(void **state)
 {
     struct bad *b = *state;
@@ -416,7 +415,7 @@ static void a_reader_that_ends_is_told(void **state)
         const unsigned force = BEAD_FIELD_BIT(BEAD_FIELD_FORCE);
         started = 0;
         struct bead_trajectory *t = open_file(b->s.path);
-        if (started > 0) { /* HDF5 is read in a process of its own */
+        if (started > 0) { /* HDF5 files are read in a separate process */
             assert_int_equal(kill(started, ends[i].signal), 0);
             assert_int_equal(bead_trajectory_read(t, 5, 0, force, &sample, &msg), BEAD_ERROR_FORMAT);
             assert_non_null(strstr(msg.text, ends[i].words));
@@ -498,7 +497,7 @@ static void a_full_disk_is_an_error(void **state)
     signal(SIGXFSZ, handler);
 }
 
-/* Two runs into the same file: the second is told, the first goes on. */
+/* Two runs into the same file: the second is refused, the first continues. */
 static void one_run_at_a_time(void **state)
 {
     struct bad *b = *state;
@@ -515,7 +514,7 @@ static void one_run_at_a_time(void **state)
     b->s.type->destroy(first);
 }
 
-/* What stood there before a run that fails stays. */
+/* An earlier file stays if a run fails. */
 static void a_failed_run_keeps_the_file_before(void **state)
 {
     struct bad *b = *state;

@@ -56,7 +56,7 @@ static double judge(const struct bead_uncertainty_of *of, struct made *m, bool f
 
 static const struct bead_uncertainty_of usual = {.accuracy = 1e-6, .factor = 301, .apart = 1e-5};
 
-/* A run at 301 times the tolerance that differs by less than 60 times what was asked: all is as asked. */
+/* A run at 301 times the tolerance that differs by less than 60 times the requested accuracy: everything is as requested. */
 static void weak_answers_are_as_asked(void **state)
 {
     (void)state;
@@ -82,7 +82,7 @@ static void a_few_strong_answers_need_no_finer_run(void **state)
     assert_true(isinf(bead_uncertainty_find(&usual, kinds)));
     for (size_t i = 0; i < 400; i++)
         assert_near(u[i], i == 7 ? 3e-2 : 1e-5, 1e-12);
-    assert_true(isnan(bead_uncertainty_measured(1e-6, 10, NAN))); /* of what the finer run does not have, nothing is known */
+    assert_true(isnan(bead_uncertainty_measured(1e-6, 10, NAN))); /* numbers that the finer run lacks are unknown */
 }
 
 /* Strong answers are measured by the finer run; where it agrees by chance, by the answer times the usual ratio. Peaks before them
@@ -277,8 +277,8 @@ static void what_comes_behind_the_end_of_either_is_not_compared(void **state)
     assert_near(m.u[3], 1e-5, 1e-12);
 }
 
-/* In these chains one way of being unstable drives some peaks, and chance decides how strongly each run excites it: here a run and
- * a coarser one are off alike at a peak, by several times what was asked. A finer run says so. */
+/* In these chains one unstable motion drives some peaks, and chance decides how strongly each run excites it: here the errors of a
+ * run and a coarser one are alike at a peak, several times the requested accuracy. A finer run shows it. */
 static void peaks_that_agree_by_chance_are_known_by_others(void **state)
 {
     (void)state;
@@ -347,8 +347,8 @@ static void pulses_that_hardly_part_do(void **state)
     drawn_end(&drawn);
 }
 
-/* Heavy beads that a light striker leaves with a hundredth of its speed: what their contacts owe to openings counts by how fast
- * they are, from the first opening on. Chance decides how much is left, so that several accuracies are asked for. */
+/* Heavy beads that a light striker leaves with a hundredth of its speed: the effects of openings on their contacts count in
+ * proportion to their speed, from the first opening on. Chance decides how much error is left, so several accuracies are tried. */
 static void slow_contacts_count_as_they_are(void **state)
 {
     (void)state;

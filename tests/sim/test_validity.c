@@ -71,7 +71,7 @@ static void faster_strikes(void **state)
         equal(value_of(names[i]) / slow[i], factor[i], 1e-9);
 }
 
-/* Light beads turn between two samples: what the samples say is what the peaks say. */
+/* Light beads turn between two samples: samples and peaks agree. */
 static void measures_see_peaks(void **state)
 {
     (void)state;
@@ -175,7 +175,7 @@ static void rows_are_marked(void **state)
     assert_int_equal(marked("600 m/s", &rows), rows);
 }
 
-/* Plain numbers that can hardly be meant are told with their line and the unit; they count all the same. */
+/* Plain numbers that can hardly be meant are reported with their line and the unit; they still count. */
 static void plain_numbers(void **state)
 {
     (void)state;

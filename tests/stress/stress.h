@@ -32,7 +32,7 @@ static inline struct stress stress_start(void)
     return (struct stress){text && *text && strcmp(text, "0") != 0, 0, 0};
 }
 
-/* One row: what was tried, values, verdict. */
+/* One row: trial, values, verdict. */
 __attribute__((format(printf, 4, 5))) static inline void stress_row(struct stress *stress, bool ok, const char *name,
                                                                     const char *format, ...)
 {
@@ -61,7 +61,7 @@ static inline double cpu_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* How one run went. */
+/* The result of one run. */
 struct trial {
     enum bead_error error;
     struct bead_message message; /* of the error */

@@ -84,8 +84,8 @@ static void forget(struct said *said)
 /* What came of a kind at an accuracy. */
 struct count {
     size_t rows, misses, too_much, lost, strong, room;
-    double worst;     /* error over what was said */
-    double *strongly; /* what was said over the error, of errors above what was asked */
+    double worst;     /* error over uncertainty */
+    double *strongly; /* uncertainty over error, for errors above the requested accuracy */
 };
 
 static void add_strong(struct count *c, double effectivity)

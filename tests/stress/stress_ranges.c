@@ -5,7 +5,7 @@
 
 #define STEEL "modulus: 193 GPa, poisson: 0.3"
 
-/* Values first, first * factor, ... of what stands for the number in `chain`. */
+/* Values first, first * factor, ... of the number in `chain`. */
 struct range {
     const char *name, *chain;
     double first, factor;

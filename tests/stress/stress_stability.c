@@ -28,7 +28,7 @@ static bool is_stable(const struct bead_chain *chain, const struct bead_method *
         if (fmod(i, check_every) == 0)
             energy = bead_stepper_energy(s, &s->end);
     }
-    bool stable = energy <= doubled * start; /* not where it is no number */
+    bool stable = energy <= doubled * start; /* false if it is not a number */
     bead_stepper_destroy(s);
     return stable;
 }
@@ -57,7 +57,7 @@ int main(void)
         for (size_t c = 0; c < CASES; c++)
             theta[c] = largest_theta(cases[c].chain, bead_method_row(info->name), cases[c].times / (stress.quick ? 4 : 1),
                                      stress.quick ? 9 : 11);
-        /* A struck chain keeps omega only for moments, so it may stand more; never less. */
+        /* A struck chain keeps omega only for moments, so it may allow more; never less. */
         bool ok = theta[0] >= 0.97 * info->theta_max && theta[1] >= 0.97 * info->theta_max && theta[2] >= 0.97 * info->theta_max;
         stress_row(&stress, ok, info->name, "%s %.2f, %s %.2f, %s %.2f; table %.2f", cases[0].name, theta[0], cases[1].name,
                    theta[1], cases[2].name, theta[2], info->theta_max);

@@ -3,7 +3,7 @@
 #ifndef BEADREEL_TESTS_FAIL_ALLOC_H
 #define BEADREEL_TESTS_FAIL_ALLOC_H
 
-/* Address sanitizers have allocators of their own; gcc and clang say differently that there is one. */
+/* Address sanitizers have their own allocators; gcc and clang report them differently. */
 #if defined __SANITIZE_ADDRESS__
 #define FAIL_ALLOC_SANITIZED
 #elif defined __has_feature
@@ -15,7 +15,7 @@
 /* From now on the `at`-th allocation of the program's own code fails, once; 0: none. */
 void fail_alloc_begin(long at);
 
-/* Fail no more. Returns how many allocations there were since the beginning; *kept gets how many of them are not freed. */
+/* Fail no more. Returns the number of allocations since the beginning; *kept: how many of them are not freed. */
 long fail_alloc_end(long *kept);
 
 #endif
