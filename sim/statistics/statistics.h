@@ -48,6 +48,12 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_threshold_fit(const struct bead_gr
                                                             const struct bead_threshold_info *how, size_t resamples, uint64_t seed,
                                                             struct bead_threshold *threshold, struct bead_message *msg);
 
+/* How far errors of the means move M_c: each mean may be off by `part` of itself, either way, and all alike by `common`, as by the
+ * error of the value at M = 1. NaN: no threshold. Errors: MEMORY. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_threshold_uncertainty(const struct bead_group_results *groups, size_t count,
+                                                                    const struct bead_threshold_info *how, double part,
+                                                                    double common, double *uncertainty, struct bead_message *msg);
+
 /* Decay along a chain of what is 1 without disorder, y at places (beads) 0, 1, ...: exponential near the striker, y ~ exp(-x /
  * length), a power law farther on, y ~ x^exponent. */
 struct bead_decay {

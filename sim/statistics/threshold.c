@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sim/base/elementary.h"
+#include "sim/base/memory.h"
 #include "sim/base/random.h"
 #include "sim/statistics/statistics.h"
 
@@ -164,4 +165,48 @@ enum bead_error bead_threshold_fit(const struct bead_group_results *groups, size
     }
     free(magnetism);
     return err;
+}
+
+/* The means of a threshold, and room to change them. */
+struct moving {
+    const struct bead_threshold_info *how;
+    const double *magnetism, *mean;
+    double *moved;
+    size_t count;
+};
+
+/* M_c if means from..to - 1 are larger by `part` of themselves. */
+static double critical_if(const struct moving *m, size_t from, size_t to, double part)
+{
+    struct bead_threshold t;
+    memcpy(m->moved, m->mean, m->count * sizeof *m->moved);
+    for (size_t g = from; g < to; g++)
+        m->moved[g] *= 1 + part;
+    return find_regimes(m->magnetism, m->moved, m->count, &t) ? m->how->find(m->magnetism, m->moved, m->count, &t) : NAN;
+}
+
+/* How far these means move M_c if they are off by `part`, either way. */
+static double shift_by(const struct moving *m, size_t from, size_t to, double part)
+{
+    const double here = critical_if(m, 0, 0, 0), up = fabs(critical_if(m, from, to, part) - here),
+                 down = fabs(critical_if(m, from, to, -part) - here);
+    return up > down || isnan(up) ? up : down;
+}
+
+enum bead_error bead_threshold_uncertainty(const struct bead_group_results *groups, size_t count,
+                                           const struct bead_threshold_info *how, double part, double common, double *uncertainty,
+                                           struct bead_message *msg)
+{
+    BEAD_FREED double *memory;
+    BEAD_TRY(bead_new(&memory, 3 * count + 1, msg, "a threshold"));
+    double *magnetism = memory, *mean = memory + count;
+    const struct moving m = {how, magnetism, mean, memory + 2 * count, count};
+    for (size_t g = 0; g < count; g++) {
+        magnetism[g] = groups[g].magnetism;
+        mean[g] = mean_of(&groups[g], 0, 0, NULL);
+    }
+    *uncertainty = shift_by(&m, 0, count, common);
+    for (size_t g = 0; g < count; g++)
+        *uncertainty += shift_by(&m, g, g + 1, part);
+    return BEAD_OK;
 }

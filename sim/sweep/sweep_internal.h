@@ -59,6 +59,13 @@ BEAD_INTERNAL void bead_sweep_smooth(const struct bead_sweep *sweep, size_t pane
 /* The relative uncertainty of the forces of a place, or of their times: the worst measured; NaN: none was. */
 BEAD_INTERNAL double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
 double bead_sweep_time_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
+/* That of the clean chain's force, by which forces are normalised. */
+double bead_sweep_clean_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place);
+/* The uncertainty of the threshold, found in this way, if forces are off by `part` of themselves, and the clean chain's by
+ * `common`; NaN: there is none. Errors: MEMORY. */
+BEAD_CHECK enum bead_error bead_sweep_threshold_uncertainty(const struct bead_sweep_statistics *statistics, const char *threshold,
+                                                            double part, double common, double *uncertainty,
+                                                            struct bead_message *msg);
 
 /* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
  * chain's. */

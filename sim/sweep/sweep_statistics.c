@@ -61,18 +61,31 @@ static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct s
     return BEAD_OK;
 }
 
+/* The way to find a threshold; NULL: the first. */
+static const char *name_of(const char *threshold)
+{
+    return threshold ? threshold : bead_threshold_info(0)->name;
+}
+
+/* The results of each magnetism; to be freed with free(). Errors: MEMORY. */
+static enum bead_error groups_of(const struct bead_sweep_statistics *s, struct bead_group_results **groups,
+                                 struct bead_message *msg)
+{
+    BEAD_TRY(bead_new(groups, s->row_count + 1, msg, "the statistics of a sweep"));
+    for (size_t i = 0; i < s->row_count; i++)
+        (*groups)[i] = (struct bead_group_results){s->rows[i].magnetism, s->values + s->rows[i].first, s->rows[i].count};
+    return BEAD_OK;
+}
+
 /* Fits the threshold, if the sweep has both regimes. */
 static enum bead_error find_threshold(struct bead_sweep_statistics *s, const char *name, uint64_t seed, struct bead_message *msg)
 {
     const struct bead_threshold_info *how = bead_threshold_info_named(name);
-    BEAD_FREED struct bead_group_results *groups = calloc(s->row_count + 1, sizeof *groups);
+    BEAD_FREED struct bead_group_results *groups = NULL;
     struct bead_message why;
-    if (!how || !groups) {
-        return how ? bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep")
-                   : bead_fail(msg, BEAD_ERROR_USAGE, "there is no threshold `%s`", name);
-    }
-    for (size_t i = 0; i < s->row_count; i++)
-        groups[i] = (struct bead_group_results){s->rows[i].magnetism, s->values + s->rows[i].first, s->rows[i].count};
+    if (!how)
+        return bead_fail(msg, BEAD_ERROR_USAGE, "there is no threshold `%s`", name);
+    BEAD_TRY(groups_of(s, &groups, msg));
     enum bead_error err = bead_threshold_fit(groups, s->row_count, how, RESAMPLES, seed, &s->threshold, &why);
     s->has_threshold = !err;
     return err == BEAD_ERROR_NUMBERS ? BEAD_OK : err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
@@ -104,6 +117,25 @@ static double part_of_time(const struct bead_sweep_peak *peak)
 double bead_sweep_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
 {
     return worst_part(sweep, panel, place, part_of_force);
+}
+
+double bead_sweep_clean_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
+{
+    struct bead_sweep_configuration clean;
+    const double own = bead_sweep_configuration(sweep, panel, BEAD_SWEEP_CLEAN, &clean) ? part_of_force(&clean.peaks[place]) : NAN;
+    return isnan(own) ? bead_sweep_uncertainty(sweep, panel, place) : own;
+}
+
+enum bead_error bead_sweep_threshold_uncertainty(const struct bead_sweep_statistics *s, const char *threshold, double part,
+                                                 double common, double *uncertainty, struct bead_message *msg)
+{
+    BEAD_FREED struct bead_group_results *groups = NULL;
+    *uncertainty = NAN;
+    if (!s->has_threshold)
+        return BEAD_OK;
+    BEAD_TRY(groups_of(s, &groups, msg));
+    return bead_threshold_uncertainty(groups, s->row_count, bead_threshold_info_named(name_of(threshold)), part, common,
+                                      uncertainty, msg);
 }
 
 double bead_sweep_time_uncertainty(const struct bead_sweep *sweep, size_t panel, size_t place)
@@ -138,7 +170,7 @@ enum bead_error bead_sweep_statistics(const struct bead_sweep *sweep, size_t pan
     if (!err)
         err = fill_rows(s, entries, count, msg);
     if (!err)
-        err = find_threshold(s, threshold ? threshold : bead_threshold_info(0)->name, sweep->panels[panel].shown.spec->seed, msg);
+        err = find_threshold(s, name_of(threshold), sweep->panels[panel].shown.spec->seed, msg);
     free(entries);
     if (err)
         bead_sweep_statistics_free(s);

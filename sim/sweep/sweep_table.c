@@ -40,10 +40,16 @@ static void names(const struct out *o, size_t panel, size_t place)
     }
 }
 
-/* `uncertain`: the relative uncertainty of the forces. Errors of chains may be alike, so the mean's is no smaller. */
+/* Relative uncertainties of forces, and of the clean chain's, which normalises them. Errors of chains may be alike, so those of
+ * means are no smaller. That of the threshold. */
+struct uncertain {
+    double force, clean, threshold;
+};
+
 static void write_row(const struct out *o, const struct bead_sweep_statistics *s, const struct bead_sweep_row *row,
-                      double uncertain)
+                      const struct uncertain *uncertain)
 {
+    const double part = uncertain->force + uncertain->clean;
     const struct bead_summary *m = &row->summary;
     const double normalised[] = {m->mean, m->standard_error, m->median, m->low, m->high, m->quartile[0], m->quartile[1]};
     bead_write_number(o->file, row->magnetism);
@@ -55,10 +61,26 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
     const double found[] = {s->threshold.plateau, s->threshold.plateau_error, s->threshold.critical, s->threshold.critical_error};
     for (size_t i = 0; i < 4; i++)
         bead_table_known(o->file, s->has_threshold ? found[i] : NAN);
-    bead_table_known_uncertainty(o->file, uncertain * m->mean);
-    bead_table_known_uncertainty(o->file, uncertain * m->mean * s->clean);
-    bead_table_known_uncertainty(o->file, s->has_threshold ? uncertain * s->threshold.plateau : NAN);
+    bead_table_known_uncertainty(o->file, part * m->mean);
+    bead_table_known_uncertainty(o->file, uncertain->force * m->mean * s->clean);
+    bead_table_known_uncertainty(o->file, s->has_threshold ? part * s->threshold.plateau : NAN);
+    bead_table_known_uncertainty(o->file, uncertain->threshold);
     fputc('\n', o->file);
+}
+
+/* The rows of a place: one for each magnetism. */
+static enum bead_error write_magnetisms(const struct out *o, size_t panel, size_t place, const struct bead_sweep_statistics *s,
+                                        struct bead_message *msg)
+{
+    struct uncertain uncertain = {bead_sweep_uncertainty(o->sweep, panel, place),
+                                  bead_sweep_clean_uncertainty(o->sweep, panel, place), NAN};
+    BEAD_TRY(bead_sweep_threshold_uncertainty(s, o->output->sweep_curves.threshold, uncertain.force, uncertain.clean,
+                                              &uncertain.threshold, msg));
+    for (size_t i = 0; i < s->row_count; i++) {
+        names(o, panel, place);
+        write_row(o, s, &s->rows[i], &uncertain);
+    }
+    return BEAD_OK;
 }
 
 static enum bead_error write_magnetism(const struct out *o, struct bead_message *msg)
@@ -66,18 +88,18 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
     head(
         o,
         "magnetism,configurations,mean,standard_error,median,minimum,maximum,lower_quartile,upper_quartile,mean_N,standard_error_N,"
-        "median_N,plateau,plateau_error,threshold,threshold_error,uncertainty,uncertainty_N,plateau_uncertainty");
+        "median_N,plateau,plateau_error,threshold,threshold_error,uncertainty,uncertainty_N,plateau_uncertainty,"
+        "threshold_uncertainty");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         for (size_t place = 0; place < bead_sweep_panel(o->sweep, p)->places; place++) {
             struct bead_sweep_statistics s;
             enum bead_error err = bead_sweep_statistics(o->sweep, p, place, o->output->sweep_curves.threshold, &s, msg);
             if (err)
                 return err;
-            for (size_t i = 0; i < s.row_count; i++) {
-                names(o, p, place);
-                write_row(o, &s, &s.rows[i], bead_sweep_uncertainty(o->sweep, p, place));
-            }
+            err = write_magnetisms(o, p, place, &s, msg);
             bead_sweep_statistics_free(&s);
+            if (err)
+                return err;
         }
     }
     return BEAD_OK;

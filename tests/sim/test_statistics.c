@@ -124,6 +124,61 @@ static void threshold_of_known_means(void **state)
     assert_null(bead_threshold_info_named("lore"));
 }
 
+enum { MOVING = 6 };
+static const double moving[MOVING] = {0.33, 0.35, 0.36, 0.44, 0.62, 0.85}, moving_at[MOVING] = {0, 0.1, 0.4, 0.7, 0.88, 0.96};
+
+/* M_c, if mean g is larger by off[g] of itself. */
+static double critical_if(const char *way, const double off[MOVING])
+{
+    struct bead_group_results groups[MOVING];
+    struct bead_threshold t;
+    struct bead_message msg = {""};
+    double moved[MOVING];
+    for (size_t g = 0; g < MOVING; g++) {
+        moved[g] = moving[g] * (1 + off[g]);
+        groups[g] = (struct bead_group_results){moving_at[g], &moved[g], 1};
+    }
+    assert_int_equal(bead_threshold_fit(groups, MOVING, bead_threshold_info_named(way), 0, 1, &t, &msg), BEAD_OK);
+    assert_true(t.critical > 0.1 && t.critical < 1);
+    return t.critical;
+}
+
+/* The furthest that M_c moves if each mean is off by `part`, either way, and all by `common`: of all signs that there are. */
+static double furthest(const char *way, double part, double common)
+{
+    const double exact = critical_if(way, (double[MOVING]){0});
+    double most = 0;
+    for (unsigned signs = 0; signs < 2u << MOVING; signs++) {
+        double off[MOVING];
+        for (size_t g = 0; g < MOVING; g++)
+            off[g] = (signs >> g & 1 ? part : -part) + (signs >> MOVING ? common : -common);
+        most = fmax(most, fabs(critical_if(way, off) - exact));
+    }
+    return most;
+}
+
+/* To first order: with 1e-4 that is one part in a hundred at most. */
+static void threshold_moves_with_the_means(void **state)
+{
+    (void)state;
+    struct bead_group_results groups[MOVING];
+    for (size_t g = 0; g < MOVING; g++)
+        groups[g] = (struct bead_group_results){moving_at[g], &moving[g], 1};
+    const struct bead_threshold_info *way;
+    for (size_t i = 0; (way = bead_threshold_info(i)); i++) {
+        for (int common = 0; common < 2; common++) {
+            struct bead_message msg = {""};
+            double uncertainty;
+            assert_int_equal(bead_threshold_uncertainty(groups, MOVING, way, 1e-4, 3e-4 * common, &uncertainty, &msg), BEAD_OK);
+            assert_near(uncertainty / furthest(way->name, 1e-4, 3e-4 * common), 1, 0.01);
+        }
+    }
+    double none;
+    struct bead_message msg = {""};
+    assert_int_equal(bead_threshold_uncertainty(groups + 3, MOVING - 3, bead_threshold_info(0), 1e-4, 0, &none, &msg), BEAD_OK);
+    assert_true(isnan(none));
+}
+
 /* The bootstrap's deviation of the plateau is that of a mean. */
 static void bootstrap_errors(void **state)
 {
@@ -170,6 +225,7 @@ int main(void)
         cmocka_unit_test(errors_of_decay),
         cmocka_unit_test(participation),
         cmocka_unit_test(threshold_of_known_means),
+        cmocka_unit_test(threshold_moves_with_the_means),
         cmocka_unit_test(bootstrap_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
