@@ -262,7 +262,8 @@ static void measure_axes(struct bead_composer *c)
 {
     struct bead_movie_wants *w = &c->wants;
     const char *unit = bead_chain_time_unit(c->setup.chains[0]);
-    double length = 0.9 * w->width, numbers[2] = {0, 1};
+    static const double numbers[] = {0, 1};
+    const double length = 0.9 * w->width;
     w->left = reach_left(c, 0);
     w->image_left = reach_left(c, BEAD_SHOWS_IMAGE);
     c->name_left = true;
@@ -271,7 +272,6 @@ static void measure_axes(struct bead_composer *c)
     for (size_t i = 0; i < w->chain_count; i++) {
         w->below_beads = fmax(w->below_beads, reach_along(c, i, length));
         w->along_end = fmax(w->along_end, measure_along_end(c, i));
-        numbers[1] = fmax(numbers[1], (double)bead_composer_span(c, i).last);
     }
     w->below_numbers = reach(&c->look, numbers, "1", BEAD_SCALE_LINEAR, length, BEAD_SIDE_BOTTOM, NULL);
     w->time_end = measure_time_end(c);

@@ -316,6 +316,105 @@ static void headings_are_as_wide_as_measured(void **)
     close_film(&f);
 }
 
+/* ---- the room that layouts keep ---- */
+
+static void assert_room(double kept, double taken, const char *what, const char *output)
+{
+    if (!(kept > taken - 0.5 && kept < taken + 2.5)) /* sides of letters, and rounding up */
+        fail_msg("%s: %s takes %g px of %g", output, what, taken, kept);
+}
+
+/* How far texts beside a plot reach out of it to the left, level with it or below; right; below, down to the lowest; px. */
+static void find_reach(const struct texts *texts, struct bead_rect p, double em, double lowest, double reach[4])
+{
+    memset(reach, 0, 4 * sizeof *reach);
+    for (size_t i = 0; i < texts->count; i++) {
+        const struct text *t = &texts->text[i];
+        const double right = t->x + t->width, bottom = t->y + t->height, middle = t->y + t->height / 2;
+        const bool level = middle > p.y - 0.2 * em && middle < p.y + p.height + 0.2 * em && right <= p.x && p.x - t->x < 4 * em,
+                   under = t->y >= p.y + p.height && bottom < lowest && right > p.x - 4 * em && t->x < p.x + p.width;
+        reach[0] = level ? fmax(reach[0], p.x - t->x) : reach[0];
+        reach[1] = under ? fmax(reach[1], p.x - t->x) : reach[1];
+        reach[2] = under ? fmax(reach[2], right - p.x - p.width) : reach[2];
+        reach[3] = under ? fmax(reach[3], bottom - p.y - p.height) : reach[3];
+    }
+}
+
+static double width_of(const struct texts *texts, const char *words)
+{
+    const struct text *text = find(texts, words);
+    assert_non_null(text);
+    return text->width;
+}
+
+/* Layouts keep no less room than words and numbers take, and hardly more: beside and below plots, beside the bar, for the clock at
+ * its last moment, badge and titles. */
+static void rooms_are_as_large_as_words(void **)
+{
+    static const char *const outputs[] = {"views: [beads, profile, spacetime], layout: stacked",
+                                          "views: [beads, profile, spacetime], layout: columns, orientation: time-right",
+                                          "views: [stage, profile, spacetime]", "views: [profile, sensors], layout: stacked"};
+    for (size_t o = 0; o < 4; o++) {
+        static struct film f;
+        double left = 0;
+        open_film(&f,
+                  "chain: {name: A, label: of beads, striker: {bead: large-steel, velocity: 0.4 m/s}, wall: brass, beads: [{bead: "
+                  "large-steel, count: 99}, {bead: large-steel, sensor: S}]}",
+                  outputs[o]);
+        const struct bead_movie_wants *w = &f.composer->wants;
+        const struct bead_movie_layout *l = &f.composer->layout;
+        for (size_t v = 0; v < w->view_count; v++) {
+            double reach[4];
+            struct bead_rect p = l->chains[0].plot[v];
+            const bool along = bead_movie_across(w, v) == BEAD_ACROSS_CHAIN, image = bead_view_has(w->views[v], BEAD_SHOWS_IMAGE);
+            if (bead_view_has(w->views[v], BEAD_SHOWS_BEADS) || bead_view_has(w->views[v], BEAD_ACTS))
+                continue;
+            p.x -= along ? l->beyond[0] : 0;
+            p.width += along ? l->beyond[0] + l->beyond[1] : 0;
+            const double next = v + 1 < w->view_count && l->chains[0].plot[v + 1].y > p.y ? l->chains[0].plot[v + 1].y
+                                                                                          : HEIGHT + 2 * w->look->label;
+            find_reach(&f.texts, p, w->look->tick, next - 1.3 * w->look->label, reach);
+            left = fmax(left, fmax(reach[0], along ? reach[1] : 0));
+            if (image)
+                assert_room(w->image_left, reach[0], "an image's axis", outputs[o]);
+            if (!l->chains[0].labels[v])
+                continue;
+            assert_room(along                 ? w->below_beads
+                        : image && l->against ? w->below_numbers
+                                              : w->below_time,
+                        reach[3], "the axis below", outputs[o]);
+            /* The last bead is half a bead from the end, which is less where a plot is as narrow as a fifth of the frame. */
+            const double nearer = 0.5 * (l->chains[0].plot[v].width - 0.2 * WIDTH) / (double)w->beads;
+            assert_room(along ? w->along_end : w->time_end, reach[2] + (along ? l->beyond[1] + nearer : 0), "the last number",
+                        outputs[o]);
+        }
+        assert_room(w->left, left, "the axis at the left", outputs[o]);
+        double beside = 0;
+        for (size_t i = 0; i < f.texts.count && l->bar.width > 0; i++) {
+            const struct text *t = &f.texts.text[i];
+            const int bar = l->bar.x + l->bar.width;
+            beside = t->x > bar && t->y > l->bar.y - t->height && t->y < l->bar.y + l->bar.height
+                         ? fmax(beside, t->x + t->width - bar)
+                         : beside;
+        }
+        if (l->bar.width > 0 && o != 2) { /* lower, it has fewer numbers */
+            assert_room(w->bar, beside, "the bar", outputs[o]);
+            assert_room(w->bar_title, width_of(&f.texts, "force (N)"), "the bar's title", outputs[o]);
+        }
+        assert_room(w->title_width, width_of(&f.texts, "A film"), "the title", outputs[o]);
+        if (l->against) {
+            assert_room(w->against, width_of(&f.texts, "against"), "the title of both axes", outputs[o]);
+            assert_true(w->along < w->against);
+        }
+        draw(&f, span);
+        assert_room(w->time_width, width_of(&f.texts, "1.200") + 0.5 * w->look->gap, "the clock", outputs[o]);
+        const struct text *badge = find(&f.texts, "slowed");
+        if (badge)
+            assert_room(w->badge_width, badge->width + 0.9 * w->look->label, "the badge", outputs[o]);
+        close_film(&f);
+    }
+}
+
 /* ---- cards ---- */
 
 /* A card has title and text, a rule, the chains with their names, and facts: all from one left edge, below each other, on the page.
@@ -379,11 +478,9 @@ static void cards_say_what_is_shown(void **)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_are_in_their_lines),
-        cmocka_unit_test(notes_are_boxes_with_tips),
-        cmocka_unit_test(races_say_who_leads),
-        cmocka_unit_test(names_have_samples_of_lines),
-        cmocka_unit_test(headings_are_as_wide_as_measured),
+        cmocka_unit_test(words_are_in_their_lines),    cmocka_unit_test(notes_are_boxes_with_tips),
+        cmocka_unit_test(races_say_who_leads),         cmocka_unit_test(names_have_samples_of_lines),
+        cmocka_unit_test(rooms_are_as_large_as_words), cmocka_unit_test(headings_are_as_wide_as_measured),
         cmocka_unit_test(cards_say_what_is_shown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
