@@ -305,10 +305,14 @@ $(BENCHES) $(STRESSES): $(BUILD)/tests/%: tests/%.c $(STATIC)
 	@mkdir -p $(@D)
 	$(call say,TEST,$<) $(run) $(compile_test) $(fast_linker) -MF $@.d -MT $@ -o $@ $< $(STATIC) $(render_libs) $(sim_libs) $(movie_libs) $(peer_$(@F))
 
-test: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## unit tests and tests of the programs; ends with `N passed, M failed`
-	@tests/run.sh $(BUILD)
+test: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## the tests of three minutes: all except those that tests/slow.txt names; ends with `N passed, M failed`
+	@PART=quick tests/run.sh $(BUILD)
 
-check: test ## the same
+test-slow: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## the tests that tests/slow.txt names
+	@PART=slow tests/run.sh $(BUILD)
+
+check: all $(TESTS) $(EXAMPLES) $(FAIL_ALLOC) ## all tests: those of `make test` and `make test-slow`
+	@tests/run.sh $(BUILD)
 
 compile: all $(TESTS:=.o) $(EXAMPLES) $(BENCHES) $(STRESSES) $(FAIL_ALLOC) ## everything, tests and benchmarks too, without running it or linking the tests
 
@@ -362,8 +366,8 @@ asan: ## all tests under address and undefined-behaviour sanitizers
 coverage: ## lines and branches of sim and render that the tests reach, by room (gcc; half an hour)
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-coverage WERROR= CFLAGS="-O0 -g --coverage -fprofile-update=atomic" counted
 	@tests/coverage.sh $(BUILD)-coverage
-# SHORT=1: but for tests that tests/long.txt names.
-counted: all $(if $(SHORT),$(filter-out $(patsubst %,$(BUILD)/tests/%,$(shell sed 's/ .*//' tests/long.txt)),$(TESTS)),$(TESTS)) $(EXAMPLES) $(FAIL_ALLOC)
+# PART=short: without the tests that tests/long.txt names.
+counted: all $(if $(filter short,$(PART)),$(filter-out $(patsubst %,$(BUILD)/tests/%,$(shell sed 's/ .*//' tests/long.txt)),$(TESTS)),$(TESTS)) $(EXAMPLES) $(FAIL_ALLOC)
 
 properties: all ## properties of every scene, CASES=1000 random scenes each (by hand; a quarter of an hour)
 	@$(python) -B tests/properties.py $(BUILD)/beadsim $(CASES)
@@ -390,8 +394,8 @@ sanitized_build = --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring 
 sanitized: ## clang builds everything, tests and benchmarks too, in the build of fuzz and asan-short
 	@$(MAKE) $(sanitized_build) compile fuzzers
 asan-short: ## the tests of minutes under sanitizers: all but those that tests/long.txt names
-	@$(MAKE) $(sanitized_build) SHORT=1 counted
-	@SHORT=1 tests/run.sh $(BUILD)-fuzz
+	@$(MAKE) $(sanitized_build) PART=short counted
+	@PART=short tests/run.sh $(BUILD)-fuzz
 
 # Each target for FUZZ_SECONDS, or FUZZ_RUNS where that is shorter.
 $(FUZZERS): $(BUILD)/fuzz/%: tests/fuzz/%.c $(FUZZ_SUPPORT) tests/fuzz/fuzz.h $(COMMAND_OBJECTS) $(STATIC)
@@ -503,7 +507,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: tarball image bare-test metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: test-slow tarball image bare-test metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
 .DELETE_ON_ERROR:
 # Not of what `make deb` builds meanwhile.
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

@@ -17,7 +17,7 @@ if [ $# -eq 0 ]; then
     tests/run.sh "$build" | tee "$build/tests.txt"
     # Starved of disk, file size and descriptors; under every signal. Killed programs count nothing.
     tests/torture/torture.sh "$build" 0 20 1 | tail -n 1
-    page=(tests/stress/RESULTS.md "$(date +%F), commit $(git describe --always --abbrev=10), ${SHORT:+without the tests of tests/long.txt, }$(tail -n 1 "$build/tests.txt").")
+    page=(tests/stress/RESULTS.md "$(date +%F), commit $(git describe --always --abbrev=10), ${PART:+only part $PART of the tests, }$(tail -n 1 "$build/tests.txt").")
 else
     tests/run.sh "$build" "$@"
 fi

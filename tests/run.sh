@@ -3,7 +3,8 @@
 # Run all tests of a build and count them: tests/run.sh BUILD [NAME...]
 # Unit tests are the programs BUILD/tests/test_* (from tests/ROOM/test_*.c), the others tests/*.sh and tests/cli/*.sh; each prints TAP.
 # Ends with `N passed, M failed`, or `N passed, M failed, K skipped` where the machine lacks what some need; exit status 1 if any
-# failed. JOBS=n runs n at a time. SHORT=1 leaves out those that tests/long.txt names.
+# failed. JOBS=n runs n at a time. PART=quick leaves out the tests that tests/slow.txt names, PART=slow runs only these, and PART=short
+# leaves out those that tests/long.txt names.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=$(realpath "${1:-build}")
@@ -17,7 +18,14 @@ export BUILD="$build" BEADREEL_ASSETS="$PWD/assets" TMPDIR="$work/tmp" CMOCKA_ME
 export LSAN_OPTIONS="suppressions=$PWD/tests/lsan.txt:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}" UBSAN_OPTIONS="print_stacktrace=1"
 export ASAN_OPTIONS="handle_sigill=1:intercept_tls_get_addr=0${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
-left_out() { [ -n "${SHORT:-}" ] && grep -qE "^$1 " tests/long.txt; }
+left_out() {
+    case ${PART:-} in
+    quick) grep -q "^$1 " tests/slow.txt ;;
+    slow) ! grep -q "^$1 " tests/slow.txt ;;
+    short) grep -q "^$1 " tests/long.txt ;;
+    *) false ;;
+    esac
+}
 names=()
 for t in "$build"/tests/test_* tests/test_*.sh tests/cli/*.sh; do
     [ -f "$t" ] && [ -x "$t" ] || continue

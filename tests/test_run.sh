@@ -64,15 +64,19 @@ ok "a skip that names nothing missing is one" ends 1 "1 passed, 1 failed, 1 skip
 ok "no test at all is a failure" ends 1 "0 passed, 0 failed" test_unknown
 ok "all of a folder, but for what has no source" ends 1 "9 passed, 5 failed, 5 skipped"
 printf 'test_bad slow\ntest_dies slower\n' >"$T/tests/long.txt"
-short() { SHORT=1 ends "$@"; }
-ok "... and all but the long ones" short 1 "7 passed, 3 failed, 5 skipped"
-ok "... which are run by name" short 1 "1 passed, 1 failed" test_bad
+part() { PART=$1 ends "${@:2}"; }
+ok "... and all but the long ones" part short 1 "7 passed, 3 failed, 5 skipped"
+ok "... which are run by name" part short 1 "1 passed, 1 failed" test_bad
+mv "$T/tests/long.txt" "$T/tests/slow.txt"
+ok "... and all but the slow ones" part quick 1 "7 passed, 3 failed, 5 skipped"
+ok "... and these alone" part slow 1 "2 passed, 2 failed"
 # Names in the list are names of tests.
 all_are_tests() {
     local name rest
     while read -r name rest; do
         [ -e "$top/tests/$name.sh" ] || [ -e "$top/tests/cli/$name.sh" ] || compgen -G "$top/tests/*/$name.c" >/dev/null || { echo "$name"; return 1; }
-    done < <(grep -v '^#' "$top/tests/long.txt")
+    done < <(grep -v '^#' "$top/tests/$1.txt")
 }
-ok "tests/long.txt names tests" all_are_tests
+ok "tests/long.txt names tests" all_are_tests long
+ok "so does tests/slow.txt" all_are_tests slow
 finish
