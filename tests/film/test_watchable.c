@@ -16,35 +16,38 @@
 #include "scratch.h"
 #include "sessions.h"
 
-enum { FPS = 20, WIDTH = 640, HEIGHT = 360, SMALL = 2, TILES = 6, MOST_FRAMES = DECODED_MOST };
+enum { FPS = 20, SLOW = 12, WIDTH = 640, HEIGHT = 360, SMALL = 2, TILES = 6, MOST_FRAMES = DECODED_MOST, MORE = 3 };
 
-/* An output of a ready scene as a movie of another name and quality, so many times smaller, with two more keys of this output, or
- * one. */
-static void film_of(const char *scene, int output, int smaller, const char *name, const char *quality, const char *const more[2],
-                    struct decoded *movie)
+/* An output of a ready scene as a movie of another name and quality, so many times smaller, with up to MORE other settings; names
+ * that begin with a dot are keys of this output. */
+static void film_of(const char *scene, int output, int smaller, int fps, const char *name, const char *quality,
+                    const char *const more[MORE], struct decoded *movie)
 {
-    char set[6][64], file[400];
+    char set[4 + MORE][64], file[400];
+    size_t count = 4;
     snprintf(set[0], sizeof set[0], "outputs.%d.movie=%s", output, name);
     snprintf(set[1], sizeof set[1], "outputs.%d.size=[%d, %d]", output, WIDTH / smaller, HEIGHT / smaller);
-    snprintf(set[2], sizeof set[2], "outputs.%d.fps=%d", output, FPS);
+    snprintf(set[2], sizeof set[2], "outputs.%d.fps=%d", output, fps);
     snprintf(set[3], sizeof set[3], "outputs.%d.quality=%s", output, quality);
-    for (int i = 0; i < 2 && more[i]; i++)
-        snprintf(set[4 + i], sizeof set[4], "outputs.%d.%s", output, more[i]);
-    const char *settings[] = {set[0], set[1], set[2], set[3], set[4], set[5]}, *only[] = {name};
-    play_counts((struct bead_job){.input = scene,
-                                  .output = directory,
-                                  .settings = settings,
-                                  .setting_count = more[1] ? 6 : 5,
-                                  .only = only,
-                                  .only_count = 1});
+    for (int i = 0; i < MORE && more[i]; i++, count++) {
+        if (*more[i] == '.')
+            snprintf(set[count], sizeof *set, "outputs.%d%s", output, more[i]);
+        else
+            snprintf(set[count], sizeof *set, "%s", more[i]);
+    }
+    const char *settings[4 + MORE], *only[] = {name};
+    for (size_t i = 0; i < count; i++)
+        settings[i] = set[i];
+    play_counts((struct bead_job){
+        .input = scene, .output = directory, .settings = settings, .setting_count = count, .only = only, .only_count = 1});
     snprintf(file, sizeof file, "%s/%s", directory, name);
     decode(file, movie);
 }
 
 /* The first output. */
-static void film(const char *scene, const char *name, const char *quality, const char *const more[2], struct decoded *movie)
+static void film(const char *scene, const char *name, const char *quality, const char *const more[MORE], struct decoded *movie)
 {
-    film_of(scene, 0, 1, name, quality, more, movie);
+    film_of(scene, 0, 1, FPS, name, quality, more, movie);
 }
 
 /* Titles of low plots are broken into lines: they reach further than those of high ones, but not out of the frame. */
@@ -56,9 +59,9 @@ static void titles_stay_in_the_frame(void **state)
     write_scene("chains:\n"
                 "  - {name: A, beads: [{bead: large-steel, count: 5}], wall: brass}\n"
                 "  - {name: B, beads: [{bead: aluminium, count: 5}], wall: brass}\n"
-                "outputs: [{movie: low.mkv, follow: front, duration: 0.1 s}]\n",
+                "outputs: [{movie: low.mov, follow: front, duration: 0.1 s}]\n",
                 scene);
-    film(scene, "low.mkv", "lossless", (const char *const[2]){"size=[1280, 720]"}, &movie);
+    film(scene, "low.mov", "lossless", (const char *const[MORE]){".size=[1280, 720]"}, &movie);
     assert_int_equal(movie.width, 1280);
     int corner[3], rgb[3];
     decoded_rgb(movie.frame[0], 0, 0, corner);
@@ -122,23 +125,23 @@ static size_t most_turns(const double *light, const double *time, size_t count, 
 }
 
 /* The ready films; those that are long are shown faster, or by halves at their own pace, which hides nothing that goes to and fro
- * slowly and makes the rest worse. They are small: beads have more of a frame then. A wave along one chain lights up a part of
- * such a frame and leaves it within a second, which are two turns. */
+ * slowly and makes the rest worse, and with fewer points. They are small: beads have more of a frame then. A wave along one chain
+ * lights up a part of such a frame and leaves it within a second, which are two turns. */
 static const struct ready_film {
     const char *scene;
     int output;
-    const char *more[2];
+    const char *more[MORE];
     size_t turns;
 } ready_films[] = {
-    {"teaching", 0, {"duration=9 s"}, 1},
-    {"clean-vs-delocalised", 0, {"duration=6 s"}, 1},
-    {"collision", 1, {"duration=12 s"}, 2},
-    {"fput", 0, {"duration=12 s", "until=5000"}, 1},
-    {"fput-kdv", 0, {"duration=12 s"}, 1},
-    {"kdv", 0, {"duration=12 s"}, 1},
-    {"shock", 0, {"duration=6 s", "until=4"}, 1},
-    {"zabusky-kruskal", 0, {"duration=6 s", "until=2.4"}, 1},
-    {"cradle", 0, {"duration=4 s", "until=0.7"}, 1},
+    {"teaching", 0, {".duration=9 s"}, 1},
+    {"clean-vs-delocalised", 0, {".duration=6 s"}, 1},
+    {"collision", 1, {".duration=12 s", ".fps=20"}, 2},
+    {"fput", 0, {".duration=12 s", ".until=5000"}, 1},
+    {"fput-kdv", 0, {".duration=12 s", "chains.1.points=256"}, 1},
+    {"kdv", 0, {".duration=12 s", "chain.points=160"}, 1},
+    {"shock", 0, {".duration=6 s", ".until=4", "chain.points=800"}, 1},
+    {"zabusky-kruskal", 0, {".duration=6 s", ".until=2.4", "chain.points=160"}, 1},
+    {"cradle", 0, {".duration=2 s", ".until=0.35"}, 1},
 };
 enum { READY_FILMS = sizeof ready_films / sizeof *ready_films };
 
@@ -151,8 +154,8 @@ static void check_flashes(const struct ready_film *ready)
     assert_non_null(light);
     for (int i = 0; i < 256; i++)
         table[i] = linear(i);
-    film_of(ready->scene, ready->output, SMALL, "flash.mkv", "lossless", ready->more, &movie);
-    assert_true(movie.count > 60);
+    film_of(ready->scene, ready->output, SMALL, SLOW, "flash.mov", "lossless", ready->more, &movie);
+    assert_true(movie.count > 20);
     for (size_t i = 0; i < movie.count; i++) {
         double tile[TILES * TILES + 1];
         find_luminance(movie.frame[i], table, tile);
@@ -283,10 +286,10 @@ static void text_is_sharp(void **state)
     } kinds[] = {
         {"draft.mp4", "draft", 33}, {"standard.mp4", "standard", 36}, {"high.mp4", "high", 40}, {"standard.webm", "standard", 36}};
     struct decoded exact;
-    film("teaching", "exact.mkv", "lossless", (const char *const[2]){"duration=2 s"}, &exact);
+    film("teaching", "exact.mov", "lossless", (const char *const[MORE]){".duration=1 s"}, &exact);
     for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         struct decoded coded;
-        film("teaching", kinds[k].name, kinds[k].quality, (const char *const[2]){"duration=2 s"}, &coded);
+        film("teaching", kinds[k].name, kinds[k].quality, (const char *const[MORE]){".duration=1 s"}, &coded);
         assert_true(coded.count == exact.count || strcmp(kinds[k].quality, "draft") == 0);
         check_text(kinds[k].name, &coded, &exact, 5, 45, kinds[k].least);
         check_text(kinds[k].name, &coded, &exact, HEIGHT - 30, HEIGHT - 5, kinds[k].least);
@@ -300,7 +303,7 @@ static void the_bar_never_changes(void **state)
 {
     (void)state;
     struct decoded movie;
-    film("clean-vs-delocalised", "bar.mkv", "lossless", (const char *const[2]){"duration=0.5 s"}, &movie);
+    film("clean-vs-delocalised", "bar.mov", "lossless", (const char *const[MORE]){".duration=0.5 s"}, &movie);
     for (size_t i = 1; i < movie.count; i++) {
         for (int y = HEIGHT * 2 / 3; y < HEIGHT - 4; y++) { /* beside the images, above the line of progress */
             for (int x = WIDTH - 42; x < WIDTH; x++) {
