@@ -97,6 +97,8 @@ chain:
   beads: [{cell: [heavy, light], count: $1}]
 YAML
 }
+# plain_canvas : from here on without Mesa, whose start takes longer than small pictures.
+plain_canvas() { mkdir -p "$XDG_CONFIG_HOME/beadreel" && echo 'canvas: plain' >"$XDG_CONFIG_HOME/beadreel/config.yaml"; }
 # finish : the last command of a test.
 finish() {
     echo "1..$tests"

@@ -47,8 +47,7 @@ if command -v ffmpeg >/dev/null; then
     ok "... at times" shows plain.yaml plain 0.46ms:20 "0.9 ms:39"
     ok "... of its trajectory" exits 0 "$beadreel" plain/run.h5 -o again/film.mov
     ok "... is that of the film of it" shows plain/run.h5 again 77%:30
-    # From here on without Mesa, whose start takes longer than such a frame.
-    mkdir -p "$XDG_CONFIG_HOME/beadreel" && echo 'canvas: plain' >"$XDG_CONFIG_HOME/beadreel/config.yaml"
+    plain_canvas
     same follow "a camera, sensors" "views: [beads, profile, sensors], follow: front, field: velocity"
     same overlay "curves of all chains in one, captions with pauses, a title card" \
         "views: [profile, spacetime], layout: overlay, card: {text: Begin, for: 0.3 s}, captions: [{at: 0.3 ms, text: Now, pause: 0.3 s}]" "duration: 1.4 s, fps: 20"

@@ -3,6 +3,7 @@
 # The manual: what its chapters say is done here, chapter by chapter, with smaller pictures; and its HTML is whole.
 source "$(dirname "$0")/../shell.bash"
 manual=$top/assets/manual
+plain_canvas
 # Debian's Python has h5py.
 mkdir "$T/bin" && ln -s /usr/bin/python3 "$T/bin/python3"
 export top PATH=$T/bin:$BUILD:$PATH PYTHONPATH=$top/assets/python BEADREEL=$beadreel
@@ -50,12 +51,18 @@ ok "a file that is not made is found" broken 'true' '<!-- makes: nothing.png -->
 ok "a test elsewhere that is none is found" broken 'true' '<!-- elsewhere: tests/run.sh: nothing of the kind -->'
 
 if command -v pandoc >/dev/null && command -v mandoc >/dev/null; then
-    # Its two large sweeps are small here.
+    # Its large sweeps and films are small here.
     mkdir "$T/few"
     cat >"$T/few/beadreel" <<SH
 #!/bin/bash
 case \$1 in
-sweep) set -- "\$@" --set sweep.configurations=2 ;;
+sweep | sweep.yaml | order.yaml) set -- "\$@" --set sweep.configurations=2 ;;
+decay.yaml) set -- "\$@" --set sweep.over='{chain.beads.0.magnetism: [0, 0.9], chain.beads.0.seed: 1..2}' ;;
+spreading.yaml) set -- "\$@" --set sweep.over='{chain.beads.0.disorder.seed: 1..2}' ;;
+mean.yaml) set -- "\$@" --set sweep.over='{chain.beads.0.seed: 1..4}' ;;
+hanging.yaml) set -- "\$@" --set simulate.until='0.4 s' ;;
+loop.yaml) set -- "\$@" --set outputs.0.duration='0.5 s' ;;
+lecture.yaml) set -- "\$@" --set outputs.0.size='[480, 270]' --set outputs.0.fps=1 ;;
 plane.yaml) for k in 0 1 2 3; do set -- "\$@" --set sweeps.\$k.configurations=2; done ;;
 esac
 exec "$beadreel" "\$@"
