@@ -4,13 +4,16 @@
  * those of one kind are 15 apart. With `times`, it judges the times of peaks, not their heights. Every fourth chain of a kind runs
  * five times as long as its first pulse. A miss is a peak whose error exceeds both the requested accuracy and the uncertainty in
  * its row; an uncertainty is too large if it exceeds ten times the larger of the error and the requested accuracy. Rows called
- * unpredictable are counted separately. */
+ * unpredictable are counted separately. `tangent N FIRST LAST` judges the errors that a forward tangent finds (tangent.h), with the
+ * local error of every N-th step. */
 #include "tests/stress/stress.h"
 
 #include <signal.h>
 #include <sys/time.h>
 
+#include "sim/run/play.h"
 #include "tests/kinds.h"
+#include "tests/stress/tangent.h"
 
 static const double asked[] = {1e-4, 1e-6, 1e-8};
 enum { ASKED = sizeof asked / sizeof *asked, CHAINS = 8 * KIND_COUNT };
@@ -37,7 +40,37 @@ struct said {
     size_t contacts, count;
 };
 
-static struct said say(const char *text, double accuracy, double until, bool uncertainty, bool times)
+/* What is judged. */
+struct way {
+    bool times;
+    size_t tangent; /* steps between two of which the local error is found; 0: no tangent */
+};
+
+/* Uncertainties as the tangent has them, by the rules of uncertainty.c: a peak not known to a tenth is lost, and so are later ones
+ * not known as well as asked. */
+static void say_tangent(const struct bead_chain *chain, const struct bead_simulate *simulate, size_t every, struct said *said)
+{
+    static const double safety = 5, lost = 0.1;
+    const bool passage = !isfinite(simulate->until);
+    const struct bead_run_settings settings = {.chain = chain,
+                                               .simulate = simulate,
+                                               .kernels = bead_kernels_find(NULL),
+                                               .end = passage ? INFINITY : simulate->until,
+                                               .passage = passage ? BEAD_PASSAGE_OF_PULSE : BEAD_PASSAGE_NONE};
+    double from = INFINITY;
+    tangent_errors(&settings, said->peak, every, said->uncertainty);
+    for (size_t i = 0; i < said->count; i++) {
+        said->uncertainty[i] = safety * fabs(said->uncertainty[i]);
+        if (!(said->uncertainty[i] <= lost * said->peak[i].value) && is_peak(&said->peak[i]) && said->peak[i].time > 0)
+            from = fmin(from, said->peak[i].time);
+    }
+    for (size_t i = 0; i < said->count; i++) {
+        const struct bead_peak *peak = &said->peak[i];
+        said->peak[i].unpredictable = !(peak->time < from) && !(said->uncertainty[i] <= simulate->accuracy * peak->value);
+    }
+}
+
+static struct said say(const char *text, double accuracy, double until, bool uncertainty, const struct way *way)
 {
     struct bead_message msg = {""};
     struct built built = build(text, "accuracy: 1e-6");
@@ -50,7 +83,7 @@ static struct said say(const char *text, double accuracy, double until, bool unc
     settings.accuracy = accuracy;
     settings.until = until;
     settings.contact_peaks = settings.bead_peaks = true;
-    settings.uncertainty = uncertainty;
+    settings.uncertainty = uncertainty && way->tangent == 0;
     settings.stop = &late;
     said.count = said.contacts + bead_chain_beads(built.chain);
     late = 0;
@@ -64,13 +97,18 @@ static struct said say(const char *text, double accuracy, double until, bool unc
             GIVE_UP("out of memory");
         memcpy(said.peak, o->contact_peaks, said.contacts * sizeof *said.peak);
         memcpy(said.peak + said.contacts, o->bead_peaks, (said.count - said.contacts) * sizeof *said.peak);
-        const double *contact = times ? o->contact_time_uncertainty : o->contact_uncertainty,
-                     *bead = times ? o->bead_time_uncertainty : o->bead_uncertainty;
-        for (size_t i = 0; uncertainty && i < said.count; i++)
+        const double *contact = way->times ? o->contact_time_uncertainty : o->contact_uncertainty,
+                     *bead = way->times ? o->bead_time_uncertainty : o->bead_uncertainty;
+        for (size_t i = 0; settings.uncertainty && i < said.count; i++)
             said.uncertainty[i] = i < said.contacts ? contact[i] : bead[i - said.contacts];
     }
     wait_at_most(0);
     bead_player_destroy(player);
+    struct bead_simulate simulate = bead_chain_scene(built.chain)->simulate;
+    simulate.accuracy = accuracy;
+    simulate.until = until > 0 ? until : simulate.until;
+    if (said.peak && uncertainty && way->tangent > 0)
+        say_tangent(built.chain, &simulate, way->tangent, &said);
     release(&built);
     return said;
 }
@@ -156,22 +194,22 @@ static void add(struct count *sum, const struct count *c)
 }
 
 /* One line for each accuracy, after those of its misses. */
-static bool try_seed(uint64_t seed, bool times, struct count counts[ASKED])
+static bool try_seed(uint64_t seed, const struct way *way, struct count counts[ASKED])
 {
     char text[DRAWN_TEXT];
     const bool damped = kind_draw(seed, (enum kind)(seed % KIND_COUNT), text);
-    struct said first = say(text, 1e-4, 0, false, times);
+    struct said first = say(text, 1e-4, 0, false, way);
     const double until = seed / KIND_COUNT % 4 == 3 ? 5 * first.end : 0;
     const double fine[2] = {damped ? 1e-8 : 1e-12, damped ? 4e-8 : 1e-11};
     struct said references[2] = {{.count = 0}, {.count = 0}};
     for (int i = 0; first.peak && i < 2; i++)
-        references[i] = say(text, fine[i], until, false, times);
+        references[i] = say(text, fine[i], until, false, way);
     const bool known = references[0].peak && references[1].peak;
     for (size_t a = 0; known && a < (damped ? ASKED - 1 : ASKED); a++) {
-        struct said got = say(text, asked[a], until, true, times);
+        struct said got = say(text, asked[a], until, true, way);
         struct count c = {.rows = 0};
         if (got.peak)
-            judge(&c, &got, references, asked[a], times);
+            judge(&c, &got, references, asked[a], way->times);
         printf("  seed %d, %s, %g: %zu rows: %zu missed (%.2g), %zu too much, %zu unpredictable\n", (int)seed,
                kind_names[seed % KIND_COUNT], asked[a], c.rows, c.misses, c.worst, c.too_much, c.lost);
         fflush(stdout);
@@ -189,6 +227,20 @@ static bool try_seed(uint64_t seed, bool times, struct count counts[ASKED])
     return known;
 }
 
+static void print_row(struct stress *stress, const char *kind, double accuracy, const struct count *c)
+{
+    char name[64], quartiles[64] = "";
+    snprintf(name, sizeof name, "%s, %g", kind, accuracy);
+    if (c->strong > 0) {
+        qsort(c->strongly, c->strong, sizeof *c->strongly, rising);
+        snprintf(quartiles, sizeof quartiles, "%.2g %.2g %.2g of %zu", c->strongly[c->strong / 4], c->strongly[c->strong / 2],
+                 c->strongly[3 * c->strong / 4], c->strong);
+    }
+    if (c->rows > 0)
+        stress_row(stress, c->misses == 0 && 500 * c->too_much <= c->rows, name, "%6zu: %3zu (%.2g) %4zu %4zu; %s", c->rows,
+                   c->misses, c->worst, c->too_much, c->lost, quartiles);
+}
+
 /* `scene SEED`: the chain of a seed, with its kind, for tables.py. */
 static int print_scene(int seed)
 {
@@ -203,34 +255,32 @@ int main(int count, char **word)
     if (count > 2 && strcmp(word[1], "scene") == 0)
         return print_scene(atoi(word[2]));
     struct stress stress = stress_start();
-    const bool times = count > 1 && strcmp(word[1], "times") == 0;
-    count -= times, word += times;
+    struct way way = {.times = count > 1 && strcmp(word[1], "times") == 0};
+    if (count > 2 && strcmp(word[1], "tangent") == 0)
+        way.tangent = (size_t)atoi(word[2]);
+    const int words = way.times ? 1 : way.tangent > 0 ? 2 : 0;
+    count -= words, word += words;
     const int first = count > 1 ? atoi(word[1]) : 0,
               last = count > 2 ? atoi(word[2]) : first + (stress.quick ? KIND_COUNT : CHAINS);
-    static struct count counts[KIND_COUNT][ASKED];
+    static struct count counts[KIND_COUNT + 1][ASKED]; /* the last: of all kinds */
     size_t left_out = 0;
     signal(SIGVTALRM, ring);
     for (int seed = first; seed < last; seed++)
-        left_out += !try_seed((uint64_t)seed, times, counts[seed % KIND_COUNT]);
+        left_out += !try_seed((uint64_t)seed, &way, counts[seed % KIND_COUNT]);
     printf("%d chains, %zu without a reference. Rows, and of them: missed; said too much; unpredictable; what was said over the "
            "error, "
            "of\nerrors above what was asked: quartiles:\n",
            last - first, left_out);
     for (size_t k = 0; k < KIND_COUNT; k++) {
         for (size_t a = 0; a < ASKED; a++) {
-            const struct count *c = &counts[k][a];
-            char name[64], quartiles[64] = "";
-            snprintf(name, sizeof name, "%s, %g", kind_names[k], asked[a]);
-            if (c->strong > 0) {
-                qsort(c->strongly, c->strong, sizeof *c->strongly, rising);
-                snprintf(quartiles, sizeof quartiles, "%.2g %.2g %.2g of %zu", c->strongly[c->strong / 4],
-                         c->strongly[c->strong / 2], c->strongly[3 * c->strong / 4], c->strong);
-            }
-            if (c->rows > 0)
-                stress_row(&stress, c->misses == 0 && 500 * c->too_much <= c->rows, name, "%6zu: %3zu (%.2g) %4zu %4zu; %s",
-                           c->rows, c->misses, c->worst, c->too_much, c->lost, quartiles);
-            free(c->strongly);
+            print_row(&stress, kind_names[k], asked[a], &counts[k][a]);
+            add(&counts[KIND_COUNT][a], &counts[k][a]);
+            free(counts[k][a].strongly);
         }
+    }
+    for (size_t a = 0; a < ASKED; a++) {
+        print_row(&stress, "all", asked[a], &counts[KIND_COUNT][a]);
+        free(counts[KIND_COUNT][a].strongly);
     }
     return stress_end(&stress);
 }
