@@ -72,7 +72,7 @@ static struct bead_view_setup setup_of(const struct bead_composer *c, size_t ind
         .titles = c->layout.titles ? BEAD_TITLES_ABOVE : BEAD_TITLES_NONE,
         .name_left = c->name_left,
         .beyond = {along ? c->layout.beyond[0] : 0, along ? c->layout.beyond[1] : 0},
-        .head = bead_view_has(type_of(c, index), BEAD_ACTS) ? c->layout.head : 0,
+        .head = c->layout.head,
         .small = c->layout.grid,
         .elsewhere = c->layout.key.width > 0 ? BEAD_KEY_LIGHT | BEAD_KEY_MATERIALS
                                              : bead_stage_key_elsewhere(c->setup.chains, c->setup.chain_count, chain),
