@@ -314,6 +314,14 @@ static void words_say_what_was_found(void **)
         struct contact_sheet *s = &l.sheet;
         const struct bead_look *look = &s->look;
         cairo_t *cr = draw(&l);
+        /* Between the page's colour and the faint ink's, as far in each channel. */
+        for (int spin = -1; spin < 2; spin += 2) {
+            const struct bead_rgb mixed = contact_sheet_spin_colour(s, spin), page = look->background, ink = look->faint;
+            const double parts[] = {(mixed.r - page.r) / (ink.r - page.r), (mixed.g - page.g) / (ink.g - page.g),
+                                    (mixed.b - page.b) / (ink.b - page.b)};
+            for (int c = 0; c < 3; c++)
+                assert_true(fabs(parts[c] - (spin < 0 ? 0.15 : 0.45)) < 1e-9);
+        }
         /* The key: squares of 0.75 of the type in the middle of their words. */
         size_t at = 0;
         for (int i = 0; i < 2; i++, at++) {

@@ -423,6 +423,13 @@ static void contacts_have_their_triangles(void **)
                     assert_true(inside ? base < tip : base > tip);
             }
             assert_int_equal(heads, inside ? (cases[i].wall ? 2 : 4) : 2);
+            if (cases[i].wall) { /* one dimension, named in its middle */
+                double said[2];
+                char symbol[160];
+                bead_symbol_words("δ", 0, symbol, sizeof symbol);
+                middle_of(&seen, symbol, 0, said);
+                assert_true(fabs(said[0] - (ends[1] + ends[2]) / 2) < 1 && said[1] > lines[0]->at[1].y);
+            }
             clear_stage(s);
         }
     }

@@ -365,6 +365,44 @@ static void keys_are_rows_of_samples(void **)
     close_keyed(&k);
 }
 
+/* Strikers are of steel. Of several stages one says what the light is: the last whose materials another one has named, as its key
+ * has room, else the first; and each material is named by the first that has it. */
+static void keys_share_what_they_say(void **)
+{
+    static const struct {
+        const char *beads[3]; /* of the chains; NULL: none */
+        size_t lit;
+        unsigned named; /* a bit for each chain whose materials are named before */
+    } cases[] = {{{"{bead: large-steel, count: 4}"}, 0, 0},
+                 {{"{bead: large-steel, count: 4}", "{bead: large-steel, count: 6}"}, 1, 2},
+                 {{"{bead: large-steel, count: 4}", "{bead: aluminium, count: 6}"}, 0, 0},
+                 {{"{bead: large-steel, count: 4}", "{bead: large-steel}", "{bead: aluminium, count: 6}"}, 1, 2},
+                 {{"{cell: [large-steel, aluminium]}", "{bead: aluminium, count: 2}", "{bead: large-steel, count: 6}"}, 2, 6},
+                 {{"{bead: large-steel}", "{cell: [large-steel, aluminium]}", "{bead: aluminium, count: 6}"}, 2, 4}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct bead_message msg = {""};
+        struct bead_chain *chains[3] = {NULL};
+        char text[900] = "chains:\n";
+        size_t count = 0;
+        for (; count < 3 && cases[i].beads[count]; count++)
+            snprintf(text + strlen(text), sizeof text - strlen(text), "  - {name: c%zu, beads: [%s]}\n", count,
+                     cases[i].beads[count]);
+        strcat(text, "outputs: [{movie: a.mp4}]\n");
+        struct bead_scene *scene = parse(text);
+        for (size_t c = 0; c < count; c++)
+            require(bead_chain_create(scene, c, &chains[c], &msg), &msg);
+        for (size_t c = 0; c < count; c++) {
+            const unsigned wanted = (c == cases[i].lit ? 0 : BEAD_KEY_LIGHT) | (cases[i].named >> c & 1 ? BEAD_KEY_MATERIALS : 0),
+                           found = bead_stage_key_elsewhere((const struct bead_chain *const *)chains, count, c);
+            if (found != wanted)
+                fail_msg("case %zu, chain %zu: %x, not %x", i, c, found, wanted);
+        }
+        for (size_t c = 0; c < count; c++)
+            bead_chain_destroy(chains[c]);
+        bead_scene_free(scene);
+    }
+}
+
 /* The window follows one of several waves: its key says so if there are two or more, of strikers, drives, and beads that start. */
 static void several_waves_are_told(void **)
 {
@@ -408,6 +446,7 @@ int main(void)
         cmocka_unit_test(few_numbers_have_room),
         cmocka_unit_test(wide_windows_number_all),
         cmocka_unit_test(keys_are_rows_of_samples),
+        cmocka_unit_test(keys_share_what_they_say),
         cmocka_unit_test(several_waves_are_told),
     };
     return cmocka_run_group_tests_name("labels and keys of stages", tests, NULL, NULL);
