@@ -15,6 +15,7 @@
 #include "render/draw/axis.h"
 #include "render/draw/looks.h"
 #include "render/draw/words.h"
+#include "render/movie/film.h"
 #include "render/movie/movie_words.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
@@ -207,6 +208,8 @@ static void posters_are_frames(void **state)
 {
     (void)state;
     static const char *const wanted[] = {"poster-at: 0.5 ms, ", ""};
+    const struct bead_poster nearest = bead_poster_choose(1, 0.1);
+    assert_true(bead_poster_reached(&nearest, 0.951) && !bead_poster_reached(&nearest, 0.949));
     for (int k = 0; k < 2; k++) {
         char path[256], text[256];
         struct decoded movie;
