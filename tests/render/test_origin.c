@@ -100,7 +100,10 @@ static void make_boxes(struct bytes *b, const char *text, bool mov)
     nest("meta", "\0\0\0\0", 4);
     if (!mov)
         nest("udta", "", 0);
-    put_box(b, "moov", "", 0, &inner);
+    outer.count = 0;
+    put_box(&outer, "udta", "", 0, &none); /* one without a text before it */
+    add(&outer, inner.at, inner.count);
+    put_box(b, "moov", "", 0, &outer);
     ADD(b, 0, 0, 0, 0, 'f', 'r', 'e', 'e', 1, 2);
 }
 
@@ -119,12 +122,15 @@ static void make_matroska(struct bytes *b, const char *text)
 {
     static const uint32_t names[] = {0x4487, 0x67c8, 0x7373, 0x1254c367};
     static const int bytes[] = {2, 2, 2, 4};
+    static const struct bytes none = {.count = 0};
     ADD(b, 0x1a, 0x45, 0xdf, 0xa3, 0x83, 1, 2, 3, 0x18, 0x53, 0x80, 0x67, 0x01, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xec,
         0x82, 7, 7);
     inner.count = 0;
     add_words(&inner, text);
     for (int i = 0; i < 4; i++) {
         outer.count = 0;
+        if (i == 2) /* a list without a text before it */
+            put_element(&outer, names[i], bytes[i], &none);
         put_element(&outer, names[i], bytes[i], &inner);
         inner = outer;
     }
