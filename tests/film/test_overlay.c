@@ -2,7 +2,9 @@
 /* Overlays of films, as numbers: clock, captions, notes with their boxes and tips, races, progress. */
 #include <math.h>
 
+#include "render/draw/axis.h"
 #include "render/draw/looks.h"
+#include "render/draw/words.h"
 #include "render/movie/composer_private.h"
 #include "strokes.h"
 #include "tests/scenes.h"
@@ -306,6 +308,11 @@ static void headings_are_as_wide_as_measured(void **)
         if (small) {
             assert_true(fabs(to_label - bead_heading_least(look, f.chains[0], true)) < 2);
             assert_true(fabs(m->x - rect.x - bead_heading_least(look, f.chains[0], false)) < 2);
+            const struct bead_text_style style = bead_words_style(look, 1.1 * look->title, look->ink, BEAD_ALIGN_BASELINE);
+            char markup[256];
+            bead_text_magnetism(bead_chain_magnetism(f.chains[0]), markup, sizeof markup);
+            assert_at(bead_heading_least(look, f.chains[0], true) - bead_heading_least(look, f.chains[0], false),
+                      bead_words_width(cr, &style, markup) + 1.2 * look->gap);
         } else {
             assert_true(fabs(label->width - bead_label_width(look, f.chains[0])) < 2);
             assert_true(fabs(to_label + label->width + 1 - bead_heading_width(look, f.chains[0])) < 2.5);
