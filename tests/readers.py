@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Check that other programs' readers open a trajectory and read the right numbers: readers.py FILE [python]
+"""Check that other programs' readers open trajectories and read the right numbers: readers.py [python] FILE...
 
 h5py is needed; MDAnalysis, xarray (with h5netcdf), silx, Octave, jsfive, h5wasm and VTK's XDMF reader are tried where they are
-installed; with `python`, only those in Python. Prints TAP.
+installed; a FILE behind the word `python` by those in Python only. Prints TAP.
 """
 import os
 import shutil
@@ -13,6 +13,7 @@ import sys
 import h5py
 import numpy as np
 
+import tap
 from tap import finish, ok, skip
 
 
@@ -234,18 +235,26 @@ def check_xarray(path, file):
                    and np.array_equal(data[axis].values, element[axis][:]), f"xarray: {parent}/{name} {wanted}")
 
 
-def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    with h5py.File(sys.argv[1], "r") as file:
+def check(path, probes):
+    tap.where = os.path.basename(path).removesuffix(".h5") + ": "
+    with h5py.File(path, "r") as file:
         check_h5md(file)
         check_texts(file)
         check_nexus(file)
-        if sys.argv[2:] != ["python"]:
-            check_probes(sys.argv[1], file)
-        check_xdmf(sys.argv[1], file)
-        check_xarray(sys.argv[1], file)
-        check_mdanalysis(sys.argv[1], file)
+        if probes:
+            check_probes(path, file)
+        check_xdmf(path, file)
+        check_xarray(path, file)
+        check_mdanalysis(path, file)
+
+
+def main():
+    words = sys.argv[1:]
+    if not words:
+        sys.exit(__doc__)
+    for before, path in zip([""] + words, words):
+        if path != "python":
+            check(path, before != "python")
     finish()
 
 

@@ -3,6 +3,7 @@
 import sys
 
 count = failed = 0
+where = ""  # begins what each check says
 
 
 def ok(good, what, *details):
@@ -10,7 +11,7 @@ def ok(good, what, *details):
     global count, failed
     count += 1
     failed += not good
-    print("ok" if good else "not ok", count, "-", what, flush=True)
+    print("ok" if good else "not ok", count, "-", where + what, flush=True)
     for detail in details if not good else ():
         print("# " + str(detail).replace("\n", "\n# "), flush=True)
 
@@ -19,7 +20,7 @@ def skip(missing, what):
     """A check left out, as this machine lacks a program or module; with its Debian package."""
     global count
     count += 1
-    print(f"# missing: {missing}\nok {count} - {what} # SKIP", flush=True)
+    print(f"# missing: {missing}\nok {count} - {where}{what} # SKIP", flush=True)
 
 
 def finish():

@@ -17,7 +17,8 @@ found() { # the program of the source tree that the module is in, without a vari
         [ "$(env -u BEADREEL PYTHONPATH="$T/tree/assets/python" "$python" -c 'from beadreel._program import program; print(program())')" = "$T/tree/build/beadreel" ]
 }
 ok "the module finds the program of its tree" found
-if "$python" -c 'import nbconvert, ipykernel' 2>/dev/null && "$python" -c 'import xarray' 2>/dev/null; then
+there() { "$python" -c 'import importlib.util, sys; sys.exit(not all(map(importlib.util.find_spec, sys.argv[1:])))' "$@"; }
+if there nbconvert ipykernel xarray; then
     cp "$top/assets/python/waves.ipynb" "$T"
     ok "the notebook runs" exits 0 env HOME="$T" "$python" -m nbconvert --to notebook --execute "$T/waves.ipynb" --output done.ipynb
     ok "... and shows a picture and a film" bash -c "grep -q 'data:image/png;base64' '$T/done.ipynb' && grep -q 'data:video/mp4' '$T/done.ipynb'"

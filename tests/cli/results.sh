@@ -86,7 +86,7 @@ for set in portable sse2 avx2 avx512; do
 done
 
 # Progress: slow enough that there is some.
-slow=(--set "simulate={until: 600 ms, method: rk4, step: 0.1 us}" --only peaks.csv)
+slow=(--set "simulate={until: 200 ms, method: rk4, step: 0.1 us}" --only peaks.csv)
 ok "--progress=json" exits 0 "$beadsim" scene.yaml -o slow "${slow[@]}" --progress=json
 json_lines() { [ -s err ] && ! grep -vE '^\{"what": "[^"]+", "done": [0-9.]+, "elapsed_s": [0-9.]+(, "left_s": [0-9.]+)?(, "time_s": [-+0-9.e]+)?\}$' err; }
 ok "... one object a line" json_lines

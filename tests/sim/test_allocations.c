@@ -124,8 +124,9 @@ static const char equations[] =
     "outputs: [{table: measures.csv, show: measures}, {trajectory: run.h5, every: 1}]\n";
 
 static const char sweep[] = "sweeps:\n"
-                            "  - {name: a, cells: 3, magnetism: [0, 1], configurations: 2}\n"
-                            "  - {name: b, cells: 3, magnetism: [0, 1], configurations: 2, measure: {decay: true}}\n"
+                            "  - {name: a, cells: 2, magnetism: [0], configurations: 2}\n"
+                            "  - {name: b, cells: 2, magnetism: [0], configurations: 2, measure: {decay: true}}\n"
+                            "simulate: {accuracy: 1e-4}\n"
                             "outputs: [{sweep: sweep.h5}, {table: sweep.csv}]\n";
 
 static const char decaying[] = "sweep: {cells: 7, magnetism: [0.1428571], configurations: 1, measure: {decay: true}}\n"
