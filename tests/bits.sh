@@ -29,8 +29,8 @@ shortened() {
     case $1 in
     fput-kdv) settings=(simulate.until=200 'outputs.1.at=[0, 200]') ;;
     zabusky-kruskal) settings=(simulate.until=1.2) ;;
-    thesis/fig8) settings=(simulate.until=4 'outputs.0.at=[0, 4]' 'outputs.1.at=[0, 4]') ;;
-    cradle) settings=(simulate.until=0.1) ;;
+    thesis/fig8) settings=(simulate.until=1 'outputs.0.at=[0, 1]' 'outputs.1.at=[0, 1]') ;;
+    cradle) settings=(simulate.until=0.05) ;;
     martinez2016) settings=(simulate.until=20 'sweep.over={chain.beads.0.disorder.seed: 1..2}') ;;
     sweep) settings=(sweep.configurations=2) ;;
     thesis/fig6) settings=(sweep.configurations=1) ;;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # One file by its name: of a scene, and of a trajectory or a sweep that is drawn again, with the options for it.
 source "$(dirname "$0")/../shell.bash"
+plain_canvas
 cd "$T" || exit 1
 cat >scene.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 40}, {bead: small-steel, sensor: A}, {bead: large-steel, count: 30}]}
@@ -13,8 +14,11 @@ outputs:
   - {image: [force.png, force.pdf], size: [640, 400], axes: false}
 YAML
 # same FILE FILE : but for what they say of themselves.
-same() { cmp <(ffmpeg -v error -i "$1" -f rawvideo -pix_fmt rgb24 -) <(ffmpeg -v error -i "$2" -f rawvideo -pix_fmt rgb24 -); }
-differ() { [ -s "$1" ] && [ -s "$2" ] && ! same "$1" "$2"; }
+decoded() {
+    ffmpeg -v error -y -i "$1" -i "$2" -map 0:v -f rawvideo -pix_fmt rgb24 one.rgb -map 1:v -f rawvideo -pix_fmt rgb24 two.rgb </dev/null && [ -s one.rgb ] && [ -s two.rgb ]
+}
+same() { decoded "$1" "$2" && cmp one.rgb two.rgb; }
+differ() { decoded "$1" "$2" && ! cmp -s one.rgb two.rgb; }
 
 ok "a run" exits 0 "$beadreel" scene.yaml -o run
 

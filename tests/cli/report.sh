@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Reports: what is refused, what a page contains, and what a browser makes of it, where there is one.
 source "$(dirname "$0")/../shell.bash"
+plain_canvas
 cd "$T" || exit 1
 cat >scene.yaml <<'YAML'
 title: 'A </script><b>title</b> & "more"'

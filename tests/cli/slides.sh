@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Slides are the finished film in one page, which stops in the middle of the frames at which the film's chapters begin.
 source "$(dirname "$0")/../shell.bash"
+plain_canvas
 cd "$T" || exit 1
 cat >talk.yaml <<'YAML'
 chain: {striker: {velocity: 1 m/s}, beads: [{bead: brass, count: 8}]}

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sound of movies as a user asks for it: what is refused, which tracks a file has, and whether what is heard is the force of the table.
 source "$(dirname "$0")/../shell.bash"
+plain_canvas
 cd "$T" || exit 1
 cat >scene.yaml <<'YAML'
 chains:

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Plots of every kind have the scene's title on a screen and none on paper, where captions are; their panels have letters.
 source "$(dirname "$0")/../shell.bash"
+plain_canvas
 cd "$T" || exit 1
 chain='{striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 4}, {bead: small-steel, sensor: S}]}'
 string='{equation: fput, points: 8, alpha: 0.25, start: {mode: 1, amplitude: 1}}'
