@@ -42,6 +42,23 @@ static void check(bool dark)
             assert_true(near(pixel(&c, x - plot.width / 10, y - plot.height / 8), colour_of(&map, part))); /* still its box */
         }
     }
+    /* Beside it the bar, from its lowest colour to its highest, whose ends are as wide as its middle: no value is beyond them. */
+    const uint32_t ends[2] = {colour_of(&map, 1), colour_of(&map, 0)}, half = colour_of(&map, 0.5);
+    int wide = 0, widths[2] = {0, 0}, low = -1, high = -1;
+    for (int x = plot.x + plot.width + 2; x < c.width; x++) {
+        wide += near(pixel(&c, x, plot.y + plot.height / 2), half);
+        for (int y = 0; y < c.height; y++) {
+            high = near(pixel(&c, x, y), ends[0]) && (high < 0 || y < high) ? y : high;
+            low = near(pixel(&c, x, y), ends[1]) && y > low ? y : low;
+        }
+    }
+    for (int x = plot.x + plot.width + 2; x < c.width; x++) {
+        widths[0] += near(pixel(&c, x, high), ends[0]);
+        widths[1] += near(pixel(&c, x, low), ends[1]);
+    }
+    assert_true(wide > 5 && widths[0] == wide && high == plot.y);
+    if (dark) /* else the lowest has the colour of the page */
+        assert_true(widths[1] == wide && low == plot.y + plot.height - 1);
     graph_layout_free(&layout);
     free_canvas(&c);
 }
