@@ -276,6 +276,7 @@ $(TEST_SUPPORT): $(BUILD)/tests/%.o: tests/%.c $(BUILD)/.ready | $(WAIT)
 	$(call say,CC,$<) $(run) $(compile_test) $(unoptimized) -c $< -o $@
 # Tests whose allocations fail have an allocator of their own.
 with_test_allocations = tests/torture/fail_alloc.c -fno-builtin
+with_test_drawn_allocations = $(with_test_allocations)
 with_test_markup = tests/torture/fail_alloc.c -fno-builtin
 # Its locks fail where it says so.
 with_test_files = -Wl,--wrap=flock

@@ -5,96 +5,8 @@
 
 #include "tests/scratch.h"
 
-#include "beadreel/session.h"
-#include "beadreel/sweep.h"
 #include "beadreel/trajectory.h"
-#include "tests/missing.h"
-#include "tests/sessions.h"
-#include "tests/torture/fail_alloc.h"
-
-/* Something that is done and undone. */
-typedef enum bead_error (*action)(const void *context, struct bead_message *msg);
-
-/* Removes the files of an action, and returns how many of these are unfinished: a sweep's journal is meant to stay. */
-static int clear(void)
-{
-    char path[1024];
-    int unfinished = 0;
-    DIR *dir = opendir(directory);
-    assert_non_null(dir);
-    for (struct dirent *e; (e = readdir(dir));) {
-        const char *end = strrchr(e->d_name, '.');
-        snprintf(path, sizeof path, "%s/%s", directory, e->d_name);
-        if (*e->d_name == '.' || strncmp(e->d_name, "kept.", 5) == 0)
-            continue;
-        unfinished += strcmp(end, ".part") == 0 && strcmp(e->d_name, "sweep.h5.part") != 0;
-        unlink(path);
-    }
-    closedir(dir);
-    return unfinished;
-}
-
-static int is_table(const struct dirent *e)
-{
-    return strlen(e->d_name) > 4 && strcmp(e->d_name + strlen(e->d_name) - 4, ".csv") == 0;
-}
-
-/* All tables that an action has made. */
-static void read_tables(char text[1 << 14])
-{
-    struct dirent **entries;
-    size_t used = 0;
-    const int count = scandir(directory, &entries, is_table, alphasort);
-    assert_true(count >= 0);
-    for (int i = 0; i < count; i++) {
-        char path[1024];
-        snprintf(path, sizeof path, "%s/%s", directory, entries[i]->d_name);
-        FILE *file = fopen(path, "r");
-        assert_non_null(file);
-        used += fread(text + used, 1, (1 << 14) - 1 - used, file);
-        fclose(file);
-        free(entries[i]);
-    }
-    free(entries);
-    assert_true(used < (1 << 14) - 1);
-    text[used] = '\0';
-}
-
-/* Number of allocations of `act`, each of which has failed once. */
-static long fail_each(action act, const void *context)
-{
-    static char whole[1 << 14], tables[1 << 14];
-    long made, kept;
-    struct bead_message msg = {""};
-#ifdef FAIL_ALLOC_SANITIZED
-    skip_without("a build without sanitizers");
-#endif
-    if (act(context, &msg)) /* things made once for the whole program exist from now on */
-        fail_msg("%s", msg.text);
-    read_tables(whole);
-    for (long k = 1;; k++) {
-        clear();
-        msg.text[0] = '\0';
-        fail_alloc_begin(k);
-        enum bead_error err = act(context, &msg);
-        made = fail_alloc_end(&kept);
-        if (kept > 0) /* fewer than none: FFTW's memory, freed for it */
-            fail_msg("allocation %ld of %ld: %ld are not freed (%s)", k, made, kept, msg.text);
-        if (err && err != BEAD_ERROR_MEMORY && !strstr(msg.text, "HDF5"))
-            fail_msg("allocation %ld: error %d: %s", k, err, msg.text);
-        if (err && (!*msg.text || strchr(msg.text, '\n')))
-            fail_msg("allocation %ld: the message is '%s'", k, msg.text);
-        read_tables(tables);
-        if (!err && strcmp(tables, whole) != 0)
-            fail_msg("allocation %ld changes a result, and nobody is told", k);
-        if (clear() != 0)
-            fail_msg("allocation %ld leaves unfinished files (%s)", k, msg.text);
-        if (made < k && err != BEAD_ERROR_MEMORY) { /* the process that reads HDF5 files counts on from this one */
-            assert_int_equal(err, BEAD_OK);
-            return made;
-        }
-    }
-}
+#include "tests/allocations.h"
 
 /* ---- scenes and chains ---- */
 
@@ -176,41 +88,6 @@ static enum bead_error read_scene(const void *text, struct bead_message *msg)
     return err;
 }
 
-/* A session of this job: opened, planned, run and closed. */
-static enum bead_error play(const void *job, struct bead_message *msg)
-{
-    struct bead_session *session = NULL;
-    FILE *plan = fopen("/dev/null", "w");
-    assert_non_null(plan);
-    enum bead_error err = bead_session_open(job, &session, msg);
-    assert_true(err ? !session : session != NULL);
-    if (!err)
-        err = bead_session_plan(session, plan, msg);
-    if (!err)
-        err = bead_session_run(session, msg);
-    bead_session_close(session);
-    fclose(plan);
-    return err;
-}
-
-static long fail_each_of_job(struct bead_job job)
-{
-    static const struct bead_sink_type *const *sinks[2];
-    sinks[0] = bead_data_sinks();
-    job.size = sizeof job;
-    job.sinks = sinks;
-    job.threads = 1;
-    return fail_each(play, &job);
-}
-
-static long fail_each_of_scene(const char *text)
-{
-    char path[512];
-    snprintf(path, sizeof path, "%s/kept.yaml", directory);
-    write_text(path, text);
-    return fail_each_of_job((struct bead_job){.input = path, .output = directory});
-}
-
 static void scenes(void **state)
 {
     (void)state;
@@ -225,15 +102,15 @@ static void scenes(void **state)
 static void runs(void **state)
 {
     (void)state;
-    assert_true(fail_each_of_scene(beads) > 200);
-    assert_true(fail_each_of_scene(equations) > 150);
+    assert_true(fail_each_of_scene(beads, bead_data_sinks()) > 200);
+    assert_true(fail_each_of_scene(equations, bead_data_sinks()) > 150);
 }
 
 static void runs_of_sweeps(void **state)
 {
     (void)state;
-    assert_true(fail_each_of_scene(sweep) > 200);
-    assert_true(fail_each_of_scene(decaying) > 100);
+    assert_true(fail_each_of_scene(sweep, bead_data_sinks()) > 200);
+    assert_true(fail_each_of_scene(decaying, bead_data_sinks()) > 100);
 }
 
 /* Runs a scene, and keeps one of its files. */
@@ -255,7 +132,8 @@ static void files_of_runs(void **state)
     make_file(beads, "run.h5", path);
     snprintf(out, sizeof out, "%s/again.csv", directory);
     static const char *const settings[] = {"outputs=[{table: again.csv, show: sensors}]"};
-    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .settings = settings, .setting_count = 1}) > 100);
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .settings = settings, .setting_count = 1},
+                                 bead_data_sinks()) > 100);
 }
 
 static void files_of_sweeps(void **state)
@@ -265,8 +143,9 @@ static void files_of_sweeps(void **state)
     make_file(sweep, "sweep.h5", path);
     snprintf(out, sizeof out, "%s/again.csv", directory);
     static const char *const settings[] = {"outputs=[{table: again.csv, show: configurations}]"};
-    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .settings = settings, .setting_count = 1}) > 100);
-    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .configuration = "b:1"}) > 100);
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .settings = settings, .setting_count = 1},
+                                 bead_data_sinks()) > 100);
+    assert_true(fail_each_of_job((struct bead_job){.input = path, .output = out, .configuration = "b:1"}, bead_data_sinks()) > 100);
 }
 
 int main(void)

@@ -5,6 +5,7 @@
  * names a file for their number. */
 #include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <link.h>
 #include <stdarg.h>
@@ -18,6 +19,8 @@
 
 #include "fail_alloc.h"
 
+enum { CALLERS = 8 }; /* functions on the stack that tell one place from another */
+
 /* What glibc calls its own. */
 extern void *__libc_malloc(size_t size), *__libc_calloc(size_t count, size_t size), *__libc_realloc(void *old, size_t size),
     *__libc_memalign(size_t alignment, size_t size);
@@ -27,6 +30,8 @@ static uintptr_t code_from, code_to; /* the program's own code */
 static atomic_long made, kept;
 static atomic_bool ended;
 static long fail_at;
+static bool *noted;
+static long noted_room;
 static int (*program)(int, char **, char **);
 
 /* The first object is the program itself. */
@@ -67,9 +72,17 @@ void fail_alloc_begin(long at)
     fail_at = at;
 }
 
+void fail_alloc_note(bool *known, long room)
+{
+    fail_alloc_begin(0);
+    noted = known;
+    noted_room = room;
+}
+
 long fail_alloc_end(long *left)
 {
     fail_at = 0;
+    noted = NULL;
     *left = kept;
     return made;
 }
@@ -100,9 +113,27 @@ static bool own(const void *caller)
     return from >= code_from && from < code_to && !ended;
 }
 
+/* Have there been two allocations by the same functions? Places whose hashes are equal count as one. */
+static bool is_known(void)
+{
+    static unsigned char times[1 << 16];
+    void *by[CALLERS];
+    uint64_t hash = 0;
+    if (!made)
+        memset(times, 0, sizeof times);
+    for (int i = backtrace(by, CALLERS); i-- > 0;)
+        hash = (hash ^ (uintptr_t)by[i]) * 0x9E3779B97F4A7C15;
+    unsigned char *of_place = &times[hash >> 48];
+    return *of_place == 2 || ++*of_place == 0;
+}
+
 static int fails(const void *caller)
 {
-    if (!own(caller) || atomic_fetch_add(&made, 1) + 1 != fail_at)
+    if (!own(caller))
+        return 0;
+    if (noted && made < noted_room)
+        noted[made] = is_known();
+    if (atomic_fetch_add(&made, 1) + 1 != fail_at)
         return 0;
     errno = ENOMEM;
     return 1;
