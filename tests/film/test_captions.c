@@ -19,6 +19,7 @@
 #include "render/movie/movie_words.h"
 #include "tests/decode.h"
 #include "tests/pictures.h"
+#include "tests/sessions.h"
 
 /* ---- times ---- */
 
@@ -329,6 +330,33 @@ static void words_are_subtitles(void **state)
     }
 }
 
+/* Each of two chains is spoken of for half of the film. */
+static void words_of_chains_follow_each_other(void **state)
+{
+    (void)state;
+    static const char scene[] = "chains: [{name: A, striker: {bead: large-steel}, beads: [{bead: large-steel, count: 8}]},\n"
+                                "         {name: B, striker: {bead: large-steel}, beads: [{bead: large-steel, count: 8}]}]\n"
+                                "simulate: {until: 300 us}\n"
+                                "outputs: [{movie: two.mkv, subtitles: words, card: 1 s, " SMALL "}]\n";
+    char input[256], path[256], output[256];
+    struct decoded movie;
+    in_directory("two.yaml", input, sizeof input);
+    in_directory("two.mkv", path, sizeof path);
+    in_directory("", output, sizeof output);
+    write_text(input, scene);
+    play_counts((struct bead_job){.input = input, .output = output, .canvas = "plain"});
+    decode(path, &movie);
+    remove(path);
+    remove(input);
+    assert_int_equal(movie.subtitles, 2);
+    for (int i = 0; i < 2; i++) {
+        assert_non_null(strstr(movie.subtitle[i], i == 0 ? "In A" : "In B"));
+        for (int end = 0; end < 2; end++)
+            assert_true(fabs(movie.subtitle_span[i][end] - 1 - 0.5 * (i + end)) < 0.04);
+    }
+    decoded_free(&movie);
+}
+
 /* What has passed when the film begins is not in it. */
 static void passed_captions_are_left_out(void **state)
 {
@@ -398,6 +426,7 @@ int main(void)
         cmocka_unit_test(posters_are_covers),
         cmocka_unit_test(captions_are_chapters),
         cmocka_unit_test(words_are_subtitles),
+        cmocka_unit_test(words_of_chains_follow_each_other),
         cmocka_unit_test(stops_are_frames),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);

@@ -185,6 +185,16 @@ static void pauses_are_silent(void **state)
         assert_true(fabsf(got[i]) < 3e-3f);
     free(got);
     release_chain(&built);
+    /* The motion stands for the last of twenty frames a second. */
+    built = build_chain("movie: a.mp4, views: [beads], size: [160, 90], fps: 20, sound: contact 3, duration: 1 s, until: 0.35 ms");
+    draw_output(&built, smooth_pulse);
+    got = decode_sound(path, &count, &channels);
+    remove(path);
+    assert_true(got[(size_t)(0.93 * RATE)] > 0.5f);
+    for (size_t i = (size_t)(0.965 * RATE); i < RATE; i++)
+        assert_true(fabsf(got[i]) < 3e-3f);
+    free(got);
+    release_chain(&built);
 }
 
 int main(void)

@@ -32,6 +32,7 @@ static void test_ranges(void **state)
         {{-3, 40, 10, 0}, true, {-10.5, 10.5, true, false, 40}},
         {{-40, 8, 10, 0}, true, {-10.5, 10.5, false, true, 40}},
         {{0, 0, 0, 0}, false, {0, 1, false, false, 0}},
+        {{5, 5, 5, 0}, false, {0, 5, false, false, 0}}, /* the same everywhere */
         /* nearly a round number */
         {{0, 7.97, 7, 0}, false, {0, 8, false, false, 0}},
         {{0, 7.9, 7, 0}, false, {0, 7.9, false, false, 0}},

@@ -179,16 +179,18 @@ static void make_eps(struct bytes *b, const char *text)
 
 /* ---- files whose text is put into them ---- */
 
-/* JFIF: the start, the segment of the application, a scan, the end. */
+/* JFIF: the start, the segment of the application, a scan, whose data look like a comment, the end. */
 static void begin_jpeg(struct bytes *b)
 {
-    ADD(b, 0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 2, 0, 0, 1, 0, 1, 0, 0, 0xff, 0xda, 0, 3, 9, 0xff, 0xd9);
+    ADD(b, 0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 2, 0, 0, 1, 0, 1, 0, 0, 0xff, 0xda, 0, 3, 9, 0xff, 0xfe, 0, 3,
+        'N', 0xff, 0xd9);
 }
 
 static void check_jpeg(const struct bytes *b, size_t)
 {
     assert_true(b->at[20] == 0xff && b->at[21] == 0xfe); /* behind the application's, before the scan */
-    assert_memory_equal(b->at + b->count - 7, ((const unsigned char[]){0xff, 0xda, 0, 3, 9, 0xff, 0xd9}), 7);
+    assert_memory_equal(b->at + b->count - 12, ((const unsigned char[]){0xff, 0xda, 0, 3, 9, 0xff, 0xfe, 0, 3, 'N', 0xff, 0xd9}),
+                        12);
 }
 
 /* Two colours of all pictures, an extension, a picture of one pixel with four colours of its own. */

@@ -84,6 +84,14 @@ static void test_beads_keep_their_own(void **state)
     bead_hold_feed(hold, 1, none); /* much later */
     assert_true(bead_hold_largest(hold, 3) == 5 && bead_hold_largest(hold, 4) == 2 && bead_hold_largest(hold, 5) == 0);
     assert_true(bead_hold_passing(hold, 3) == 0);
+    /* Of samples that are too many to be kept, as well: twice the passage of a contact is remembered, give or take two samples
+     * kept. */
+    const double lasting = 2 * bead_chain_passage(chain, bead_chain_energy(chain)) / (double)bead_chain_contacts(chain);
+    for (int k = 0; k <= 400; k++) {
+        bead_hold_feed(hold, 2 + 0.005 * k * lasting, k == 0 ? values : none);
+        if (k < 180 || k > 220)
+            assert_true(bead_hold_passing(hold, 3) == (k < 180 ? 5 : 0));
+    }
     bead_hold_destroy(hold);
     bead_chain_destroy(chain);
     bead_scene_free(scene);
