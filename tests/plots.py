@@ -313,6 +313,10 @@ outputs:
     check("peaks", *peaks("peaks"))
     check("... on an axis of their roots", *peaks("root"), ("linear", "sqrt"))
     check("velocities along the chain", *profiles("profiles", "velocity", "m/s", "bead", ["5.0", "10.0", "12.5"]))
+    table = rows("profiles.csv")
+    wanted = [(min(beads), max(beads)) for beads in (of(table, chain)["bead"] for chain in NAMES)]
+    found = [reach(panel, 0) for panel in read("profiles.svg")]
+    tap.ok(all(abs(a - b) < 0.02 for f, w in zip(found, wanted) for a, b in zip(f, w)), "... from the first to the last bead of each", found)
     check("forces of contacts along it", *profiles("forces", "contact-force", "N", "contact", ["5", "10"]))
     check("bands", *bands())
     check("modes of the chain at rest", *eigenmodes())

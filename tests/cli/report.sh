@@ -19,7 +19,7 @@ outputs:
   - {image: still.png, size: [320, 200]}
   - {image: still.pdf}
 YAML
-only() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --set "outputs=[{$1}]"; }
+only() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --set "outputs=[{$1}]" "${@:2}"; }
 refused() { fails 2 "$beadreel" scene.yaml -o made --set "outputs=[{$1}]" && says "$2"; }
 
 ok "a report with its table and pictures" exits 0 "$beadreel" scene.yaml -o .
@@ -48,6 +48,12 @@ ok "it is no program of another kind" holds "default-src 'none'"
 
 alone() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --only run.html && ! grep -q '<img' made/run.html; }
 ok "pictures that this run has not made are not in it" alone
+opened() {
+    only 'report: r.html}, {table: p.csv, show: peaks' --set simulate.until='10 us' || return 1
+    open=$(grep ,open made/p.csv | cut -d, -f1 | paste -sd,)
+    [[ $open == 0,* ]] && json "d['chains'][0]['peaks']['open'] == [$open]" made/r.html
+}
+ok "peaks that the run's end cuts off are those of the table, from the first contact on" opened
 ok "no uncertainty without peaks of beads" only 'report: r.html, field: velocity, time: [0.1 ms, 0.2 ms], beads: [2, 9]'
 ok "... but the beads asked for" json 'd["chains"][0]["values"] == 8 and d["chains"][0]["first"] == 2 and d["chains"][0]["field"]["signed"]' made/r.html
 ok "... and no measures of a part of the run" json 'd["chains"][0]["measures"] == []' made/r.html
