@@ -223,4 +223,29 @@ threshold() { # CELLS NAME : of the curve, and of the table
 ok "... whose line can be read" eval 'python3 "$top/tests/curves.py" "$T/plane.svg" - >"$T/points"'
 ok "... is at the threshold of 20 cells" threshold 20 short
 ok "... and at that of 40" threshold 40 long
+# Means, quantiles, the plateau and the threshold at 1e-3 are off from those at 1e-6 by no more than the row says. Quantiles share the
+# mean's part: all values within it leave each quantile within it. While errors are small what a threshold says is proportional to them.
+knows() { # ROUGH FINE
+    awk -F, 'function off(a, b) {return a > b ? a - b : b - a}
+        FNR == 1 {for (i = 1; i <= NF; i++) column[$i] = i; next}
+        NR == FNR {for (name in column) rough[FNR, name] = $column[name]; next}
+        {
+            part = rough[FNR, "uncertainty"] / rough[FNR, "mean"]
+            said["mean"] = rough[FNR, "uncertainty"]; said["mean_N"] = rough[FNR, "uncertainty_N"]
+            said["plateau"] = rough[FNR, "plateau_uncertainty"]; said["threshold"] = rough[FNR, "threshold_uncertainty"]
+            split("median minimum maximum lower_quartile upper_quartile", quantiles, " ")
+            for (i in quantiles) said[quantiles[i]] = part * rough[FNR, quantiles[i]]
+            for (name in said) {
+                error = off(rough[FNR, name], $column[name])
+                moved += error > 0
+                if (!(error <= said[name])) {print FNR, name, error, said[name]; bad++}
+            }
+            ratio = said["threshold"] / $column["threshold_uncertainty"]
+            if (!(part < 2.1e-3 && ratio > 980 && ratio < 1020)) {print FNR, part, ratio; bad++}
+            rows++
+        }
+        END {exit !(rows == 18 && moved > 100 && bad == 0)}' "$1" "$2"
+}
+ok "the same with less accuracy" exits 0 "$beadreel" "$T/plane.yaml" --set simulate.accuracy=1e-3 -o "$T/rough.csv"
+ok "... is off by no more than it says" knows "$T/rough.csv" "$T/plane.csv"
 finish
