@@ -513,6 +513,16 @@ outputs:
                 lines.append(Curve(None, [x + 0.5 for x in ends], [math.exp(height - (x - middle) / length) for x in ends]))
         panels.append(("", curves + lines, ["bead", title]))
     check("decay along the chain", "decay.svg", panels, ("", ""), None, ("linear", "log"))
+    run("few.yaml", """sweep: {cells: 4, magnetism: [0.25, 1], configurations: 4, seed: 3}
+outputs: [{table: few.csv, show: configurations}, {plot: few.svg, show: both}, {table: means.csv}]
+""")
+    each, groups = rows("few.csv"), rows("means.csv")
+    counts = [each["magnetism"].count(m) for m in groups["magnetism"]]
+    curves = [Curve("mean", groups["magnetism"], groups["mean"], marks=True, bars=groups["standard_error"]),
+              Curve("median", groups["magnetism"], groups["median"]),
+              Curve("each configuration", each["magnetism"], each["normalised"], line=False, marks=True)]
+    tap.ok(counts[0] > counts[1], "chains of one spin are fewer", counts)
+    check("... and all of the others are shown", "few.svg", [("", curves)], ("", ""), ["magnetism M", force])
 
 
 chains()
