@@ -1,22 +1,25 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
 // As in render/paint/pixel_kernels_stage.h, which tests compare with it. What there is in a pixel is chosen by WALL, BALL, MIRROR and
-// ALONE, and what beads need by LIT (by contacts) and MOVED (by parts of a pixel, or contacts not level), since software renderers
-// run all branches of a shader for each pixel; floor is everywhere.
+// ALONE, and what beads need by LIT (by contacts), MOVED (by a part of a pixel) and TILTED (contacts not level), since software
+// renderers run all branches of a shader for each pixel. There is floor in all pixels but those that a bead covers (INNER).
+noperspective in vec2 place; // from the corner at the top left, pixels; gl_FragCoord's origin is looked up for each pixel
 flat in vec4 ball, pictures, contacts, neighbours;
 flat in vec2 level;
 flat in vec3 from_left, from_right, everywhere;
-uniform sampler2D ground;               // the floor's light, a column for every 8 pixels
-uniform sampler2D beside, image, alone; // pictures of the bead with neighbours, in the floor, without: light, and form in alpha
-uniform vec3 stage;                     // row of the largest beads' centres, their radius, row of the floor below them
+flat in vec3 stage; // row of the largest beads' centres, their radius, row of the floor below them
+// Rectangles, since software renderers take twice as long for texelFetch, which looks for a level of detail in each pixel.
+uniform sampler2DRect ground;               // the floor's light, a column for every 8 pixels
+uniform sampler2DRect beside, image, alone; // pictures of the bead with neighbours, in the floor, without: light, and form in alpha
 out vec4 pixel;
 const float SINE = 0.2079117, COSINE = 0.9781476;
 
-vec3 floor_light(ivec2 at)
+vec2 at; // the middle of the pixel
+
+vec3 floor_light()
 {
-    int cell = at.x >> 3;
-    return mix(texelFetch(ground, ivec2(cell, at.y), 0).rgb, texelFetch(ground, ivec2(cell + 1, at.y), 0).rgb,
-               (gl_FragCoord.x - float(cell << 3)) * 0.125);
+    vec2 cell = vec2(at.x * 0.125, at.y);
+    return mix(texture(ground, cell).rgb, texture(ground, cell + vec2(1.0, 0.0)).rgb, fract(cell.x));
 }
 
 #if defined BALL || defined MIRROR
@@ -31,22 +34,22 @@ float cap(float c)
 }
 
 // There are two columns of nothing at each side of a picture.
-vec4 part_of(sampler2D picture, ivec2 at)
+vec4 part_of(sampler2DRect picture, float column, float row)
 {
 #ifdef MOVED
-    return mix(texelFetch(picture, at + ivec2(2, 0), 0), texelFetch(picture, at + ivec2(1, 0), 0), ball.w);
+    return mix(texture(picture, vec2(column + 2.0, row)), texture(picture, vec2(column + 1.0, row)), ball.w);
 #else
-    return texelFetch(picture, at + ivec2(2, 0), 0);
+    return texture(picture, vec2(column + 2.0, row));
 #endif
 }
 
 // Light of both contacts on row `y` of a picture; `up`: -1 in the floor.
 vec3 contact_light(float y, float up)
 {
-    float x = clamp((gl_FragCoord.x - ball.x) / ball.y, -1.0, 1.0);
+    float x = clamp((at.x - ball.x) / ball.y, -1.0, 1.0);
     vec2 c = vec2(-x, x);
-#ifdef MOVED
-    vec2 d = vec2(gl_FragCoord.x - ball.x, 0.5 * pictures.w - y - 0.5) / ball.y;
+#ifdef TILTED
+    vec2 d = vec2(at.x - ball.x, 0.5 * pictures.w - y) / ball.y;
     float distance = dot(d, d), scale = inversesqrt(max(1.0, distance));
     float rise = up * (d.y * scale * COSINE + sqrt(max(0.0, 1.0 - distance)) * SINE);
     c = clamp(c * level + rise * neighbours.zw, -1.0, 1.0);
@@ -55,13 +58,24 @@ vec3 contact_light(float y, float up)
 }
 #endif
 
+// 1 / sqrt(x) within 7e-4, as the plain painter has it: a root and a division take software renderers four times as long.
+vec3 inverse_root(vec3 x)
+{
+    vec3 guess = intBitsToFloat(0x5f1ffff9 - (floatBitsToInt(x) >> 1));
+    return 0.703952253 * guess * (2.38924456 - x * guess * guess);
+}
+
 void main()
 {
-    ivec2 at = ivec2(gl_FragCoord.xy);
-    vec3 c = floor_light(at);
+    at = floor(place) + 0.5;
+#ifdef INNER
+    vec3 c = vec3(0.0);
+#else
+    vec3 c = floor_light();
+#endif
 #ifdef WALL
-    float up = (stage.x - gl_FragCoord.y) / stage.y, d = max((gl_FragCoord.x - ball.x) / stage.y, 0.0), fade = 1.0;
-    bool mirrored = gl_FragCoord.y > stage.z;
+    float up = (stage.x - at.y) / stage.y, d = max((at.x - ball.x) / stage.y, 0.0), fade = 1.0;
+    bool mirrored = at.y > stage.z;
     if (mirrored) {
         up = -2.0 * COSINE - up;
         fade = neighbours.x / (1.0 + (up + COSINE) * (0.85 + 0.5 * (up + COSINE)));
@@ -71,40 +85,46 @@ void main()
     c = (mirrored ? c : vec3(0.0)) + fade * face;
 #endif
 #if defined BALL || defined MIRROR
-    float high = abs(stage.z - gl_FragCoord.y);
-    if (gl_FragCoord.x < contacts.x + high * contacts.y || gl_FragCoord.x >= contacts.z + high * contacts.w)
+#ifdef TILTED
+    float high = abs(stage.z - at.y);
+    if (at.x < contacts.x + high * contacts.y || at.x >= contacts.z + high * contacts.w)
         discard; // a neighbour's
-    int column = clamp(at.x - int(ball.z), -1, int(pictures.z) + 1);
+#endif
+    float column = at.x - ball.z;
 #endif
 #ifdef MIRROR
-    int below = at.y - int(pictures.y);
-    vec4 mirrored = part_of(image, ivec2(column, below));
+    float below = at.y - pictures.y;
+    vec4 mirrored = part_of(image, column, below);
     c += mirrored.rgb;
 #ifdef LIT
-    c += mirrored.a * contact_light(float(below), -1.0);
+    c += mirrored.a * contact_light(below, -1.0);
 #endif
 #endif
 #ifdef BALL
-    int y = at.y - int(pictures.x);
-    vec4 look = part_of(beside, ivec2(column, y));
+    float y = at.y - pictures.x;
+    vec4 look = part_of(beside, column, y);
 #ifdef ALONE
-    vec4 other = part_of(alone, ivec2(column, y));
-    look.rgb = mix(other.rgb, look.rgb, gl_FragCoord.x < ball.x ? neighbours.x : neighbours.y);
+    vec4 other = part_of(alone, column, y);
+    look.rgb = mix(other.rgb, look.rgb, at.x < ball.x ? neighbours.x : neighbours.y);
 #endif
 #ifdef LIT
-    look.rgb += look.a * contact_light(float(y), 1.0);
+    look.rgb += look.a * contact_light(y, 1.0);
 #endif
-    vec2 d = vec2(float(column) + 0.5 - 0.5 * pictures.z, 0.5 * pictures.w - float(y) - 0.5);
+#ifdef INNER
+    c = look.rgb;
+#else
+    vec2 d = vec2(column - 0.5 * pictures.z, 0.5 * pictures.w - y);
     float cover = clamp(ball.y + 0.5 - length(d), 0.0, 1.0);
 #ifdef MOVED
     cover = mix(cover, clamp(ball.y + 0.5 - length(d - vec2(1.0, 0.0)), 0.0, 1.0), ball.w);
 #endif
     c = c * (1.0 - cover) + look.rgb;
 #endif
+#endif
     // Never clips; rounded in an order that spreads the steps over 8 x 8 pixels.
     vec3 t = c * 1.12 + 1e-12;
-    t *= inversesqrt(t * t + 1.0);
-    int u = at.x ^ at.y, v = at.y;
+    t *= inverse_root(t * t + 1.0);
+    int v = int(at.y), u = int(at.x) ^ v;
     int order = (u & 1) << 5 | (v & 1) << 4 | (u & 2) << 2 | (v & 2) << 1 | (u & 4) >> 1 | (v & 4) >> 2;
-    pixel = vec4(sqrt(t) + ((float(order) + 0.5) * (0.98 / 64.0) - 0.5) / 255.0, 1.0).bgra; // canvases store blue first
+    pixel = vec4(t * inverse_root(t) + ((float(order) + 0.5) * (0.98 / 64.0) - 0.5) / 255.0, 1.0).bgra; // canvases store blue first
 }

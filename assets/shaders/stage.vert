@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rectangle of the stage: floor, wall, or a bead with its image in the floor. Nothing is interpolated.
+// A rectangle of the stage: floor, wall, or a bead with its image in the floor. Nothing but the place is interpolated.
 layout(location = 0) in vec4 box;    // left, top, right, bottom, pixels
 layout(location = 1) in vec4 disc;   // x, radius; left of the picture, part of a pixel by which the bead is further right
 layout(location = 2) in vec4 rows;   // first rows of the bead's picture and of that of its image; size of both
@@ -9,16 +9,19 @@ layout(location = 4) in vec4 sides;  // nearness of the neighbours, tilt of the 
 layout(location = 5) in vec3 light;  // of the contact at the left
 layout(location = 6) in vec3 right;  // of that at the right
 layout(location = 7) in vec3 own;    // of the whole bead; colour of the wall
-uniform vec2 size; // of the viewport
+uniform vec2 size;       // of the viewport
+uniform vec3 rows_of_it; // of the stage; in software, flat inputs cost less than uniforms in each pixel
 
 flat out vec4 ball, pictures, contacts, neighbours;
+noperspective out vec2 place;
 flat out vec2 level; // cosines of the tilts
-flat out vec3 from_left, from_right, everywhere;
+flat out vec3 from_left, from_right, everywhere, stage;
 
 void main()
 {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-    gl_Position = vec4(mix(box.xy, box.zw, corner) / size * 2.0 - 1.0, 0.0, 1.0);
+    place = mix(box.xy, box.zw, corner);
+    gl_Position = vec4(place / size * 2.0 - 1.0, 0.0, 1.0);
     ball = disc;
     pictures = rows;
     contacts = planes;
@@ -27,4 +30,5 @@ void main()
     from_left = light;
     from_right = right;
     everywhere = own;
+    stage = rows_of_it;
 }

@@ -6,21 +6,37 @@
 
 #include "sim/base/memory.h"
 
-/* Beads and their images: without light of contacts; with it; also moved by parts of a pixel, or with contacts that are not level.
- */
-enum kind { FLOOR, WALL, MIRROR, MIRROR_LIT, MIRROR_MOVED, BALL, BALL_LIT, BALL_MOVED, BALL_AND_MIRROR, ALONE, KINDS };
-#define LIT_TOO "#define LIT\n"
-#define ALL_TOO "#define LIT\n#define MOVED\n"
+/* Shaders. Beads and their images: without light of contacts; with it; moved by a part of a pixel, too; with contacts that are not
+ * level, too. INNER: where a bead hides the floor. */
+/* clang-format off */
+enum kind {
+    FLOOR, WALL,
+    MIRROR, MIRROR_LIT, MIRROR_MOVED, MIRROR_TILTED,
+    BALL, BALL_LIT, BALL_MOVED, BALL_TILTED,
+    INNER, INNER_LIT, INNER_MOVED, BALL_AND_MIRROR, ALONE, KINDS
+};
+/* clang-format on */
+#define OF_BALL   "#define BALL\n"
+#define OF_MIRROR "#define MIRROR\n"
+#define OF_INNER  OF_BALL "#define INNER\n"
+#define LIT       "#define LIT\n"
+#define MOVED     "#define MOVED\n"
+#define TILTED    "#define TILTED\n"
 static const char *const defines[KINDS] = {[FLOOR] = "",
                                            [WALL] = "#define WALL\n",
-                                           [MIRROR] = "#define MIRROR\n",
-                                           [MIRROR_LIT] = "#define MIRROR\n" LIT_TOO,
-                                           [MIRROR_MOVED] = "#define MIRROR\n" ALL_TOO,
-                                           [BALL] = "#define BALL\n",
-                                           [BALL_LIT] = "#define BALL\n" LIT_TOO,
-                                           [BALL_MOVED] = "#define BALL\n" ALL_TOO,
-                                           [BALL_AND_MIRROR] = "#define BALL\n#define MIRROR\n" ALL_TOO,
-                                           [ALONE] = "#define BALL\n#define MIRROR\n#define ALONE\n" ALL_TOO};
+                                           [MIRROR] = OF_MIRROR,
+                                           [MIRROR_LIT] = OF_MIRROR LIT,
+                                           [MIRROR_MOVED] = OF_MIRROR LIT MOVED,
+                                           [MIRROR_TILTED] = OF_MIRROR LIT MOVED TILTED,
+                                           [BALL] = OF_BALL,
+                                           [BALL_LIT] = OF_BALL LIT,
+                                           [BALL_MOVED] = OF_BALL LIT MOVED,
+                                           [BALL_TILTED] = OF_BALL LIT MOVED TILTED,
+                                           [INNER] = OF_INNER,
+                                           [INNER_LIT] = OF_INNER LIT,
+                                           [INNER_MOVED] = OF_INNER LIT MOVED,
+                                           [BALL_AND_MIRROR] = OF_BALL OF_MIRROR LIT MOVED TILTED,
+                                           [ALONE] = OF_BALL OF_MIRROR "#define ALONE\n" LIT MOVED TILTED};
 /* Units of textures. */
 enum { GROUND, FIRST_PICTURE };
 
@@ -60,7 +76,7 @@ static enum bead_error use_program(struct bead_stage_painter *p, enum kind kind,
     }
     glUseProgram(*program);
     glUniform2f(glGetUniformLocation(*program, "size"), (GLfloat)size[0], (GLfloat)size[1]);
-    glUniform3f(glGetUniformLocation(*program, "stage"), stage->centre, stage->unit, bead_stage_foot(stage));
+    glUniform3f(glGetUniformLocation(*program, "rows_of_it"), stage->centre, stage->unit, bead_stage_foot(stage));
     return BEAD_OK;
 }
 
@@ -68,11 +84,10 @@ static GLuint make_texture(int width, int height, const float *rgba)
 {
     GLuint texture;
     glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba);
+    glBindTexture(GL_TEXTURE_RECTANGLE, texture);
+    glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_RECTANGLE, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba);
     return texture;
 }
 
@@ -101,7 +116,7 @@ static enum bead_error bind_pictures(struct bead_stage_bake *bake, struct bead_m
         glActiveTexture((GLenum)(GL_TEXTURE0 + FIRST_PICTURE + k));
         if (bake->picture[k] && !bake->texture[k])
             err = upload_picture(bake, k, &bake->texture[k], msg);
-        glBindTexture(GL_TEXTURE_2D, bake->texture[k]);
+        glBindTexture(GL_TEXTURE_RECTANGLE, bake->texture[k]);
     }
     return err;
 }
@@ -126,8 +141,8 @@ static enum bead_error upload_floor(struct bead_stage_painter *p, const struct b
     for (int y = skip; y < s->height; y++)
         bead_stage_floor_row(s, y, p->light + 4 * width * (size_t)y);
     glActiveTexture(GL_TEXTURE0 + GROUND);
-    glBindTexture(GL_TEXTURE_2D, p->ground);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, skip, s->grid_width, s->height - skip, GL_RGBA, GL_FLOAT,
+    glBindTexture(GL_TEXTURE_RECTANGLE, p->ground);
+    glTexSubImage2D(GL_TEXTURE_RECTANGLE, 0, 0, skip, s->grid_width, s->height - skip, GL_RGBA, GL_FLOAT,
                     p->light + 4 * width * (size_t)skip);
     return BEAD_OK;
 }
@@ -152,8 +167,8 @@ static size_t add_box(struct rectangle *r, float left, float top, float right, f
 static void columns_of(const struct bead_stage *s, const struct bead_stage_bead *b, float *from, float *to)
 {
     const float high = 2.1f * s->unit, left = (float)b->left, right = (float)(b->left + b->bake->wide + 1);
-    const float first = isfinite(b->edge[0]) ? floorf(b->edge[0] - high * fabsf(b->slope[0])) : left;
-    const float last = isfinite(b->edge[1]) ? ceilf(b->edge[1] + high * fabsf(b->slope[1])) : right;
+    const float first = isfinite(b->edge[0]) ? ceilf(b->edge[0] - 0.5f - high * fabsf(b->slope[0])) : left;
+    const float last = isfinite(b->edge[1]) ? ceilf(b->edge[1] - 0.5f + high * fabsf(b->slope[1])) : right;
     *from = fmaxf(0, first);
     *to = fminf((float)s->width, last);
 }
@@ -177,32 +192,78 @@ static size_t floor_boxes(struct rectangle *r, const struct bead_stage *s, float
     return n;
 }
 
-/* The kind of shader, of these and the two that follow, that a bead needs. */
-static enum kind kind_of(const struct bead_stage_bead *b, enum kind least)
+static bool is_level(const struct bead_stage_bead *b)
 {
-    return least + (b->part > 0 || b->tilted ? 2 : b->lit);
+    return b->slope[0] == 0 && b->slope[1] == 0 && !b->tilted;
 }
 
-/* The part of a bead that a kind of shader paints: above its image in the floor, below the bead itself, where both overlap, or the
+/* The kind of shader, of these and the three that follow, that a bead needs. */
+static enum kind kind_of(const struct bead_stage_bead *b, enum kind least)
+{
+    return least + (!is_level(b) ? 3 : b->part > 0 ? 2 : b->lit);
+}
+
+/* Half the side of the square in a level bead whose pixels it covers wholly, also where it has moved by a part of a pixel; 0: too
+ * small to be worth four rectangles around it. */
+static float inner_of(const struct bead_stage_bead *b)
+{
+    const float half = floorf((b->r - 1.5f) * (float)M_SQRT1_2);
+    return half < 8 || b->mixed || !is_level(b) ? 0 : half;
+}
+
+/* The rows of a bead that a kind of shader paints: above its image in the floor, below the bead itself, where both overlap, or the
  * whole bead if its neighbours are not beside it. */
-static size_t bead_box(struct rectangle *r, const struct bead_stage *s, const struct bead_stage_bead *b, enum kind kind, float skip)
+static bool rows_of(const struct bead_stage_bead *b, enum kind kind, float *first, float *last)
 {
     const float top = (float)b->top, image = (float)b->mirror_top, high = (float)b->bake->high;
-    float from, to, first = image, last = top + high;
+    const bool inner = inner_of(b) > 0 && kind == kind_of(b, INNER);
+    *first = image;
+    *last = top + high;
     if (kind == kind_of(b, MIRROR)) {
-        first = top + high;
-        last = image + high;
-    } else if (kind == kind_of(b, BALL) && !b->mixed) {
-        first = top;
-        last = image;
+        *first = top + high;
+        *last = image + high;
+    } else if (inner || (kind == kind_of(b, BALL) && !b->mixed)) {
+        *first = top;
+        *last = image;
     } else if (kind == ALONE && b->mixed) {
-        first = top;
-    } else if (kind != BALL_AND_MIRROR || b->mixed) {
-        return 0;
+        *first = top;
+    } else {
+        return kind == BALL_AND_MIRROR && !b->mixed;
     }
+    return true;
+}
+
+/* Adds what of a bead's rectangle is in its inner square, or around it. */
+static size_t split_box(struct rectangle *r, const struct bead_stage_bead *b, enum kind kind, const float box[4])
+{
+    const float half = inner_of(b), x = (float)(b->left + b->bake->wide / 2), y = (float)(b->top + b->bake->high / 2);
+    const float left = fmaxf(box[0], x - half), right = fminf(box[2], x + half);
+    const float top = fmaxf(box[1], y - half), bottom = fminf(box[3], y + half);
+    const float around[][4] = {
+        {box[0], box[1], box[2], top}, {box[0], top, left, bottom}, {right, top, box[2], bottom}, {box[0], bottom, box[2], box[3]}};
+    const struct rectangle whole = *r;
+    size_t n = 0;
+    if (half > 0 && kind == kind_of(b, INNER))
+        return add_box(r, left, top, right, bottom);
+    if (half == 0 || kind != kind_of(b, BALL) || left >= right || top >= bottom)
+        return add_box(r, box[0], box[1], box[2], box[3]);
+    for (int k = 0; k < 4; k++) {
+        r[n] = whole;
+        n += add_box(&r[n], around[k][0], around[k][1], around[k][2], around[k][3]);
+    }
+    return n;
+}
+
+/* At most four. */
+static size_t bead_boxes(struct rectangle *r, const struct bead_stage *s, const struct bead_stage_bead *b, enum kind kind,
+                         float skip)
+{
+    float from, to, first, last;
+    if (!rows_of(b, kind, &first, &last))
+        return 0;
     columns_of(s, b, &from, &to);
     *r = (struct rectangle){.disc = {b->x, b->r, (float)b->left, b->part},
-                            .rows = {top, image, (float)b->bake->wide, high},
+                            .rows = {(float)b->top, (float)b->mirror_top, (float)b->bake->wide, (float)b->bake->high},
                             .planes = {fmaxf(b->edge[0], -1e6f), b->slope[0], fminf(b->edge[1], 1e6f), b->slope[1]},
                             .sides = {b->near[0], b->near[1], b->tilted ? b->tilt[0] : 0, b->tilted ? b->tilt[1] : 0}};
     for (int c = 0; c < 3; c++) {
@@ -210,7 +271,7 @@ static size_t bead_box(struct rectangle *r, const struct bead_stage *s, const st
         r->right[c] = b->light[1][c] * b->tint[c];
         r->own[c] = b->own[c] * b->tint[c];
     }
-    return add_box(r, from, fmaxf(skip, first), to, fminf((float)s->height, last));
+    return split_box(r, b, kind, (const float[4]){from, fmaxf(skip, first), to, fminf((float)s->height, last)});
 }
 
 static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind, const int size[2], const struct bead_stage *s,
@@ -222,7 +283,7 @@ static enum bead_error paint_beads(struct bead_stage_painter *p, enum kind kind,
         size_t n = 0;
         for (size_t i = 0; i < s->count; i++) {
             if (s->beads[i].bake == &s->bakes[k])
-                n += bead_box(&p->rectangles[n], s, &s->beads[i], kind, skip);
+                n += bead_boxes(&p->rectangles[n], s, &s->beads[i], kind, skip);
         }
         if (n == 0)
             continue;
@@ -287,7 +348,7 @@ static enum bead_error open_painter(struct bead_stage_painter **painter, size_t 
 enum bead_error bead_stage_gl(struct bead_stage_painter **painter, const int size[2], const struct bead_stage *s, int skip,
                               struct bead_message *msg)
 {
-    BEAD_TRY(open_painter(painter, 3 * s->room + 2, msg));
+    BEAD_TRY(open_painter(painter, 4 * s->room + 2, msg));
     struct bead_stage_painter *p = *painter;
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);

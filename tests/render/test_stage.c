@@ -36,20 +36,24 @@ static void touch(const struct bead_stage *s, struct bead_stage_bead *a, struct 
     a->near[1] = b->near[0] = fminf(1, fmaxf(0, 1.15f - (distance - a->r - b->r) / (0.58f * s->unit)));
 }
 
-/* Unlike beads of all colours, touching, apart and pressed into each other, some lit; a wall. */
+/* Unlike beads of all colours, touching, apart and pressed into each other, some lit; a wall. Every third stage has like beads
+ * pressed together, every other one of them on whole pixels. */
 static void fill_stage(struct bead_stage *s, uint32_t seed)
 {
+    const bool alike = seed % 3 == 2;
     float x = -10;
     s->count = BEADS_SHOWN;
     for (int i = 0; i < BEADS_SHOWN; i++) {
         struct bead_stage_bead *b = &s->beads[i];
-        *b = (struct bead_stage_bead){
-            .x = x, .r = roundf(4 * random_place(&seed, 0.4 * s->unit, s->unit)) / 4, .edge = {-INFINITY, INFINITY}};
+        *b = (struct bead_stage_bead){.x = x,
+                                      .r = alike ? s->unit : roundf(4 * random_place(&seed, 0.4 * s->unit, s->unit)) / 4,
+                                      .edge = {-INFINITY, INFINITY}};
         for (int c = 0; c < 3; c++)
             b->colour[c] = random_place(&seed, 0.05, 1);
         if (i > 0) {
-            const float gap = random_place(&seed, -0.2 * s->unit, 0.4 * s->unit);
-            b->x = roundf(64 * (x + 2 * sqrtf(b->r * b[-1].r) + fmaxf(gap, -0.2f * b->r))) / 64;
+            const float gap = random_place(&seed, -0.2 * s->unit, alike ? 0 : 0.4 * s->unit);
+            const float whole = alike && i % 2 ? 1 : 64;
+            b->x = roundf(whole * (x + 2 * sqrtf(b->r * b[-1].r) + fmaxf(gap, -0.2f * b->r))) / whole;
             touch(s, b - 1, b);
             bead_stage_glow(random_place(&seed, -0.5, 1), b->light[0]);
             memcpy(b[-1].light[1], b->light[0], sizeof b->light[0]);
