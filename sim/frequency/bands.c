@@ -149,7 +149,7 @@ static enum bead_error find_modes(const struct bead_jacobi *matrix, struct bead_
 
 enum bead_error bead_modes_find(const struct bead_chain *chain, struct bead_mode **modes, struct bead_message *msg)
 {
-    struct bead_jacobi matrix;
+    struct bead_jacobi matrix = {0};
     *modes = NULL;
     if (chain->beads > MOST)
         return bead_fail(msg, BEAD_ERROR_SCENE, "eigenmodes of %zu beads: at most %d are found", chain->beads, MOST);

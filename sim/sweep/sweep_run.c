@@ -135,14 +135,14 @@ static enum bead_error check_whole(const struct measure *m, const struct bead_pl
 }
 
 /* Are the errors of this configuration measured? Chains over keys differ, and the decay of each magnetism is a separate mean, so
- * more are measured if there are few. */
-static bool is_sampled(const struct sweep_panel *panel, size_t index)
+ * more are measured if there are few; also if the step is given, as then there is no accuracy that all chains keep. */
+static bool is_sampled(const struct sweep_panel *panel, bool has_step, size_t index)
 {
     const struct bead_sweep_spec *spec = panel->shown.spec;
     size_t g = 0;
     if (bead_sweep_is_over(panel))
         return index % bead_sample_every(panel->shown.configurations) == 0;
-    if (!panel->profiles)
+    if (!panel->profiles && !has_step)
         return index % ALSO_WHOLE == 0;
     for (; index >= spec->groups[g].configurations; g++)
         index -= spec->groups[g].configurations;
@@ -150,10 +150,12 @@ static bool is_sampled(const struct sweep_panel *panel, size_t index)
 }
 
 /* Errors of long chains differ. The decay of all chains is divided by the clean one's. */
-static bool is_measured(const struct measure *m)
+static bool is_measured(const struct measure *m, bool has_step)
 {
-    const bool any = m->panel->profiles || m->panel->shown.places > 0;
-    return any && (bead_is_long(m->chain) || (m->row > 0 ? is_sampled(m->panel, m->row - 1) : m->panel->profiles != NULL));
+    const struct sweep_panel *panel = m->panel;
+    if (!panel->profiles && panel->shown.places == 0)
+        return false;
+    return bead_is_long(m->chain) || (m->row > 0 ? is_sampled(panel, has_step, m->row - 1) : panel->profiles || has_step);
 }
 
 /* Plays it again with a smaller tolerance, and finds the uncertainty of its peaks. */
@@ -221,7 +223,7 @@ static enum bead_error sweep_measure(struct measure *m, const struct bead_play *
         collect(m, played.outcomes[0].bead_peaks);
     if (!err && m->profiles)
         err = keep_profiles(m, &played, msg);
-    if (!err && is_measured(m)) {
+    if (!err && is_measured(m, play.simulate->step > 0)) {
         err = measure_errors(m, &play, *try, msg);
         m->lost = err == BEAD_ERROR_NUMBERS;
     }

@@ -248,4 +248,21 @@ knows() { # ROUGH FINE
 }
 ok "the same with less accuracy" exits 0 "$beadreel" "$T/plane.yaml" --set simulate.accuracy=1e-3 -o "$T/rough.csv"
 ok "... is off by no more than it says" knows "$T/rough.csv" "$T/plane.csv"
+
+# With a step instead of an accuracy, too: all chains differ, and only what is measured says by how much.
+cat >"$T/stepped.yaml" <<END
+sweeps: [{name: a, cells: 40, magnetism: [0, 0.1, 1], configurations: 6}, {name: b, cells: 20, magnetism: [0, 1], configurations: 6}]
+outputs: [{table: a.csv}]
+END
+ok "a sweep to 1e-10" exits 0 "$beadreel" "$T/stepped.yaml" --set simulate.accuracy=1e-10 -o "$T/exact.csv"
+ok "... and in steps of 8 us" exits 0 "$beadreel" "$T/stepped.yaml" --set "simulate.step=8 us" -o "$T/stepped.csv"
+ok "... whose means are off by no more than they say" python3 - "$T/stepped.csv" "$T/exact.csv" <<'END'
+import csv
+import sys
+
+stepped, exact = (list(csv.DictReader(open(name))) for name in sys.argv[1:])
+off = [[abs(float(a[mean]) - float(b[mean])) / float(a[said]) for a, b in zip(stepped, exact)]
+       for mean, said in (('mean', 'uncertainty'), ('mean_N', 'uncertainty_N'))]
+sys.exit(not (len(stepped) == 5 and max(map(max, off)) <= 1 and max(map(max, off)) > 0.01))
+END
 finish

@@ -50,6 +50,7 @@ static const struct drawn {
     {two, "plot: a.svg, show: profiles, at: [10 us, 20 us]"},
     {pressed, "plot: a.svg, show: spreading"},
     {pressed, "plot: a.svg, show: bands"},
+    {pressed, "plot: a.svg, show: eigenmodes"},
     {pressed, "plot: a.svg, show: spectrum, beads: [0, 3]"},
     {pressed, "plot: a.svg, show: dispersion, every: 1 us, size: [300, 200]"},
     {pressed, "plot: a.svg, show: spectrogram, beads: 3, size: [300, 200]"},
