@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 folder=$1
 shift
-unset MAKEFLAGS MAKELEVEL MFLAGS BUILD
+unset MAKEFLAGS MAKELEVEL MFLAGS BUILD CFLAGS # with -g, which has most to say of places
 export CC=${CC:-cc}
 CC=${CC#ccache }
 mkdir -p "$folder" || exit 1
