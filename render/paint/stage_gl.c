@@ -204,7 +204,7 @@ static enum kind kind_of(const struct bead_stage_bead *b, enum kind least)
 }
 
 /* Half the side of the square in a level bead whose pixels it covers wholly, also where it has moved by a part of a pixel; 0: too
- * small to be worth four rectangles around it. */
+ * small to be worth four rectangles around it. 8 pixels are chosen, not measured: the picture does not depend on them. */
 static float inner_of(const struct bead_stage_bead *b)
 {
     const float half = floorf((b->r - 1.5f) * (float)M_SQRT1_2);
