@@ -14,6 +14,7 @@
 #include "render/encode/tracks.h"
 #include "render/origin/origin.h"
 #include "sim/base/file.h"
+#include "sim/base/thread_pool.h"
 
 enum {
     KEY_INTERVAL = 300 /* encoded frames between two that players can jump to */,
@@ -93,8 +94,9 @@ static void set_up(const struct bead_movie *movie)
         c->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
 }
 
-static int start_codec(const struct bead_movie *movie)
+static int start_codec(void *context)
 {
+    const struct bead_movie *movie = context;
     struct bead_encoder *e = movie->encoder;
     const struct bead_preset *preset = movie->preset;
     const AVCodec *type = avcodec_find_encoder_by_name(preset->encoder);
@@ -119,7 +121,8 @@ static int start_codec(const struct bead_movie *movie)
 static enum bead_error open_codec(struct bead_movie *movie, struct bead_message *msg)
 {
     struct bead_encoder *e = movie->encoder;
-    int code = start_codec(movie);
+    /* Frames are drawn one after the other, and encoded in several threads: drawing comes first. */
+    int code = bead_thread_call_below(start_codec, movie);
     if (code < 0)
         return fail(movie, "cannot open the encoder", code, msg);
     return bead_pictures_open(e->codec, movie->path, &e->pictures, msg);

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 
 struct pool {
     bead_thread_pool_job job;
@@ -54,6 +55,32 @@ int bead_thread_start(pthread_t *thread, void *(*function)(void *context), void 
     failed = pthread_create(thread, NULL, function, context);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return failed;
+}
+
+struct below {
+    int (*function)(void *context);
+    void *context;
+    int result;
+};
+
+/* On Linux each thread has its own priority. Anybody may lower it, but not raise it again: hence a thread that ends. */
+static void *run_below(void *context)
+{
+    enum { NICER = 10 }; /* nice(1)'s default */
+    struct below *b = context;
+    setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + NICER);
+    b->result = b->function(b->context);
+    return NULL;
+}
+
+int bead_thread_call_below(int (*function)(void *context), void *context)
+{
+    struct below below = {function, context, 0};
+    pthread_t thread;
+    if (bead_thread_start(&thread, run_below, &below) != 0)
+        return function(context);
+    pthread_join(thread, NULL);
+    return below.result;
 }
 
 enum bead_error bead_thread_pool_run(size_t count, int threads, bead_thread_pool_job job, void *context, struct bead_message *msg)

@@ -12,6 +12,10 @@
 /* A thread that takes no signals: these are for the program's own threads. Returns 0 or an errno. */
 BEAD_INTERNAL int bead_thread_start(pthread_t *thread, void *(*function)(void *context), void *context);
 
+/* Call a function in a thread whose priority is lower than the caller's, as by nice(1), and return its result. Threads that it
+ * starts inherit the priority and keep it. If no thread can be started, the caller's runs it. */
+BEAD_INTERNAL int bead_thread_call_below(int (*function)(void *context), void *context);
+
 /* Job `index`; `calling`: in the thread that called bead_thread_pool_run. */
 typedef enum bead_error (*bead_thread_pool_job)(void *context, size_t index, bool calling, struct bead_message *msg);
 

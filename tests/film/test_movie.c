@@ -2,7 +2,9 @@
 /* Movies: frames read back are the ones added, at the same times and for the same duration. */
 #include "movies.h"
 
+#include <dirent.h>
 #include <math.h>
+#include <sys/resource.h>
 
 #include "decode.h"
 #include "render/draw/picture.h"
@@ -105,6 +107,34 @@ static void still_frames_are_frames(void **state)
         check_still_frames(all[i].name, all[i].quality);
         check_still_frames(all[i].name, BEAD_QUALITY_DRAFT);
     }
+}
+
+/* Threads of this process whose priority is `nice`. */
+static int threads_of(int nice)
+{
+    int count = 0;
+    DIR *tasks = opendir("/proc/self/task");
+    assert_non_null(tasks);
+    for (struct dirent *task; (task = readdir(tasks));)
+        count += task->d_name[0] != '.' && getpriority(PRIO_PROCESS, (id_t)atoi(task->d_name)) == nice;
+    closedir(tasks);
+    return count;
+}
+
+/* What draws the frames keeps its priority; x264's threads are nicer by 10, as far as 19. */
+static void drawing_comes_before_encoding(void **state)
+{
+    (void)state;
+    const int own = getpriority(PRIO_PROCESS, 0), nicer = own + 10 < 19 ? own + 10 : 19;
+    const struct bead_movie_settings wanted = settings_of(&all[0]);
+    struct bead_message msg = {""};
+    struct bead_movie *movie;
+    const int before = threads_of(own);
+    assert_int_equal(bead_movie_open(place("priority.mp4"), &wanted, &movie, &msg), BEAD_OK);
+    if (nicer > own)
+        assert_int_equal(threads_of(own), before);
+    assert_true(threads_of(nicer) >= 2);
+    bead_movie_abort(movie);
 }
 
 static void one_frame_is_a_movie(void **state)
@@ -524,6 +554,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_format_shows_what_was_added),
         cmocka_unit_test(still_frames_are_frames),
+        cmocka_unit_test(drawing_comes_before_encoding),
         cmocka_unit_test(one_frame_is_a_movie),
         cmocka_unit_test(runs_give_the_same_files),
         cmocka_unit_test(colours_are_bt709),

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include <stdatomic.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "sessions.h"
@@ -54,6 +55,30 @@ static void the_error_is_that_of_the_lowest(void **state)
     }
 }
 
+static void *tell_priority(void *context)
+{
+    *(int *)context = getpriority(PRIO_PROCESS, 0);
+    return NULL;
+}
+
+static int start_child(void *context)
+{
+    pthread_t child;
+    assert_int_equal(bead_thread_start(&child, tell_priority, context), 0);
+    return pthread_join(child, NULL) ? -1 : 42;
+}
+
+/* 19 is the lowest that there is. */
+static void children_inherit_a_lower_priority(void **state)
+{
+    (void)state;
+    const int own = getpriority(PRIO_PROCESS, 0), lower = own + 10 < 19 ? own + 10 : 19;
+    int child = own;
+    assert_int_equal(bead_thread_call_below(start_child, &child), 42);
+    assert_int_equal(child, lower);
+    assert_int_equal(getpriority(PRIO_PROCESS, 0), own);
+}
+
 static void nothing_to_do(void **state)
 {
     (void)state;
@@ -96,6 +121,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_job_is_done_once),
         cmocka_unit_test(the_error_is_that_of_the_lowest),
+        cmocka_unit_test(children_inherit_a_lower_priority),
         cmocka_unit_test(nothing_to_do),
         cmocka_unit_test(an_ensemble_does_not_depend_on_threads),
     };
