@@ -162,6 +162,8 @@ class Tree:
     def __init__(self, folder, most_seconds):
         self.folder, self.most_seconds = folder, most_seconds
         copy_of_commit(folder)
+        with open(f"{folder}/Makefile", encoding="utf-8") as file:
+            self.makefile = file.read()
         built = run(["make", "-s", "counted", "CFLAGS=-O2", "WERROR="], folder)
         if built.returncode:
             raise SystemExit(built.stdout[-2000:])
@@ -237,11 +239,15 @@ class Tree:
             spent += seconds
         return ""
 
+    def has_own_allocator(self, test):
+        """Such a program does not go together with the sanitizers' own, unless compiled with them, too."""
+        return bool(re.search(rf"^with_{test} = .*(fail_alloc|with_test_allocations)", self.makefile, re.M))
+
     def meet_sanitized(self, fault, target, reached):
         os.unlink(f"{self.folder}/{target}")
         if self.make(target, SANITIZED).returncode:
             return ""
-        for test in [t for t in self.in_order(fault, reached) if self.is_program(t)][:SANITIZED_TESTS]:
+        for test in [t for t in self.in_order(fault, reached) if self.is_program(t) and not self.has_own_allocator(t)][:SANITIZED_TESTS]:
             noticed = self.fails(test, reached, SANITIZED)[0]
             if noticed:
                 return f"{noticed}, sanitized"
