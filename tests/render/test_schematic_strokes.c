@@ -82,20 +82,33 @@ static void braces_are_symmetric(void **)
 {
     struct sheet s;
     open_sheet(&s);
+    cairo_set_source_rgb(s.sketch.cr, 1, 1, 1);
     for (int narrow = 0; narrow < 2; narrow++) {
         const double x0 = 100, x1 = narrow ? 140 : 400, depth = 15, bend = narrow ? 10 : 15;
         const double ends[9][2] = {
             {x0, 50},          {x0 + bend, 57.5}, {(x0 + x1) / 2 - bend, 57.5}, {(x0 + x1) / 2, 65}, {(x0 + x1) / 2 + bend, 57.5},
             {x1 - bend, 57.5}, {x1, 50}};
         strokes_begin();
-        bead_sketch_brace(&s.sketch, x0, x1, 50, depth);
+        bead_sketch_brace(&s.sketch, x0, x1, 50 + 200 * narrow, depth);
         assert_int_equal(strokes.list[0].count, narrow ? 5 : 7);
         for (size_t i = 0, k = 0; i < 7; i++) {
             if (narrow && (i == 2 || i == 5)) /* lines of no length */
                 continue;
-            assert_point(&strokes.list[0], k++, ends[i][0], ends[i][1]);
+            assert_point(&strokes.list[0], k++, ends[i][0], ends[i][1] + 200 * narrow);
         }
     }
+    /* So are its bends, to a level of grey: about the middle of the wide one. */
+    cairo_surface_flush(s.surface);
+    const unsigned char *data = cairo_image_surface_get_data(s.surface);
+    size_t inked = 0;
+    for (int y = 48; y < 68; y++) {
+        const unsigned char *row = data + y * cairo_image_surface_get_stride(s.surface);
+        for (int x = 90; x < 250; x++) {
+            inked += row[4 * x] != row[4];
+            assert_true(abs(row[4 * x] - row[4 * (499 - x)]) <= 2);
+        }
+    }
+    assert_true(inked > 200);
     close_sheet(&s);
 }
 
@@ -567,6 +580,53 @@ static void cells_are_in_the_middle(void **)
     clear_stage(s);
 }
 
+/* The three dots of beads left out: at equal steps of 0.27 of their gap, about its middle, between the balls beside it. */
+static void assert_dots_fill_gap(const struct ball *before, const struct ball *after, double em)
+{
+    const double left = before->x + before->r, right = after->x - after->r;
+    size_t found = 0;
+    for (size_t i = 0; i < strokes.count; i++) {
+        const struct stroke *dot = &strokes.list[i];
+        if (!dot->filled || dot->high[0] - dot->low[0] > 0.18 * em || dot->low[0] < left || dot->high[0] > right ||
+            fabs(dot->at[0].y - (before->y + after->y) / 2) > 1)
+            continue;
+        assert_at(dot->high[0] - dot->low[0], 0.17 * em);
+        assert_at((dot->low[0] + dot->high[0]) / 2, (left + right) / 2 + 0.27 * ((double)found - 1) * (right - left));
+        found++;
+    }
+    assert_int_equal(found, 3);
+}
+
+/* The largest bead of a cell, wherever it is, has room above its brace; long groups have a gap. */
+static void long_cells_have_gaps(void **)
+{
+    struct seen seen = {.count = 0};
+    struct staged *s =
+        set_stage(COLOURED "chain: {beads: [{cell: [red, blue, blue, blue, blue, blue, blue, blue, blue, blue, blue, "
+                           "blue, blue, blue, blue, blue, blue, blue, blue, blue], count: 4}]}\n"
+                           "outputs: [{plot: a.png, show: cell, size: [1600, 1000]}]\n");
+    const double em = look_of(s).label;
+    struct ball b[40];
+    strokes_begin();
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    const size_t count = balls_of(b, 40, 0.2 * em);
+    size_t gap = 0, braces = 0;
+    assert_true(count > 3);
+    assert_at(b[0].r, 2 * b[1].r);
+    for (size_t i = 1; i < count; i++)
+        gap = b[i].x - b[i - 1].x > b[i].r + b[i - 1].r + 1 ? i : gap;
+    assert_true(gap > 1);
+    assert_dots_fill_gap(&b[gap - 1], &b[gap], em);
+    for (size_t i = 0; i < strokes.count; i++) {
+        if (strokes.list[i].filled || strokes.list[i].count < 5)
+            continue;
+        assert_at(strokes.list[i].low[1], b[0].y + b[0].r + 0.3 * em);
+        braces++;
+    }
+    assert_int_equal(braces, 2);
+    clear_stage(s);
+}
+
 /* ---- the experiment ---- */
 
 static double slope_of(const struct stroke *s, size_t from, size_t to)
@@ -713,6 +773,45 @@ static void beads_lie_on_their_guide(void **)
     }
 }
 
+/* Labels that have no room above their beads stand aside, and their lines end where they begin, nearest to their beads. */
+static void lines_lead_to_their_labels(void **)
+{
+    struct seen seen = {.count = 0};
+    struct staged *s =
+        set_stage(COLOURED "chain: {beads: [{bead: red, count: 60}, {bead: red, sensor: the first of two}, {bead: red}, "
+                           "{bead: red, sensor: the last of two}, {bead: red}], wall: red}\n"
+                           "outputs: [{plot: a.png, show: setup, size: [1600, 900]}]\n");
+    const struct bead_look look = look_of(s);
+    const double em = look.label;
+    struct ball b[60];
+    strokes_begin();
+    assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+    const size_t count = balls_of(b, 60, 0.3 * em);
+    size_t gap = 0, aside = 0;
+    for (size_t i = 2; i < count; i++)
+        gap = b[i].y == b[i - 1].y && b[i].x - b[i - 1].x > b[i].r + b[i - 1].r + 1 ? i : gap;
+    assert_dots_fill_gap(&b[gap - 1], &b[gap], em);
+    for (size_t i = 0; i < 2; i++) {
+        const struct ball *bead = &b[count - (i ? 2 : 4)];
+        double said[2];
+        middle_of(&seen, i ? "the last of two" : "the first of two", 0, said);
+        for (size_t k = 0; k < strokes.count; k++) {
+            const struct stroke *line = &strokes.list[k];
+            if (line->count != 3 || !stroke_has(line, false, look.faint) || fabs(line->at[0].x - bead->x) > 0.02)
+                continue;
+            const struct stroke_point *end = &line->at[2];
+            size_t at = 0;
+            while (strstr(seen.box[at].text, i ? "the last of two" : "the first of two") == NULL)
+                at++;
+            const double low = seen.box[at].x + 0.4 * em, high = seen.box[at].x + seen.box[at].width - 0.4 * em;
+            assert_true(fabs(end->x - fmin(fmax(bead->x, low), high)) < 0.15 * em && end->y > said[1]);
+            aside += fabs(end->x - bead->x) > 0.5 * em;
+        }
+    }
+    assert_true(aside > 0);
+    clear_stage(s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -725,7 +824,9 @@ int main(void)
         cmocka_unit_test(contacts_have_their_triangles),
         cmocka_unit_test(formulas_have_the_contacts_numbers),
         cmocka_unit_test(cells_are_in_the_middle),
+        cmocka_unit_test(long_cells_have_gaps),
         cmocka_unit_test(beads_lie_on_their_guide),
+        cmocka_unit_test(lines_lead_to_their_labels),
     };
     return cmocka_run_group_tests_name("strokes of schematic drawings", tests, NULL, NULL);
 }
