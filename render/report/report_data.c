@@ -3,6 +3,7 @@
 #include <math.h>
 #include <strings.h>
 
+#include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/origin/origin.h"
 #include "render/report/report_private.h"
@@ -30,6 +31,22 @@ static const char *picture_type(const struct bead_output *output)
     return NULL;
 }
 
+/* The caption as a sentence, then what happens. */
+static enum bead_error write_alternative(const struct bead_sink *s, const char *caption, FILE *file, struct bead_message *msg)
+{
+    char tale[BEAD_TALE_WORDS];
+    const size_t size = caption ? strlen(caption) + 1 : 1;
+    BEAD_FREED char *plain = malloc(size);
+    if (!plain || !bead_markup_plain(caption ? caption : "", plain, size))
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a report");
+    bead_origin_escape(*plain ? plain : "Picture of the run.", file);
+    bead_tale_words(s->tale, tale, sizeof tale);
+    if (*tale)
+        fputs(*plain && !strchr(".!?", plain[strlen(plain) - 1]) ? ". " : " ", file);
+    bead_origin_escape(tale, file);
+    return BEAD_OK;
+}
+
 /* Writes a picture unless it is too large. */
 static enum bead_error write_picture(const struct bead_sink *s, const struct bead_output *output, FILE *file,
                                      struct bead_message *msg)
@@ -42,12 +59,8 @@ static enum bead_error write_picture(const struct bead_sink *s, const struct bea
     if (size <= MOST_PICTURE && size > 0)
         err = bead_file_read(path, size, &bytes, &count, msg);
     if (!err && count > 0) {
-        char tale[BEAD_TALE_WORDS];
-        bead_tale_words(s->tale, tale, sizeof tale);
         fputs("<figure><img alt=\"", file);
-        bead_origin_escape(output->still.caption && *output->still.caption ? output->still.caption : "Picture of the run.", file);
-        fputs(*tale ? " " : "", file);
-        bead_origin_escape(tale, file);
+        err = write_alternative(s, output->still.caption, file, msg);
         fprintf(file, "\" src=\"data:%s;base64,", picture_type(output));
         report_base64(file, (const unsigned char *)bytes, count);
         fputs("\"><figcaption>", file);

@@ -16,7 +16,7 @@ outputs:
   - {table: force.csv, show: sensors, every: 1 us, uncertainty: false}
   - {table: measures.csv, show: measures}
   - {table: peaks.csv, show: peaks}
-  - {image: still.png, size: [320, 200]}
+  - {image: still.png, size: [320, 200], caption: 'Dimers with $M \to 0$'}
   - {image: still.pdf}
 YAML
 only() { rm -rf made && exits 0 "$beadreel" scene.yaml -o made --set "outputs=[{$1}]" "${@:2}"; }
@@ -27,6 +27,7 @@ ok "the plan says what it takes" exits 0 "$beadreel" scene.yaml --plan
 ok "... samples and peaks" prints "a page with 601 samples, every 1.00"
 holds() { grep -qF -- "$1" "${2:-run.html}" || { echo "'$1' is not there"; return 1; }; }
 ok "pictures of the run are in it" holds 'src="data:image/png;base64,iVBOR'
+ok "... with their captions as read, and what happens" holds 'alt="Dimers with M → 0. '
 ok "... once" test "$(grep -o '<img' run.html | wc -l)" -eq 1
 ok "the scene is escaped" holds '&lt;/script&gt;&lt;b&gt;title'
 unbroken() { [ "$(grep -o '</script>' run.html | wc -l)" -eq 2 ] && [ "$(grep -o '</body>' run.html | wc -l)" -eq 1 ]; }
