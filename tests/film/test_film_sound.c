@@ -16,6 +16,8 @@
 #include "tests/decode.h"
 #include "tests/pictures.h"
 
+extern const struct bead_sink_type bead_movie_sink;
+
 enum { RATE = BEAD_SOUND_RATE };
 
 /* A smooth pulse of 10 N that passes bead, or contact, j from 0.1 j ms to 0.1 (j + 1) ms. */
@@ -197,11 +199,31 @@ static void pauses_are_silent(void **state)
     release_chain(&built);
 }
 
+/* A sound asks for the force of its contact, whatever the views show. */
+static void sounds_need_their_contacts(void **state)
+{
+    (void)state;
+    struct built built = build_chain("movie: a.mp4, views: [profile], field: velocity, beads: [0, 3], size: [160, 90], "
+                                     "sound: contact 7, duration: 1 s");
+    struct bead_run_context context = make_stage(&built);
+    struct bead_message msg = {""};
+    struct bead_sink *sink;
+    struct bead_needs needs;
+    if (bead_movie_sink.create(&built.scene->outputs[0], &context, &sink, &msg))
+        fail_msg("%s", msg.text);
+    bead_movie_sink.needs(sink, &needs);
+    assert_int_equal(needs.fields, BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY) | BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE));
+    assert_true(needs.beads.first == 0 && needs.beads.last >= 6 && needs.beads.last <= 7);
+    bead_movie_sink.destroy(sink);
+    release_chain(&built);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sound_is_the_force),
         cmocka_unit_test(pauses_are_silent),
+        cmocka_unit_test(sounds_need_their_contacts),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -444,8 +444,15 @@ static void test_arrows_and_means(void **state)
         require(bead_view_beads_type.vector(view, 1e-6, cr, &msg), &msg);
         const struct bead_drawing *d = &view->row_drawing;
         length[k] = 0;
-        for (size_t i = 0; i < d->now.mark_count; i++)
-            length[k] += d->now.marks[i].kind == BEAD_MARK_ARROW ? d->now.marks[i].box[2] - d->now.marks[i].box[0] : 0;
+        for (size_t i = 0; i < d->now.mark_count; i++) {
+            const float *box = d->now.marks[i].box;
+            if (d->now.marks[i].kind != BEAD_MARK_ARROW)
+                continue;
+            length[k] += box[2] - box[0];
+            const struct bead_ball *ball = &d->now.balls[0]; /* about its middle, clear of it */
+            assert_true(fabs(box[3] - ball->y - (ball->y - box[1])) < 0.05 && fabs(box[3] - ball->y - 0.55 * ball->r) < 0.05);
+            assert_true(fabs(ball->x - 1.25 * ball->r - box[2]) < 0.05);
+        }
         assert_true(length[k] > 0);
         static const double means[] = {4, 6, 12, 8, 0, 5, 6.5, 3};
         for (size_t i = 0; i < 8; i++)
@@ -458,6 +465,35 @@ static void test_arrows_and_means(void **state)
     }
     for (size_t k = 1; k < 4; k++) /* faster than at first, a fifth at most */
         assert_true(fabs(length[k] / length[0] - fmin(parts[k], 1.2)) < 0.5 / length[0]);
+}
+
+/* The ends of a string are as far beyond its outermost masses as these are from each other. */
+static void test_strings_have_fixed_ends(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_look look;
+    struct bead_colormap map;
+    struct bead_chain *chain;
+    struct bead_view *view;
+    struct bead_scene *scene = parse("chain: {equation: fput, points: 7, start: {mode: 1, amplitude: 1}}\n"
+                                     "simulate: {until: 10}\noutputs: [{table: a.csv, show: modes}]\n");
+    assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
+    require(bead_colormap_load("inferno", &map, &msg), &msg);
+    bead_look_screen(&look, 1280, 720, true);
+    const struct bead_view_setup setup = {.chain = chain,
+                                          .field = BEAD_FIELD_DISPLACEMENT,
+                                          .beads = {0, 6},
+                                          .time = {0, 10},
+                                          .colours = {&map, BEAD_SCALE_LINEAR, -1, 1},
+                                          .look = &look,
+                                          .magnify = 1};
+    require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
+    const double *at = bead_chain_position(chain), apart = at[1] - at[0];
+    assert_true(fabs(view->ends[0] - (at[0] - apart)) < 1e-9 && fabs(view->ends[1] - (at[6] + apart)) < 1e-9);
+    bead_view_beads_type.destroy(view);
+    bead_chain_destroy(chain);
+    bead_scene_free(scene);
 }
 
 /* Also as paths, in PDF and SVG, each sensor has its ring, with the striker in the picture and without. */
@@ -772,6 +808,7 @@ int main(void)
         cmocka_unit_test(test_profiles_of_forces_stay_above_zero),
         cmocka_unit_test(test_what_the_lens_shows_is_marked),
         cmocka_unit_test(test_arrows_and_means),
+        cmocka_unit_test(test_strings_have_fixed_ends),
         cmocka_unit_test(test_sensors_have_rings_as_paths),
         cmocka_unit_test(test_frames_tell_their_changes),
         cmocka_unit_test(test_frames_do_not_depend_on_threads),

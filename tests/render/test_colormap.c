@@ -182,9 +182,11 @@ static void test_changes_merge(void **state)
 {
     (void)state;
     struct bead_changes changes = {0};
+    bead_changes_add(&changes, (struct bead_rect){0, 0, 0, 9}); /* nothing */
+    bead_changes_add(&changes, (struct bead_rect){0, 0, 9, 0});
+    assert_int_equal(changes.count, 0);
     for (int i = 0; i < 100; i++)
         bead_changes_add(&changes, (struct bead_rect){10 * i, 5 * i, 3, 3});
-    bead_changes_add(&changes, (struct bead_rect){0, 0, 0, 9});
     assert_true(changes.count <= 32);
     for (int i = 0; i < 100; i++) {
         bool covered = false;

@@ -196,6 +196,9 @@ static void rows_are_spread_over_magnetism(void **)
                      BEAD_OK);
     assert_true(s->row_count == 3 && s->columns == 2 && s->image_count <= 6); /* 0.26 is that of 0.25 */
     assert_true(s->rows[0].magnetism == 0.25 && s->rows[1].magnetism == 1 && s->rows[2].magnetism == 0.75);
+    char name[300];
+    contact_sheet_row_name(s, &s->rows[1], name, sizeof name); /* with the decimals that the others need */
+    assert_string_equal(name + strlen(name) - strlen(" = 1.00"), " = 1.00");
     clear(&l);
     assert_int_equal(lay_out(&l, "sweep: {cells: 8, configurations: 5, seed: 7, magnetism: all}",
                              "size: [900, 900], orientation: time-down, magnetism: 0.5"),

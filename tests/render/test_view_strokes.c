@@ -2,6 +2,7 @@
 /* The strokes of views in a plot of 400 x 200 pixels at 100, 50, as numbers: curves, bars, lines of theory, rings of sensors are
  * where the samples put them. */
 #include "render/draw/looks.h"
+#include "render/stage/magnify.h"
 #include "render/stage/panel.h"
 #include "render/stage/stage_key.h"
 #include "render/stage/stage_view.h"
@@ -182,6 +183,18 @@ static void sensors_have_their_curves(void **)
             x += sample + 0.4 * em + width + 1.2 * em;
         }
         assert_int_equal(names, 2);
+        size_t numbers = 0;
+        for (size_t i = 0; i < s.seen.count; i++) { /* of the axis, at their values */
+            char *rest;
+            const double value = strtod(s.seen.text[i].markup, &rest);
+            if (*rest || rest == s.seen.text[i].markup || s.seen.text[i].x + s.seen.text[i].width > LEFT)
+                continue;
+            assert_true(fabs(s.seen.text[i].y + s.seen.text[i].height / 2 - (BOTTOM - HEIGHT * (value - least) / end)) < 2);
+            numbers++;
+        }
+        assert_true(numbers >= 3);
+        const size_t title = find(&s.seen, "bead force (N)");
+        assert_true(s.seen.text[title].x + s.seen.text[title].width < LEFT);
         /* Curves. */
         draw(&s, 3.5e-4);
         const size_t first = variant == 2 ? 2 : 0; /* the horizon, with its edge, is below them */
@@ -310,6 +323,8 @@ static void profiles_have_their_values(void **)
         snprintf(text, sizeof text, "chain: {beads: [{bead: large-steel, count: %zu}]}\noutputs: [{table: a.csv}]\n", n);
         open_shown(&s, text);
         s.setup.beads = (struct bead_span){1, n};
+        s.setup.own_colour = variant == 1; /* of the second of several chains */
+        s.setup.chain_index = 1;
         open_view(&s, BEAD_VIEW_PROFILE);
         decorate(&s);
         assert_bounds(&strokes.list[1], LEFT, round(profile_y(0) - 1), RIGHT, round(profile_y(0) - 1) + 2); /* the line of zero */
@@ -323,8 +338,13 @@ static void profiles_have_their_values(void **)
         assert_int_equal(strokes.count, dots ? 3 : 2);
         const struct stroke *area = &strokes.list[0], *curve = &strokes.list[1], *dot = &strokes.list[2];
         const double pitch = (double)WIDTH / (double)n, first = n == 1 ? LEFT : LEFT + pitch / 2, last = LEFT + RIGHT - first;
-        assert_true(stroke_has(area, true, s.look.accent) && stroke_has(curve, false, s.look.accent));
+        const struct bead_rgb ink = variant == 1 ? bead_look_curve(&s.look, 1) : s.look.accent;
+        assert_true(stroke_has(area, true, ink) && stroke_has(curve, false, ink));
         assert_at(curve->width, 1.8 * s.look.line);
+        const struct bead_dashes *dashes = bead_look_dashes(1);
+        assert_int_equal(curve->dashes, variant == 1 ? dashes->count : 0);
+        for (int i = 0; i < curve->dashes; i++)
+            assert_at(curve->dash[i], curve->width * dashes->lengths[i]);
         assert_true(curve->clip_low[0] == LEFT && curve->clip_high[1] == BOTTOM && curve->join == CAIRO_LINE_JOIN_ROUND);
         for (int e = 0; e < 2; e++) {
             assert_at(curve->at[e ? curve->count - 1 : 0].x, e ? last : first);
@@ -764,6 +784,54 @@ static void keys_say_what_lights_up(void **)
     close_shown(&s);
 }
 
+/* A bead is brightest at the largest value shown; of quantities that are no forces, at the force of the chain's compression, by
+ * Hertz's law. */
+static void light_is_full_at_a_force(void **)
+{
+    struct shown s;
+    open_shown(&s, "chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 9}]}\n"
+                   "outputs: [{table: a.csv}]\n");
+    assert_true(bead_stage_full(&s.setup) == 50);
+    s.setup.field = BEAD_FIELD_VELOCITY;
+    const double radius = bead_chain_radius(s.chain)[0];
+    const struct bead_material *steel = material_of(s.scene, "large-steel");
+    const double stiffness = 4.0 / 3 * (0.5 * steel->modulus / (1 - steel->poisson * steel->poisson)) * sqrt(radius / 2);
+    const double force = stiffness * pow(bead_compression_scale(s.chain), 1.5);
+    assert_true(force > 1 && fabs(bead_stage_full(&s.setup) / force - 1) < 1e-9);
+    close_shown(&s);
+}
+
+/* ---- the line about the horizon ---- */
+
+/* A piece of the horizon's line, 1.6 em long, stands before the words, half an em from them, at the height of their middle; both
+ * together keep to the left or the right. Of a chain that is predictable throughout there is no line. */
+static void horizons_are_explained(void **)
+{
+    const struct bead_rect rect = {60, 90, 700, 40};
+    struct shown s;
+    open_shown(&s, SENSORS);
+    for (int variant = 0; variant < 4; variant++) {
+        const bool right = variant & 1, throughout = variant & 2;
+        struct bead_trust trust = bead_trust_make(s.chain, 10);
+        trust.until = throughout ? INFINITY : 5e-4;
+        s.seen.count = 0;
+        strokes_begin();
+        bead_trust_draw(s.cr, &s.look, &trust, rect, right);
+        assert_int_equal(s.seen.count, 1);
+        double begins = s.seen.text[0].x, width, height;
+        const struct bead_text_style style = {.family = s.look.family, .size = em};
+        bead_text_size(s.cr, &style, s.seen.text[0].markup, &width, &height);
+        assert_int_equal(strokes.count, throughout ? 0 : 2); /* the line and its edges */
+        for (size_t i = 0; i < strokes.count; i++) {
+            const double from = right ? rect.x + rect.width - width - 2.1 * em : rect.x;
+            assert_bounds(&strokes.list[i], from, rect.y + 20, from + 1.6 * em, rect.y + 20);
+        }
+        begins -= right ? rect.x + rect.width - width : throughout ? rect.x : rect.x + 2.1 * em;
+        assert_true(fabs(begins) < 3 && fabs(s.seen.text[0].y + s.seen.text[0].height / 2 - (rect.y + 20)) < 0.25 * em);
+    }
+    close_shown(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -774,6 +842,8 @@ int main(void)
         cmocka_unit_test(theory_is_as_fast_as_its_force),
         cmocka_unit_test(sensors_of_stages_have_rings),
         cmocka_unit_test(keys_say_what_lights_up),
+        cmocka_unit_test(light_is_full_at_a_force),
+        cmocka_unit_test(horizons_are_explained),
         cmocka_unit_test(profiles_have_their_values),
         cmocka_unit_test(strings_are_fixed),
         cmocka_unit_test(kept_peaks_are_explained),
