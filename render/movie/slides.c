@@ -17,7 +17,8 @@ static const char before[] =
     "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>%s</title>\n"
     "<meta name=\"generator\" content=\"beadreel " BEADREEL_VERSION "\">\n"
     "<style>html,body{margin:0;height:100%%;background:%s}video{display:block;width:100%%;height:100%%;object-fit:contain}\n"
-    "p{position:fixed;left:0;right:0;bottom:0;margin:.6em;text-align:center;font:1em sans-serif;color:#888}</style>\n"
+    "p{position:fixed;left:0;right:0;bottom:0;width:fit-content;margin:.4em auto;padding:.3em .8em;border-radius:.4em;"
+    "font:1em sans-serif;color:#ddd;background:#222}</style>\n"
     "<video playsinline preload=\"auto\" aria-label=\"%s\" src=\"data:video/%s;base64,";
 static const char after[] =
     "\"></video>\n<p>space, \u2192 or a click: on to the next stop \u00b7 \u2190: back \u00b7 F: full screen</p>\n<script>\n"
