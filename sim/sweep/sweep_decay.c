@@ -116,7 +116,8 @@ static void bound_fits(const struct decay_panel *p, size_t used, const struct be
     u->exponent = bound(p, used, count);
 }
 
-/* Finds the uncertainty of the decay of forces or energies: of `means` at each bead, and of their fits. */
+/* Finds the uncertainty of the decay of forces or energies: of `means` that of the worst bead, relative to them, since errors cross
+ * zero along a chain; and that of their fits. */
 static enum bead_error find_uncertainty(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, bool energy,
                                         const double *means, const struct bead_decay *of, struct bead_decay_uncertainty *u,
                                         struct bead_message *msg)
@@ -126,11 +127,15 @@ static enum bead_error find_uncertainty(const struct decay_panel *p, const struc
                              last = energy ? PROFILE_LAST_ENERGY : PROFILE_LAST_FORCE;
     BEAD_TRY(bead_new(&u->peaks, beads, msg, "the decay of a sweep"));
     size_t used = find_changes(p, entries, count, peaks);
-    for (size_t j = 0; j < beads; j++) {
+    double worst = 0;
+    for (size_t j = 0; j < beads && !isnan(worst); j++) {
         for (size_t i = 0; i < used; i++)
             p->values[i] = p->changes[i * beads + j];
-        u->peaks[j] = bound(p, used, count) * means[j];
+        const double part = bound(p, used, count);
+        worst = isnan(part) ? NAN : fmax(worst, part);
     }
+    for (size_t j = 0; j < beads; j++)
+        u->peaks[j] = worst * means[j];
     const double *clean = profile_of(p, 0, peaks), *finer = profile_of(p, 0, PROFILES_OF_RUN + peaks);
     for (size_t i = 0; i < used; i++) {
         for (size_t j = 0; j < beads; j++)
