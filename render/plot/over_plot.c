@@ -48,7 +48,7 @@ static void add(struct over_panel *p, const struct bead_sweep_curve *curve, enum
         const struct bead_summary *m = &curve->points[i].summary;
         x[i] = curve->points[i].x;
         y[i] = what == MEAN ? m->mean : what == MEDIAN ? m->median : m->quartile[0];
-        other[i] = what == QUARTILES ? m->quartile[1] : plot_bar_of_mean(m, curve->points[i].uncertainty);
+        other[i] = what == QUARTILES ? m->quartile[1] : plot_bar_of_mean(m, curve->points[i].uncertainty.mean);
         longest = fmax(longest, other[i]);
     }
     struct bead_series *series = &p->series[p->count];

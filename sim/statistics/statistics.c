@@ -42,6 +42,38 @@ void bead_summary_of(double *values, size_t count, struct bead_summary *s)
     s->quartile[1] = quantile(values, count, 0.75);
 }
 
+/* The summary of the values, each moved by `sign` times its own `off`. */
+static struct bead_summary summary_moved(const double *values, const double *off, double sign, size_t count, double *room)
+{
+    struct bead_summary moved;
+    for (size_t i = 0; i < count; i++)
+        room[i] = values[i] + sign * off[i];
+    bead_summary_of(room, count, &moved);
+    return moved;
+}
+
+static double farther(double least, double value, double most)
+{
+    return fmax(value - least, most - value);
+}
+
+void bead_summary_uncertainty(const double *values, const double *off, size_t count, double *room, struct bead_summary *uncertainty)
+{
+    double sum = 0;
+    for (size_t i = 0; i < count; i++)
+        sum += off[i];
+    *uncertainty = (struct bead_summary){count, sum / (double)count, NAN, NAN, NAN, NAN, NAN, {NAN, NAN}};
+    if (!isfinite(sum) || count == 0)
+        return;
+    const struct bead_summary least = summary_moved(values, off, -1, count, room),
+                              value = summary_moved(values, off, 0, count, room), most = summary_moved(values, off, 1, count, room);
+    uncertainty->low = farther(least.low, value.low, most.low);
+    uncertainty->high = farther(least.high, value.high, most.high);
+    uncertainty->median = farther(least.median, value.median, most.median);
+    for (size_t i = 0; i < 2; i++)
+        uncertainty->quartile[i] = farther(least.quartile[i], value.quartile[i], most.quartile[i]);
+}
+
 /* The normal quantile of .0013, both tails. */
 static const double z = 3.2159797607880902;
 

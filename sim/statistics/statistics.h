@@ -15,6 +15,12 @@
 /* Sorts `values`. count 0: all NaN. */
 BEAD_INTERNAL void bead_summary_of(double *values, size_t count, struct bead_summary *summary);
 
+/* By how much the mean, ends, median and quartiles may be off if each value may be off by its own `off`, the worst way: each of
+ * them rises with every value, so it lies between that of the values less theirs and that of the values plus theirs. NaN if one is
+ * not known. `room`: for `count` numbers. */
+BEAD_INTERNAL void bead_summary_uncertainty(const double *values, const double *off, size_t count, double *room,
+                                            struct bead_summary *uncertainty);
+
 /* A mean of `all` numbers, of which a sample was taken: by how much that mean may differ from the sample's, with a probability of
  * .0013 for normal numbers; 0 if the sample is all of them, NaN if it is one number of several. Student's quantile times the
  * standard error of a sample without replacement (W. G. Cochran, Sampling Techniques, 1977, 2.6 to 2.8). */

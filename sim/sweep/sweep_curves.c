@@ -112,7 +112,7 @@ static void fit_slope(struct bead_sweep_curve *curve)
         const double x = bead_log(curve->points[i].x) - sx / n, y = bead_log(curve->points[i].summary.mean) - sy / n;
         sxx += x * x;
         sxy += x * y;
-        off_by += fabs(x) * curve->points[i].uncertainty / curve->points[i].summary.mean;
+        off_by += fabs(x) * curve->points[i].uncertainty.mean / curve->points[i].summary.mean;
     }
     if (n < 3 || !(sxx > 0))
         return;
@@ -126,6 +126,27 @@ static void fit_slope(struct bead_sweep_curve *curve)
     curve->slope_uncertainty = off_by / sxx; /* the slope is linear in the logarithms */
 }
 
+/* The values of a point, by how much each may be off, and room for as many numbers. */
+struct gathered {
+    double *value, *off, *room; /* [configurations] */
+    size_t count;
+};
+
+/* Gathers configuration i if its result is known: one of `values`, or its peak force. */
+static void gather(const struct bead_sweep *sweep, size_t panel, size_t place, const struct bead_sweep_values *values, size_t i,
+                   double worst, struct gathered *g)
+{
+    struct bead_sweep_configuration found;
+    if (values && isfinite(values->value[i])) {
+        g->value[g->count] = values->value[i];
+        g->off[g->count++] = values->uncertainty[i];
+    } else if (!values && bead_sweep_configuration(sweep, panel, i, &found)) {
+        const struct bead_sweep_peak *peak = &found.peaks[place];
+        g->value[g->count] = peak->force;
+        g->off[g->count++] = peak->uncertainty > 0 ? peak->uncertainty : worst * peak->force;
+    }
+}
+
 /* Fills in all points of one curve: the known results of each value along the axis. */
 static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t place, const struct bead_sweep_values *values,
                             size_t number, size_t key, struct bead_sweep_curve *curve, struct bead_message *msg)
@@ -133,34 +154,26 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
     const struct bead_sweep_panel *shown = bead_sweep_panel(sweep, panel);
     const struct bead_over_key *along = &shown->spec->over.keys[key];
     const double worst = values ? NAN : bead_sweep_uncertainty(sweep, panel, place);
-    BEAD_FREED double *forces = NULL;
+    const size_t all = shown->configurations;
+    BEAD_FREED double *memory = NULL;
     BEAD_TRY(bead_new(&curve->points, along->count, msg, "the curves of a sweep"));
-    BEAD_TRY(bead_new(&forces, shown->configurations, msg, "the curves of a sweep"));
+    BEAD_TRY(bead_new(&memory, 3 * all, msg, "the curves of a sweep"));
+    struct gathered g = {memory, memory + all, memory + 2 * all, 0};
     for (size_t value = 0; value < along->count; value++) {
-        double uncertainty = 0;
-        size_t count = 0;
-        for (size_t i = 0; i < shown->configurations; i++) {
-            struct bead_sweep_configuration found;
+        g.count = 0;
+        for (size_t i = 0; i < all; i++) {
             if (bead_sweep_value(sweep, panel, i, key) != value || bead_sweep_curve_of(sweep, panel, i, key) != number)
                 continue;
             if (!*curve->name)
                 bead_sweep_curve_name(sweep, panel, i, key, curve->name);
-            if (values && isfinite(values->value[i])) {
-                forces[count++] = values->value[i];
-                uncertainty += values->uncertainty[i];
-            } else if (!values && bead_sweep_configuration(sweep, panel, i, &found)) {
-                const struct bead_sweep_peak *peak = &found.peaks[place];
-                forces[count++] = peak->force;
-                uncertainty += peak->uncertainty > 0 ? peak->uncertainty : worst * peak->force;
-            }
+            gather(sweep, panel, place, values, i, worst, &g);
         }
-        if (count == 0)
+        if (g.count == 0)
             continue;
         struct bead_sweep_point *point = &curve->points[curve->count++];
-        *point = (struct bead_sweep_point){.value = value,
-                                           .x = isnan(along->value[value]) ? (double)value : along->value[value],
-                                           .uncertainty = uncertainty / (double)count};
-        bead_summary_of(forces, count, &point->summary);
+        *point = (struct bead_sweep_point){.value = value, .x = isnan(along->value[value]) ? (double)value : along->value[value]};
+        bead_summary_uncertainty(g.value, g.off, g.count, g.room, &point->uncertainty);
+        bead_summary_of(g.value, g.count, &point->summary);
     }
     qsort(curve->points, curve->count, sizeof *curve->points, by_x);
     fit_slope(curve);

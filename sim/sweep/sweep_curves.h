@@ -7,10 +7,10 @@
 
 /* The results of a curve's configurations with one value of the key along the axis. */
 struct bead_sweep_point {
-    size_t value;                /* number of that value of the key */
-    double x;                    /* the value, in the key's unit; `value` if it is not a number */
-    struct bead_summary summary; /* N, or in the measure's unit */
-    double uncertainty;          /* of the mean: that of its values, whose errors may be alike; NaN: unknown */
+    size_t value;                    /* number of that value of the key */
+    double x;                        /* the value, in the key's unit; `value` if it is not a number */
+    struct bead_summary summary;     /* N, or in the measure's unit */
+    struct bead_summary uncertainty; /* of the mean, ends and quantiles: errors of values may be alike; NaN: unknown */
 };
 struct bead_sweep_curve {
     char name[200];                  /* "count 20": the values of the other keys; "" if there are none */

@@ -41,7 +41,7 @@ static void names(const struct out *o, size_t panel, size_t place)
 }
 
 /* Relative uncertainties of forces, and of the clean chain's, which normalises them. Errors of chains may be alike, so those of
- * means are no smaller. That of the threshold. */
+ * means are no smaller, and those of medians no larger. That of the threshold. */
 struct uncertain {
     double force, clean, threshold;
 };
@@ -65,6 +65,9 @@ static void write_row(const struct out *o, const struct bead_sweep_statistics *s
     bead_table_known_uncertainty(o->file, uncertain->force * m->mean * s->clean);
     bead_table_known_uncertainty(o->file, s->has_threshold ? part * s->threshold.plateau : NAN);
     bead_table_known_uncertainty(o->file, uncertain->threshold);
+    for (size_t i = 2; i < 7; i++)
+        bead_table_known_uncertainty(o->file, part * normalised[i]);
+    bead_table_known_uncertainty(o->file, uncertain->force * m->median * s->clean);
     fputc('\n', o->file);
 }
 
@@ -89,7 +92,8 @@ static enum bead_error write_magnetism(const struct out *o, struct bead_message 
         o,
         "magnetism,configurations,mean,standard_error,median,minimum,maximum,lower_quartile,upper_quartile,mean_N,standard_error_N,"
         "median_N,plateau,plateau_error,threshold,threshold_error,uncertainty,uncertainty_N,plateau_uncertainty,"
-        "threshold_uncertainty");
+        "threshold_uncertainty,median_uncertainty,minimum_uncertainty,maximum_uncertainty,lower_quartile_uncertainty,"
+        "upper_quartile_uncertainty,median_N_uncertainty");
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         for (size_t place = 0; place < bead_sweep_panel(o->sweep, p)->places; place++) {
             struct bead_sweep_statistics s;
@@ -270,6 +274,8 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
     for (size_t i = 0; i < curve->count; i++) {
         const struct bead_summary *m = &curve->points[i].summary;
         const double numbers[] = {m->mean, m->standard_error, m->median, m->low, m->high, m->quartile[0], m->quartile[1]};
+        const struct bead_summary *u = &curve->points[i].uncertainty;
+        const double known[] = {u->mean, curve->slope_uncertainty, u->median, u->low, u->high, u->quartile[0], u->quartile[1]};
         names(o, 0, place);
         bead_table_text(o->file, along->text[curve->points[i].value]);
         fputc(',', o->file);
@@ -279,8 +285,8 @@ static void write_curve(const struct out *o, size_t place, const struct bead_swe
             bead_table_known(o->file, numbers[k]);
         bead_table_known(o->file, curve->slope);
         bead_table_known(o->file, curve->slope_error);
-        bead_table_known_uncertainty(o->file, curve->points[i].uncertainty);
-        bead_table_known_uncertainty(o->file, curve->slope_uncertainty);
+        for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+            bead_table_known_uncertainty(o->file, known[k]);
         fputc('\n', o->file);
     }
 }
@@ -297,7 +303,10 @@ static enum bead_error write_place(const struct out *o, size_t place, const stru
         fprintf(o->file, "%s%s,curve,configurations", o->places ? "place," : "", along->path);
         for (size_t i = 0; i < sizeof columns / sizeof *columns; i++)
             fprintf(o->file, ",%s%s%s", columns[i], *unit ? "_" : "", unit);
-        fprintf(o->file, ",slope,slope_error,uncertainty%s%s,slope_uncertainty\n", *unit ? "_" : "", unit);
+        fprintf(o->file, ",slope,slope_error,uncertainty%s%s,slope_uncertainty", *unit ? "_" : "", unit);
+        for (size_t i = 2; i < sizeof columns / sizeof *columns; i++) /* all but the mean, and its standard error */
+            fprintf(o->file, ",%s%s%s_uncertainty", columns[i], *unit ? "_" : "", unit);
+        fputc('\n', o->file);
     }
     for (size_t i = 0; !err && i < curves.count; i++)
         write_curve(o, place, &curves.curves[i], along);

@@ -29,6 +29,24 @@ static double known_decay(size_t place)
     return place <= 103 ? -x / 103 : -1 - 0.61 * log(x / 103);
 }
 
+/* Each of five values is off by at most its own part: where the sorted ends of all values lie. */
+static void quantiles_know_their_errors(void **state)
+{
+    (void)state;
+    const double values[] = {4, 2, 10, 1, 3}, off[] = {0.25, 3, 1, 0.5, 0.125}, unknown[] = {0.25, 3, NAN, 0.5, 0.125};
+    double room[5];
+    struct bead_summary u;
+    bead_summary_uncertainty(values, off, 5, room, &u);
+    assert_true(u.mean == 4.875 / 5);
+    assert_true(u.low == 2);           /* 2 less 3 instead of 1 */
+    assert_true(u.high == 1);          /* 10 and 1 */
+    assert_true(u.median == 1.25);     /* 1.5, 3.125, 4.25, 5, 11 instead of 1, 2, 3, 4, 10 */
+    assert_true(u.quartile[0] == 1.5); /* -1, .5, 2.875, 3.75, 9 */
+    assert_true(u.quartile[1] == 1);
+    bead_summary_uncertainty(values, unknown, 5, room, &u);
+    assert_true(isnan(u.mean) && isnan(u.low) && isnan(u.median) && isnan(u.quartile[0]));
+}
+
 static void decay_of_known_laws(void **state)
 {
     (void)state;
@@ -221,6 +239,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(means_are_known_from_samples),
         cmocka_unit_test(summaries),
+        cmocka_unit_test(quantiles_know_their_errors),
         cmocka_unit_test(decay_of_known_laws),
         cmocka_unit_test(errors_of_decay),
         cmocka_unit_test(participation),
