@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every number that a table says knows its error: each word of `show`, of beads and equations, has a column of uncertainties for each
 column of numbers but those named below, with the reason; what these say is at least the error against a run that is far more exact,
-and hardly ever more than ten times the larger of error and request. `known.py BEADSIM SCHEMA`; for known.sh."""
+and hardly ever more than ten times the larger of error and request. So do those of sweeps. `known.py BEADSIM SCHEMA`; for known.sh."""
 import csv
 import json
 import math
@@ -19,7 +19,8 @@ ROUNDING, TINY = 1e-11, 1e-14  # of the largest number in a column, that of the 
 # What is given, counted, or chosen by the table: columns of any table, and of some.
 PLAIN = {
     "time_s", "time", "x", "bead", "contact", "mode", "material", "sensor", "state", "note", "unit", "name", "kind", "frequency_Hz",
-    "frequency", "band", "wave_number_cell_pi", "first_bead", "last_bead", "number",
+    "frequency", "band", "wave_number_cell_pi", "first_bead", "last_bead", "number", "configuration", "configurations", "curve", "magnetism",
+    "spins",
 }
 WITHOUT = {
     "chain": "what was given, and what follows from it in closed form",
@@ -28,7 +29,8 @@ WITHOUT = {
     "fit": "of another kind: its standard errors are those of what was measured",
     "sensitivities": {"peak_force_N": "the table of peaks says it", "time_s": "as well"},
     "dispersion": {"exact_Hz": "an eigenvalue, to rounding"},
-    "spreading": {"gamma_error": "a standard error", "eta_error": "a standard error"},
+    "spreading": {"fit_from_s": "chosen", "fit_to_s": "chosen"},
+    "decay": {"fit_first": "a bead", "fit_last": "a bead"},
 }
 PLACES = (3, 5, 8)
 FINER = 4  # cells of the reference of the equation whose errors are the grid's
@@ -69,6 +71,31 @@ SYSTEMS = {
 }
 
 
+# Scenes of sweeps, the accuracy of the reference; of each word of `show` its scene and keys.
+CELLS = """chain: {{{pressed}beads: [{{cell: [large-steel, aluminium], count: 12, spins: random, magnetism: 0.5, seed: 1}}]}}
+simulate: {{until: {until}}}
+sweep: {{over: {{chain.beads.0.magnetism: [0, 0.5, 0.8], chain.beads.0.seed: {seeds}}}}}
+"""
+STRUCK = "precompression: 20 N, start: [{bead: [12, 13], velocity: 1 mm/s}], striker: {bead: large-steel, velocity: 0}, wall: rigid, "
+SHAKEN = ("precompression: 20 N, drive: {displacement: noise, amplitude: 10 nm, frequency: 12 kHz, seed: 1}, "
+          "striker: {bead: large-steel, velocity: 0}, wall: rigid, ")
+MANY, FEW = "1..11", "1..5"  # a sample of the chains is run twice, or all are
+SPINS = "sweep: {cells: 16, configurations: 3, magnetism: [0, 0.1, 0.5, 0.8, 0.9, 1], seed: 3, measure: {decay: true}}\n"
+FINEST = "1e-9"
+SWEEPS = {
+    "magnetism": [(SPINS, ""), (CELLS.format(pressed="", until="auto", seeds=MANY), ""),
+                  (CELLS.format(pressed="", until="auto", seeds=MANY), "measure: front speed")],
+    "configurations": [(SPINS, ""), (CELLS.format(pressed="", until="auto", seeds=MANY), "")],
+    "decay": [(SPINS, "")],
+    "spreading": [(CELLS.format(pressed=STRUCK, until="0.4 ms", seeds=MANY), "")],
+    "sensors": [(CELLS.format(pressed="", until="0.4 ms", seeds=MANY), "beads: [3, 12], field: velocity, every: 2 us")],
+    "spectrum": [(CELLS.format(pressed="", until="0.4 ms", seeds=FEW), "beads: [3, 12], field: velocity, every: 2 us")],
+    "transfer": [(CELLS.format(pressed=SHAKEN, until="1.5 ms", seeds=FEW).replace("0, 0.5, 0.8", "0.5"), "beads: [2, 12], every: 20 us, segment: 0.7 ms")],
+    "dispersion": [(CELLS.format(pressed=STRUCK, until="2 ms", seeds=MANY), "")],
+}
+OTHER_WORDS = {"statistics"}  # for magnetism
+
+
 def number(text):
     try:
         return float(text)
@@ -105,17 +132,25 @@ def table(beadsim, scene, accuracy, show, keys, *options):
         return list(csv.reader(file))
 
 
+def names_of_uncertainty(name):
+    """Of a column: its own, or where the table is of one number the only one."""
+    stem, _, unit = name.rpartition("_")
+    return (name + "_uncertainty", f"{stem}_uncertainty_{unit}", f"uncertainty_{unit}", "uncertainty", "uncertainty_N")
+
+
 def pairs(show, header):
-    """Columns with those of their uncertainties; columns that have none."""
+    """Columns with those of their uncertainties; columns that have none. No two columns have the same one."""
     without = WITHOUT.get(show, {})
-    found, missing = [], []
+    found, missing, taken = [], [], set()
     for c, name in enumerate(header):
-        own = name + "_uncertainty"
-        if isinstance(without, str) or (name in PLAIN and own not in header) or name in without or "uncertainty" in name:
+        if isinstance(without, str) or (name in PLAIN and name + "_uncertainty" not in header) or name in without or "." in name:
             continue
-        of_all = [header.index(other) for other in (own, "uncertainty", "uncertainty_N") if other in header]
+        if "uncertainty" in name or name.endswith("_error") or name.startswith("standard_error"):  # errors themselves
+            continue
+        of_all = [header.index(other) for other in names_of_uncertainty(name) if other in header and other not in taken]
         if of_all:
             found.append((c, of_all[0]))
+            taken.add(header[of_all[0]])
         else:
             missing.append(name)
     return found, missing
@@ -194,6 +229,21 @@ def try_table(beadsim, system, show, count):
     return True
 
 
+def try_sweep(beadsim, show, text, keys):
+    count = Count()
+    with open("scene.yaml", "w", encoding="utf-8") as file:
+        file.write(text)
+    rows, exact = (table(beadsim, "scene.yaml", accuracy, show, keys) for accuracy in (ASKED, FINEST))
+    tap.ok(not isinstance(rows, str) and len(rows) == len(exact) > 1, f"{show} of a sweep is a table", rows)
+    found, missing = pairs(show, rows[0])
+    tap.ok(found and not missing, f"{show} of a sweep: every column of numbers knows its error", ", ".join(missing))
+    for c, u in found:
+        count.judge(show, "a sweep", rows[1:], exact[1:], c, u)
+    tap.ok(count.numbers and count.missed == 0, f"{show} of a sweep: none of {count.numbers} numbers is off by more than is said", *count.told[:8])
+    tap.ok(10 * count.much <= count.columns, f"{show} of a sweep: at most a tenth of {count.columns} columns says ten times too much", count.much)
+    print("#", show, keys, count.numbers, count.missed, count.columns, count.much, count.unknown, flush=True)
+
+
 def try_redrawn(beadsim, show, path):
     """A table drawn again from a trajectory has the columns of the run's, and says of each number that nothing is known."""
     keys = keys_of(show, "beads", END)
@@ -222,6 +272,9 @@ def main():
                 tap.ok(count.missed == 0, f"{show}: none of {count.numbers} numbers is off by more than is said", *count.told[:8])
                 tap.ok(10 * count.much <= count.columns, f"{show}: at most a tenth of {count.columns} columns says ten times too much", count.much)
             print("#", show, count.numbers, count.missed, count.columns, count.much, count.unknown, flush=True)
+        for show in schema["definitions"]["outputs:table-of-a-sweep"]["properties"]["show"]["enum"]:
+            for text, keys in () if show in OTHER_WORDS else SWEEPS[show]:
+                try_sweep(beadsim, show, text, keys)
         with open("scene.yaml", "w", encoding="utf-8") as file:
             file.write(SYSTEMS["beads"][0])
         subprocess.run([beadsim, "scene.yaml", "-o", "out", "--quiet", "--set", f"simulate.accuracy={ASKED}", "--set",

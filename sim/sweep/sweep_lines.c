@@ -37,6 +37,7 @@ void bead_sweep_lines_free(struct bead_sweep_lines *lines)
         free(lines->of[i].mean.values);
         free(lines->of[i].error);
         free(lines->of[i].uncertainty);
+        free(lines->of[i].of_frequency);
     }
     free(lines->chains);
     free(lines->of);
@@ -152,20 +153,25 @@ static enum bead_error reduce(const struct bead_sweep_lines *lines, size_t curve
     return BEAD_OK;
 }
 
-/* The uncertainty of one mean, found as for spreading. */
-static double bound(const struct bead_sweep_lines *lines, size_t curve, size_t number, double *values)
+/* The uncertainty of a mean over `all` chains whose differences are known for some, found as for spreading. */
+static double bound(double *differences, size_t known, size_t all)
 {
     struct bead_summary sample;
+    if (known == 0)
+        return NAN;
+    bead_summary_of(differences, known, &sample);
+    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
+}
+
+static double bound_of_number(const struct bead_sweep_lines *lines, size_t curve, size_t number, double *values)
+{
     size_t used = 0;
     for (size_t c = 0; c < lines->chain_count; c++) {
         const struct bead_sweep_line_chain *own = &lines->chains[c];
         if (own->curve == curve && own->check && isfinite(own->found.values[number]) && isfinite(own->finer.values[number]))
             values[used++] = own->found.values[number] - own->finer.values[number];
     }
-    if (used == 0)
-        return NAN;
-    bead_summary_of(values, used, &sample);
-    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, lines->of[curve].chains);
+    return bound(values, used, lines->of[curve].chains);
 }
 
 /* Finds those of the worst row of each column, since errors cross zero along a curve. */
@@ -177,8 +183,43 @@ static enum bead_error find_uncertainties(const struct bead_sweep_lines *lines, 
     for (size_t p = 0; p < line->mean.columns; p++) {
         line->uncertainty[p] = NAN;
         for (size_t k = 0; k < line->mean.rows; k++) /* fmax ignores NaN */
-            line->uncertainty[p] = fmax(line->uncertainty[p], bound(lines, curve, p * line->mean.rows + k, values));
+            line->uncertainty[p] = fmax(line->uncertainty[p], bound_of_number(lines, curve, p * line->mean.rows + k, values));
     }
+    return BEAD_OK;
+}
+
+/* By how much the frequency of each strongest line changes if the mean changes as this chain does: [columns][bands] of every
+ * `stride`. `room`: for the numbers of a mean. */
+static void find_moves(const struct bead_sweep_line *line, const struct bead_sweep_line_chain *own, double *room, size_t stride,
+                       double *moves)
+{
+    struct bead_spectral moved = line->mean;
+    moved.values = room;
+    for (size_t i = 0; i < moved.columns * moved.rows; i++)
+        room[i] = line->mean.values[i] - (own->found.values[i] - own->finer.values[i]);
+    for (size_t i = 0; i < moved.columns * line->bands; i++) {
+        const size_t column = i / line->bands, band = i % line->bands;
+        moves[i * stride] = bead_spectral_line(&line->mean, line->medium, column, band).found -
+                            bead_spectral_line(&moved, line->medium, column, band).found;
+    }
+}
+
+/* Small changes of the mean move its lines by the mean of what the changes of the chains would. */
+static enum bead_error find_frequencies(const struct bead_sweep_lines *lines, size_t curve, struct bead_message *msg)
+{
+    struct bead_sweep_line *line = &lines->of[curve];
+    const size_t found = line->mean.columns * line->bands, chains = line->chains;
+    BEAD_FREED double *room = NULL, *moves = NULL;
+    size_t used = 0;
+    BEAD_TRY(bead_new(&line->of_frequency, found + 1, msg, "the mean of %zu chains", chains));
+    BEAD_TRY(bead_new(&room, line->mean.columns * line->mean.rows + 1, msg, "the mean of %zu chains", chains));
+    BEAD_TRY(bead_new(&moves, found * chains + 1, msg, "the mean of %zu chains", chains));
+    for (size_t c = 0; c < lines->chain_count; c++) {
+        if (lines->chains[c].curve == curve && lines->chains[c].check)
+            find_moves(line, &lines->chains[c], room, chains, moves + used++);
+    }
+    for (size_t i = 0; i < found; i++)
+        line->of_frequency[i] = bound(moves + i * chains, used, chains);
     return BEAD_OK;
 }
 
@@ -201,6 +242,7 @@ static enum bead_error add(const struct bead_sweep *sweep, struct bead_sweep_lin
         line->mean.values = NULL;
         line->chain = own->chain;
         line->medium = bead_spectra_medium(own->spectra, 0);
+        line->bands = line->medium ? line->medium->cell.count : 1;
     }
     return BEAD_OK;
 }
@@ -230,7 +272,10 @@ enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const stru
         BEAD_TRY(add(sweep, lines, i, msg));
     for (size_t i = 0; i < lines->count; i++)
         BEAD_TRY(reduce(lines, i, values, msg));
-    for (size_t i = 0; checked && i < lines->count; i++)
+    for (size_t i = 0; checked && i < lines->count; i++) {
         BEAD_TRY(find_uncertainties(lines, i, values, msg));
+        if (output->curves.show == BEAD_SHOW_DISPERSION)
+            BEAD_TRY(find_frequencies(lines, i, msg));
+    }
     return BEAD_OK;
 }

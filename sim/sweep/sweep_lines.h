@@ -14,6 +14,8 @@ struct bead_sweep_line {
     struct bead_spectral mean;        /* of amplitudes, of ratios */
     double *error;                    /* [columns][rows]: standard errors; NaN of one chain */
     double *uncertainty;              /* [columns]: of the worst row, from second runs of some chains; NaN: unknown */
+    double *of_frequency;             /* [columns][bands] Hz: dispersion: of the strongest lines' frequencies, in the same way */
+    size_t bands;                     /* of the medium; 1 if there is none */
     const struct bead_chain *chain;   /* the first of them, */
     const struct bead_medium *medium; /* and the cell that it repeats; NULL: none */
 };

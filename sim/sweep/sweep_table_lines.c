@@ -67,7 +67,7 @@ static void write_line(FILE *file, const struct bead_sweep_lines *lines, const s
 static void write_strongest(FILE *file, const struct bead_sweep_lines *lines, const struct bead_sweep_line *line)
 {
     const struct bead_spectral *mean = &line->mean;
-    const size_t bands = line->medium ? line->medium->cell.count : 1;
+    const size_t bands = line->bands;
     for (size_t i = 0; i < mean->columns * bands; i++) {
         const struct bead_spectral_line found = bead_spectral_line(mean, line->medium, i / bands, i % bands);
         const double *ends = lines->output.curves.frequencies;
@@ -82,8 +82,10 @@ static void write_strongest(FILE *file, const struct bead_sweep_lines *lines, co
         bead_table_known(file, found.amplitude);
         const double row = round(found.found / mean->step);
         bead_table_known(file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
-        if (line->uncertainty)
+        if (line->uncertainty) {
             bead_table_known_uncertainty(file, line->uncertainty[i / bands]);
+            bead_table_known_uncertainty(file, line->of_frequency[i]);
+        }
         fputc('\n', file);
     }
 }
@@ -96,7 +98,7 @@ enum bead_error bead_sweep_lines_write(FILE *file, const struct bead_sweep *swee
     const bool dispersion = output->curves.show == BEAD_SHOW_DISPERSION;
     if (!err && dispersion)
         fprintf(file, "curve,configurations,wave_number_cell_pi,band,exact_Hz,found_Hz,amplitude,amplitude_error%s\n",
-                output->curves.uncertainty ? ",uncertainty" : "");
+                output->curves.uncertainty ? ",uncertainty,found_Hz_uncertainty" : "");
     else if (!err)
         lines_head(file, &lines);
     for (size_t i = 0; i < lines.count && !err; i++) {
