@@ -183,11 +183,8 @@ static enum bead_error put_body(const char *from, const char *end, FILE *file, s
 
 enum bead_error bead_svg_write(const struct bead_svg_parts *svg, FILE *file, struct bead_message *msg)
 {
-    static const char tail[] = "</svg>";
-    const char *end = svg->text + svg->length, *last = end;
-    while (last > svg->text && strncmp(last, tail, sizeof tail - 1) != 0)
-        last--;
-    last = last > svg->text ? last : end;
+    const char *end = svg->text + svg->length, *last = memrchr(svg->text, '<', svg->length); /* "</svg>" */
+    last = last ? last : end;
     enum bead_error err = put_body(put_head(svg, file), last, file, msg);
     fwrite(svg->words, 1, svg->words_length, file);
     fwrite(last, 1, (size_t)(end - last), file);

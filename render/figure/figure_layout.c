@@ -244,7 +244,7 @@ static void share_axes(struct bead_figure *f)
             bool lowest_of_all = lowest || f->view_count > 1;
             panel->setup.time_shared = !beads && !(last && lowest_of_all);
             panel->setup.bead_labels = beads ? last && (lowest || !same) : cell->column == 0 || !same;
-            if (f->set.no_across && last && v + 1 == f->view_count)
+            if (f->set.no_across && v + 1 == f->view_count)
                 *(beads ? &panel->setup.bead_labels : &panel->setup.time_shared) = !beads;
             if (f->set.no_upwards && bead_view_has(panel->type, BEAD_SHOWS_IMAGE))
                 *(beads ? &panel->setup.time_shared : &panel->setup.bead_labels) = beads;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures: the same pixels whole or in parts, PNG and PDF with exactly the drawing. */
+#include <glib.h>
 #include <math.h>
 #include <png.h>
 #include <setjmp.h>
@@ -15,6 +16,7 @@
 
 #include "render/draw/looks.h"
 #include "render/draw/picture.h"
+#include "render/encode/page.h"
 #include "render/figure/still.h"
 #include "render/view/area.h"
 #include "render/view/views.h"
@@ -442,6 +444,35 @@ static void test_bare_beads_are_whole(void **state)
     free(png.rgb);
 }
 
+static enum bead_error draw_warning(void *context, cairo_t *, struct bead_message *)
+{
+    if (*(const bool *)context)
+        g_log("made up", G_LOG_LEVEL_WARNING, "for a test");
+    return BEAD_OK;
+}
+
+/* What the libraries warn of is an error of the picture that they warn of, and of no other, in each kind of file. */
+static void test_warnings_are_errors(void **state)
+{
+    (void)state;
+    struct built built = build_chain("image: a.png");
+    for (int k = 0; k < 4; k++) {
+        bool warns = k % 2 == 0;
+        const bool vector = k >= 2;
+        const struct bead_page page = {.width = 20, .height = 20, .dpi = 72, .vector = vector};
+        const struct bead_drawing drawing = {.draw = draw_warning, .context = &warns};
+        struct bead_message msg = {""};
+        char path[512];
+        uint64_t bytes;
+        in_directory(vector ? "w.svg" : "w.png", path, sizeof path);
+        const enum bead_error err = bead_page_write(&page, &built.scene->outputs[0], built.scene, &drawing, path, &bytes, &msg);
+        assert_int_equal(err, warns ? BEAD_ERROR_GRAPHICS : BEAD_OK);
+        assert_int_equal(strcmp(msg.text, "a picture was not drawn correctly: made up: for a test") == 0, warns);
+    }
+    release_chain(&built);
+    assert_no_part_files();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -459,6 +490,7 @@ int main(void)
         cmocka_unit_test(test_same_picture_same_bytes),
         cmocka_unit_test(test_svg_keeps_letters),
         cmocka_unit_test(test_nothing_is_cut),
+        cmocka_unit_test(test_warnings_are_errors),
     };
     return cmocka_run_group_tests_name("pictures", tests, make_directory, remove_directory);
 }
