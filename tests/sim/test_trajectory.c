@@ -108,6 +108,13 @@ static void storage(void **state)
     tear_down(&s, 1);
 }
 
+static void put_byte(FILE *file, size_t at, int byte)
+{
+    assert_int_equal(fseek(file, (long)at, SEEK_SET), 0);
+    fputc(byte, file);
+    assert_int_equal(fflush(file), 0);
+}
+
 /* Every bit of a finished file counts, also those of places that HDF5 does not look at, and of the digests themselves. */
 static void a_flipped_bit_is_told(void **state)
 {
@@ -119,25 +126,24 @@ static void a_flipped_bit_is_told(void **state)
     finish(&s);
     const size_t size = bead_file_bytes(s.path);
     uint64_t draw = 1;
+    struct bead_trajectory *t = NULL;
     FILE *file = fopen(s.path, "r+b");
     assert_non_null(file);
-    for (size_t i = 0; i < 400; i++) {
+    for (size_t i = 0; i < 300; i++) {
         draw = draw * 6364136223846793005u + 1442695040888963407u;
         const size_t last = size - 1 - i; /* the seal is the last 200 bytes or so */
         const size_t at = i < 200 ? last : (size_t)((draw >> 16) % size), bit = draw >> 61;
-        struct bead_trajectory *t = NULL;
         assert_int_equal(fseek(file, (long)at, SEEK_SET), 0);
         const int byte = fgetc(file);
-        for (int turn = 0; turn < 2; turn++) { /* there and back */
-            assert_int_equal(fseek(file, (long)at, SEEK_SET), 0);
-            fputc(turn ? byte : byte ^ 1 << bit, file);
-            assert_int_equal(fflush(file), 0);
-            if ((bead_trajectory_open(s.path, NULL, &t, &msg) == BEAD_OK) != turn)
-                fail_msg("bit %zu of byte %zu of %zu: %s", bit, at, size, turn ? msg.text : "not noticed");
-        }
-        bead_trajectory_close(t);
+        put_byte(file, at, byte ^ 1 << bit);
+        if (bead_trajectory_open(s.path, NULL, &t, &msg) == BEAD_OK)
+            fail_msg("bit %zu of byte %zu of %zu: not noticed", bit, at, size);
+        put_byte(file, at, byte);
     }
     fclose(file);
+    /* All are back. */
+    assert_int_equal(bead_trajectory_open(s.path, NULL, &t, &msg), BEAD_OK);
+    bead_trajectory_close(t);
     tear_down(&s, 1);
 }
 
