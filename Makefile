@@ -15,6 +15,8 @@ CFLAGS  ?= -O2 -g $(HARDENING)
 LDFLAGS ?= -Wl,-z,relro,-z,now
 # Developers and .ci/run: make WERROR=-Werror
 WERROR  ?=
+# Those of the drawing half, after CFLAGS.
+RENDER_CFLAGS ?=
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
 # Whose repository at GitHub this is; make metadata writes it where addresses are.
@@ -178,7 +180,7 @@ $(BUILD)/sim/%.o: sim/%.c $(BUILD)/.ready | $(WAIT)
 	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(extra_$(*F)) $(late) -c $< -o $@
 $(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
 	@mkdir -p $(@D)
-	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(sim_cflags) $(render_cflags) $(extra_$(*F)) $(late) -c $< -o $@
+	$(call say,CC,$<) $(run) $(CC) $(FLAGS) $(RENDER_CFLAGS) $(sim_cflags) $(render_cflags) $(extra_$(*F)) $(late) -c $< -o $@
 
 # One source of the kernels of forces and of pixels, compiled for each instruction set and chosen at run time.
 # Those of x86-64 are empty elsewhere.
@@ -368,7 +370,13 @@ coverage: ## lines and branches of sim and render that the tests reach, by room 
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)-coverage WERROR= CFLAGS="-O0 -g --coverage -fprofile-update=atomic" counted
 	@tests/coverage.sh $(BUILD)-coverage
 # PART=short: without the tests that tests/long.txt names.
-counted: all $(if $(filter short,$(PART)),$(filter-out $(patsubst %,$(BUILD)/tests/%,$(shell sed 's/ .*//' tests/long.txt)),$(TESTS)),$(TESTS)) $(EXAMPLES) $(FAIL_ALLOC)
+counted_tests = $(if $(filter short,$(PART)),$(filter-out $(patsubst %,$(BUILD)/tests/%,$(shell sed 's/ .*//' tests/long.txt)),$(TESTS)),$(TESTS))
+counted: all $(counted_tests) $(EXAMPLES) $(FAIL_ALLOC)
+# The compiler's warnings of what `counted` leaves out, with nothing made of it.
+left_out = $(wildcard $(foreach t,$(notdir $(filter-out $(counted_tests),$(TESTS))),$(TEST_ROOMS:=/$t.c)) tests/bench/*.c tests/stress/*.c)
+looked_through: $(BUILD)/.ready
+	$(call say,LOOK,"$(words $(left_out)) others") $(run) printf '%s\0' $(left_out) | \
+	    xargs -0 -n 1 -P $$(nproc) $(filter-out -MMD -MP,$(compile_test)) -fsyntax-only
 
 properties: all ## properties of every scene, CASES=1000 random scenes each (by hand; a quarter of an hour)
 	@$(python) -B tests/properties.py $(BUILD)/beadsim $(CASES)
@@ -389,11 +397,11 @@ torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; K
 # One build for libFuzzer's targets and for tests under sanitizers: clang's, in all of the project's code. Comparisons of numbers are not
 # traced, which would halve the speed; those of texts are. Undefined behaviour is a trap: the report has where it is, but not what, whose
 # words take a quarter of the compiler's time. Null pointers end the program anyhow, and what lies askew is read as well on x86-64 and
-# arm64: to look for both takes another sixth. `make asan` has it all.
-sanitized_build = --no-print-directory BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) STRICT_LINK= \
+# arm64: to look for both takes another sixth. `make asan` has it all. What draws is not optimized: to optimize it takes longer than it runs.
+sanitized_build = --no-print-directory RENDER_CFLAGS=-O0 BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) STRICT_LINK= \
     CFLAGS="-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,$(FUZZ_SANITIZERS) -fno-sanitize=null,alignment -fsanitize-trap=undefined -fno-sanitize-coverage=trace-cmp"
-sanitized: ## clang builds everything, tests and benchmarks too, in the build of fuzz and asan-short
-	@$(MAKE) $(sanitized_build) compile fuzzers
+sanitized: ## clang builds what fuzz and asan-short run, and looks through the other tests and benchmarks
+	@$(MAKE) $(sanitized_build) PART=short counted looked_through fuzzers
 asan-short: ## the tests of minutes under sanitizers: all but those that tests/long.txt names
 	@$(MAKE) $(sanitized_build) PART=short counted
 	@PART=short tests/run.sh $(BUILD)-fuzz
@@ -508,7 +516,7 @@ sim/%.c: ;
 render/%.c: ;
 tests/%.c: ;
 
-.PHONY: test-slow tarball image bare-test metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile findings deps-peers peers
+.PHONY: test-slow tarball image bare-test metadata twice release-check wheel deb deb-test staged dist check symbols all help deps deps-ci deps-arm64 arm64-test demo thesis gallery test fresh golden asan asan-short sanitized tsan coverage counted properties mutants fuzz fuzzers torture campaign bench stress lint man doc install uninstall clean always compile looked_through findings deps-peers peers
 .DELETE_ON_ERROR:
 # Not of what `make deb` builds meanwhile.
 -include $(shell find $(BUILD) -path $(BUILD)/deb -prune -o -type f -name '*.d' -print 2>/dev/null)

@@ -170,6 +170,14 @@ static void free_pair(struct pair *p, const struct bead_view_type *type)
     bead_frame_free(&p->copy);
 }
 
+static bool same_pixels(const struct bead_frame *a, const struct bead_frame *b)
+{
+    int y = 0;
+    while (y < a->height && memcmp(a->pixels + (size_t)y * a->stride, b->pixels + (size_t)y * b->stride, 4 * (size_t)a->width) == 0)
+        y++;
+    return y == a->height && a->width == b->width && a->height == b->height;
+}
+
 static void compare_dirty_with_full(const struct bead_view_type *type, struct place place)
 {
     struct world w = make_world();
@@ -191,9 +199,9 @@ static void compare_dirty_with_full(const struct bead_view_type *type, struct pl
         require(type->draw(p.dirty, sample.time, &p.frame, &p.background, &changes, &msg), &msg);
         require(type->draw(p.full, sample.time, &p.whole, &p.background, NULL, &msg), &msg);
         copy_changes(&p.copy, &p.frame, &changes);
-        if (bead_frame_hash(&p.frame) != bead_frame_hash(&p.whole))
+        if (!same_pixels(&p.frame, &p.whole))
             fail_msg("%s: frame %zu differs from the one drawn whole", type->info->name, i);
-        if (bead_frame_hash(&p.frame) != bead_frame_hash(&p.copy))
+        if (!same_pixels(&p.frame, &p.copy))
             fail_msg("%s: frame %zu has changes that were not told", type->info->name, i);
         size_t area = 0;
         for (size_t k = 0; k < changes.count; k++)
