@@ -383,6 +383,23 @@ def check_ticks(page):
     ok(not few and not hollow, "there are some, all along the bar", few[:3], hollow[:3])
 
 
+SIZES = {"m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12, "k": 1e3, "M": 1e6}
+
+
+def plain(text):
+    """A number as the page writes it."""
+    raised = re.sub("[⁰-⁹⁻¹²³]+", lambda found: "".join("0123456789-"["⁰¹²³⁴⁵⁶⁷⁸⁹⁻".index(c)] for c in found[0]), text)
+    return float(raised.replace("−", "-").replace(" × 10", "e"))
+
+
+def within(value, error, text):
+    """The text is of this number, and says an error that is as large, or larger by a digit's rounding."""
+    number, _, rest = text.partition(" ± ")
+    said, unit = re.match(r"([\d.]+(?: × 10[⁻⁰-⁹¹²³]+)?) ?(.*)", rest).groups() if rest else ("nan", "")
+    size = SIZES.get(unit[:1], 1) if len(unit) > 1 and unit[:2] != "m/" and unit not in ("beads", "contacts") else 1
+    return error <= 1.0000001 * plain(said) * size <= max(2.2 * error, 2e-9 * size) and abs(plain(number) * size - value) <= plain(said) * size
+
+
 def check_text(page, scene):
     ok(page.run("document.title") == scene["title"], "the title is the scene's, whatever it contains", page.run("document.title"))
     ok(page.run("document.querySelectorAll('h1 *, #scene-text *').length") == 0, "no element comes from the scene")
@@ -395,6 +412,11 @@ def check_text(page, scene):
     ok(facts.count("large steel") == 1, "beads that differ in size only are named once", facts)
     table = page.run("document.getElementById('numbers-table').textContent")
     ok(re.search(r"\d ± 0\.0*\d", table), "numbers have their uncertainty", table)
+    listed = page.run("[...document.querySelectorAll('#measures-table tbody tr')].map(row => [...row.cells].map(cell => cell.textContent))")
+    found = {m["name"]: m for m in page.run("JSON.parse(document.getElementById('data').textContent).chains[0].measures")}
+    told = [(found[name]["value"], found[name]["uncertainty"], re.sub(r" \(.*\)$", "", text)) for name, text in listed]
+    ok(len(told) > 20 and all(error == 0 or within(value, error, text) for value, error, text in told), "so have measures, of any size",
+       [row for row in told if row[1] and not within(*row)])
 
 
 def check_sweep(page, directory):

@@ -57,9 +57,12 @@ function quantity(value, unit, digits = 4) {
 function uncertain(value, error, unit) {
     if (!(error > 0))
         return quantity(value, unit, 6);
+    const size = Math.max(Math.abs(value), error);
+    if (!unit && !(size < 1e6 && size >= 1e-4)) /* as figures writes them; 5 % more are never rounded to less */
+        return `${figures(value, Math.max(1, Math.min(15, 2 + Math.floor(Math.log10(Math.abs(value) / error)))))} ± ${figures(1.05 * error, 2)}`;
     const [factor, sign] = prefix(value, unit), decimals = Math.max(0, Math.min(9, -Math.floor(Math.log10(error / factor / 2))));
     const step = Math.pow(10, -decimals);
-    return `${(value / factor).toFixed(decimals)} ± ${(Math.ceil(error / factor / step - 1e-9) * step).toFixed(decimals)} ${sign}${unit}`;
+    return `${(value / factor).toFixed(decimals).replace('-', '−')} ± ${(Math.ceil(error / factor / step - 1e-9) * step).toFixed(decimals)} ${sign}${unit}`;
 }
 /* All times of the page have one unit. */
 const timeUnit = data.time ? prefix(data.time.start + data.time.every * (data.time.count - 1), data.time.unit) : [1, ''];

@@ -42,7 +42,8 @@ function measureText(chain, name) {
     const found = (chain.measures || []).find(m => m.name === name);
     if (!found || found.value === null)
         return '';
-    const text = /^(beads|contacts|1\/bead)$/.test(found.unit) ? `${figures(found.value, 4)} ${found.unit}` : quantity(found.value, found.unit, 4);
+    const whole = /^(beads|contacts|1\/bead)$/.test(found.unit), unit = whole ? '' : found.unit;
+    const text = (found.uncertainty > 0 ? uncertain(found.value, found.uncertainty, unit) : quantity(found.value, unit, 4)) + (whole ? ' ' + found.unit : '');
     return found.note ? `${text} (${found.note})` : text;
 }
 

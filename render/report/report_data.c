@@ -201,26 +201,37 @@ static void write_outcome(struct bead_json *json, const struct bead_outcome *o)
     bead_json_close(json, "}");
 }
 
-static void write_listed(struct bead_json *json, const struct bead_measure *measures, size_t count)
+static void write_listed(struct bead_json *json, const struct bead_measure *measures, size_t count,
+                         const struct bead_measure *checks, size_t checked)
 {
     for (size_t i = 0; i < count; i++) {
         bead_json_open(json, NULL, '{');
         bead_json_text(json, "name", measures[i].name);
         bead_json_text(json, "unit", measures[i].unit);
         bead_json_number(json, "value", measures[i].value);
+        bead_json_number(json, "uncertainty", bead_measure_uncertainty(&measures[i], checks, checked));
         bead_json_text(json, "note", measures[i].note);
         bead_json_close(json, "}");
     }
 }
 
-/* Writes the measures of beads, or of an equation. */
+static size_t read_measures(struct bead_measures *measures, const struct bead_outcome *outcome,
+                            struct bead_measure found[MOST_MEASURES])
+{
+    const size_t count = measures && outcome ? bead_measures_read(measures, outcome, found, MOST_MEASURES) : 0;
+    return count < MOST_MEASURES ? count : MOST_MEASURES;
+}
+
+/* Writes the measures of beads, or of an equation, and how well they are known. */
 static void write_measures(struct bead_json *json, const struct report_chain *c, const struct bead_outcome *o)
 {
-    struct bead_measure found[MOST_MEASURES];
-    size_t count = c->measures ? bead_measures_read(c->measures, o, found, MOST_MEASURES) : 0;
+    struct bead_measure found[MOST_MEASURES], checks[MOST_MEASURES];
+    const struct bead_outcome *check = c->unknown ? NULL : o->check;
+    const size_t count = read_measures(c->measures, o, found), checked = read_measures(c->check, check, checks);
     bead_json_open(json, "measures", '[');
-    write_listed(json, found, count < MOST_MEASURES ? count : MOST_MEASURES);
-    write_listed(json, o->measures, o->measures ? o->measure_count : 0);
+    write_listed(json, found, count, checks, checked);
+    write_listed(json, o->measures, o->measures ? o->measure_count : 0, check ? check->measures : NULL,
+                 check && check->measures ? check->measure_count : 0);
     bead_json_close(json, "]");
 }
 

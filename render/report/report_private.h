@@ -22,6 +22,8 @@ struct report_chain {
     struct bead_held *held;         /* NULL: the samples themselves are kept */
     size_t fed, kept;               /* samples */
     struct bead_measures *measures; /* NULL: too few samples for them */
+    struct bead_measures *check;    /* those of the check run */
+    bool unknown;                   /* which ended before the run */
     struct bead_area *area;         /* finds the strike that would hide the wave */
 };
 

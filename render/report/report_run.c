@@ -30,6 +30,7 @@ static void report_destroy(struct bead_sink *s)
         bead_held_destroy(s->chains[c].held);
         bead_area_destroy(s->chains[c].area);
         bead_measures_destroy(s->chains[c].measures);
+        bead_measures_destroy(s->chains[c].check);
     }
     bead_tale_destroy(s->tale);
     free(s->chains);
@@ -150,6 +151,12 @@ static unsigned report_fields(const struct bead_sink *s, const struct report_cha
     return BEAD_FIELD_BIT(s->output->shown.field) | (c->beads ? BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT) : 0);
 }
 
+/* Of beads, from samples; of an equation, in its outcome. */
+static bool has_measures(const struct bead_sink *s, const struct report_chain *c)
+{
+    return s->measured || (!c->beads && !s->context.replayed);
+}
+
 static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
 {
     *needs = (struct bead_needs){.fields = 0,
@@ -159,8 +166,10 @@ static void report_needs(const struct bead_sink *s, struct bead_needs *needs)
                                  .uncertainty = s->peaks,
                                  .until = s->peaks ? INFINITY : s->grid.end,
                                  .why = s->why};
-    for (size_t i = 0; i < s->chain_count; i++)
+    for (size_t i = 0; i < s->chain_count; i++) {
         needs->fields |= report_fields(s, &s->chains[i]);
+        needs->checked |= has_measures(s, &s->chains[i]);
+    }
     if (!s->measured)
         return;
     needs->fields |= BEAD_MEASURE_FIELDS;
@@ -182,7 +191,9 @@ static enum bead_error take_room(struct bead_sink *s, struct report_chain *c, st
     enum bead_error err = bead_area_create(&setup, &c->area, msg);
     if (!err && s->held)
         err = bead_held_create(c->chain, report_fields(s, c), s->output->shown.beads, &c->held, msg);
-    return err || !s->measured ? err : bead_measures_create(c->chain, &c->measures, msg);
+    if (!err && s->measured)
+        err = bead_measures_create(c->chain, &c->measures, msg);
+    return err || !s->measured ? err : bead_measures_create(c->chain, &c->check, msg);
 }
 
 static enum bead_error report_begin(struct bead_sink *s, struct bead_range, struct bead_message *msg)
@@ -204,6 +215,9 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
 {
     struct report_chain *c = &s->chains[sample->chain];
     enum bead_error err = c->measures ? bead_measures_feed(c->measures, sample, msg) : BEAD_OK;
+    if (!err && c->check && sample->check)
+        err = bead_measures_feed(c->check, sample->check, msg);
+    c->unknown = c->unknown || !sample->check;
     if (c->held)
         bead_held_feed(c->held, sample);
     if (err || c->fed++ % s->stride > 0)

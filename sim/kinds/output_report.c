@@ -10,7 +10,8 @@ static const struct bead_option_rows report_shared[] = {
     {BEAD_OPTIONS(bead_every_row)},   {BEAD_OPTIONS(bead_square_root_row)}, {BEAD_OPTIONS(bead_range_row)},
     {BEAD_OPTIONS(bead_magnify_row)}, {BEAD_OPTIONS(bead_colormap_row)},    {NULL, 0}};
 static const struct bead_options report_options = {
-    "report", "a page for browsers: one file, with the samples to play, the peaks with their uncertainty, pictures and scene",
+    "report",
+    "a page for browsers: one file, with the samples to play, peaks and measures with their uncertainty, pictures and scene",
     BEAD_OPTIONS(report_file), report_shared, &bead_output_family};
 
 static const struct bead_option_rows sweep_report_shared[] = {

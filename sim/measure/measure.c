@@ -4,9 +4,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/measure/measure_private.h"
 #include "sim/measure/participation.h"
+#include "sim/run/uncertainty.h"
 
 enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures, struct bead_message *msg)
 {
@@ -79,4 +81,13 @@ enum bead_error bead_measures_feed(struct bead_measures *m, const struct bead_sa
         m->arrived_time = sample->time;
     }
     return bead_trace_feed(m, sample, msg);
+}
+
+double bead_measure_uncertainty(const struct bead_measure *measure, const struct bead_measure *checks, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(checks[i].name, measure->name) == 0)
+            return bead_uncertainty_measured(0, measure->value, checks[i].value);
+    }
+    return NAN;
 }

@@ -48,3 +48,5 @@ BEAD_INTERNAL BEAD_CHECK enum bead_error bead_measures_feed(struct bead_measures
  * Returns how many there are; fills at most `room`. */
 BEAD_INTERNAL size_t bead_measures_read(struct bead_measures *measures, const struct bead_outcome *outcome,
                                         struct bead_measure *found, size_t room);
+/* The uncertainty of a measure, from those of a check run; NaN: that run does not have it. */
+BEAD_INTERNAL double bead_measure_uncertainty(const struct bead_measure *measure, const struct bead_measure *checks, size_t count);

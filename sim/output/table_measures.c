@@ -2,12 +2,10 @@
 /* Tables of measures: a row for each number, a block for each chain. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "sim/chain/system.h"
 #include "sim/measure/sink_grid.h"
 #include "sim/output/table.h"
-#include "sim/run/uncertainty.h"
 
 enum { MOST_MEASURES = 128 };
 
@@ -90,16 +88,6 @@ static size_t read_all(struct bead_sink *sink, size_t chain, const struct bead_o
     return count < MOST_MEASURES ? count : MOST_MEASURES;
 }
 
-/* The uncertainty of a measure from the check run's measures; NaN: the check run does not have it. */
-static double uncertainty_of(const struct bead_measure *measure, const struct bead_measure *checks, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (strcmp(checks[i].name, measure->name) == 0)
-            return bead_uncertainty_measured(0, measure->value, checks[i].value);
-    }
-    return NAN;
-}
-
 static void measures_end(struct bead_sink *sink, const struct bead_outcome *outcomes)
 {
     struct bead_measure found[MOST_MEASURES], checks[MOST_MEASURES];
@@ -109,7 +97,7 @@ static void measures_end(struct bead_sink *sink, const struct bead_outcome *outc
         const size_t checked = sink->check && check ? read_all(sink->check, c, check, checks) : 0;
         for (size_t i = 0; i < count; i++) {
             const struct bead_measure *m = &found[i];
-            const double uncertainty = uncertainty_of(m, checks, checked);
+            const double uncertainty = bead_measure_uncertainty(m, checks, checked);
             bead_table_chain_name(sink, c);
             bead_table_text(sink->file, m->name);
             bead_table_numbers(sink->file, 1, &m->value);

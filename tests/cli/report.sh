@@ -43,6 +43,18 @@ same_measures() { # as the table of measures, which has other samples
     [ "$(wc -l <wanted)" -eq 3 ] && json 'all(abs([m["value"] for m in d["chains"][0]["measures"] if m["name"] == n][0] / float(v) - 1) < 1e-4 for n, v in (r.strip().split(",") for r in open("wanted")))'
 }
 ok "measures are those of their table" same_measures
+known_measures() { # off from a run to 1e-10 by no more than they say, apart from what samples at other times may change
+    "$beadreel" scene.yaml -q -o exact --only measures.csv --set simulate.accuracy=1e-10 && python3 - <<'PY'
+import csv, json, re
+d = json.loads(re.search(r'id="data">(.*?)</script>', open("run.html").read(), re.S).group(1))
+exact = {r[0]: r[1] for r in csv.reader(open("exact/measures.csv"))}
+found = d["chains"][0]["measures"]
+off = [(m["name"], m["value"], m["uncertainty"]) for m in found if m["uncertainty"] is None or not m["note"] and
+       not abs(m["value"] - float(exact[m["name"]])) <= m["uncertainty"] + 1e-9 * abs(m["value"])]
+exit(str(off) if off or sum(m["uncertainty"] > 0 for m in found) < 20 else 0)
+PY
+}
+ok "... and know their errors" known_measures
 outside() { ! grep -oiE '(src|href)="?(https?:|//)[^"]*' run.html; }
 ok "it names nothing on the network" outside
 ok "it is no program of another kind" holds "default-src 'none'"
@@ -85,7 +97,7 @@ ok "... and says so" test ! -e data/run.html
 again() { exits 0 "$beadsim" scene.yaml -o again --set 'outputs=[{trajectory: run.h5, every: 2 us}]' && exits 0 "$beadreel" again/run.h5 -o again/run.html; }
 ok "a trajectory becomes a report" again
 ok "... of its samples, without peaks" json 'd["time"]["count"] == 301 and "peaks" not in d["chains"][0]' again/run.html
-equation() { exits 0 "$beadreel" kdv -o kdv --set 'outputs=[{report: kdv.html}]' && json '"radius" not in d["chains"][0] and d["time"]["unit"] == ""' kdv/kdv.html; }
+equation() { exits 0 "$beadreel" kdv -o kdv --set 'outputs=[{report: kdv.html}]' && json '"radius" not in d["chains"][0] and d["time"]["unit"] == "" and all(m["uncertainty"] is not None for m in d["chains"][0]["measures"])' kdv/kdv.html; }
 ok "equations have reports without beads" equation
 swings() { # nothing that goes on swinging is replaced by its largest values
     exits 0 "$beadreel" fput -o kdv --set 'outputs=[{report: fput.html}]' && json 'not d["time"]["held"] and d["time"]["every"] > 5' kdv/fput.html &&
