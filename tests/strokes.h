@@ -23,6 +23,7 @@ enum { STROKES_MOST = 20000, STROKE_POINTS_MOST = 400000 };
 /* One path. A point is where a line goes, or begins; a curve gives its end. */
 struct stroke {
     bool filled;
+    cairo_surface_type_t surface;
     double width, rgb[3], dash[6];
     int dashes;
     cairo_line_join_t join;
@@ -74,6 +75,7 @@ static void strokes_note(cairo_t *cr, bool filled)
     struct stroke *s = &strokes.list[strokes.count];
     cairo_user_to_device_distance(cr, &unit, &none);
     *s = (struct stroke){.filled = filled,
+                         .surface = cairo_surface_get_type(cairo_get_target(cr)),
                          .width = cairo_get_line_width(cr) * hypot(unit, none),
                          .dashes = cairo_get_dash_count(cr),
                          .join = cairo_get_line_join(cr),

@@ -282,6 +282,14 @@ static void scene_is_a_number(hid_t file)
     drop(file, "/parameters/beadreel/scene");
     put_dataset(file, "/parameters/beadreel/scene", H5T_STD_I64LE, 1, (hsize_t[]){1}, &(int64_t){3});
 }
+static void scene_is_two_texts(hid_t file)
+{
+    hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, 4);
+    drop(file, "/parameters/beadreel/scene");
+    put_dataset(file, "/parameters/beadreel/scene", type, 1, (hsize_t[]){2}, "one\0two");
+    H5Tclose(type);
+}
 static void scene_elsewhere(hid_t file)
 {
     drop(file, "/parameters/beadreel/scene");
@@ -342,6 +350,7 @@ static void one_thing_wrong(void **state)
         {no_bead, "no bead"},
         {missing_field, "no /particles/chain/velocity/value"},
         {scene_is_a_number, "scene must be a text"},
+        {scene_is_two_texts, "scene must be a text"},
         {scene_elsewhere, "no /parameters/beadreel/scene"},
         {raw_data_elsewhere, "another file"},
         {outcome_of_one, "outcome/end must have 2 values"},
