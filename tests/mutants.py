@@ -26,6 +26,8 @@ import threading
 import time
 
 NO_TRUTH = ("bits", "test_golden")
+# Warnings of these are errors here, too: the compiler notices such arguments, in newer releases as errors.
+POINTERS = "-Werror=incompatible-pointer-types -Werror=int-conversion"
 SANITIZED = "CFLAGS=-O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all"
 SANITIZED_TESTS = 4  # programs that a fault meets once more
 ABOUT_SOURCES = ("test_arrows", "test_exports", "test_headers", "test_make", "test_readme", "test_spdx", "test_run", "test_library",
@@ -164,12 +166,12 @@ class Tree:
         copy_of_commit(folder)
         with open(f"{folder}/Makefile", encoding="utf-8") as file:
             self.makefile = file.read()
-        built = run(["make", "-s", "counted", "CFLAGS=-O2", "WERROR="], folder)
+        built = run(["make", "-s", "counted", f"CFLAGS=-O2 {POINTERS}", "WERROR="], folder)
         if built.returncode:
             raise SystemExit(built.stdout[-2000:])
 
     def make(self, *targets):
-        return run(["make", "-s", "-j1", "CFLAGS=-O2", "WERROR=", *targets], self.folder)
+        return run(["make", "-s", "-j1", f"CFLAGS=-O2 {POINTERS}", "WERROR=", *targets], self.folder)
 
     def try_fault(self, fault, reached):
         """None: it is none. Else the test that notices, "" where none does, and the seconds of all."""

@@ -271,7 +271,7 @@ static struct bead_span all_beads(const struct bead_figure *f)
     struct bead_span all = {SIZE_MAX, 0};
     for (size_t t = 0; t < f->tile_count; t++) {
         const struct bead_tile *panel = &f->tiles[t];
-        size_t count = 0;
+        size_t count;
         const struct bead_sensor *sensors = bead_chain_sensors(panel->setup.chain, &count);
         bool plotted = bead_view_has(panel->type, BEAD_SHOWS_SENSORS);
         for (size_t s = 0; plotted && s < count; s++)

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contact sheets: the configurations they show, and the places of pictures, spins, numbers and words. Nothing is run: the results
- * of runs are made up. */
+/* Contact sheets: the configurations they show, and the places of pictures, spins, numbers and words. But for the last test
+ * nothing is run: the results of runs are made up. */
 #include "beadreel/render.h"
 #include "render/draw/looks.h"
 #include "render/figure/contact_sheet.h"
 #include "render/view/orientation.h"
+#include "sessions.h"
 #include "strokes.h"
+#include "tests/scratch.h"
 #include "tests/sweeps.h"
 #include "tests/texts.h"
 
@@ -399,6 +401,35 @@ static void words_say_what_was_found(void **)
     }
 }
 
+/* At M = 0 half of the random cells are reversed: of each picture's eight, four. */
+static void spins_are_those_of_the_chains(void **)
+{
+    static const char sweep[] = "sweep: {cells: 8, configurations: 3, seed: 7, magnetism: 0}", size[] = "size: [900, 700]";
+    struct laid l;
+    char text[500], path[600];
+    assert_int_equal(lay_out(&l, sweep, size), BEAD_OK);
+    snprintf(text, sizeof text, "%s\noutputs: [{sheet: sheet.png, %s}]\n", sweep, size);
+    write_scene(text, path);
+    strokes_begin();
+    play_counts((struct bead_job){.input = path, .output = directory, .threads = 1});
+    strokes.on = false;
+    double cell = INFINITY, reversed = 0, whole = 0;
+    for (size_t i = 0; i < strokes.count; i++) {
+        const struct stroke *s = &strokes.list[i];
+        const double width = s->high[0] - s->low[0];
+        const bool up = stroke_has(s, true, contact_sheet_spin_colour(&l.sheet, 1)),
+                   down = stroke_has(s, true, contact_sheet_spin_colour(&l.sheet, 0));
+        if ((!up && !down) || s->high[1] - s->low[1] != l.sheet.images[0].spins.height) /* not the key's */
+            continue;
+        cell = fmin(cell, width);
+        reversed += down ? width : 0;
+        whole += width;
+    }
+    assert_int_equal(l.sheet.image_count, 3);
+    assert_true(fabs(reversed / cell - 3 * 4) < 0.05 && whole > 3 * 8 * cell);
+    clear(&l);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -406,6 +437,7 @@ int main(void)
         cmocka_unit_test(rows_are_spread_over_magnetism),
         cmocka_unit_test(rows_have_all_values_of_the_last_key),
         cmocka_unit_test(words_say_what_was_found),
+        cmocka_unit_test(spins_are_those_of_the_chains),
     };
-    return cmocka_run_group_tests_name("contact sheets", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("contact sheets", tests, make_directory, remove_directory);
 }

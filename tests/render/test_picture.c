@@ -375,6 +375,25 @@ static void test_same_picture_same_bytes(void **state)
     assert_same_twice("s.svg", "image: s.svg");
 }
 
+/* No two parts of an SVG file have the same name, and what is referred to is there. */
+static void assert_names(const char *svg)
+{
+    char name[64], used[80];
+    size_t names = 0;
+    for (const char *at = svg; (at = strstr(at, " id=\"")) != NULL; names++) {
+        at += strlen(" id=\"");
+        snprintf(name, sizeof name, " id=\"%.*s\"", (int)strcspn(at, "\""), at);
+        assert_null(strstr(at, name));
+    }
+    for (const char *at = svg; (at = strchr(at, '#')) != NULL; at++) {
+        if (strncmp(at - 6, "href=\"", 6) != 0 && strncmp(at - 4, "url(", 4) != 0)
+            continue;
+        snprintf(used, sizeof used, " id=\"%.*s\"", (int)strcspn(at + 1, "\")"), at + 1);
+        assert_non_null(strstr(svg, used));
+    }
+    assert_true(names > 1);
+}
+
 /* Letters of an SVG file are text in named fonts, after the drawing; or outlines, if requested. It has a title and a
  * description. */
 static void test_svg_keeps_letters(void **state)
@@ -404,8 +423,16 @@ static void test_svg_keeps_letters(void **state)
                 assert_true(strstr(run, " fill=") == NULL || strstr(run, " fill=") > strchr(run, '>'));
         }
         assert_string_equal(svg + length - 7, "</svg>\n");
+        assert_names(svg);
         free(svg);
     }
+    size_t length;
+    struct built built = build_chain("image: t.svg, panels: [[{field: force}, {field: velocity}]]"); /* two images */
+    draw_output(&built, pulse_down_the_chain);
+    release_chain(&built);
+    char *svg = read_all(path, &length);
+    assert_names(svg);
+    free(svg);
 }
 
 /* Nothing is drawn over the border, at any size: the outermost pixels are background. */

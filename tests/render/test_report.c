@@ -14,6 +14,8 @@
 
 #include "render/origin/origin.h"
 #include "render/report/report_write.h"
+#include "sessions.h"
+#include "tests/pictures.h"
 
 /* What `write` writes, in a static buffer. */
 #define WRITTEN(write)                                 \
@@ -112,12 +114,128 @@ static void samples_read_back(void **state)
     check_samples(rest, 3, false);
 }
 
+/* The JSON of a report's page, in which every bracket closes the one that was opened last. */
+static char *data_of(const char *page)
+{
+    static const char head[] = "id=\"data\">";
+    char stack[64], *data = strstr(page, head);
+    int depth = 0;
+    bool quoted = false;
+    assert_non_null(data);
+    data += strlen(head);
+    *strstr(data, "</script>") = '\0';
+    for (const char *c = data; *c; c++) {
+        quoted ^= *c == '"';
+        if (quoted || !strchr("{[]}", *c))
+            continue;
+        if (*c == '{' || *c == '[')
+            stack[depth++] = *c == '{' ? '}' : ']';
+        else
+            assert_true(depth > 0 && stack[--depth] == *c);
+        assert_true(depth < 64);
+    }
+    assert_true(depth == 0 && !quoted);
+    return data;
+}
+
+/* The number that follows a name, NAN for null; `at` is behind it, and its comma. */
+static double next_number(const char **at)
+{
+    char *end;
+    *at += strspn(*at, " ,[");
+    const bool null = strncmp(*at, "null", 4) == 0;
+    const double number = null ? NAN : strtod(*at, &end);
+    *at = null ? *at + 4 : end;
+    return number;
+}
+
+static const char *after(const char *data, const char *name)
+{
+    const char *found = strstr(data, name);
+    if (!found)
+        fail_msg("no %s", name);
+    return found + strlen(name);
+}
+
+/* Peaks are those of the table, but for contacts that have met no force, which have none. Samples: as many as a page has room for.
+ */
+static void pages_hold_their_run(void **state)
+{
+    (void)state;
+    char scene[512], output[512], path[512];
+    size_t length;
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("", output, sizeof output);
+    write_text(scene,
+               "chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, wall: brass, beads: [{bead: large-steel, count: 6}, "
+               "{bead: ptfe, sensor: s}, {cell: [large-steel, ptfe], count: 4}]}\n"
+               "simulate: {until: 60 us}\noutputs: [{report: a.html}, {table: p.csv, show: peaks}]\n");
+    play_counts((struct bead_job){.input = scene, .output = output});
+    in_directory("a.html", path, sizeof path);
+    char *page = read_all(path, &length);
+    const char *data = data_of(page), *peaks = after(data, "\"peaks\": {"), *force = after(peaks, "\"force\": "),
+               *time = after(peaks, "\"time\": "), *every = after(data, "\"every\": "), *count = after(data, "\"count\": ");
+    assert_true(next_number(&count) == 1201);
+    assert_true(fabs(next_number(&every) / (60e-6 / 1200) - 1) < 1e-9);
+    in_directory("p.csv", path, sizeof path);
+    char *table = read_all(path, &length);
+    size_t contacts = 0, without = 0;
+    for (const char *row = strchr(table, '\n') + 1; *row; row = strchr(row, '\n') + 1, contacts++) {
+        char *end;
+        const double expected = strtod(strchr(row, ',') + 1, &end), when = strtod(end + 1, NULL), found = next_number(&force),
+                     then = next_number(&time);
+        assert_true(isnan(when) ? isnan(found) && isnan(then) : fabs(found - expected) <= 1e-11 * expected);
+        assert_true(isnan(when) || fabs(then - when) <= 1e-11 * when);
+        without += isnan(when);
+    }
+    assert_true(contacts == 16 && without > 0 && without < 12 && *force == ']' && *time == ']');
+    free(table);
+    free(page);
+}
+
+/* The page of a sweep: its range ends with the largest force of its images, which has the last colour, and little else has. */
+static void colours_of_sweeps_reach_their_ends(void **state)
+{
+    (void)state;
+    static unsigned char bytes[1 << 20];
+    char scene[512], output[512], path[512];
+    size_t length, images = 0, lit = 0, full = 0;
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("", output, sizeof output);
+    write_text(scene, "sweep: {cells: 2, magnetism: [0, 1], configurations: 2}\noutputs: [{report: s.html}]\n");
+    play_counts((struct bead_job){.input = scene, .output = output});
+    in_directory("s.html", path, sizeof path);
+    char *page = read_all(path, &length);
+    const char *data = data_of(page);
+    for (const char *at = data; (at = strstr(at, "\"data\": \"")) != NULL; images++) {
+        at += strlen("\"data\": \"");
+        const size_t base64 = strcspn(at, "\""), count = base64 / 4 * 3 - (at[base64 - 1] == '=') - (at[base64 - 2] == '=');
+        assert_true(count < sizeof bytes);
+        decode(at, bytes, count);
+        for (size_t i = 0; i + 1 < count;) { /* rows: how many, and their colours */
+            const size_t row = bytes[i] | (size_t)bytes[i + 1] << 8;
+            i += 2;
+            for (size_t k = 0; k < row; k++)
+                full += bytes[i + k] == 255;
+            lit += row;
+            assert_true(row == 0 || bytes[i + row - 1] > 0); /* the last is none of rest */
+            i += row;
+        }
+    }
+    assert_true(images >= 3 && full > 0 && 50 * full < lit);
+    free(page);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(html_is_escaped),   cmocka_unit_test(strings_cannot_end_a_script),
-        cmocka_unit_test(numbers_are_json),  cmocka_unit_test(base64_as_in_the_standard),
+        cmocka_unit_test(html_is_escaped),
+        cmocka_unit_test(strings_cannot_end_a_script),
+        cmocka_unit_test(numbers_are_json),
+        cmocka_unit_test(base64_as_in_the_standard),
         cmocka_unit_test(samples_read_back),
+        cmocka_unit_test(pages_hold_their_run),
+        cmocka_unit_test(colours_of_sweeps_reach_their_ends),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

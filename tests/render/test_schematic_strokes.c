@@ -647,7 +647,7 @@ static void beads_lie_on_their_guide(void **)
                  "chain: {striker: {bead: %s}, start: [{bead: 0, velocity: %s m/s}], tilt: 3 deg, beads: [{bead: red, count: 4}, "
                  "{bead: blue, sensor: one}, {bead: red, count: 3}], wall: %s}\nsimulate: {until: 1 ms}\n"
                  "outputs: [{plot: a.png, show: setup, size: [1600, 900]}]\n",
-                 small ? "blue" : "red", small ? "-1" : "1", wall ? "rigid" : "red");
+                 small ? "blue" : "red", small ? "-0.4" : "0.4", wall ? "rigid" : "red");
         struct staged *s = set_stage(text);
         const struct bead_look look = look_of(s);
         const double em = look.label, tilt = tan(3 * M_PI / 180), climb = 0.42;
