@@ -229,12 +229,11 @@ static void test_every_frame(void **state)
 {
     (void)state;
     static const int shapes[4][2] = {{1280, 720}, {960, 720}, {720, 720}, {720, 1280}};
-    for (unsigned i = 0; i < 4 * LAYOUTS * 4 * 2 * 2; i++) {
-        struct wish w = {.chains = 1 + i / (4 * LAYOUTS) % 4,
-                         .layout = i / 4 % LAYOUTS,
-                         .light = i / (16 * LAYOUTS) % 2,
-                         .caption = i / (32 * LAYOUTS) % 2};
-        w.right = (i + i / (16 * LAYOUTS) + i / (32 * LAYOUTS)) % 2; /* every layout, shape and number of chains has both */
+    for (unsigned i = 0; i < 4 * LAYOUTS * 4 * 2; i++) {
+        struct wish w = {.chains = 1 + i / (4 * LAYOUTS) % 4, .layout = i / 4 % LAYOUTS, .light = i / (16 * LAYOUTS)};
+        /* Every layout, shape and number of chains has both. */
+        w.caption = (i + w.layout + w.chains + w.light) % 2;
+        w.right = (i / 2 + w.layout + w.light) % 2;
         w.size[0] = shapes[i % 4][0];
         w.size[1] = shapes[i % 4][1];
         w.large = w.light; /* light parts have the places of dark ones */
