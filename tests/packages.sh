@@ -42,7 +42,7 @@ visitor() { within setpriv --reuid=visitor --regid=visitor --init-groups env HOM
 within useradd --create-home visitor
 # shellcheck disable=SC2046
 check "beadreel and its data install" add $(cd "$root/deb" && printf '/deb/%s\n' beadreel_*.deb beadreel-data_*.deb)
-check "the demo runs as a plain user" visitor "beadreel clean-vs-delocalised -o x"
+check "the demo runs as a plain user" visitor "beadreel clean-vs-delocalised -o x --set 'outputs.waves.mp4.size=[320, 180]' --set 'outputs.waves.mp4.duration=2 s'"
 for f in waves.mp4 figure.pdf force.png peaks.csv run.h5; do check "... and makes $f" test -s "$root/home/visitor/x/$f"; done
 check "its manual is there" test -s "$root/usr/share/doc/beadreel/html/index.html"
 # shellcheck disable=SC2046
