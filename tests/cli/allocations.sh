@@ -15,6 +15,7 @@ outputs:
   - {report: report.html}
 YAML
 nm -D "$beadsim" 2>/dev/null | grep -q __asan_ && sanitized=1
+shopt -s nullglob dotglob
 # each PROGRAM NAME
 each() {
     local k all
@@ -27,7 +28,7 @@ each() {
         LD_PRELOAD=$BUILD/tests/fail_alloc.so FAIL_AT=$k run "$1" "$T/scene.yaml" --threads 1 --only "$2" -o "$T/few"
         case $status in
         0) cmp "$T/few/$2" "$T/whole/$2" || { echo "allocation $k of $all"; return 1; } ;;
-        1) [ "$(wc -l <"$T/err")" -eq 1 ] && empty "$T/few" || { echo "allocation $k of $all"; cat "$T/err"; return 1; } ;;
+        1) mapfile -t lines <"$T/err" && left=("$T/few"/*) && [ ${#lines[@]} -eq 1 ] && [ ${#left[@]} -eq 0 ] || { echo "allocation $k of $all"; cat "$T/err"; return 1; } ;;
         *) echo "allocation $k of $all: status $status"; return 1 ;;
         esac
     done

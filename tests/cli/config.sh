@@ -58,7 +58,7 @@ own_brass() { # as heavy as written, in place of the ready one
         exits 0 "$beadreel" --info brass.yaml --no-config && prints '9 beads of brass: radius'
 }
 ok "an own material goes before a ready one of its name" own_brass
-printf 'carbide:\n  density: 3\n  modulus: heavy\n' >"$own/wrong.yaml"
+printf 'carbide:\n  density: 3\n  modulus: heavy\n  poisson: 0.3\n' >"$own/wrong.yaml"
 ok "a wrong material" wrong "$own/wrong.yaml:3:12: materials.carbide.modulus" "materials: wrong.yaml" "colormaps: {mine: maps/mine.txt}"
 printf '0 0 0\n1 2\n' >"$own/maps/short.txt"
 ok "a wrong colour" wrong "scene.yaml:5:48: outputs.0.colormap: $own/maps/short.txt: line 2: must be a row of red, green and blue" \

@@ -13,7 +13,7 @@ simulate: {until: 1 s, method: rk4, step: 0.1 us}
 outputs:
   - {movie: [m.mp4, m.webm, m.mkv, m.gif, m.apng], size: [160, 120], duration: 600 s, fps: 30, range: [0, 30]}
 YAML
-short=(--set simulate.until='0.5 ms' --set 'outputs=[{movie: [m.mp4, m.webm, m.mkv, m.gif, m.apng], size: [160, 120], duration: 1 s, fps: 20}]')
+short=(--set simulate.until='0.5 ms' --set 'outputs=[{movie: [m.mp4, m.webm, m.mkv, m.gif, m.apng], size: [160, 120], duration: 0.5 s, fps: 20}]')
 extensions="mp4 webm mkv gif apng"
 status_is() { [ "$status" -eq "$1" ] || { echo "status $status"; cat "$T/err"; return 1; }; }
 
@@ -51,7 +51,7 @@ while at < len(data):
 
 ok "movies" exits 0 "$beadreel" "$T/long.yaml" "${short[@]}" --canvas plain -o "$T/whole"
 ok "... leave no part" test "$(ls "$T/whole" | tr '\n' ' ')" = "m.apng m.gif m.mkv m.mp4 m.webm "
-for n in 1 2 3; do
+for n in 1 3; do
     "$beadreel" "$T/long.yaml" "${short[@]}" --canvas plain --threads $n -o "$T/threads" >/dev/null
     for e in $extensions; do ok "same m.$e with $n threads" cmp "$T/whole/m.$e" "$T/threads/m.$e"; done
 done

@@ -9,9 +9,9 @@ chain:
   beads: [{cell: [large-steel, aluminium], count: 16, spins: random, seed: 5}, {bead: small-steel, sensor: first}]
   wall: brass
 outputs:
-  - {movie: film.mp4, size: [480, 270], duration: 1.5 s, fps: 20, poster: poster.png, captions: [{at: 0.1 ms, text: The front}]}
-  - {movie: [clear.webm, clear.apng], background: none, size: [480, 270], duration: 1.5 s, fps: 20, captions: [{at: 0.1 ms, text: The front}]}
-  - {movie: [film.webm, film.gif, film.apng], size: [480, 270], duration: 1.5 s, fps: 20}
+  - {movie: film.mp4, size: [320, 180], duration: 1 s, fps: 20, poster: poster.png, captions: [{at: 0.1 ms, text: The front}]}
+  - {movie: [clear.webm, clear.apng], background: none, size: [320, 180], duration: 1 s, fps: 20, captions: [{at: 0.1 ms, text: The front}]}
+  - {movie: [film.webm, film.gif, film.apng], size: [320, 180], duration: 1 s, fps: 20}
   - {image: still.svg, views: [beads, spacetime], at: 0.2 ms}
   - {image: [raster.pdf, raster.png], style: paper, dpi: 300, caption: "Forces of beads, *F*_m"}
   - {plot: [peaks.pdf, peaks.svg], show: peaks, style: paper}

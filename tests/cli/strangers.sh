@@ -264,7 +264,7 @@ else
         [ "$few" -gt 50 ] && [ $((all - few)) -ge 48 ] || { echo "$all MiB, $few MiB"; return 1; }
     }
     ok "where addresses are limited, threads share one heap" spared
-    scene '{movie: a.mp4, duration: 1 s, size: [320, 240]}' >frames.yaml
+    scene '{movie: a.mp4, duration: 0.2 s, size: [320, 240]}' >frames.yaml
     scene '{trajectory: read.h5, every: 5 us}' >read.yaml && "$beadsim" read.yaml -o . -q
     few() { # MEGABYTES PROGRAM OPTIONS... : it may succeed or fail, but no signal ends it
         rm -rf few
