@@ -426,7 +426,7 @@ static void test_arrows_and_means(void **state)
         struct bead_colormap map;
         struct bead_chain *chain;
         struct bead_view *view;
-        struct bead_scene *scene = parse("chain: {striker: {bead: large-steel, velocity: 2 m/s}, beads: [{bead: large-steel, "
+        struct bead_scene *scene = parse("chain: {striker: {bead: small-steel, velocity: 2 m/s}, beads: [{bead: large-steel, "
                                          "count: 7}]}\noutputs: [{table: t.csv}]\n");
         assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
         require(bead_colormap_load("inferno", &map, &msg), &msg);

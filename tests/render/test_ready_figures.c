@@ -284,6 +284,52 @@ static void test_legends_of_many_curves_with_long_names(void **state)
     }
 }
 
+/* ---- words ---- */
+
+/* Titles of panels and labels of curves, each in brackets, of the figures made. */
+static struct {
+    size_t used;
+    char text[2000];
+} words;
+
+static void note_words(const struct bead_graph *graph)
+{
+    for (size_t p = 0; p < graph->panel_count && words.used < sizeof words.text - 300; p++) {
+        const struct bead_panel *panel = &graph->panels[p];
+        words.used += (size_t)snprintf(words.text + words.used, 300, "<%.100s>", panel->title ? panel->title : "");
+        for (size_t s = 0; s < panel->series_count && words.used < sizeof words.text - 300; s++)
+            words.used += (size_t)snprintf(words.text + words.used, 300, "[%.100s]", label_of(&panel->series[s]));
+    }
+}
+
+/* Panels have the names of their sensors, curves their keys' values and, where they are means, of how many chains. */
+static void test_sweeps_name_what_they_show(void **state)
+{
+    (void)state;
+    static const char *const chain =
+        "chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, sensor: one}, "
+        "{bead: large-steel, count: 2}, {bead: large-steel, sensor: two}, {bead: large-steel}]}\n"
+        "simulate: {until: 0.1 ms}\n";
+    static const struct {
+        const char *sweep, *output, *words;
+    } cases[] = {
+        {"over: {chain.striker.velocity: [0.5 m/s, 2 m/s]}, measure: {sensor: [one, two]}", "", "<one>[]<two>[]"},
+        {"over: {chain.striker.velocity: [0.5 m/s, 2 m/s]}", "show: sensors, beads: [0, 3]",
+         "<bead 0>[velocity 0.5 m/s][velocity 2 m/s]<bead 3>[velocity 0.5 m/s][velocity 2 m/s]"},
+        {"over: {chain.striker.velocity: [0.5 m/s]}", "show: sensors", "<one>[velocity 0.5 m/s]<two>[velocity 0.5 m/s]"},
+    };
+    char directory[256], scene[512], text[1500];
+    in_directory("", directory, sizeof directory);
+    in_directory("scene.yaml", scene, sizeof scene);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        words.used = 0;
+        snprintf(text, sizeof text, "%ssweep: {%s}\noutputs: [{plot: a.png, %s}]\n", chain, cases[i].sweep, cases[i].output);
+        write_text(scene, text);
+        play_counts((struct bead_job){.input = scene, .output = directory});
+        assert_string_equal(words.text, cases[i].words);
+    }
+}
+
 /* ---- the ready figures ---- */
 
 enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
@@ -291,6 +337,7 @@ enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const s
 {
     for (size_t p = 0; p < graph->panel_count; p++)
         look_at(&graph->panels[p]);
+    note_words(graph);
     enum bead_error err = __real_graph_layout_make(graph, look, width, height, frame, layout, msg);
     if (!err)
         measure(layout);
@@ -338,6 +385,7 @@ int main(void)
         cmocka_unit_test(test_colours_do_not_count),
         cmocka_unit_test(test_many_curves_are_told_apart),
         cmocka_unit_test(test_legends_of_many_curves_with_long_names),
+        cmocka_unit_test(test_sweeps_name_what_they_show),
         cmocka_unit_test(test_ready_figures),
     };
     return cmocka_run_group_tests_name("ready figures", tests, make_directory, remove_directory);
