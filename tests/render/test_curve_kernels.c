@@ -35,6 +35,19 @@ static void make_extents(struct bead_extents *e, uint32_t *seed)
     }
 }
 
+/* A line above an area that reaches far down, in all columns but a few: rows that are wholly covered, or by neither. */
+static void make_plateau(struct bead_columns *k, uint32_t *seed)
+{
+    for (int i = 0; i < BEAD_SLICES * BEAD_COLUMNS; i++) {
+        const int slice = i / BEAD_COLUMNS, x = i % BEAD_COLUMNS;
+        const float top = random_place(seed, 10, 14);
+        k->line.low[slice][x] = x == 5 ? INFINITY : top - 8;
+        k->line.high[slice][x] = x == 5 ? -INFINITY : top - 5;
+        k->area.low[slice][x] = top;
+        k->area.high[slice][x] = x == 21 ? 30 : 40;
+    }
+}
+
 /* One pixel of a curve, in plain arithmetic. */
 static void expect_curve(const struct bead_columns *k, int x, int y, const uint8_t before[4], int after[4])
 {
@@ -51,7 +64,7 @@ static void expect_curve(const struct bead_columns *k, int x, int y, const uint8
     }
 }
 
-static void check_curves(int channels)
+static void check_curves(int channels, bool plateau)
 {
     static const char *const names[] = {"portable", "sse2", "avx2", "avx512"};
     enum { FROM = 3, TO = 50, UNTOUCHED = 2 };
@@ -65,6 +78,8 @@ static void check_curves(int channels)
     struct bead_columns k = {.over = {10, 200, 30.5f, 255}, .under = {250, 0, 99, 255}, .area_alpha = 0.4f, .channels = channels};
     make_extents(&k.line, &seed);
     make_extents(&k.area, &seed);
+    if (plateau)
+        make_plateau(&k, &seed);
     for (int g = 0; g < BEAD_COLUMNS / BEAD_COLUMN_GROUP; g++) {
         k.from[g] = FROM;
         k.to[g] = g == UNTOUCHED ? FROM : TO;
@@ -73,7 +88,7 @@ static void check_curves(int channels)
         const struct bead_pixel_kernels *kernels = bead_pixel_kernels_find(names[i]);
         if (!kernels)
             continue; /* this machine has none */
-        fill(&other);
+        memcpy(other.pixels, before.pixels, before.stride * 64);
         kernels->curve(&k, other.pixels + 4 * 32, other.stride);
         if (i == 0)
             memcpy(first.pixels, other.pixels, other.stride * 64);
@@ -98,13 +113,15 @@ static void check_curves(int channels)
 static void test_curves_are_averages_over_slices(void **state)
 {
     (void)state;
-    check_curves(3);
+    check_curves(3, false);
+    check_curves(3, true);
 }
 
 static void test_curves_cover_transparent_frames(void **state)
 {
     (void)state;
-    check_curves(4);
+    check_curves(4, false);
+    check_curves(4, true);
 }
 
 /* Dashes are as long as their pattern says, and do not depend on which columns are drawn at a time. */
