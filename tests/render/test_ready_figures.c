@@ -9,6 +9,7 @@
 #include "render/plot/graph_private.h"
 #include "render/plot/plot_private.h"
 #include "sessions.h"
+#include "sim/measure/spreading.h"
 
 /* The plots of the ready scenes, with fewer points and configurations if there are many: the names of curves and their differences
  * do not depend on these. */
@@ -292,8 +293,32 @@ static struct {
     char text[2000];
 } words;
 
+/* Lines between two points with a label, such as power laws. */
+static struct {
+    size_t count;
+    struct {
+        double x[2], y[2], longest; /* of the other curves, along x */
+        char label[100];
+    } line[8];
+} laws;
+
+static void note_laws(const struct bead_graph *graph)
+{
+    for (size_t s = 0; s < graph->panels[0].series_count && laws.count < 8; s++) {
+        const struct bead_series *series = &graph->panels[0].series[s];
+        if (series->count != 2 || !series->label || s == 0)
+            continue;
+        const struct bead_series *curve = series - 1;
+        laws.line[laws.count].longest = curve->x[curve->count - 1];
+        memcpy(laws.line[laws.count].x, series->x, sizeof laws.line->x);
+        memcpy(laws.line[laws.count].y, series->y, sizeof laws.line->y);
+        snprintf(laws.line[laws.count++].label, sizeof laws.line->label, "%s", series->label);
+    }
+}
+
 static void note_words(const struct bead_graph *graph)
 {
+    note_laws(graph);
     for (size_t p = 0; p < graph->panel_count && words.used < sizeof words.text - 300; p++) {
         const struct bead_panel *panel = &graph->panels[p];
         words.used += (size_t)snprintf(words.text + words.used, 300, "<%.100s>", panel->title ? panel->title : "");
@@ -327,6 +352,32 @@ static void test_sweeps_name_what_they_show(void **state)
         write_text(scene, text);
         play_counts((struct bead_job){.input = scene, .output = directory});
         assert_string_equal(words.text, cases[i].words);
+    }
+}
+
+/* The lines of exponents are as steep as these say, over the last part of their curves that they are found in. */
+static void test_power_laws_have_their_exponents(void **state)
+{
+    (void)state;
+    char directory[256], scene[512];
+    in_directory("", directory, sizeof directory);
+    in_directory("scene.yaml", scene, sizeof scene);
+    write_text(scene, "chain: {striker: {bead: large-steel, velocity: 1 m/s}, beads: [{bead: large-steel, count: 30}]}\n"
+                      "simulate: {until: 0.3 ms}\noutputs: [{plot: a.png, show: spreading, every: 1 us}]\n");
+    laws.count = 0;
+    play_counts((struct bead_job){.input = scene, .output = directory});
+    assert_true(laws.count > 0);
+    for (size_t i = 0; i < laws.count; i++) {
+        const double *x = laws.line[i].x, *y = laws.line[i].y;
+        char number[32] = "", *put = number;
+        for (const char *c = laws.line[i].label + strlen("exponent "); *c && *c != ' '; c++) { /* a minus of three bytes */
+            if ((*c >= '0' && *c <= '9') || *c == '.')
+                *put++ = *c;
+            else if ((unsigned char)*c == 0xe2)
+                *put++ = '-';
+        }
+        assert_true(x[1] == laws.line[i].longest && fabs(x[0] / x[1] - BEAD_SPREADING_WINDOW) < 1e-9);
+        assert_true(fabs(log(y[1] / y[0]) / log(x[1] / x[0]) - strtod(number, NULL)) < 0.00051);
     }
 }
 
@@ -386,6 +437,7 @@ int main(void)
         cmocka_unit_test(test_many_curves_are_told_apart),
         cmocka_unit_test(test_legends_of_many_curves_with_long_names),
         cmocka_unit_test(test_sweeps_name_what_they_show),
+        cmocka_unit_test(test_power_laws_have_their_exponents),
         cmocka_unit_test(test_ready_figures),
     };
     return cmocka_run_group_tests_name("ready figures", tests, make_directory, remove_directory);
