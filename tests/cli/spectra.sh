@@ -176,6 +176,14 @@ ok "panels of a figure: images and curves over frequency beside those over time"
     'outputs=[{plot: parts.svg, panels: [[{show: dispersion}, {show: spectrogram, beads: 9}], [{show: spectrum, beads: 9}, {show: bands}], [{show: sensors, beads: 9}]]}]'
 ok "... each with its axis" eval 'grep -qF "(dB)" parts.svg && grep -qF "wave number" parts.svg && grep -qF ">gap<" parts.svg'
 
+cat >short.yaml <<'YAML'
+chain: {striker: {bead: large-steel, velocity: 0.4 m/s}, wall: brass, precompression: 2 N, beads: [{bead: large-steel, count: 6}]}
+simulate: {until: 1 ms}
+outputs: [{plot: short.svg, show: spectrum, beads: [0, 3], every: 1 us, frequencies: [490 kHz, auto]}]
+YAML
+ok "frequencies beyond all that a spectrum has are refused" fails "1 2" "$beadreel" short.yaml -o .
+ok "... as they would be" says "frequencies: from 490000 to 1"
+
 ok "a segment must fit" fails "1 2" "$beadsim" gap.yaml -o . --set 'outputs.0.segment=1 s'
 ok "... and be said" says "segment: has 50000 of 2001 samples"
 ok "spectrograms have one curve" fails "1 2" "$beadsim" --plan chirp.yaml --set outputs.0.beads='[0, 1]'

@@ -455,8 +455,15 @@ static void stages_are_transparent(void **state)
             most = abs(off) > most ? abs(off) : most;
         }
     }
-    const double balls = 5 * 3.14159 * v->stage.unit * v->stage.unit; /* with the striker */
-    most = (most + 2) / 3;                                            /* one alpha serves three channels: their mean is right */
+    double let[2] = {0, 0}; /* at the half and the quarter of the way to the lower edge over which light on the floor ends */
+    for (int k = 0; k < 2; k++) {
+        const uint8_t *row = clear.pixels + (size_t)(all.height - (int)(0.6 * (double)v->stage.unit) / (2 << k)) * clear.stride;
+        for (int x = 0; x < all.width; x++)
+            let[k] += row[4 * x + 3];
+    }
+    assert_true(let[0] > 10 * all.width && fabs(let[1] / let[0] - 0.5) < 0.1); /* shadows end there, too */
+    const double balls = 5 * 3.14159 * v->stage.unit * v->stage.unit;          /* with the striker */
+    most = (most + 2) / 3; /* one alpha serves three channels: their mean is right */
     if (most > 2 || solid < 0.9 * balls || solid > 1.1 * balls || nothing < all.width * 10)
         fail_msg("off by %d levels; %d pixels hide all, balls have %.0f; %d hide nothing", most, solid, balls, nothing);
     bead_canvas_destroy(canvas);
