@@ -326,7 +326,8 @@ release-check: ## what stands between this commit and the release TAG=vVERSION
 	@.github/release-check.sh "$(TAG)" "$(VERSION)"
 deb: ## the Debian packages of the last commit, into build/deb (make deps deps-ci)
 	@rm -rf $(BUILD)/deb && mkdir -p $(BUILD)/deb && git clone -q . $(BUILD)/deb/beadreel
-	@cd $(BUILD)/deb/beadreel && env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS -u BUILD dpkg-buildpackage -us -uc -J$$(nproc)
+	@cd $(BUILD)/deb/beadreel && env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS -u BUILD dpkg-buildpackage -us -uc -J$$(nproc) \
+	    $(DPKG_DEB_COMPRESSOR_LEVEL:%=--source-option=-z%)
 	@rm -rf $(BUILD)/deb/beadreel && ls $(BUILD)/deb/*.deb
 # Of the host's release, or SUITE's, built there.
 asked_suite = $(if $(findstring command line,$(origin SUITE)),$(SUITE))
