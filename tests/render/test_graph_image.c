@@ -40,6 +40,14 @@ static void check(bool dark)
             const double part = (values[i * ROWS + j] + 60) / 60;
             assert_true(near(pixel(&c, x, y), colour_of(&map, part)));
             assert_true(near(pixel(&c, x - plot.width / 10, y - plot.height / 8), colour_of(&map, part))); /* still its box */
+            /* Up to the very edges. */
+            assert_true(near(pixel(&c,
+                                   i == 0             ? plot.x
+                                   : i + 1 == COLUMNS ? plot.x + plot.width - 1
+                                                      : x,
+                                   y),
+                             colour_of(&map, part)));
+            assert_true(near(pixel(&c, x, j == 0 ? plot.y + plot.height - 1 : j + 1 == ROWS ? plot.y : y), colour_of(&map, part)));
         }
     }
     /* Beside it the bar, from its lowest colour to its highest, whose ends are as wide as its middle: no value is beyond them. */

@@ -287,6 +287,12 @@ static void test_text_is_measured_alike_everywhere(void **state)
     assert_true(w[0] > 50 && w[0] == w[1] && h[0] == h[1]);
     assert_true(fabs(w[2] - w[0]) < 0.02 * w[0]);
     assert_true(fabs(w[3] - 10 * w[0]) < 0.2 * w[0]);
+    /* A symbol is as large before its index as before a letter. */
+    static const char *const parts[] = {"*δ*_1", "*δ*x", "x_1", "xx"};
+    char markup[300];
+    for (int i = 0; i < 4; i++)
+        bead_text_size(NULL, &style, (bead_markup(parts[i], markup, sizeof markup), markup), &w[i], &h[i]);
+    assert_true(fabs(w[0] - (w[1] + w[2] - w[3])) < 0.01 * w[0]);
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
 }

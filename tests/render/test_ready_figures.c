@@ -302,8 +302,12 @@ static struct {
     } line[8];
 } laws;
 
+/* Whether axes of values of the last figure begin at zero. */
+static bool from_zero;
+
 static void note_laws(const struct bead_graph *graph)
 {
+    from_zero = graph->panels[0].y.zero;
     for (size_t s = 0; s < graph->panels[0].series_count && laws.count < 8; s++) {
         const struct bead_series *series = &graph->panels[0].series[s];
         if (series->count != 2 || !series->label || s == 0)
@@ -381,6 +385,20 @@ static void test_power_laws_have_their_exponents(void **state)
     }
 }
 
+/* The participation of modes begins at none. */
+static void test_participation_begins_at_zero(void **state)
+{
+    (void)state;
+    char directory[256], scene[512];
+    in_directory("", directory, sizeof directory);
+    in_directory("scene.yaml", scene, sizeof scene);
+    write_text(scene,
+               "chain: {striker: {bead: large-steel, velocity: 1 m/s}, precompression: 2 N, wall: brass, beads: [{cell: "
+               "[large-steel, aluminium], count: 8}]}\nsimulate: {until: 10 us}\noutputs: [{plot: a.png, show: eigenmodes}]\n");
+    play_counts((struct bead_job){.input = scene, .output = directory});
+    assert_true(from_zero);
+}
+
 /* ---- the ready figures ---- */
 
 enum bead_error __wrap_graph_layout_make(const struct bead_graph *graph, const struct bead_look *look, double width, double height,
@@ -438,6 +456,7 @@ int main(void)
         cmocka_unit_test(test_legends_of_many_curves_with_long_names),
         cmocka_unit_test(test_sweeps_name_what_they_show),
         cmocka_unit_test(test_power_laws_have_their_exponents),
+        cmocka_unit_test(test_participation_begins_at_zero),
         cmocka_unit_test(test_ready_figures),
     };
     return cmocka_run_group_tests_name("ready figures", tests, make_directory, remove_directory);
