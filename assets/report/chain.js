@@ -30,12 +30,13 @@ class Chain {
 
     /* How far the wave has come, sample by sample: the last bead above a fiftieth of the range, evened out. */
     findFront() {
-        const limit = 0.02 * Math.max(Math.abs(data.range.low), Math.abs(data.range.high)) / (this.field.step || 1);
+        const step = this.field.step || 1, rest = data.range.rest / step,
+            limit = 0.02 * Math.max(Math.abs(data.range.low / step - rest), Math.abs(data.range.high / step - rest));
         this.front = new Float32Array(samples);
         let front = 0;
         for (let s = 0; s < samples; s++) {
             let i = this.values - 1;
-            while (i > front && Math.abs(this.field.whole[s * this.values + i]) < limit)
+            while (i > front && Math.abs(this.field.whole[s * this.values + i] - rest) < limit)
                 i--;
             this.front[s] = front = Math.max(front, i);
         }
@@ -326,7 +327,7 @@ class Chain {
         context.fillStyle = style('panel');
         context.fillRect(p.x, p.y, p.w, p.h);
         this.clip(context, p, () => {
-            const first = Math.max(0, Math.floor(a)), last = Math.min(this.values - 1, Math.ceil(b)), zero = this.profileY(0);
+            const first = Math.max(0, Math.floor(a)), last = Math.min(this.values - 1, Math.ceil(b)), rest = this.profileY(data.range.rest);
             for (const other of state.overlay ? others : []) {
                 const own = other.image;
                 other.image = this.image;
@@ -340,7 +341,7 @@ class Chain {
             context.lineWidth = 1.8;
             context.strokeStyle = style(state.overlay ? this.colourName().slice(2) : 'accent');
             context.stroke();
-            context.lineTo(this.x(last), zero), context.lineTo(this.x(first), zero);
+            context.lineTo(this.x(last), rest), context.lineTo(this.x(first), rest);
             context.fillStyle = context.strokeStyle;
             context.globalAlpha = 0.25;
             context.fill();

@@ -101,10 +101,10 @@ const colourIndex = value => {
     const place = barPlace(value) * 256;
     return place >= 255 ? 255 : place > 0 ? Math.floor(place) : 0;
 };
-/* A bead has the colour of its material near zero, that of the map from 0.3 of the bar on. */
+/* A bead has the colour of its material near its value at rest, that of the map from 0.3 of the bar on. */
 function beadColour(own, value) {
-    const zero = clamp(data.range.scale === 'log' ? 0 : barPlace(0)), map = colourMap(), index = 3 * colourIndex(value);
-    let weight = clamp(Math.abs(clamp(barPlace(value)) - zero) / 0.3);
+    const rest = clamp(data.range.scale === 'log' ? 0 : barPlace(data.range.rest)), map = colourMap(), index = 3 * colourIndex(value);
+    let weight = clamp(Math.abs(clamp(barPlace(value)) - rest) / 0.3);
     weight *= weight * (3 - 2 * weight);
     return [0, 1, 2].map(c => Math.round((1 - weight) * own[c] + weight * map[index + c]));
 }

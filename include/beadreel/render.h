@@ -59,6 +59,7 @@ struct bead_colours {
     const struct bead_colormap *map;
     enum bead_scale scale;
     double low, high;
+    double rest; /* the value where nothing happens: 0, or the static force in the middle of the range */
 };
 /* The map's 256 colours are equal bands along the bar. */
 BEAD_API uint8_t bead_colours_index(const struct bead_colours *colours, double value);

@@ -167,8 +167,9 @@ struct bead_view_type {
 
     /* Least and largest value seen, of pixels or curves; low > high if there was none. */
     void (*extremes)(const struct bead_view *view, double *low, double *high);
-    /* The magnitude that only a short and narrow event exceeds; INFINITY: unknown. NULL: the view has none. */
-    double (*typical)(const struct bead_view *view);
+    /* The distance from a value at rest that only a short and narrow event exceeds; INFINITY: unknown; and the largest. NULL: the
+     * view has none. */
+    double (*typical)(const struct bead_view *view, double rest, double *largest);
     /* Before decorate and draw. An image uses the colours; curves use `values` as the ends of their axis. */
     void (*set_range)(struct bead_view *view, const struct bead_colours *colours, const double values[2]);
     /* With trust: the first time at which the picture differs visibly from the comparison run; INFINITY: none. */

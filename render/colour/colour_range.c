@@ -13,6 +13,8 @@ static const double hides = 0.5, headroom = 1.05;
 static const double ripple = 0.05;
 /* Samples seldom hit a maximum: from this part of a round number, the range ends at the number. */
 static const double nearly = 0.99;
+/* Waves that move forces less than this part of the static one are not told from its digits. */
+static const double still = 1e-6;
 
 /* The next one-digit number (1, 2, ... 10 times a power of ten) if `size` is nearly that: the bar then ends with a labelled tick.
  */
@@ -51,11 +53,49 @@ static double find_hidden(const struct bead_colours_asked *asked, const struct b
     return !given && values->typical > 0 && values->typical < hides * size ? fmax(size, values->peak) : 0;
 }
 
+double bead_colour_range_rest(const struct bead_chain *const *chains, size_t count, enum bead_field field)
+{
+    const double rest = count > 0 ? bead_chain_spec(chains[0])->precompression : 0;
+    for (size_t i = 0; i < count; i++) {
+        if (bead_chain_spec(chains[i])->precompression != rest || bead_chain_spec(chains[i])->tilt != 0)
+            return 0;
+    }
+    return field == BEAD_FIELD_FORCE || field == BEAD_FIELD_CONTACT_FORCE ? rest : 0;
+}
+
+/* As wide to both sides, if the contacts stay closed. */
+static bool find_about_rest(const struct bead_colours_asked *asked, const struct bead_shown_values *values,
+                            struct bead_colour_range *range)
+{
+    const double rest = values->rest, away = values->away;
+    if (!isnan(asked->range[0]) || !isnan(asked->range[1]) || asked->scale == BEAD_SCALE_LOG || !(away > still * rest) ||
+        !(away < rest))
+        return false;
+    const bool hidden = values->usually_away > still * rest && values->usually_away < hides * away;
+    const double half = hidden ? headroom * values->usually_away : away, slack = 1e-9 * half;
+    *range = (struct bead_colour_range){.low = rest - half,
+                                        .high = rest + half,
+                                        .over = values->largest > rest + half + slack,
+                                        .under = values->least < rest - half - slack,
+                                        .hidden = hidden ? fmax(values->largest, values->peak) : 0,
+                                        .rest = rest};
+    return true;
+}
+
+struct bead_colours bead_colour_range_colours(const struct bead_output *output, const struct bead_colour_range *range,
+                                              const struct bead_colormap *map)
+{
+    return (struct bead_colours){map, range->rest > 0 ? BEAD_SCALE_LINEAR : output->colours.scale, range->low, range->high,
+                                 range->rest};
+}
+
 struct bead_colour_range bead_colour_range_find(const struct bead_colours_asked *asked, bool is_signed,
                                                 const struct bead_shown_values *values)
 {
     const double least = values->least, largest = values->largest;
     struct bead_colour_range range = {.high = 1, .hidden = find_hidden(asked, values)};
+    if (find_about_rest(asked, values, &range))
+        return range;
     const double most = range.hidden > 0 ? headroom * values->typical : INFINITY;
     automatic(asked->scale, is_signed, fmax(least, -most), fmin(largest, most), &range.low, &range.high);
     bool low_given = !isnan(asked->range[0]), high_given = !isnan(asked->range[1]);
@@ -94,11 +134,11 @@ enum bead_error bead_colour_range_check(const struct bead_output *output, struct
     return BEAD_OK;
 }
 
-enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark,
+enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark, bool about_rest,
                                       struct bead_colormap *map, struct bead_message *msg)
 {
     static const char *const own[2][2] = {{"ember", "inferno"}, {"dawn", "dusk"}}; /* zero looks like the page */
-    const bool signs = bead_chain_signed(chain, output->shown.field) && !(output->colours.range[0] >= 0);
+    const bool signs = about_rest || (bead_chain_signed(chain, output->shown.field) && !(output->colours.range[0] >= 0));
     bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
     struct bead_message why = {""};
     enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap : own[signs][dark], map, &why);

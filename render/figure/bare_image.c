@@ -99,7 +99,7 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
     if (!err)
         err = bead_colour_range_check(output, msg);
     if (!err)
-        err = bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, &b->map, msg);
+        err = bead_colour_range_map(output, b->context.chains[0], output->paper.theme == BEAD_THEME_DARK, false, &b->map, msg);
     if (!err)
         err = make_areas(b, time, msg);
     if (!err)
@@ -111,17 +111,22 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
     return BEAD_OK;
 }
 
+/* Nothing is left out: no bar marks values beyond. */
 static struct bead_colour_range bare_find_range(const struct bead_still *b)
 {
-    double low = INFINITY, high = -INFINITY;
+    struct bead_shown_values all = BEAD_NOTHING_SHOWN;
+    all.typical = INFINITY;
+    all.rest = bead_colour_range_rest(b->context.chains, b->context.chain_count, b->output->shown.field);
     for (size_t c = 0; c < b->context.chain_count; c++) {
-        double one[2];
-        bead_area_extremes(b->areas[c], &one[0], &one[1]);
-        low = fmin(low, one[0]);
-        high = fmax(high, one[1]);
+        double low, high, away = 0;
+        bead_area_extremes(b->areas[c], &low, &high);
+        if (all.rest > 0)
+            bead_area_typical(b->areas[c], all.rest, &away);
+        all.least = fmin(all.least, low);
+        all.largest = fmax(all.largest, high);
+        all.away = all.usually_away = fmax(all.away, away);
     }
-    return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field),
-                                  &(struct bead_shown_values){low, high, INFINITY, 0}); /* no bar marks values beyond */
+    return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field), &all);
 }
 
 /* The place of a chain's pixels. */
@@ -131,12 +136,13 @@ static struct bead_area_image image_of(const struct bead_still *b, size_t chain,
     return bead_orientation_image(bead_orientation_of(b->output), b->tops[chain + 1] - b->tops[chain], indices + begin, width);
 }
 
-static enum bead_error fill_indices(const struct bead_still *b, uint8_t *indices, struct bead_message *msg)
+static enum bead_error fill_indices(struct bead_still *b, uint8_t *indices, struct bead_message *msg)
 {
-    struct bead_colour_range range = bare_find_range(b);
-    struct bead_colours colours = {&b->map, b->output->colours.scale, range.low, range.high};
+    const struct bead_colour_range range = bare_find_range(b);
+    const struct bead_colours colours = bead_colour_range_colours(b->output, &range, &b->map);
     struct bead_colour_table table;
-    enum bead_error err = BEAD_OK;
+    enum bead_error err = bead_colour_range_map(b->output, b->context.chains[0], b->output->paper.theme == BEAD_THEME_DARK,
+                                                range.rest > 0, &b->map, msg);
     bead_colour_table_make(&colours, &table);
     for (size_t c = 0; c < b->context.chain_count; c++) {
         const struct bead_area_image image = image_of(b, c, indices);

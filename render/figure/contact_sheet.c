@@ -102,8 +102,9 @@ static void find_colours(struct contact_sheet *s)
         low = fmin(low, one[0]);
         high = fmax(high, one[1]);
     }
-    s->range = bead_colour_range_find(&s->output->colours, s->is_signed, &(struct bead_shown_values){low, high, INFINITY, 0});
-    s->colours = (struct bead_colours){&s->map, s->output->colours.scale, s->range.low, s->range.high};
+    s->range =
+        bead_colour_range_find(&s->output->colours, s->is_signed, &(struct bead_shown_values){low, high, .typical = INFINITY});
+    s->colours = bead_colour_range_colours(s->output, &s->range, &s->map);
 }
 
 /* Finds page, look and colour map. */
@@ -124,7 +125,7 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
     s->of_contacts = bead_field_info(s->output->shown.field)->of_contacts;
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
     s->is_signed = bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field);
-    err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, &s->map, msg);
+    err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, false, &s->map, msg);
     bead_sweep_chain_destroy(made);
     return err;
 }

@@ -150,7 +150,7 @@ static double find_bar_words(const struct contact_sheet *s, int width)
 {
     const struct bead_rect bar = {0, 0, width, s->page.height / 2};
     const struct bead_field_info *field = bead_field_info(s->output->shown.field);
-    const struct bead_colours colours = {&s->map, s->output->colours.scale, 0, 1.234};
+    const struct bead_colours colours = {&s->map, s->output->colours.scale, 0, 1.234, 0};
     return bead_colour_bar_draw(NULL, &s->look, &colours, field->unit, field->title, bar, false, false);
 }
 

@@ -200,13 +200,15 @@ static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message
         err = bead_output_wrong(output, msg, "at: is %g; the run ends at %g", f->at, f->context.end);
     f->at = fmin(f->at, f->context.end);
     if (!err)
-        err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, &f->map, msg);
+        err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, false, &f->map, msg);
+    if (!err)
+        err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, true, &f->map_about_rest, msg);
     if (err)
         return err;
     /* the widest labels; the real range is known at the end */
-    f->range =
-        bead_colour_range_find(&output->colours, is_signed, &(struct bead_shown_values){is_signed ? -888 : 0, 888, INFINITY, 0});
-    f->colours = (struct bead_colours){&f->map, output->colours.scale, f->range.low, f->range.high};
+    f->range = bead_colour_range_find(&output->colours, is_signed,
+                                      &(struct bead_shown_values){is_signed ? -888 : 0, 888, .typical = INFINITY});
+    f->colours = bead_colour_range_colours(output, &f->range, &f->map);
     return make_cells(f, msg);
 }
 

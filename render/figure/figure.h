@@ -54,13 +54,13 @@ struct bead_figure {
     struct bead_run_context context;
     struct bead_page page;
     struct bead_look look;
-    bool part;                     /* one of several panels: the still has title and caption */
-    struct bead_part_settings set; /* of a panel; else only `chain` is set */
-    struct bead_rect area;         /* of plots, axes, headings and bar; the whole page unless it is a panel */
-    double margin;                 /* px, within the area */
-    double time[2], at;            /* s */
-    struct bead_grid grid;         /* of its samples: the figure's, or that of all panels */
-    struct bead_colormap map;
+    bool part;                                /* one of several panels: the still has title and caption */
+    struct bead_part_settings set;            /* of a panel; else only `chain` is set */
+    struct bead_rect area;                    /* of plots, axes, headings and bar; the whole page unless it is a panel */
+    double margin;                            /* px, within the area */
+    double time[2], at;                       /* s */
+    struct bead_grid grid;                    /* of its samples: the figure's, or that of all panels */
+    struct bead_colormap map, map_about_rest; /* the latter where forces can be shown about a static one */
     struct bead_colours colours;
     struct bead_colour_range range;
     double peak; /* the largest magnitude of a sample of the field */
@@ -92,10 +92,6 @@ BEAD_CHECK enum bead_error bead_figure_start(struct bead_figure *figure, struct 
 void bead_figure_needs(const struct bead_figure *figure, struct bead_needs *needs);
 BEAD_CHECK enum bead_error bead_figure_feed(struct bead_figure *figure, const struct bead_sample *sample, struct bead_message *msg);
 /* Widens the ranges of the colours and of the sensors' axis; both start as BEAD_NOTHING_SHOWN. */
-#define BEAD_NOTHING_SHOWN                \
-    {                                     \
-        INFINITY, -INFINITY, -INFINITY, 0 \
-    }
 void bead_figure_extremes(const struct bead_figure *figure, struct bead_shown_values *colours, struct bead_shown_values *sensors);
 void bead_figure_set_range(struct bead_figure *figure, const struct bead_shown_values *colours,
                            const struct bead_shown_values *sensors);

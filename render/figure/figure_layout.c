@@ -34,22 +34,40 @@ static enum bead_error draw_axes(const struct bead_tile *panel, const struct bea
     return err;
 }
 
-/* Stand-ins for ranges known only at the end, with the widest labels. */
-static const double ranges[] = {888, 630, 310};
+/* Stand-ins for ranges known only at the end: these largest values, and parts by which waves move a static force. */
+enum { SIZES = 3, PARTS = 3 };
+static const double axis_sizes[SIZES] = {888, 630, 310}, bar_sizes[SIZES] = {1, 9.9, 999}, moved[PARTS] = {.5, .05, .0005};
+
+/* Returns their number; 1 if the scene gives the range. */
+static size_t stand_ins(const struct bead_figure *f, bool given, const double sizes[SIZES], struct bead_colours ins[SIZES + PARTS])
+{
+    const double rest = bead_colour_range_rest(f->context.chains, f->context.chain_count, f->output->shown.field);
+    size_t count = 0;
+    for (int i = 0; i < SIZES; i++) {
+        ins[i] = f->colours;
+        if (given)
+            return 1;
+        ins[i].high = sizes[i];
+        ins[i].low = ins[i].scale == BEAD_SCALE_LOG ? 1e-4 * sizes[i] : f->colours.low < 0 ? -sizes[i] : 0;
+        count++;
+    }
+    for (int i = 0; rest > 0 && i < PARTS; i++)
+        ins[count++] = (struct bead_colours){f->colours.map, BEAD_SCALE_LINEAR, (1 - moved[i]) * rest, (1 + moved[i]) * rest, rest};
+    return count;
+}
 
 static enum bead_error figure_measure(const struct bead_figure *f, const struct bead_tile *panel, int width, int height,
                                       struct bead_insets *reach, struct bead_message *msg)
 {
-    bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->colours.range[1]);
+    const bool unknown = !bead_view_has(panel->type, BEAD_SHOWS_COLOURS) && isnan(f->output->colours.range[1]);
+    struct bead_colours ins[SIZES + PARTS];
+    const size_t count = stand_ins(f, !unknown, axis_sizes, ins);
     cairo_surface_t *surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
     cairo_t *cr = cairo_create(surface);
     enum bead_error err = BEAD_OK;
-    for (size_t i = 0; !err && i < (unknown ? sizeof ranges / sizeof ranges[0] : 1); i++) {
+    for (size_t i = 0; !err && i < count; i++) {
         struct bead_view_setup setup = panel->setup;
-        if (unknown) {
-            setup.colours.low *= ranges[i] / setup.colours.high;
-            setup.colours.high = ranges[i];
-        }
+        setup.colours = ins[i];
         err = draw_axes(panel, &setup, cr, width, height, msg);
     }
     double x, y, w, h;
@@ -92,19 +110,14 @@ static double bar_labels(const struct bead_figure *f, int height)
 {
     struct bead_rect bar = {0, 0, (int)bead_colour_bar_width(&f->look, BEAD_BAR_OF_FIGURE), height};
     const struct bead_field_info *field = bead_chain_field(f->context.chains[0], f->output->shown.field);
-    struct bead_colours colours = f->colours;
+    const bool given = !isnan(f->output->colours.range[0]) && !isnan(f->output->colours.range[1]);
+    struct bead_colours ins[SIZES + PARTS];
+    const size_t count = stand_ins(f, given, bar_sizes, ins);
     double widest = 0;
     char title[64];
     bead_figure_bar_title(f, title, sizeof title);
-    static const double sizes[] = {1, 9.9, 999};
-    bool given = !isnan(f->output->colours.range[0]) && !isnan(f->output->colours.range[1]);
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        if (!given) {
-            colours.high = sizes[i];
-            colours.low = colours.scale == BEAD_SCALE_LOG ? 1e-4 * sizes[i] : f->colours.low < 0 ? -sizes[i] : 0;
-        }
-        widest = fmax(widest, bead_colour_bar_draw(NULL, &f->look, &colours, field->unit, title, bar, true, true));
-    }
+    for (size_t i = 0; i < count; i++)
+        widest = fmax(widest, bead_colour_bar_draw(NULL, &f->look, &ins[i], field->unit, title, bar, true, true));
     return widest;
 }
 

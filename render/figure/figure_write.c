@@ -12,21 +12,33 @@ static void figure_widen(double low, double high, double typical, struct bead_sh
     all->typical = fmax(all->typical, typical);
 }
 
+/* Adds the values of a view; false: it has none. */
+static bool widen_by_view(const struct bead_tile *panel, struct bead_shown_values *all)
+{
+    const struct bead_view_type *type = panel->type;
+    double low, high, away;
+    type->extremes(panel->view, &low, &high);
+    figure_widen(low, high, type->typical ? type->typical(panel->view, 0, &away) : INFINITY, all);
+    if (type->typical && all->rest > 0) {
+        all->usually_away = fmax(all->usually_away, type->typical(panel->view, all->rest, &away));
+        all->away = fmax(all->away, away);
+    }
+    return low <= high;
+}
+
 /* Values shown as colours: the pixels of images if there are any, else the values of the moment. */
 void bead_figure_extremes(const struct bead_figure *f, struct bead_shown_values *colours, struct bead_shown_values *sensors)
 {
-    double low, high;
     struct bead_shown_values moment = BEAD_NOTHING_SHOWN;
     bool images = false;
     colours->peak = fmax(colours->peak, f->peak);
+    colours->rest = bead_colour_range_rest(f->context.chains, f->context.chain_count, f->output->shown.field);
     for (size_t t = 0; t < f->tile_count; t++) {
         const struct bead_tile *panel = &f->tiles[t];
         bool coloured = bead_view_has(panel->type, BEAD_SHOWS_COLOURS);
         if (!panel->type->extremes)
             continue;
-        panel->type->extremes(panel->view, &low, &high);
-        figure_widen(low, high, panel->type->typical ? panel->type->typical(panel->view) : INFINITY, coloured ? colours : sensors);
-        images = images || (coloured && low <= high);
+        images = (widen_by_view(panel, coloured ? colours : sensors) && coloured) || images;
     }
     for (size_t c = 0; c < f->cell_count; c++) {
         const struct bead_cell *cell = &f->cells[c];
@@ -44,8 +56,7 @@ void bead_figure_set_range(struct bead_figure *f, const struct bead_shown_values
     const double ends[2] = {sensors->least, sensors->largest};
     f->range =
         bead_colour_range_find(&f->output->colours, bead_chain_signed(f->context.chains[0], f->output->shown.field), colours);
-    f->colours.low = f->range.low;
-    f->colours.high = f->range.high;
+    f->colours = bead_colour_range_colours(f->output, &f->range, f->range.rest > 0 ? &f->map_about_rest : &f->map);
     for (size_t t = 0; t < f->tile_count; t++) {
         struct bead_tile *panel = &f->tiles[t];
         panel->setup.colours = f->colours;

@@ -121,8 +121,8 @@ static enum bead_error composer_fill(struct bead_composer *c, struct bead_messag
 {
     const struct bead_output *output = c->setup.output;
     bead_composer_dress(c, 1);
-    BEAD_TRY(bead_colour_range_map(output, c->setup.chains[0], c->look.dark, &c->map, msg));
-    c->colours = (struct bead_colours){&c->map, output->colours.scale, c->setup.range[0], c->setup.range[1]};
+    BEAD_TRY(bead_colour_range_map(output, c->setup.chains[0], c->look.dark, c->setup.range.rest > 0, &c->map, msg));
+    c->colours = bead_colour_range_colours(output, &c->setup.range, &c->map);
     c->clock = bead_clock_make(c->setup.time[1], c->setup.step, bead_chain_time_unit(c->setup.chains[0]));
     double span = c->setup.time[1] - c->setup.time[0];
     c->even.slowed = span > 0 ? 10 / span : 1;

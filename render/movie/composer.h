@@ -10,6 +10,7 @@
 #include "beadreel/sample.h"
 #include "beadreel/scene.h"
 #include "beadreel/view.h"
+#include "render/colour/colour_range.h"
 
 struct bead_composer;
 struct bead_preview; /* film.h */
@@ -23,8 +24,7 @@ struct bead_composer_setup {
     int width, height;
     double time[2], step;               /* s: first and last frame, and the least step between frames */
     const struct bead_film_clock *film; /* NULL: time is even */
-    double range[2];                    /* of the colours; not empty */
-    bool over, under;                   /* values may lie beyond the range */
+    struct bead_colour_range range;     /* not empty; over, under: values may lie beyond it */
     const struct bead_scene *scene;
     const char *canvas;                  /* canvas back end; NULL: the first that works */
     double tolerance_factor;             /* of the comparison run of outputs with trust: see bead_run_context */

@@ -92,8 +92,15 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
     /* Short events are left out only for waves that begin with a strike, not for impacts, which are all short. */
     const bool struck = bead_chain_spec(first)->system->has_striker && !film->times.held;
     const double typical = film->preview && struck ? bead_preview_typical(film->preview) : INFINITY;
-    const struct bead_colour_range colours = bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field),
-                                                                    &(struct bead_shown_values){range.low, range.high, typical, 0});
+    struct bead_shown_values values = {.least = range.low, .largest = range.high, .typical = typical};
+    if (film->preview) {
+        values.rest = bead_colour_range_rest(film->context.chains, film->context.chain_count, output->shown.field);
+        bead_preview_away(film->preview, &values.away, &values.usually_away);
+        values.usually_away = struck ? values.usually_away : values.away;
+    }
+    struct bead_colour_range colours =
+        bead_colour_range_find(&output->colours, bead_chain_signed(first, output->shown.field), &values);
+    bead_colour_range_ends(output, first, &colours, &colours.over, &colours.under);
     struct bead_composer_setup setup = {.output = output,
                                         .chains = film->context.chains,
                                         .chain_count = film->context.chain_count,
@@ -103,7 +110,7 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
                                         .time = {film->times.time[0], film->times.time[1]},
                                         .step = film->times.step,
                                         .film = &film->times.film,
-                                        .range = {colours.low, colours.high},
+                                        .range = colours,
                                         .scene = film->context.scene,
                                         .tolerance_factor = film->context.tolerance_factor,
                                         .canvas = film->context.canvas,
@@ -111,6 +118,5 @@ enum bead_error bead_film_compose(const struct bead_film *film, struct bead_rang
                                         .held = film->times.held,
                                         .fine = film->context.frame || output->movie.quality >= BEAD_QUALITY_HIGH,
                                         .preview = film->preview && bead_preview_whole(film->preview) ? film->preview : NULL};
-    bead_colour_range_ends(output, first, &colours, &setup.over, &setup.under);
     return bead_composer_create(&setup, composer, msg);
 }

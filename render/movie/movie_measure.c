@@ -77,7 +77,7 @@ static double reach_left_of(const struct bead_composer *c, const struct bead_vie
         return reach_left_of_image(c, length);
     if (view->across == BEAD_ACROSS_MODES)
         return reach(&c->look, (const double[]){0, 1}, "", BEAD_SCALE_LINEAR, length, BEAD_SIDE_LEFT, NULL);
-    return reach(&c->look, c->setup.range, field->unit, scale, length, BEAD_SIDE_LEFT, NULL);
+    return reach(&c->look, (const double[]){c->colours.low, c->colours.high}, field->unit, scale, length, BEAD_SIDE_LEFT, NULL);
 }
 
 /* Vertical axes of plots of several heights, for views with any of these traits, or all (0); the title is above them. */

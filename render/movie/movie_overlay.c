@@ -30,9 +30,9 @@ void bead_overlay_draw_bar(struct bead_composer *c, cairo_t *cr)
     bead_text_draw(cr, &style, lies ? title->x + title->width : title->x,
                    lies ? bar->y + 0.5 * bar->height : title->y + 0.5 * title->height, markup);
     if (lies)
-        bead_colour_bar_draw_lying(cr, &c->look, &c->colours, field->unit, *bar, c->setup.over, c->setup.under);
+        bead_colour_bar_draw_lying(cr, &c->look, &c->colours, field->unit, *bar, c->setup.range.over, c->setup.range.under);
     else
-        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, NULL, *bar, c->setup.over, c->setup.under);
+        bead_colour_bar_draw(cr, &c->look, &c->colours, field->unit, NULL, *bar, c->setup.range.over, c->setup.range.under);
 }
 
 /* Restores the background of a rectangle, and limits drawing to it. */

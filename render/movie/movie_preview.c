@@ -21,6 +21,7 @@ struct bead_preview {
     double *time;                 /* [samples] */
     double *value;                /* [samples][chains][room]; NULL: not kept */
     size_t *active;               /* [samples][chains] */
+    double *away;                 /* [room]: the largest distances of forces from those at rest, of any chain; NULL: not shown */
     size_t next;
 };
 
@@ -53,6 +54,7 @@ static void preview_free(struct bead_preview *p)
         free(p->time);
         free(p->value);
         free(p->active);
+        free(p->away);
     }
     free(p);
 }
@@ -78,9 +80,10 @@ static enum bead_error preview_create(struct bead_film *film, struct bead_messag
         p->area = calloc(chains, sizeof(struct bead_area *));
         p->time = calloc(p->samples, sizeof *p->time);
         p->active = calloc(p->samples * chains, sizeof *p->active);
+        p->away = calloc(p->room, sizeof *p->away);
         p->value = is_kept(film) ? calloc(p->samples * chains * p->room, sizeof *p->value) : NULL;
     }
-    if (!p || !p->area || !p->time || !p->active || (is_kept(film) && !p->value))
+    if (!p || !p->area || !p->time || !p->active || !p->away || (is_kept(film) && !p->value))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a preview");
     for (size_t i = 0; i < chains; i++)
         BEAD_TRY(bead_area_create(&setup, &p->area[i], msg));
@@ -93,6 +96,14 @@ static size_t count_of(const struct bead_film *film, size_t chain)
     const struct bead_chain *own = film->context.chains[chain];
     size_t all = bead_field_info(film->output->shown.field)->of_contacts ? bead_chain_contacts(own) : bead_chain_beads(own);
     return all < film->last_bead + 1 ? all : film->last_bead + 1;
+}
+
+static void keep_away(struct bead_film *film, size_t chain, const double *row, size_t count)
+{
+    const struct bead_chain *own = film->context.chains[chain];
+    double *away = film->preview->away;
+    for (size_t i = film->output->shown.beads.first; i < count; i++)
+        away[i] = fmax(away[i], fabs(row[i] - bead_force_at_rest(own, film->output->shown.field, i)));
 }
 
 enum bead_error bead_film_scout(struct bead_film *film, const struct bead_sample *sample, struct bead_message *msg)
@@ -109,6 +120,7 @@ enum bead_error bead_film_scout(struct bead_film *film, const struct bead_sample
     if (count > first) /* shorter chains end in zeros */
         memcpy(row + first, values + first, (count - first) * sizeof *row);
     bead_area_feed(p->area[sample->chain], sample->time, row, sample->active);
+    keep_away(film, sample->chain, row, count);
     p->time[p->next] = sample->time;
     p->active[at] = sample->active;
     p->next += sample->chain + 1 == p->chains;
@@ -119,10 +131,16 @@ enum bead_error bead_film_scout(struct bead_film *film, const struct bead_sample
 
 double bead_preview_typical(const struct bead_preview *p)
 {
-    double most = 0;
+    double most = 0, away;
     for (size_t i = 0; i < p->chains; i++)
-        most = fmax(most, bead_area_typical(p->area[i]));
+        most = fmax(most, bead_area_typical(p->area[i], 0, &away));
     return most > 0 ? most : INFINITY;
+}
+
+void bead_preview_away(const struct bead_preview *p, double *largest, double *usual)
+{
+    *usual = bead_area_quantile(p->away, p->room, 0.9);
+    *largest = p->room > 0 ? p->away[p->room - 1] : 0; /* sorted */
 }
 
 bool bead_preview_whole(const struct bead_preview *p)

@@ -154,9 +154,11 @@ static double shown(const struct bead_composer *c, double time)
 /* Does a value leave its panel, which extends a little beyond the range? */
 static bool leaves_panel(const struct bead_composer *c)
 {
-    const double *range = c->setup.range, air = 0.04 * (range[1] - range[0]);
+    const struct bead_colour_range *range = &c->setup.range;
+    const double air = 0.04 * (range->high - range->low);
+    const bool both = range->low < 0 || range->rest > 0;
     for (size_t i = 0; i < c->setup.chain_count * c->fed_room; i++) {
-        if (c->fed[i] > range[1] + air || (range[0] < 0 && c->fed[i] < range[0] - air))
+        if (c->fed[i] > range->high + air || (both && c->fed[i] < range->low - air))
             return true;
     }
     return false;

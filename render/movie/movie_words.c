@@ -111,7 +111,7 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
     }
     if (same_beads && !facts->keyed)
         bead_markup_quote(name, out, size);
-    if (!same_speed)
+    if (!same_speed || velocity == 0) /* something else moves the chain */
         return;
     if (fabs(velocity) >= 0.01 && fabs(velocity) < 1) /* as the field writes it */
         snprintf(speed, sizeof speed, "%.3g m/s", velocity);

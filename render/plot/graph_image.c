@@ -22,7 +22,7 @@ static enum bead_error load(const struct bead_look *look, struct bead_colormap *
 
 static struct bead_colours colours_of(const struct bead_graph_image *image, const struct bead_colormap *map)
 {
-    return (struct bead_colours){map, BEAD_SCALE_LINEAR, image->low, image->high};
+    return (struct bead_colours){map, BEAD_SCALE_LINEAR, image->low, image->high, 0};
 }
 
 double graph_image_reach(const struct bead_look *look, const struct graph_cell *cell)

@@ -283,7 +283,7 @@ static enum bead_error write_data(const void *context, FILE *file, struct bead_m
     bead_json_flag(&json, "held", s->held);
     bead_json_close(&json, "}");
     report_field(&json, info, named ? info->title : bead_field_info(field)->name);
-    report_range(&json, &s->range, s->output->colours.scale);
+    report_range(&json, &s->range, bead_colour_range_colours(s->output, &s->range, NULL).scale);
     report_maps(&json, s->maps);
     bead_json_number(&json, "magnify", s->magnify);
     write_materials(&json, s->context.scene);

@@ -115,9 +115,8 @@ static void choose_stride(struct bead_sink *s)
 
 static enum bead_error load_maps(struct bead_sink *s, struct bead_message *msg)
 {
-    BEAD_TRY(bead_colour_range_check(s->output, msg));
     for (int dark = 0; dark < 2; dark++)
-        BEAD_TRY(bead_colour_range_map(s->output, s->context.chains[0], dark, &s->maps[dark], msg));
+        BEAD_TRY(bead_colour_range_map(s->output, s->context.chains[0], dark, s->range.rest > 0, &s->maps[dark], msg));
     return BEAD_OK;
 }
 
@@ -138,6 +137,7 @@ static enum bead_error report_create(const struct bead_output *output, const str
     BEAD_TRY(bead_file_join(context->directory, output->path, &s->path, msg));
     BEAD_TRY(list_chains(s, msg));
     BEAD_TRY(choose_times(s, msg));
+    BEAD_TRY(bead_colour_range_check(s->output, msg));
     BEAD_TRY(load_maps(s, msg));
     BEAD_TRY(bead_tale_create(context->chains, context->chain_count, output->shown.field, output->shown.beads, &s->tale, msg));
     choose_stride(s);
@@ -239,14 +239,18 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
 /* Finds one range of colours for all chains, without the strike, as in stills. */
 static void find_range(struct bead_sink *s)
 {
-    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY, 0};
+    struct bead_shown_values shown = BEAD_NOTHING_SHOWN;
+    double away;
+    shown.rest = bead_colour_range_rest(s->context.chains, s->chain_count, s->output->shown.field);
     for (size_t i = 0; i < s->chain_count; i++) {
         const struct report_chain *c = &s->chains[i];
         for (size_t k = 0; k < c->kept * c->values; k++) {
             shown.least = fmin(shown.least, c->field[k]);
             shown.largest = fmax(shown.largest, c->field[k]);
         }
-        shown.typical = fmax(shown.typical, bead_area_typical(c->area));
+        shown.typical = fmax(shown.typical, bead_area_typical(c->area, 0, &away));
+        shown.usually_away = fmax(shown.usually_away, bead_area_typical(c->area, shown.rest, &away));
+        shown.away = fmax(shown.away, away);
     }
     s->range = bead_colour_range_find(&s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field), &shown);
 }
@@ -255,6 +259,7 @@ static enum bead_error report_end(struct bead_sink *s, const struct bead_outcome
 {
     s->outcomes = outcomes;
     find_range(s);
+    BEAD_TRY(load_maps(s, msg));
     return report_write_page(&report_run_page, s->context.scene, s, s->path, &s->bytes, msg);
 }
 

@@ -83,7 +83,7 @@ static enum bead_error prepare_colours(struct sweep_report *r, struct bead_messa
     BEAD_TRY(bead_colour_range_check(r->output, msg));
     BEAD_TRY(bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &r->clean, msg));
     for (int dark = 0; dark < 2; dark++)
-        BEAD_TRY(bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, &r->maps[dark], msg));
+        BEAD_TRY(bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, false, &r->maps[dark], msg));
     return BEAD_OK;
 }
 
@@ -147,13 +147,13 @@ static enum bead_error run_images(struct sweep_report *r, const struct bead_swee
 
 static void find_range(struct sweep_report *r)
 {
-    struct bead_shown_values shown = {INFINITY, -INFINITY, -INFINITY, 0};
+    struct bead_shown_values shown = BEAD_NOTHING_SHOWN;
     for (size_t i = 0; i < r->count; i++) {
-        double low, high;
+        double low, high, away;
         bead_area_extremes(r->images[i].area, &low, &high);
         shown.least = fmin(shown.least, low);
         shown.largest = fmax(shown.largest, high);
-        shown.typical = fmax(shown.typical, bead_area_typical(r->images[i].area));
+        shown.typical = fmax(shown.typical, bead_area_typical(r->images[i].area, 0, &away));
     }
     const struct bead_chain *chain = bead_sweep_chain_of(r->clean);
     r->field = *bead_chain_field(chain, r->output->shown.field);
@@ -167,7 +167,7 @@ static void find_range(struct sweep_report *r)
 static enum bead_error write_image(const struct sweep_report *r, const struct sweep_image *image, struct bead_json *json,
                                    struct bead_message *msg)
 {
-    const struct bead_colours colours = {&r->maps[0], r->output->colours.scale, r->range.low, r->range.high};
+    const struct bead_colours colours = bead_colour_range_colours(r->output, &r->range, &r->maps[0]);
     const size_t places = bead_area_places(image->area), room = (places + 2) * (size_t)r->times;
     const uint8_t rest = bead_colours_index(&colours, 0);
     BEAD_FREED double *means = malloc(places * sizeof *means);

@@ -50,6 +50,7 @@ void report_range(struct bead_json *json, const struct bead_colour_range *range,
     bead_json_open(json, "range", '{');
     bead_json_number(json, "low", range->low);
     bead_json_number(json, "high", range->high);
+    bead_json_number(json, "rest", range->rest);
     bead_json_text(json, "scale", scales[scale]);
     bead_json_flag(json, "over", range->over);
     bead_json_flag(json, "under", range->under);

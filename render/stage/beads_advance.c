@@ -6,7 +6,7 @@
 #include "render/stage/beads.h"
 #include "sim/chain/chain_internal.h"
 
-/* Distance from zero, along the colour bar, from which a bead no longer shows its material's colour. */
+/* Distance from the value at rest, along the colour bar, from which a bead no longer shows its material's colour. */
 static const double colour_full = 0.3;
 
 static double between(double x, double low, double high)
@@ -16,7 +16,8 @@ static double between(double x, double low, double high)
 
 double bead_colour_weight(const struct bead_view *v, double value)
 {
-    double place = bead_colours_place(&v->setup.colours, value), zero = bead_colours_place(&v->setup.colours, 0);
+    double place = bead_colours_place(&v->setup.colours, value),
+           zero = bead_colours_place(&v->setup.colours, v->setup.colours.rest);
     double weight = between(fabs(between(place, 0, 1) - between(zero, 0, 1)) / colour_full, 0, 1);
     return weight * weight * (3 - 2 * weight);
 }

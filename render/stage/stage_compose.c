@@ -42,8 +42,8 @@ void bead_stage_advance(struct bead_view *v, double time)
     const double *rest = v->has_contacts ? bead_chain_static_force(v->setup.chain) + v->first : NULL;
     for (size_t k = 0; k < v->contacts; k++) {
         const double force = bead_latest_value(l, v->force, k, weight);
-        v->load[k] = contact_load(v, force);
         const double excess = force - (rest ? rest[k] : 0);
+        v->load[k] = contact_load(v, rest ? fmax(0, excess) : force);
         v->excess[k] = contact_load(v, excess);
         v->way[k] = way_of(v, k, excess);
     }

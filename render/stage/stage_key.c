@@ -19,11 +19,23 @@ enum bead_field bead_stage_field(const struct bead_view_setup *setup)
     return bead_chain_spec(setup->chain)->system->has_contacts ? BEAD_FIELD_CONTACT_FORCE : setup->field;
 }
 
+/* The largest static force of a chain's contacts. */
+static double static_force(const struct bead_chain *chain)
+{
+    const double *rest = bead_chain_spec(chain)->system->has_contacts ? bead_chain_static_force(chain) : NULL;
+    double most = 0;
+    for (size_t k = 0; rest && k < bead_chain_contacts(chain); k++)
+        most = fmax(most, rest[k]);
+    return most;
+}
+
 double bead_stage_full(const struct bead_view_setup *setup)
 {
     const bool force = setup->field == BEAD_FIELD_FORCE || setup->field == BEAD_FIELD_CONTACT_FORCE;
-    if (force || !bead_chain_spec(setup->chain)->system->has_contacts)
-        return fmax(fabs(setup->colours.low), fabs(setup->colours.high));
+    if (force || !bead_chain_spec(setup->chain)->system->has_contacts) {
+        const double most = fmax(fabs(setup->colours.low), fabs(setup->colours.high)), rest = static_force(setup->chain);
+        return most > rest ? most - rest : most;
+    }
     const struct bead_law_spec *spec = &bead_chain_spec(setup->chain)->law;
     const double compression = bead_compression_scale(setup->chain);
     return compression > 0 ? spec->row->force(bead_chain_stiffness(setup->chain)[0], spec, compression) : 0;
@@ -144,6 +156,8 @@ static void add_scale(struct key *key, const struct bead_view_setup *setup, doub
     key->right -= width + to_word * key->style.size;
     if (setup->elsewhere & BEAD_KEY_QUANTITY)
         snprintf(words, sizeof words, "light 0");
+    else if (static_force(setup->chain) > 0)
+        snprintf(words, sizeof words, "light: force above rest  0");
     else
         snprintf(words, sizeof words, "light: %s  0",
                  setup->light == BEAD_LIGHT_BEADS && info->of_contacts ? bead_field_info(BEAD_FIELD_FORCE)->title : info->title);

@@ -58,8 +58,8 @@ BEAD_CHECK enum bead_error bead_stage_decorate(struct bead_view *v, cairo_t *cr,
 void bead_stage_draw_names(const struct bead_view *v, cairo_t *cr);
 /* Draws the key into the headroom. */
 void bead_stage_draw_key(const struct bead_view *v, cairo_t *cr);
-/* The field shown as light, and its value at full light: the largest that colours show or, if they show another field, the force of
- * the striker's hit. */
+/* The field shown as light, and its value at full light, beyond any static force: the largest that colours show or, if they show
+ * another field, the force of the striker's hit. */
 enum bead_field bead_stage_field(const struct bead_view_setup *setup);
 double bead_stage_full(const struct bead_view_setup *setup);
 /* Brings displacements, loads and camera to `time`; once for each frame. */

@@ -364,22 +364,36 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The value below which this part of all lies; sorts them. INFINITY if there is none. */
-static double quantile(double *values, size_t count, double part)
+double bead_area_quantile(double *values, size_t count, double part)
 {
     qsort(values, count, sizeof *values, by_size);
     return count > 0 ? values[(size_t)(part * (double)(count - 1))] : INFINITY;
 }
 
-/* Finds the largest magnitude of each touched column and of each row; returns the number of such columns. */
-static size_t find_most(const struct bead_area *a, double *of_column, double *of_row)
+/* Marks rows whose values are never on both sides of this one, or equal to it. */
+static void find_apart(const struct bead_area *a, double rest, bool *apart)
+{
+    const double slack = 1e-9 * fabs(rest);
+    for (size_t r = 0; r < a->rows; r++) {
+        double low = INFINITY, high = -INFINITY;
+        for (int c = 0; c < a->setup.columns; c++) {
+            const double *rows = a->covered[c] > 0 ? rows_of(a, c) : NULL;
+            low = rows ? fmin(low, rows[r]) : low;
+            high = rows ? fmax(high, rows[r]) : high;
+        }
+        apart[r] = low > rest + slack || high < rest - slack;
+    }
+}
+
+/* Finds the largest distance from a value in each touched column and in each row; returns the number of such columns. */
+static size_t find_most(const struct bead_area *a, double rest, const bool *apart, double *of_column, double *of_row)
 {
     size_t count = 0;
     for (int c = 0; c < a->setup.columns; c++) {
         const double *rows = a->covered[c] > 0 ? rows_of(a, c) : NULL;
         double most = 0;
         for (size_t r = 0; rows && r < a->rows; r++) {
-            const double size = fabs(rows[r]);
+            const double size = apart[r] ? 0 : fabs(rows[r] - rest);
             most = size > most ? size : most;
             of_row[r] = size > of_row[r] ? size : of_row[r];
         }
@@ -389,16 +403,20 @@ static size_t find_most(const struct bead_area *a, double *of_column, double *of
     return count;
 }
 
-double bead_area_typical(const struct bead_area *area)
+double bead_area_typical(const struct bead_area *area, double rest, double *largest)
 {
     static const double of_time = 0.95, of_chain = 0.9;
     BEAD_FREED double *of_column = calloc((size_t)area->setup.columns, sizeof *of_column),
                       *of_row = calloc(area->rows, sizeof *of_row);
-    double typical = INFINITY;
-    if (of_column && of_row) {
-        size_t columns = find_most(area, of_column, of_row);
-        typical = fmax(quantile(of_column, columns, of_time), quantile(of_row, area->rows, of_chain));
-    }
+    BEAD_FREED bool *apart = calloc(area->rows, sizeof *apart);
+    *largest = 0;
+    if (!of_column || !of_row || !apart)
+        return INFINITY;
+    if (rest != 0)
+        find_apart(area, rest, apart);
+    const size_t columns = find_most(area, rest, apart, of_column, of_row);
+    const double typical = fmax(bead_area_quantile(of_column, columns, of_time), bead_area_quantile(of_row, area->rows, of_chain));
+    *largest = of_row[area->rows - 1]; /* sorted */
     return typical;
 }
 

@@ -44,9 +44,12 @@ bool bead_area_column_levels(const struct bead_area *area, int c, double *values
 size_t bead_area_places(const struct bead_area *area);
 /* Smallest and largest value of all pixels touched; low > high if no pixel is. */
 void bead_area_extremes(const struct bead_area *area, double *low, double *high);
-/* The magnitude that only a short and narrow event exceeds, such as the strike: at most 5 % of the time columns, and 10 % of the
- * chain, have larger values. INFINITY: unknown. */
-double bead_area_typical(const struct bead_area *area);
+/* The distance from a value at rest that only a short and narrow event exceeds, such as the strike: at most 5 % of the time
+ * columns, and 10 % of the chain, have larger ones; INFINITY: unknown. `largest`: that of any pixel. Unless the value at rest is 0,
+ * rows that never have it are left out, as beads at the ends of a pressed chain, which have a contact on one side only. */
+double bead_area_typical(const struct bead_area *area, double rest, double *largest);
+/* The value below which this part of all lies; sorts them. INFINITY if there is none. */
+double bead_area_quantile(double *values, size_t count, double part);
 
 /* Turns areas into images of palette indices. */
 

@@ -116,11 +116,11 @@ static void profile_make_axis(struct bead_view *v)
     double low = colours->low, high = colours->high, air = 0.04 * (high - low);
     if (scale == BEAD_SCALE_LINEAR) {
         high += air;
-        low -= low < 0 ? air : 0;
+        low -= low < 0 || colours->rest > 0 ? air : 0;
     }
     bead_axis_make(&v->axis, low, high, bead_chain_field(v->setup.chain, v->setup.field)->unit, scale, v->plot.height, v->look.tick,
                    false);
-    v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, 0));
+    v->base = scale == BEAD_SCALE_LOG ? low : fmin(high, fmax(low, colours->rest));
 }
 
 /* Width of the curve, px. */

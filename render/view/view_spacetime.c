@@ -382,9 +382,10 @@ static void spacetime_extremes(const struct bead_view *view, double *low, double
         bead_area_extremes(view->area, low, high);
 }
 
-static double spacetime_typical(const struct bead_view *view)
+static double spacetime_typical(const struct bead_view *view, double rest, double *largest)
 {
-    return view->area ? bead_area_typical(view->area) : INFINITY;
+    *largest = 0;
+    return view->area ? bead_area_typical(view->area, rest, largest) : INFINITY;
 }
 
 /* Draws the pixels of `rect` as an embedded image. */

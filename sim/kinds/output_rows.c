@@ -92,7 +92,7 @@ const struct bead_option bead_colormap_row[1] = {
     {"colormap", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.colormap), .initial = "auto", .shape = BEAD_COLORMAP_SHAPE,
      .like = "text", .read = bead_output_read_colormap,
      .help = "colour map, one of --list colormaps, reversed with _r; auto: zero looks like the page, with ember in light pictures, "
-             "inferno in dark ones, and dawn and dusk for velocity and displacement",
+             "inferno in dark ones, and dawn and dusk for velocity, displacement and ranges about a static force",
      .example = "batlow"},
 };
 const struct bead_option bead_square_root_row[1] = {
@@ -103,7 +103,9 @@ const struct bead_option bead_range_row[1] = {
     {"range", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(colours.range), .initial = "auto",
      .shape = "auto, or [low, high] in the unit of the field", .word = "auto", .word_value = NAN, .like = "auto|[2 number]",
      .read = bead_output_read_colour_range,
-     .help = "values at the ends of the colour bar; auto: the range of the data, up to 1 % more for a round number; images leave "
+     .help = "values at the ends of the colour bar; auto: the range of the data, up to 1 % more for a round number; forces of a "
+             "pressed "
+             "chain whose contacts stay closed have linear colours about the static force; images leave "
              "out a short and narrow strike that would take more than half of it, and write its height beside the bar",
      .example = "[0, 45 N]"},
 };

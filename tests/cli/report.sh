@@ -70,6 +70,11 @@ ok "peaks that the run's end cuts off are those of the table, from the first con
 ok "no uncertainty without peaks of beads" only 'report: r.html, field: velocity, time: [0.1 ms, 0.2 ms], beads: [2, 9]'
 ok "... but the beads asked for" json 'd["chains"][0]["values"] == 8 and d["chains"][0]["first"] == 2 and d["chains"][0]["field"]["signed"]' made/r.html
 ok "... and no measures of a part of the run" json 'd["chains"][0]["measures"] == []' made/r.html
+pressed() { only 'report: r.html, field: contact-force' --set 'chain={precompression: 20 N, beads: [{bead: glass, count: 20}], wall: brass}' --set chain.striker.velocity="$1" --set simulate.until=auto; }
+ok "a small wave in a pressed chain" pressed '0.01 m/s'
+ok "... has colours about the static force, as far as its peaks" json 'd["range"]["scale"] == "linear" and d["range"]["rest"] == 20 and abs(d["range"]["low"] + d["range"]["high"] - 40) < 1e-9 and .99 < (d["range"]["high"] - 20) / (max(d["chains"][0]["peaks"]["force"]) - 20) <= 1' made/r.html
+ok "a large one" pressed '1 m/s'
+ok "... has colours from 0" json 'd["range"]["scale"] == "sqrt" and d["range"]["low"] == 0 and d["range"]["rest"] == 0' made/r.html
 ok "contact forces" only 'report: r.html, field: contact-force'
 ok "... one more than pairs of beads, with the wall" json 'd["chains"][0]["values"] == 33 and d["field"]["contacts"]' made/r.html
 # A chain of one bead on the page, which has none of the contacts asked for.

@@ -52,10 +52,10 @@ static void test_table_has_the_same_colours(void **state)
 {
     (void)state;
     const struct bead_colours all[] = {
-        {NULL, BEAD_SCALE_LINEAR, 0, 1},     {NULL, BEAD_SCALE_LINEAR, -3.7, 12.1},
-        {NULL, BEAD_SCALE_SQRT, 0, 5},       {NULL, BEAD_SCALE_SQRT, -0.3, 0.8},
-        {NULL, BEAD_SCALE_LOG, 1e-4, 1},     {NULL, BEAD_SCALE_LOG, 0.2, 7e9},
-        {NULL, BEAD_SCALE_LINEAR, 1, 1e308}, {NULL, BEAD_SCALE_LOG, 1, nextafter(1, 2)},
+        {NULL, BEAD_SCALE_LINEAR, 0, 1, 0},     {NULL, BEAD_SCALE_LINEAR, -3.7, 12.1, 0},
+        {NULL, BEAD_SCALE_SQRT, 0, 5, 0},       {NULL, BEAD_SCALE_SQRT, -0.3, 0.8, 0},
+        {NULL, BEAD_SCALE_LOG, 1e-4, 1, 0},     {NULL, BEAD_SCALE_LOG, 0.2, 7e9, 0},
+        {NULL, BEAD_SCALE_LINEAR, 1, 1e308, 0}, {NULL, BEAD_SCALE_LOG, 1, nextafter(1, 2), 0},
     };
     static const double odd[] = {0, -0.0, NAN, INFINITY, -INFINITY, 1e308, -1e308, 5e-324, -5e-324};
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
@@ -80,7 +80,7 @@ static void test_table_has_the_same_borders(void **state)
 {
     (void)state;
     for (int scale = BEAD_SCALE_SQRT; scale <= BEAD_SCALE_LOG; scale++) {
-        const struct bead_colours colours = {NULL, scale, 0.03, 41};
+        const struct bead_colours colours = {NULL, scale, 0.03, 41, 0};
         struct bead_colour_table table;
         bead_colour_table_make(&colours, &table);
         for (int i = 1; i < 256; i++) {
@@ -140,7 +140,7 @@ static void test_columns_stay_as_they_are(void **state)
 /* Equal to single pixels, in images of either orientation; nothing is written beside them. */
 static void assert_image(const struct bead_area *area, int across, bool down, int from, int to)
 {
-    const struct bead_colours colours = {NULL, BEAD_SCALE_LINEAR, -9, 5};
+    const struct bead_colours colours = {NULL, BEAD_SCALE_LINEAR, -9, 5, 0};
     struct bead_colour_table table;
     const ptrdiff_t margin = 3, width = (down ? across : COLUMNS) + 2 * margin, height = (down ? COLUMNS : across) + 2 * margin;
     uint8_t *image = malloc((size_t)(width * height)), *wanted = malloc((size_t)(width * height));
@@ -233,17 +233,39 @@ static void test_typical_values(void **state)
                  {flash, 0.36}};  /* one column has 0.4, the others nothing; rows have 0.01 to 0.4 */
     for (size_t i = 0; i < 2; i++) {
         struct bead_area *area = make_area(BEADS, BEAD_SAMPLING_AREA);
-        assert_true(isinf(bead_area_typical(area)) || bead_area_typical(area) == 0);
+        double largest, typical = bead_area_typical(area, 0, &largest);
+        assert_true(isinf(typical) || typical == 0);
         for (int k = 0; k < 2 * COLUMNS; k++) {
             double values[BEADS];
             for (int b = 0; b < BEADS; b++)
                 values[b] = cases[i].value(b, k / 2);
             bead_area_feed(area, k / 2 + (k % 2 ? 1 - 1e-9 : 0), values, BEADS);
         }
-        if (!(fabs(bead_area_typical(area) - cases[i].typical) < 1e-8))
-            fail_msg("%g, not %g", bead_area_typical(area), cases[i].typical);
+        typical = bead_area_typical(area, 0, &largest);
+        if (!(fabs(typical - cases[i].typical) < 1e-8))
+            fail_msg("%g, not %g", typical, cases[i].typical);
         bead_area_destroy(area);
     }
+}
+
+/* About a value at rest: a bead at the end has half of it all the time, and is left out. */
+static void test_distances_from_rest(void **state)
+{
+    (void)state;
+    struct bead_area *area = make_area(BEADS, BEAD_SAMPLING_AREA);
+    for (int k = 0; k < 2 * COLUMNS; k++) {
+        double values[BEADS], sign = k / 2 % 2 ? 1 : -1;
+        for (int b = 0; b < BEADS; b++)
+            values[b] = b == 0 ? 10 : 20 + sign * 0.01 * b;
+        bead_area_feed(area, k / 2 + (k % 2 ? 1 - 1e-9 : 0), values, BEADS);
+    }
+    double largest;
+    const double usual = bead_area_typical(area, 20, &largest);
+    assert_float_equal(largest, 0.01 * (BEADS - 1), 1e-8);
+    assert_float_equal(usual, 0.01 * (BEADS - 1), 1e-8); /* in each column */
+    bead_area_typical(area, 0, &largest);
+    assert_float_equal(largest, 20 + 0.01 * (BEADS - 1), 1e-8);
+    bead_area_destroy(area);
 }
 
 int main(void)
@@ -252,6 +274,7 @@ int main(void)
         cmocka_unit_test(test_table_has_the_same_colours), cmocka_unit_test(test_table_has_the_same_borders),
         cmocka_unit_test(test_columns_stay_as_they_are),   cmocka_unit_test(test_images_are_of_the_columns),
         cmocka_unit_test(test_large_pictures_begin_empty), cmocka_unit_test(test_typical_values),
+        cmocka_unit_test(test_distances_from_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -158,7 +158,7 @@ static void test_unknown_map(void **state)
 static void test_values_to_colours(void **state)
 {
     (void)state;
-    struct bead_colours c = {NULL, BEAD_SCALE_LINEAR, 0, 256};
+    struct bead_colours c = {NULL, BEAD_SCALE_LINEAR, 0, 256, 0};
     for (int i = 0; i < 256; i++) {
         assert_int_equal(bead_colours_index(&c, i + 0.5), i);
         assert_int_equal(bead_colours_index(&c, i), i);
@@ -169,9 +169,9 @@ static void test_values_to_colours(void **state)
     assert_int_equal(bead_colours_index(&c, NAN), 0);
     c.scale = BEAD_SCALE_SQRT;
     assert_int_equal(bead_colours_index(&c, 64.01), 128);
-    c = (struct bead_colours){NULL, BEAD_SCALE_SQRT, -4, 4};
+    c = (struct bead_colours){NULL, BEAD_SCALE_SQRT, -4, 4, 0};
     assert_true(bead_colours_place(&c, 0) == 0.5 && bead_colours_place(&c, 1) == 0.75 && bead_colours_place(&c, -1) == 0.25);
-    c = (struct bead_colours){NULL, BEAD_SCALE_LOG, 1e-4, 1};
+    c = (struct bead_colours){NULL, BEAD_SCALE_LOG, 1e-4, 1, 0};
     assert_true(fabs(bead_colours_place(&c, 1e-2) - 0.5) < 1e-12);
     assert_int_equal(bead_colours_index(&c, 0), 0);
     assert_int_equal(bead_colours_index(&c, -3), 0);

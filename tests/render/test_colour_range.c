@@ -23,27 +23,32 @@ static void test_ranges(void **state)
         bool signs;
         struct bead_colour_range range;
     } cases[] = {
-        {{0, 40, INFINITY, 0}, false, {0, 40, false, false, 0}}, /* nothing is known of events */
-        {{0, 40, 39, 0}, false, {0, 40, false, false, 0}},
-        {{0, 40, 20.1, 0}, false, {0, 40, false, false, 0}}, /* more than half: seen */
-        {{0, 40, 10, 0}, false, {0, 10.5, true, false, 40}},
-        {{0, 40, 10, 41}, false, {0, 10.5, true, false, 41}}, /* pixels do not reach the peak of samples */
-        {{0, 40, 39, 41}, false, {0, 40, false, false, 0}},
-        {{-3, 40, 10, 0}, true, {-10.5, 10.5, true, false, 40}},
-        {{-40, 8, 10, 0}, true, {-10.5, 10.5, false, true, 40}},
-        {{0, 0, 0, 0}, false, {0, 1, false, false, 0}},
-        {{5, 5, 5, 0}, false, {0, 5, false, false, 0}}, /* the same everywhere */
+        {{0, 40, INFINITY, 0, 0, 0, 0}, false, {0, 40, false, false, 0, 0}}, /* nothing is known of events */
+        {{0, 40, 39, 0, 0, 0, 0}, false, {0, 40, false, false, 0, 0}},
+        {{0, 40, 20.1, 0, 0, 0, 0}, false, {0, 40, false, false, 0, 0}}, /* more than half: seen */
+        {{0, 40, 10, 0, 0, 0, 0}, false, {0, 10.5, true, false, 40, 0}},
+        {{0, 40, 10, 41, 0, 0, 0}, false, {0, 10.5, true, false, 41, 0}}, /* pixels do not reach the peak of samples */
+        {{0, 40, 39, 41, 0, 0, 0}, false, {0, 40, false, false, 0, 0}},
+        {{-3, 40, 10, 0, 0, 0, 0}, true, {-10.5, 10.5, true, false, 40, 0}},
+        {{-40, 8, 10, 0, 0, 0, 0}, true, {-10.5, 10.5, false, true, 40, 0}},
+        {{0, 0, 0, 0, 0, 0, 0}, false, {0, 1, false, false, 0, 0}},
+        {{5, 5, 5, 0, 0, 0, 0}, false, {0, 5, false, false, 0, 0}}, /* the same everywhere */
         /* nearly a round number */
-        {{0, 7.97, 7, 0}, false, {0, 8, false, false, 0}},
-        {{0, 7.9, 7, 0}, false, {0, 7.9, false, false, 0}},
-        {{-0.9996, 0.9995, 0.9, 0}, true, {-1, 1, false, false, 0}},
-        {{-49.8, 0, 40, 0}, false, {-50, 0, false, false, 0}},
+        {{0, 7.97, 7, 0, 0, 0, 0}, false, {0, 8, false, false, 0, 0}},
+        {{0, 7.9, 7, 0, 0, 0, 0}, false, {0, 7.9, false, false, 0, 0}},
+        {{-0.9996, 0.9995, 0.9, 0, 0, 0, 0}, true, {-1, 1, false, false, 0, 0}},
+        {{-49.8, 0, 40, 0, 0, 0, 0}, false, {-50, 0, false, false, 0, 0}},
+        /* about a static force of 20, unless contacts open; a bead at the end has 10, and events are left out there, too */
+        {{10, 20.5, 20, 0, 20, 0.5, 0.4}, false, {19.5, 20.5, false, true, 0, 20}},
+        {{10, 25, 20, 26, 20, 5, 0.4}, false, {20 - 0.42, 20.42, true, true, 26, 20}},
+        {{0, 45, 45, 0, 20, 25, 24}, false, {0, 45, false, false, 0, 0}},
+        {{20, 20, 20, 0, 20, 0, 0}, false, {0, 20, false, false, 0, 0}}, /* nothing moves */
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct bead_colour_range found = bead_colour_range_find(&automatic, cases[i].signs, &cases[i].values);
         const struct bead_colour_range *expected = &cases[i].range;
         if (fabs(found.low - expected->low) > 1e-12 || fabs(found.high - expected->high) > 1e-12 || found.over != expected->over ||
-            found.under != expected->under || found.hidden != expected->hidden)
+            found.under != expected->under || found.hidden != expected->hidden || found.rest != expected->rest)
             fail_msg("case %zu: %g to %g, hidden %g", i, found.low, found.high, found.hidden);
     }
 }
@@ -53,7 +58,7 @@ static void test_given_ranges_stay(void **state)
     (void)state;
     const struct bead_colours_asked given = {.scale = BEAD_SCALE_LINEAR, .range = {0, 30}},
                                     half = {.scale = BEAD_SCALE_LINEAR, .range = {1, NAN}};
-    const struct bead_shown_values values = {0, 40, 10, 0};
+    const struct bead_shown_values values = {.largest = 40, .typical = 10};
     struct bead_colour_range range = bead_colour_range_find(&given, false, &values);
     assert_true(range.low == 0 && range.high == 30 && range.over && range.hidden == 0);
     range = bead_colour_range_find(&half, false, &values);
@@ -76,7 +81,7 @@ static double typical_of(int beads, int columns, int places)
         }
         bead_area_feed(area, time, values, BEADS);
     }
-    double typical = bead_area_typical(area);
+    double largest, typical = bead_area_typical(area, 0, &largest);
     bead_area_destroy(area);
     return typical;
 }
@@ -112,9 +117,40 @@ static void test_dark_pictures_have_a_dark_map(void **state)
         struct bead_scene *scene = parse(text);
         assert_int_equal(bead_chain_create(scene, 0, &chain, NULL), BEAD_OK);
         const bool dark = scene->outputs[0].paper.theme == BEAD_THEME_DARK;
-        assert_int_equal(bead_colour_range_map(&scene->outputs[0], chain, dark, &map, NULL), BEAD_OK);
+        assert_int_equal(bead_colour_range_map(&scene->outputs[0], chain, dark, false, &map, NULL), BEAD_OK);
         assert_string_equal(map.name, cases[i].map);
         bead_chain_destroy(chain);
+        bead_scene_free(scene);
+    }
+}
+
+/* One force for all contacts of all chains, and only where forces are shown. */
+static void test_rest_is_the_static_force(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *first, *second;
+        enum bead_field field;
+        double rest;
+    } cases[] = {{"precompression: 20 N", "precompression: 20 N", BEAD_FIELD_FORCE, 20},
+                 {"precompression: 20 N", "precompression: 20 N", BEAD_FIELD_CONTACT_FORCE, 20},
+                 {"precompression: 20 N", "precompression: 20 N", BEAD_FIELD_VELOCITY, 0},
+                 {"precompression: 20 N", "precompression: 21 N", BEAD_FIELD_FORCE, 0},
+                 {"precompression: 20 N, tilt: 90 deg, wall: rigid", "precompression: 20 N", BEAD_FIELD_FORCE, 0},
+                 {"wall: rigid", "wall: brass", BEAD_FIELD_FORCE, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[400];
+        struct bead_chain *chains[2];
+        snprintf(text, sizeof text,
+                 "chains: [{name: a, %s, beads: [{bead: glass, count: 3}]}, {name: b, %s, beads: [{bead: glass, count: 4}]}]\n"
+                 "outputs: [{image: a.png}]\n",
+                 cases[i].first, cases[i].second);
+        struct bead_scene *scene = parse(text);
+        for (size_t c = 0; c < 2; c++)
+            assert_int_equal(bead_chain_create(scene, c, &chains[c], NULL), BEAD_OK);
+        assert_true(bead_colour_range_rest((const struct bead_chain *const *)chains, 2, cases[i].field) == cases[i].rest);
+        bead_chain_destroy(chains[0]);
+        bead_chain_destroy(chains[1]);
         bead_scene_free(scene);
     }
 }
@@ -124,6 +160,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_given_ranges_stay),
+        cmocka_unit_test(test_rest_is_the_static_force),
         cmocka_unit_test(test_short_and_narrow_is_no_wave),
         cmocka_unit_test(test_dark_pictures_have_a_dark_map),
     };

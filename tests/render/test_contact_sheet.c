@@ -34,7 +34,7 @@ static enum bead_error lay_out(struct laid *l, const char *sweep, const char *ou
     s->small = 0.85 * s->look.tick;
     s->orientation = bead_orientation_of(s->output);
     assert_int_equal(bead_colormap_load("ember", &s->map, &msg), BEAD_OK);
-    s->colours = (struct bead_colours){&s->map, BEAD_SCALE_LINEAR, 0, 1};
+    s->colours = (struct bead_colours){&s->map, BEAD_SCALE_LINEAR, 0, 1, 0};
     return contact_sheet_arrange(s, &msg);
 }
 

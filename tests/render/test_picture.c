@@ -40,7 +40,7 @@ static uint64_t play(const struct built *built, bool down, bool dirty, double un
                                     .look = &look,
                                     .orientation = down ? BEAD_TIME_DOWN : BEAD_TIME_RIGHT,
                                     .fill = true};
-    setup.colours = (struct bead_colours){&map, BEAD_SCALE_SQRT, 0, 30};
+    setup.colours = (struct bead_colours){&map, BEAD_SCALE_SQRT, 0, 30, 0};
     assert_int_equal(type->create(&setup, &view, NULL), BEAD_OK);
     assert_int_equal(type->place(view, (struct bead_rect){40, 20, 201, 111}, NULL, NULL), BEAD_OK);
     assert_int_equal(bead_frame_create(300, 200, &frame, NULL), BEAD_OK);

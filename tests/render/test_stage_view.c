@@ -472,6 +472,24 @@ static void stages_are_transparent(void **state)
     close_view(&s);
 }
 
+/* What presses a chain together all the time is no wave: light begins beyond it, and the relieved contacts have none. */
+static void pressed_chains_are_dark_at_rest(void **state)
+{
+    (void)state;
+    static const struct {
+        double force, load; /* N, of 20 N at rest; of 20 N more, where colours end at 40 N */
+    } cases[] = {{20, 0}, {25, 0.25}, {40, 1}, {50, 1}, {15, 0}};
+    struct setting s;
+    open_view(&s, "chain: {precompression: 20 N, " STRIKER "beads: [{bead: large-steel, count: 4}], wall: rigid}",
+              BEAD_LIGHT_CONTACTS);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        feed_view(&s, BEAD_FIELD_CONTACT_FORCE, cases[i].force);
+        for (size_t k = 0; k < s.view->contacts; k++)
+            assert_float_equal(s.view->load[k], cases[i].load, 1e-9);
+    }
+    close_view(&s);
+}
+
 /* Beads are displaced, magnified, and light up on both sides of the contact that is pressed and nowhere else; between two moments
  * so far as the time has come. */
 static void beads_move_and_light_up(void **state)
@@ -710,6 +728,7 @@ int main(void)
         cmocka_unit_test(the_key_shows_light),
         cmocka_unit_test(stages_are_transparent),
         cmocka_unit_test(beads_move_and_light_up),
+        cmocka_unit_test(pressed_chains_are_dark_at_rest),
         cmocka_unit_test(neighbours_are_parted_where_they_touch),
         cmocka_unit_test(the_row_marks_what_is_on_the_stage),
         cmocka_unit_test(windows_go_along),

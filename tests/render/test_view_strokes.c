@@ -465,7 +465,7 @@ static void bars_have_numbers_at_their_colours(void **)
         struct bead_colormap map;
         open_shown(&s, SENSORS);
         require(bead_colormap_load("ember", &map, &msg), &msg);
-        const struct bead_colours colours = {&map, BEAD_SCALE_LINEAR, 0, 50};
+        const struct bead_colours colours = {&map, BEAD_SCALE_LINEAR, 0, 50, 0};
         cairo_set_source_rgb(s.cr, 0, 1, 0);
         cairo_paint(s.cr);
         s.seen.count = 0;
