@@ -77,7 +77,6 @@ static const struct {
     const char *scene, *output;
 } pictures[] = {
     {chains, "image: %s, panels: [[{field: force}, {show: sensors}], [{field: velocity, views: [beads, profile]}]]"},
-    {chains, "image: %s, trust: true"},
     {chains, "plot: %s, show: peaks"},
     {chains, "plot: %s, show: sensors"},
     {one, "plot: %s, show: setup"},
@@ -150,10 +149,28 @@ static void pictures_are_the_same_at_twice_the_resolution(void **)
     }
 }
 
+static size_t count_texts(const struct drawn *d, const char *text)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < d->texts; i++)
+        count += strstr(d->text[i].text, text) != NULL;
+    return count;
+}
+
+/* Equal axes of panels above each other have numbers and titles below the lowest only. */
+static void equal_axes_are_labelled_once(void **)
+{
+    record(one, "image: %s, panels: [[{field: force}], [{field: velocity}]]", DPI, &drawn[0]);
+    assert_int_equal(count_texts(&drawn[0], "time ("), 1);
+    assert_int_equal(count_texts(&drawn[0], "300"), 1);
+    assert_int_equal(count_texts(&drawn[0], "bead"), 3); /* along both, and in the title of a bar */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_the_same_at_twice_the_resolution),
+        cmocka_unit_test(equal_axes_are_labelled_once),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
 }
