@@ -15,6 +15,7 @@
 
 #include "beadreel/view.h"
 #include "render/draw/looks.h"
+#include "render/draw/markup.h"
 #include "render/encode/page.h"
 #include "tests/eyes.h"
 
