@@ -8,6 +8,6 @@ if ! "$python" -c 'import hypothesis' 2>/dev/null; then
     skip "python3-hypothesis" "properties of random scenes"
     finish
 fi
-run "$python" tests/properties.py "$beadsim" "${CASES:-20}"
+run "$python" tests/properties.py "$beadsim" "${CASES:-14}"
 relay
 finish

@@ -285,7 +285,7 @@ static void peaks_that_agree_by_chance_are_known_by_others(void **state)
     static const struct {
         uint64_t seed;
         double accuracy;
-    } cases[] = {{1036, 8e-9}, {1198, 1e-6}, {1324, 1e-5}, {2157, 1e-4}};
+    } cases[] = {{1036, 8e-9}, {1198, 1e-6}, {2157, 1e-4}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct drawn drawn = drawn_make(cases[i].seed, 150);
         const struct kept kept = drawn_ask(&drawn, cases[i].accuracy);
