@@ -6,9 +6,9 @@ let chart = null;
 
 /* ---- images ---- */
 
-/* Rows of an image: how many places the wave has reached, then their colours; the rest have the colour of 0. */
+/* Rows of an image: how many places the wave has reached, then their colours; the others have the colour at rest. */
 function pixels(image) {
-    const from = bytes(image.data), map = colourMap(), out = new ImageData(image.places, data.times), rest = 3 * colourIndex(0);
+    const from = bytes(image.data), map = colourMap(), out = new ImageData(image.places, data.times), rest = 3 * colourIndex(data.range.rest);
     for (let t = 0, p = 0; t < data.times; t++) {
         const reached = from[p] | from[p + 1] << 8;
         p += 2;

@@ -115,17 +115,11 @@ static enum bead_error bare_create(const struct bead_output *output, const struc
 static struct bead_colour_range bare_find_range(const struct bead_still *b)
 {
     struct bead_shown_values all = BEAD_NOTHING_SHOWN;
-    all.typical = INFINITY;
     all.rest = bead_colour_range_rest(b->context.chains, b->context.chain_count, b->output->shown.field);
-    for (size_t c = 0; c < b->context.chain_count; c++) {
-        double low, high, away = 0;
-        bead_area_extremes(b->areas[c], &low, &high);
-        if (all.rest > 0)
-            bead_area_typical(b->areas[c], all.rest, &away);
-        all.least = fmin(all.least, low);
-        all.largest = fmax(all.largest, high);
-        all.away = all.usually_away = fmax(all.away, away);
-    }
+    for (size_t c = 0; c < b->context.chain_count; c++)
+        bead_area_widen(b->areas[c], &all);
+    all.typical = INFINITY;
+    all.usually_away = all.away;
     return bead_colour_range_find(&b->output->colours, bead_chain_signed(b->context.chains[0], b->output->shown.field), &all);
 }
 

@@ -44,6 +44,7 @@ static enum bead_error sheet_read_chain(struct contact_sheet *s, struct contact_
                 image->spin[j++] = of_cell;
         }
     }
+    image->rest = bead_colour_range_rest(&chain, 1, s->output->shown.field);
     const size_t values = s->of_contacts ? bead_chain_contacts(chain) : image->beads;
     const int columns = contact_columns(s, image), places = image->picture.width + image->picture.height - columns;
     const struct bead_area_setup setup = {{0, values - 1}, {0, s->end}, places, columns, BEAD_SAMPLING_AREA};
@@ -93,18 +94,19 @@ static enum bead_error take_pictures(struct contact_sheet *s, const struct bead_
     return err ? err : bead_sweep_watch(s->sweep, s->watches, s->image_count, settings, msg);
 }
 
+/* Nothing is left out. */
 static void find_colours(struct contact_sheet *s)
 {
-    double low = INFINITY, high = -INFINITY;
-    for (size_t i = 0; i < s->image_count; i++) {
-        double one[2];
-        bead_area_extremes(s->images[i].area, &one[0], &one[1]);
-        low = fmin(low, one[0]);
-        high = fmax(high, one[1]);
-    }
-    s->range =
-        bead_colour_range_find(&s->output->colours, s->is_signed, &(struct bead_shown_values){low, high, .typical = INFINITY});
-    s->colours = bead_colour_range_colours(s->output, &s->range, &s->map);
+    struct bead_shown_values all = BEAD_NOTHING_SHOWN;
+    all.rest = s->image_count > 0 ? s->images[0].rest : 0;
+    for (size_t i = 0; i < s->image_count; i++)
+        all.rest = s->images[i].rest == all.rest ? all.rest : 0;
+    for (size_t i = 0; i < s->image_count; i++)
+        bead_area_widen(s->images[i].area, &all);
+    all.typical = INFINITY;
+    all.usually_away = all.away;
+    s->range = bead_colour_range_find(&s->output->colours, s->is_signed, &all);
+    s->colours = bead_colour_range_colours(s->output, &s->range, s->range.rest > 0 ? &s->map_about_rest : &s->map);
 }
 
 /* Finds page, look and colour map. */
@@ -126,6 +128,8 @@ static enum bead_error sheet_prepare(struct contact_sheet *s, struct bead_messag
     s->behind = bead_sweep_panel(s->sweep, 0)->spec->measures.sensor_count == 0;
     s->is_signed = bead_chain_signed(bead_sweep_chain_of(made), s->output->shown.field);
     err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, false, &s->map, msg);
+    if (!err)
+        err = bead_colour_range_map(s->output, bead_sweep_chain_of(made), s->look.dark, true, &s->map_about_rest, msg);
     bead_sweep_chain_destroy(made);
     return err;
 }

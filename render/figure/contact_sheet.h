@@ -25,6 +25,7 @@ struct contact_image {
     struct bead_rect words;          /* below: numbers, and the bar of the index */
     signed char *spin;               /* [beads]: 1 up, 0 reversed, -1: no cell */
     size_t beads;
+    double rest; /* N: static force; 0: none, or not shown */
     struct bead_area *area;
 };
 
@@ -40,14 +41,14 @@ struct contact_sheet {
     struct contact_image *images;
     struct bead_sweep_watch *watches; /* [image_count] */
     size_t image_count;
-    struct bead_rect intro, bar; /* title and explanation; bar of colours */
-    double label_width;          /* of the rows */
-    bool several;                /* sweeps */
-    bool by_key;                 /* each row has all values of the last key of a sweep over keys */
-    double end;                  /* s */
-    bool of_contacts, is_signed; /* values: of contacts; can be negative */
-    bool behind;                 /* forces are measured behind the random cells */
-    struct bead_colormap map;
+    struct bead_rect intro, bar;              /* title and explanation; bar of colours */
+    double label_width;                       /* of the rows */
+    bool several;                             /* sweeps */
+    bool by_key;                              /* each row has all values of the last key of a sweep over keys */
+    double end;                               /* s */
+    bool of_contacts, is_signed;              /* values: of contacts; can be negative */
+    bool behind;                              /* forces are measured behind the random cells */
+    struct bead_colormap map, map_about_rest; /* the latter where all have one static force */
     struct bead_colours colours;
     struct bead_colour_range range;
 };

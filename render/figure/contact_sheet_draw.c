@@ -259,7 +259,7 @@ static enum bead_error draw_picture(const struct contact_sheet *s, cairo_t *cr, 
     if (!indices)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sheet");
     BEAD_TRY(find_indices(s, image, indices, msg));
-    return bead_raster_indices(cr, image->picture, indices, &s->map, msg);
+    return bead_raster_indices(cr, image->picture, indices, s->colours.map, msg);
 }
 
 enum bead_error contact_sheet_draw(void *context, cairo_t *cr, struct bead_message *msg)

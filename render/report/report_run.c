@@ -240,7 +240,6 @@ static enum bead_error report_sample(struct bead_sink *s, const struct bead_samp
 static void find_range(struct bead_sink *s)
 {
     struct bead_shown_values shown = BEAD_NOTHING_SHOWN;
-    double away;
     shown.rest = bead_colour_range_rest(s->context.chains, s->chain_count, s->output->shown.field);
     for (size_t i = 0; i < s->chain_count; i++) {
         const struct report_chain *c = &s->chains[i];
@@ -248,9 +247,7 @@ static void find_range(struct bead_sink *s)
             shown.least = fmin(shown.least, c->field[k]);
             shown.largest = fmax(shown.largest, c->field[k]);
         }
-        shown.typical = fmax(shown.typical, bead_area_typical(c->area, 0, &away));
-        shown.usually_away = fmax(shown.usually_away, bead_area_typical(c->area, shown.rest, &away));
-        shown.away = fmax(shown.away, away);
+        bead_area_widen(c->area, &shown);
     }
     s->range = bead_colour_range_find(&s->output->colours, bead_chain_signed(s->context.chains[0], s->output->shown.field), &shown);
 }

@@ -78,13 +78,18 @@ static enum bead_error list_images(struct sweep_report *r, struct bead_message *
     return BEAD_OK;
 }
 
+static enum bead_error load_maps(struct sweep_report *r, struct bead_message *msg)
+{
+    for (int dark = 0; dark < 2; dark++)
+        BEAD_TRY(bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, r->range.rest > 0, &r->maps[dark], msg));
+    return BEAD_OK;
+}
+
 static enum bead_error prepare_colours(struct sweep_report *r, struct bead_message *msg)
 {
     BEAD_TRY(bead_colour_range_check(r->output, msg));
     BEAD_TRY(bead_sweep_chain_create(r->sweep, 0, BEAD_SWEEP_CLEAN, &r->clean, msg));
-    for (int dark = 0; dark < 2; dark++)
-        BEAD_TRY(bead_colour_range_map(r->output, bead_sweep_chain_of(r->clean), dark, false, &r->maps[dark], msg));
-    return BEAD_OK;
+    return load_maps(r, msg);
 }
 
 static enum bead_error make_area(struct sweep_report *r, struct sweep_image *image, struct bead_message *msg)
@@ -145,31 +150,28 @@ static enum bead_error run_images(struct sweep_report *r, const struct bead_swee
     return err ? err : bead_sweep_watch(r->sweep, r->watches, r->count, settings, msg);
 }
 
-static void find_range(struct sweep_report *r)
+static enum bead_error find_range(struct sweep_report *r, struct bead_message *msg)
 {
     struct bead_shown_values shown = BEAD_NOTHING_SHOWN;
-    for (size_t i = 0; i < r->count; i++) {
-        double low, high, away;
-        bead_area_extremes(r->images[i].area, &low, &high);
-        shown.least = fmin(shown.least, low);
-        shown.largest = fmax(shown.largest, high);
-        shown.typical = fmax(shown.typical, bead_area_typical(r->images[i].area, 0, &away));
-    }
     const struct bead_chain *chain = bead_sweep_chain_of(r->clean);
+    shown.rest = bead_colour_range_rest(&chain, 1, r->output->shown.field);
+    for (size_t i = 0; i < r->count; i++)
+        bead_area_widen(r->images[i].area, &shown);
     r->field = *bead_chain_field(chain, r->output->shown.field);
     r->range = bead_colour_range_find(&r->output->colours, bead_chain_signed(chain, r->output->shown.field), &shown);
+    return load_maps(r, msg);
 }
 
 /* ---- writing ---- */
 
-/* Writes indices of colours, a row for each time: the number of places up to the last that differs from the colour of 0 (two
+/* Writes indices of colours, a row for each time: the number of places up to the last that differs from the colour at rest (two
  * bytes), then their indices. */
 static enum bead_error write_image(const struct sweep_report *r, const struct sweep_image *image, struct bead_json *json,
                                    struct bead_message *msg)
 {
     const struct bead_colours colours = bead_colour_range_colours(r->output, &r->range, &r->maps[0]);
     const size_t places = bead_area_places(image->area), room = (places + 2) * (size_t)r->times;
-    const uint8_t rest = bead_colours_index(&colours, 0);
+    const uint8_t rest = bead_colours_index(&colours, colours.rest);
     BEAD_FREED double *means = malloc(places * sizeof *means);
     BEAD_FREED unsigned char *bytes = malloc(room);
     size_t used = 0;
@@ -283,7 +285,7 @@ static enum bead_error sweep_data(const void *context, FILE *file, struct bead_m
     bead_json_number(&json, "end", r->end);
     bead_json_number(&json, "times", r->times);
     report_field(&json, &r->field, bead_field_info(r->output->shown.field)->name);
-    report_range(&json, &r->range, r->output->colours.scale);
+    report_range(&json, &r->range, bead_colour_range_colours(r->output, &r->range, NULL).scale);
     report_maps(&json, r->maps);
     bead_json_open(&json, "panels", '[');
     for (size_t p = 0; p < bead_sweep_panels(r->sweep); p++)
@@ -304,10 +306,10 @@ static enum bead_error write_report(const struct bead_output *output, const stru
         err = list_images(&r, msg);
     if (!err)
         err = run_images(&r, context->sweep_settings, msg);
-    if (!err) {
-        find_range(&r);
+    if (!err)
+        err = find_range(&r, msg);
+    if (!err)
         err = report_write_page(&page, bead_sweep_scene(r.sweep), &r, path, bytes, msg);
-    }
     sweep_clear(&r);
     return err;
 }

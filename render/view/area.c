@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/colour/colour_range.h"
 #include "render/view/area.h"
 #include "render/view/area_kernels.h"
 #include "sim/base/memory.h"
@@ -418,6 +419,19 @@ double bead_area_typical(const struct bead_area *area, double rest, double *larg
     const double typical = fmax(bead_area_quantile(of_column, columns, of_time), bead_area_quantile(of_row, area->rows, of_chain));
     *largest = of_row[area->rows - 1]; /* sorted */
     return typical;
+}
+
+void bead_area_widen(const struct bead_area *area, struct bead_shown_values *all)
+{
+    double low, high, away;
+    bead_area_extremes(area, &low, &high);
+    all->least = fmin(all->least, low);
+    all->largest = fmax(all->largest, high);
+    all->typical = fmax(all->typical, bead_area_typical(area, 0, &away));
+    if (all->rest != 0) {
+        all->usually_away = fmax(all->usually_away, bead_area_typical(area, all->rest, &away));
+        all->away = fmax(all->away, away);
+    }
 }
 
 size_t bead_area_places(const struct bead_area *area)

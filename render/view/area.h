@@ -17,6 +17,7 @@
 #include "render/colour/colour_table.h"
 
 struct bead_area;
+struct bead_shown_values; /* colour_range.h */
 
 struct bead_area_setup {
     struct bead_span beads; /* or contacts */
@@ -48,6 +49,8 @@ void bead_area_extremes(const struct bead_area *area, double *low, double *high)
  * columns, and 10 % of the chain, have larger ones; INFINITY: unknown. `largest`: that of any pixel. Unless the value at rest is 0,
  * rows that never have it are left out, as beads at the ends of a pressed chain, which have a contact on one side only. */
 double bead_area_typical(const struct bead_area *area, double rest, double *largest);
+/* Widens ranges by the values of an area; about `all->rest` if that is not 0. */
+void bead_area_widen(const struct bead_area *area, struct bead_shown_values *all);
 /* The value below which this part of all lies; sorts them. INFINITY if there is none. */
 double bead_area_quantile(double *values, size_t count, double part);
 

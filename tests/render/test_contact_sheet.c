@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contact sheets: the configurations they show, and the places of pictures, spins, numbers and words. But for the last test
- * nothing is run: the results of runs are made up. */
+/* Contact sheets: the configurations they show, and the places of pictures, spins, numbers and words. But for the last two
+ * tests nothing is run: the results of runs are made up. */
 #include "beadreel/render.h"
 #include "render/draw/looks.h"
 #include "render/figure/contact_sheet.h"
@@ -430,6 +430,37 @@ static void spins_are_those_of_the_chains(void **)
     clear(&l);
 }
 
+/* Ahead of a small wave, pressed chains have the colour in the middle of the map for both signs, and the striker, which has a
+ * contact on one side only, the lowest. */
+static void pressed_chains_are_shown_about_rest(void **)
+{
+    static const char sweep[] = "chain: {precompression: 5 N, striker: {velocity: 0.01 m/s}, wall: rigid}\n"
+                                "sweep: {cells: 8, configurations: 2, seed: 7, magnetism: 0}",
+                      size[] = "size: [900, 700], orientation: time-down";
+    struct laid l;
+    struct bead_colormap map;
+    char text[500], path[600];
+    assert_int_equal(lay_out(&l, sweep, size), BEAD_OK);
+    assert_int_equal(bead_colormap_load("dawn", &map, NULL), BEAD_OK);
+    snprintf(text, sizeof text, "%s\noutputs: [{sheet: sheet.png, %s}]\n", sweep, size);
+    write_scene(text, path);
+    play_counts((struct bead_job){.input = path, .output = directory, .threads = 1});
+    snprintf(path, sizeof path, "%s/sheet.png", directory);
+    cairo_surface_t *made = cairo_image_surface_create_from_png(path);
+    assert_int_equal(cairo_surface_status(made), CAIRO_STATUS_SUCCESS);
+    for (size_t i = 0; i < l.sheet.image_count; i++) {
+        const struct bead_rect r = l.sheet.images[i].picture;
+        const uint8_t *row = cairo_image_surface_get_data(made) + (ptrdiff_t)r.y * cairo_image_surface_get_stride(made),
+                      *first = row + 4 * (ptrdiff_t)(r.x + 1), *last = row + 4 * (ptrdiff_t)(r.x + r.width - 2);
+        for (int c = 0; c < 3; c++) {
+            assert_true(last[2 - c] == map.rgb[127][c] || last[2 - c] == map.rgb[128][c]);
+            assert_int_equal(first[2 - c], map.rgb[0][c]);
+        }
+    }
+    cairo_surface_destroy(made);
+    clear(&l);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -438,6 +469,7 @@ int main(void)
         cmocka_unit_test(rows_have_all_values_of_the_last_key),
         cmocka_unit_test(words_say_what_was_found),
         cmocka_unit_test(spins_are_those_of_the_chains),
+        cmocka_unit_test(pressed_chains_are_shown_about_rest),
     };
     return cmocka_run_group_tests_name("contact sheets", tests, make_directory, remove_directory);
 }
