@@ -74,11 +74,11 @@ static void profile_destroy(struct bead_view *v)
     free(v);
 }
 
-/* Values of one sign in films that show all beads. */
+/* Values on one side of that at rest, in films that show all beads. */
 static bool holds(const struct bead_view_setup *setup)
 {
-    const bool contacts = bead_chain_spec(setup->chain)->system->has_contacts, one_sign = setup->colours.low >= 0;
-    return (setup->hold || setup->cells) && setup->fill && contacts && one_sign && !setup->camera;
+    const bool contacts = bead_chain_spec(setup->chain)->system->has_contacts, one_side = setup->colours.low >= setup->colours.rest;
+    return (setup->hold || setup->cells) && setup->fill && contacts && one_side && !setup->camera;
 }
 
 static enum bead_error profile_create(const struct bead_view_setup *setup, struct bead_view **view, struct bead_message *msg)
@@ -320,7 +320,8 @@ static void profile_advance(struct bead_view *v, double time)
 /* Finds the curve through the values in the plot. Forces and other values of one sign stay on their side of zero. */
 static void profile_smooth(struct bead_view *v)
 {
-    float bottom = profile_y_of(v, v->base), lowest = v->axis.low < 0 || v->axis.scale == BEAD_SCALE_LOG ? INFINITY : bottom;
+    float bottom = profile_y_of(v, v->base),
+          lowest = v->axis.low < v->setup.colours.rest || v->axis.scale == BEAD_SCALE_LOG ? INFINITY : bottom;
     v->points = bead_smooth_fill(v->x, v->y, v->count, v->from, v->to, v->parts, v->fixed, -INFINITY, lowest, v->sx, v->sy);
     if (v->count > 1)
         return;

@@ -32,7 +32,7 @@ struct film {
     enum bead_view_kind kind;
     const char *chain;
     enum bead_field field;
-    double low, high;
+    double low, high, rest;
     bool film, light;
     enum bead_orientation orientation;
     double window; /* m; 0: no camera */
@@ -122,7 +122,7 @@ static void open_shown(struct shown *s, const struct film *film)
                                     .field = film->field,
                                     .beads = film->beads,
                                     .time = {0, span},
-                                    .colours = {&s->map, film->scale, film->low, film->high},
+                                    .colours = {&s->map, film->scale, film->low, film->high, film->rest},
                                     .look = &s->look,
                                     .axes = film->row,
                                     .orientation = film->orientation,
@@ -351,6 +351,33 @@ static void profiles(void **)
     }
 }
 
+/* Forces about a static one are drawn as velocities about 0. */
+static void forces_about_rest_go_to_both_sides(void **)
+{
+    static const double rest = 20, half = 0.25;
+    const struct film films[] = {
+        {"velocities", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_VELOCITY, -half, half, .film = true, .hold = true},
+        {"forces", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, rest - half, rest + half, .rest = rest, .film = true, .hold = true}};
+    struct shown s[2];
+    struct bead_message msg = {""};
+    struct fields run[RUNS];
+    for (int i = 0; i < 2; i++) {
+        open_shown(&s[i], &films[i]);
+        make_fields(run, s[i].chain, FRAMES / 2, 0);
+        for (int b = 0; b < ROOM; b++) {
+            const double value = half * sin(0.8 * b);
+            run[0].value[BEAD_FIELD_VELOCITY][b] = value;
+            run[0].value[BEAD_FIELD_FORCE][b] = rest + value;
+        }
+        require(s[i].type->feed(s[i].view, &run[0].sample, &msg), &msg);
+        draw(&s[i], run[0].sample.time, &(struct bead_changes){0});
+    }
+    assert_true(difference(&s[0].frame, &s[0].background) > 50);
+    assert_true(difference(&s[0].frame, &s[1].frame) <= 1);
+    close_shown(&s[0]);
+    close_shown(&s[1]);
+}
+
 static void images(void **)
 {
     for (enum bead_orientation o = BEAD_TIME_RIGHT; o <= BEAD_MATRIX; o++) {
@@ -412,8 +439,9 @@ static void stages(void **)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(beads),   cmocka_unit_test(profiles), cmocka_unit_test(images),
-        cmocka_unit_test(sensors), cmocka_unit_test(modes),    cmocka_unit_test(stages),
+        cmocka_unit_test(beads),  cmocka_unit_test(profiles), cmocka_unit_test(forces_about_rest_go_to_both_sides),
+        cmocka_unit_test(images), cmocka_unit_test(sensors),  cmocka_unit_test(modes),
+        cmocka_unit_test(stages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
