@@ -9,6 +9,8 @@ beadsim=$BUILD/beadsim
 T=$(mktemp -d "${TMPDIR:-/tmp}/beadreel.XXXXXX") || exit 1
 trap 'rm -rf "$T"' EXIT
 export PYTHONDONTWRITEBYTECODE=1
+# Debian's, which has Debian's packages, and starts sooner than what may stand before it in the PATH.
+[ ! -x /usr/bin/python3 ] || python3() { /usr/bin/python3 "$@"; }
 export XDG_CONFIG_HOME=$T/.config XDG_CONFIG_DIRS=/nowhere # not the settings of who runs the tests
 tests=0 failures=0
 
