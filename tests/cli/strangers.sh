@@ -414,7 +414,7 @@ else
     lockless() { LD_PRELOAD=$T/flock.so "$@"; }
     LD_PRELOAD=$T/flock.so "$beadsim" long.yaml -o shared --progress none >first 2>&1 &
     first=$!
-    for _ in $(seq 100); do [ ! -e shared/run.h5.part.lock ] || break; sleep .1; done
+    await test -s shared/run.h5.part.lock # the claim is written after it is made
     ok "without locks, the second of two runs is refused" fails 2 lockless "$beadsim" long.yaml -o shared
     ok "... and told of the first" says "another run is writing it, process $first on $(uname -n); if that is gone, remove shared/run.h5.part.lock"
     kill -KILL $first
