@@ -427,7 +427,8 @@ static void rooms_are_as_large_as_words(void **)
 
 /* ---- cards ---- */
 
-/* A card has title and text, a rule, the chains with their names, and facts: all from one left edge, below each other, on the page.
+/* A card has title and text, a rule, the chains with their names, and facts, of the longest cell or, of several, the one that comes
+ * most often: all from one left edge, below each other, on the page.
  * If there are more chains than fit, it says how many more. */
 static void cards_say_what_is_shown(void **)
 {
@@ -440,7 +441,7 @@ static void cards_say_what_is_shown(void **)
             size_t used = (size_t)snprintf(scene, sizeof scene, "chains:\n"), named = 0, more = 0;
             for (size_t c = 0; c < chains; c++)
                 used += (size_t)snprintf(
-                    scene + used, sizeof scene - used, "  - {name: Name %zu%s, beads: [{%s, count: %d}]}\n", c,
+                    scene + used, sizeof scene - used, "  - {name: Name %zu%s, beads: [{%s, count: %d}, {bead: ptfe}]}\n", c,
                     c == 1 ? " with letters so numerous that all of them have to be smaller than those of the others" : "",
                     chains == 1 ? "cell: [large-steel, ptfe, ptfe, small-steel, ptfe]" : "bead: large-steel", chains == 1 ? 5 : 24);
             open_film(&f, scene,
