@@ -47,7 +47,7 @@ static void open_film(struct film *f, const char *chains, const char *output)
                                               .height = HEIGHT,
                                               .time = {0, span},
                                               .step = 2e-6,
-                                              .range = {0, 45},
+                                              .range = {.high = 45},
                                               .scene = f->scene,
                                               .canvas = "plain",
                                               .film = &slow,

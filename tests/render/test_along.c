@@ -167,7 +167,7 @@ static void images_are_below_their_beads(void **state)
                                           .field = BEAD_FIELD_FORCE,
                                           .beads = {0, beads - 1},
                                           .time = {0, 1e-3},
-                                          .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                          .colours = {&map, BEAD_SCALE_LINEAR, 0, 40, 0},
                                           .look = &look,
                                           .over_beads = true,
                                           .orientation = BEAD_TIME_DOWN,

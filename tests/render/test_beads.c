@@ -125,7 +125,7 @@ static void make_pair(struct pair *p, const struct world *w, const struct bead_v
                                     .field = BEAD_FIELD_FORCE,
                                     .beads = {0, bead_chain_beads(w->chains[0]) - 1},
                                     .time = {0, 0.8e-3},
-                                    .colours = {&p->map, BEAD_SCALE_SQRT, 0, 35},
+                                    .colours = {&p->map, BEAD_SCALE_SQRT, 0, 35, 0},
                                     .look = &p->look,
                                     .axes = true,
                                     .bead_labels = place.window > 0,
@@ -435,7 +435,7 @@ static void test_arrows_and_means(void **state)
                                               .field = BEAD_FIELD_CONTACT_FORCE,
                                               .beads = {0, 7},
                                               .time = {0, 1e-3},
-                                              .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                              .colours = {&map, BEAD_SCALE_LINEAR, 0, 40, 0},
                                               .look = &look,
                                               .magnify = 1};
         require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
@@ -493,7 +493,7 @@ static void test_strings_have_fixed_ends(void **state)
                                           .field = BEAD_FIELD_DISPLACEMENT,
                                           .beads = {0, 6},
                                           .time = {0, 10},
-                                          .colours = {&map, BEAD_SCALE_LINEAR, -1, 1},
+                                          .colours = {&map, BEAD_SCALE_LINEAR, -1, 1, 0},
                                           .look = &look,
                                           .magnify = 1};
     require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
@@ -529,7 +529,7 @@ static void test_sensors_have_rings_as_paths(void **state)
                                               .field = BEAD_FIELD_FORCE,
                                               .beads = {1 - k, bead_chain_beads(chain) - 1},
                                               .time = {0, 1e-3},
-                                              .colours = {&map, BEAD_SCALE_LINEAR, 0, 40},
+                                              .colours = {&map, BEAD_SCALE_LINEAR, 0, 40, 0},
                                               .look = &look,
                                               .magnify = 1};
         require(bead_view_beads_type.create(&setup, &view, &msg), &msg);
@@ -591,7 +591,7 @@ static void compare_copies(enum bead_follow follow)
                                         .height = 480,
                                         .time = {0, 0.8e-3},
                                         .step = 0.8e-3 / (FRAMES - 1),
-                                        .range = {0, 35}};
+                                        .range = {.high = 35}};
     assert_int_equal(bead_composer_fields(output, w.chains[0]),
                      BEAD_FIELD_BIT(BEAD_FIELD_FORCE) | BEAD_FIELD_BIT(BEAD_FIELD_DISPLACEMENT));
     require(bead_composer_create(&setup, &composer, &msg), &msg);

@@ -254,7 +254,7 @@ static void window_of(const char *layout, size_t chains, int width, int height, 
                                         .height = height,
                                         .time = {0, 1e-3},
                                         .step = 1e-5,
-                                        .range = {0, 40}};
+                                        .range = {.high = 40}};
     require(bead_composer_create(&setup, &composer, &msg), &msg);
     for (size_t c = 0; c < chains; c++) {
         double radius, spacing = bead_chain_spacing(chain[c], (struct bead_span){0, 80}, &radius);

@@ -42,7 +42,7 @@ static struct barred make_frame(const char *map)
                                         .height = 720,
                                         .time = {0, 1e-3},
                                         .step = 1e-5,
-                                        .range = {0, 40},
+                                        .range = {.high = 40},
                                         .scene = b.scene};
     require(bead_composer_create(&setup, &b.composer, &msg), &msg);
     b.composer->setup.chains = (const struct bead_chain *const *)&b.chain;

@@ -272,7 +272,7 @@ static void open_keyed(struct keyed *k, const char *chain)
     k->setup = (struct bead_view_setup){.chain = k->chain,
                                         .field = BEAD_FIELD_CONTACT_FORCE,
                                         .beads = {0, bead_chain_beads(k->chain) - 1},
-                                        .colours = {NULL, BEAD_SCALE_LINEAR, -12, 48},
+                                        .colours = {NULL, BEAD_SCALE_LINEAR, -12, 48, 0},
                                         .look = &k->look,
                                         .axes = true,
                                         .light = BEAD_LIGHT_CONTACTS};

@@ -82,7 +82,7 @@ static void open_smaller(struct setting *s, const char *chain, enum bead_light l
                                                                                                    : BEAD_FIELD_DISPLACEMENT,
                                           .beads = {0, beads - 1},
                                           .time = {0, 1e-3},
-                                          .colours = {&s->map, BEAD_SCALE_LINEAR, 0, 40},
+                                          .colours = {&s->map, BEAD_SCALE_LINEAR, 0, 40, 0},
                                           .look = &s->look,
                                           .axes = true,
                                           .bead_labels = true,

@@ -52,7 +52,7 @@ static struct strip *make_strip(int width)
                                     .field = BEAD_FIELD_FORCE,
                                     .beads = {0, BEADS - 1},
                                     .time = {0, 1e-3},
-                                    .colours = {&s->map, BEAD_SCALE_SQRT, 0, 40},
+                                    .colours = {&s->map, BEAD_SCALE_SQRT, 0, 40, 0},
                                     .look = &s->look,
                                     .magnify = 1};
     s->plot = (struct bead_rect){10, 2, width, HEIGHT - 4};

@@ -62,7 +62,7 @@ static struct bead_frame make_film(struct film film, enum bead_orientation orien
                                           .time = {0, end},
                                           .look = &look,
                                           .orientation = orientation,
-                                          .colours = {&map, BEAD_SCALE_LINEAR, 0, 1},
+                                          .colours = {&map, BEAD_SCALE_LINEAR, 0, 1, 0},
                                           .fill = true,
                                           .theory = film.theory};
     assert_true(!film.theory || (type->fields(&setup) & BEAD_FIELD_BIT(BEAD_FIELD_CONTACT_FORCE)));

@@ -209,7 +209,7 @@ static struct bead_frame draw_until(const struct bead_chain *chain, int until, b
                                     .field = BEAD_FIELD_FORCE,
                                     .beads = {0, bead_chain_beads(chain) - 1},
                                     .time = {0, 1e-3},
-                                    .colours = {&map, BEAD_SCALE_LINEAR, -1, 1},
+                                    .colours = {&map, BEAD_SCALE_LINEAR, -1, 1, 0},
                                     .look = &look,
                                     .orientation = fill ? BEAD_TIME_DOWN : BEAD_TIME_RIGHT,
                                     .fill = fill,

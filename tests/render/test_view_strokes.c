@@ -80,7 +80,7 @@ static void open_shown(struct shown *s, const char *text)
                                         .field = BEAD_FIELD_FORCE,
                                         .beads = {0, bead_chain_beads(s->chain) - 1},
                                         .time = {0, 1e-3},
-                                        .colours = {NULL, BEAD_SCALE_LINEAR, 0, 50},
+                                        .colours = {NULL, BEAD_SCALE_LINEAR, 0, 50, 0},
                                         .look = &s->look,
                                         .axes = true,
                                         .bead_labels = true,
