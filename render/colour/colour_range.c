@@ -13,7 +13,8 @@ static const double hides = 0.5, headroom = 1.05;
 static const double ripple = 0.05;
 /* Samples seldom hit a maximum: from this part of a round number, the range ends at the number. */
 static const double nearly = 0.99;
-/* Waves that move forces less than this part of the static one are not told from its digits. */
+/* Waves that move forces by less than this part of the static one have colours from 0: chosen, as labels of seven digits and more
+ * have no room. */
 static const double still = 1e-6;
 
 /* The next one-digit number (1, 2, ... 10 times a power of ten) if `size` is nearly that: the bar then ends with a labelled tick.

@@ -201,7 +201,7 @@ static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message
     f->at = fmin(f->at, f->context.end);
     if (!err)
         err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, false, &f->map, msg);
-    if (!err)
+    if (!err && bead_colour_range_rest(f->context.chains, f->context.chain_count, output->shown.field) > 0)
         err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, true, &f->map_about_rest, msg);
     if (err)
         return err;

@@ -34,7 +34,8 @@ static enum bead_error draw_axes(const struct bead_tile *panel, const struct bea
     return err;
 }
 
-/* Stand-ins for ranges known only at the end: these largest values, and parts by which waves move a static force. */
+/* Stand-ins for ranges known only at the end: these largest values, and parts by which waves move a static force. Labels of smaller
+ * waves have a digit more for each decade, and extend into the margin. */
 enum { SIZES = 3, PARTS = 3 };
 static const double axis_sizes[SIZES] = {888, 630, 310}, bar_sizes[SIZES] = {1, 9.9, 999}, moved[PARTS] = {.5, .05, .0005};
 

@@ -49,7 +49,8 @@ BEAD_CHECK enum bead_error bead_film_compose(const struct bead_film *film, struc
 
 /* The magnitude that only a short and narrow event exceeds; INFINITY: unknown. */
 double bead_preview_typical(const struct bead_preview *preview);
-/* The largest distance of a force from that at rest, and that of nine tenths of the beads or contacts. */
+/* The largest distance of a force from that at rest, and that which nine tenths of the beads or contacts do not exceed; 0: no
+ * chain is pressed, or forces are not shown. */
 void bead_preview_away(const struct bead_preview *preview, double *largest, double *usual);
 /* Feeds all samples of a chain, of the field shown, into a view. */
 BEAD_CHECK enum bead_error bead_preview_feed(const struct bead_preview *preview, size_t chain, const struct bead_view_type *type,

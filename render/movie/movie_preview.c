@@ -21,7 +21,7 @@ struct bead_preview {
     double *time;                 /* [samples] */
     double *value;                /* [samples][chains][room]; NULL: not kept */
     size_t *active;               /* [samples][chains] */
-    double *away;                 /* [room]: the largest distances of forces from those at rest, of any chain; NULL: not shown */
+    double *away; /* [room]: the largest distances of forces from those at rest, of any chain; NULL: none is pressed */
     size_t next;
 };
 
@@ -68,6 +68,7 @@ void bead_film_free(struct bead_film *film)
 static enum bead_error preview_create(struct bead_film *film, struct bead_message *msg)
 {
     struct bead_preview *p = film->preview = calloc(1, sizeof *p);
+    const bool pressed = bead_colour_range_rest(film->context.chains, film->context.chain_count, film->output->shown.field) > 0;
     const size_t chains = film->context.chain_count, beads = film->last_bead + 1 - film->output->shown.beads.first;
     const struct bead_area_setup setup = {.beads = {film->output->shown.beads.first, film->last_bead},
                                           .time = {film->times.time[0], film->times.time[1]},
@@ -80,10 +81,10 @@ static enum bead_error preview_create(struct bead_film *film, struct bead_messag
         p->area = calloc(chains, sizeof(struct bead_area *));
         p->time = calloc(p->samples, sizeof *p->time);
         p->active = calloc(p->samples * chains, sizeof *p->active);
-        p->away = calloc(p->room, sizeof *p->away);
+        p->away = pressed ? calloc(p->room, sizeof *p->away) : NULL;
         p->value = is_kept(film) ? calloc(p->samples * chains * p->room, sizeof *p->value) : NULL;
     }
-    if (!p || !p->area || !p->time || !p->active || !p->away || (is_kept(film) && !p->value))
+    if (!p || !p->area || !p->time || !p->active || (pressed && !p->away) || (is_kept(film) && !p->value))
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a preview");
     for (size_t i = 0; i < chains; i++)
         BEAD_TRY(bead_area_create(&setup, &p->area[i], msg));
@@ -102,7 +103,7 @@ static void keep_away(struct bead_film *film, size_t chain, const double *row, s
 {
     const struct bead_chain *own = film->context.chains[chain];
     double *away = film->preview->away;
-    for (size_t i = film->output->shown.beads.first; i < count; i++)
+    for (size_t i = film->output->shown.beads.first; away && i < count; i++)
         away[i] = fmax(away[i], fabs(row[i] - bead_force_at_rest(own, film->output->shown.field, i)));
 }
 
@@ -139,8 +140,8 @@ double bead_preview_typical(const struct bead_preview *p)
 
 void bead_preview_away(const struct bead_preview *p, double *largest, double *usual)
 {
-    *usual = bead_area_quantile(p->away, p->room, 0.9);
-    *largest = p->room > 0 ? p->away[p->room - 1] : 0; /* sorted */
+    *usual = p->away ? bead_area_quantile(p->away, p->room, 0.9) : 0;
+    *largest = p->away ? p->away[p->room - 1] : 0; /* sorted */
 }
 
 bool bead_preview_whole(const struct bead_preview *p)

@@ -19,14 +19,11 @@ enum bead_field bead_stage_field(const struct bead_view_setup *setup)
     return bead_chain_spec(setup->chain)->system->has_contacts ? BEAD_FIELD_CONTACT_FORCE : setup->field;
 }
 
-/* The largest static force of a chain's contacts. */
+/* The largest static force of a chain's contacts: on a tilt they rise towards the wall. */
 static double static_force(const struct bead_chain *chain)
 {
-    const double *rest = bead_chain_spec(chain)->system->has_contacts ? bead_chain_static_force(chain) : NULL;
-    double most = 0;
-    for (size_t k = 0; rest && k < bead_chain_contacts(chain); k++)
-        most = fmax(most, rest[k]);
-    return most;
+    const size_t contacts = bead_chain_spec(chain)->system->has_contacts ? bead_chain_contacts(chain) : 0;
+    return contacts > 0 ? bead_chain_static_force(chain)[contacts - 1] : 0;
 }
 
 double bead_stage_full(const struct bead_view_setup *setup)

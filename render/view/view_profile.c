@@ -317,7 +317,7 @@ static void profile_advance(struct bead_view *v, double time)
         v->held[i] = profile_y_of(v, bead_hold_largest(v->hold, i));
 }
 
-/* Finds the curve through the values in the plot. Forces and other values of one sign stay on their side of zero. */
+/* Finds the curve through the values in the plot. Forces and other values on one side of that at rest stay there. */
 static void profile_smooth(struct bead_view *v)
 {
     float bottom = profile_y_of(v, v->base),
