@@ -81,7 +81,8 @@ static void paint_mark(struct bead_mark *mark, struct bead_rgb colour, double al
 
 static void ring(const struct bead_view *v, const struct bead_window *w, struct bead_drawing *d, size_t i, struct bead_rgb colour)
 {
-    double r = v->radius[i] * w->scale, width = fmax(1.2, 0.07 * r);
+    /* As wide as lines of axes, but for what a small bead has room for. */
+    double r = v->radius[i] * w->scale, width = fmax(0.07 * r, fmin(fmax(1.2, v->look.line), 0.4 * r));
     if (r < 3 || i < d->now.first || i >= d->now.first + d->now.count)
         return;
     double x = d->now.balls[i - d->now.first].x; /* moves only with its ball */

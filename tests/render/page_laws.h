@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Laws that every page keeps, whatever it shows, in points: texts are on it, none is on another, no line goes through one, numbers
+ * along an axis are where its scale says, each with a tick. */
+#ifndef BEADREEL_TESTS_PAGE_LAWS_H
+#define BEADREEL_TESTS_PAGE_LAWS_H
+
+#include "drawn.h"
+
+#define assert_page(words, law)                                                                                       \
+    do {                                                                                                              \
+        if (!(law))                                                                                                   \
+            fail_msg("page %zu, '%s' at %g, %g: not %s", (words)->page, (words)->text, (words)->x, (words)->y, #law); \
+    } while (0)
+
+static bool is_on_page(size_t stroke, size_t page)
+{
+    return strokes.list[stroke].surface == CAIRO_SURFACE_TYPE_PDF && drawn_page[stroke] == page;
+}
+
+static bool boxes_meet(const double low[2], const double high[2], const double other_low[2], const double other_high[2])
+{
+    return low[0] < other_high[0] && other_low[0] < high[0] && low[1] < other_high[1] && other_low[1] < high[1];
+}
+
+/* Does the line from a to b touch the box? By Liang and Barsky. */
+static bool line_meets(const struct stroke_point *a, const struct stroke_point *b, const double low[2], const double high[2])
+{
+    const double from[2] = {a->x, a->y}, by[2] = {b->x - a->x, b->y - a->y};
+    double begin = 0, end = 1;
+    for (int k = 0; k < 2; k++) {
+        if (by[k] == 0 && (from[k] <= low[k] || from[k] >= high[k]))
+            return false;
+        if (by[k] == 0)
+            continue;
+        double t[2] = {(low[k] - from[k]) / by[k], (high[k] - from[k]) / by[k]};
+        begin = fmax(begin, fmin(t[0], t[1])), end = fmin(end, fmax(t[0], t[1]));
+    }
+    return begin < end;
+}
+
+static bool stroke_meets(const struct stroke *s, const double low[2], const double high[2])
+{
+    double least[2], most[2];
+    for (int k = 0; k < 2; k++)
+        least[k] = fmax(low[k], s->clip_low[k]), most[k] = fmin(high[k], s->clip_high[k]);
+    if (s->filled || !boxes_meet(s->low, s->high, least, most) || least[0] >= most[0] || least[1] >= most[1])
+        return false;
+    for (size_t i = 1; i < s->count; i++) {
+        if (!s->at[i].begins && line_meets(&s->at[i - 1], &s->at[i], least, most))
+            return true;
+    }
+    return false;
+}
+
+/* Texts are on the page, none on another; nothing goes through them. */
+static void texts_are_free(const struct drawn *d, double width, double height)
+{
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *a = &d->text[i];
+        assert_page(a, a->low[0] >= 0 && a->low[1] >= 0 && a->high[0] <= width && a->high[1] <= height);
+        for (size_t j = 0; j < i; j++)
+            assert_page(a, a->page != d->text[j].page || !boxes_meet(a->low, a->high, d->text[j].low, d->text[j].high));
+        for (size_t j = 0; j < strokes.count; j++)
+            assert_page(a, !is_on_page(j, a->page) || !stroke_meets(&strokes.list[j], a->low, a->high));
+    }
+}
+
+/* ---- numbers along axes ---- */
+
+enum { NUMBERS_MOST = 200 };
+static const double usual_gap = 2.6; /* of numbers from ticks, 0.3 of type of 8 pt and what round figures lack */
+struct numbers {
+    size_t count;
+    struct number {
+        const struct words *words;
+        double value, at;
+    } number[NUMBERS_MOST];
+};
+
+/* The number that a text is, else NAN. */
+static double number_of(const char *text)
+{
+    char plain[64];
+    size_t used = 0;
+    for (const char *c = text; *c && used + 1 < sizeof plain;) {
+        if (!strncmp(c, "\u2212", 3))
+            plain[used++] = '-', c += 3;
+        else if ((*c >= '0' && *c <= '9') || *c == '.')
+            plain[used++] = *c++;
+        else if (!strncmp(c, "\u202f", 3))
+            c += 3;
+        else
+            return NAN;
+    }
+    plain[used] = 0;
+    return used ? strtod(plain, NULL) : NAN;
+}
+
+static int by_place(const void *a, const void *b)
+{
+    const double x = ((const struct number *)a)->at, y = ((const struct number *)b)->at;
+    return (x > y) - (x < y);
+}
+
+static double scaled(double value, int scale)
+{
+    return scale == 0 ? value : scale == 1 ? log10(value) : copysign(sqrt(fabs(value)), value);
+}
+
+/* How far a number is from its place between the first and the last on such a scale. */
+static double off_scale(const struct number *n, size_t count, int scale)
+{
+    const double first = scaled(n[0].value, scale), last = scaled(n[count - 1].value, scale);
+    double off = isfinite(first) && isfinite(last) ? 0 : INFINITY;
+    for (size_t i = 1; i + 1 < count && off < INFINITY; i++)
+        off =
+            fmax(off, fabs(n[0].at + (scaled(n[i].value, scale) - first) / (last - first) * (n[count - 1].at - n[0].at) - n[i].at));
+    return off;
+}
+
+/* How far a number is from the end of its tick, the nearest short line that points at its middle; INFINITY: it has none. */
+static double tick_gap(const struct number *n, int along)
+{
+    enum { LONGEST = 8 };
+    double gap = INFINITY;
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        for (size_t k = 1; !s->filled && is_on_page(j, n->words->page) && k < s->count; k++) {
+            const double from[2] = {s->at[k - 1].x, s->at[k - 1].y}, to[2] = {s->at[k].x, s->at[k].y};
+            const double begin = fmin(from[!along], to[!along]), end = fmax(from[!along], to[!along]);
+            if (!s->at[k].begins && from[along] == to[along] && end - begin < LONGEST && fabs(from[along] - n->at) < 0.25)
+                gap = fmin(gap, fmax(begin - n->words->high[!along], n->words->low[!along] - end));
+        }
+    }
+    return gap;
+}
+
+static void numbers_are_in_place(const struct number *n, size_t count, int along)
+{
+    enum { SCALES = 3 };
+    double off = INFINITY;
+    for (int scale = 0; scale < SCALES; scale++)
+        off = fmin(off, off_scale(n, count, scale));
+    assert_page(n->words, off < 0.15);
+    for (size_t i = 0; i < count; i++)
+        assert_page(n[i].words,
+                    fabs(tick_gap(&n[i], along) - usual_gap) < 0.9); /* digits differ so much in how they fill their widths */
+}
+
+/* Those in a line with the first; along[k] is the axis. */
+static void axes_have_scales(const struct drawn *d, size_t page, int along)
+{
+    bool done[WORDS_MOST] = {false};
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *a = &d->text[i];
+        struct numbers line = {0};
+        if (a->page != page || done[i] || isnan(number_of(a->text)))
+            continue;
+        for (size_t j = i; j < d->texts; j++) {
+            const struct words *b = &d->text[j];
+            bool level = along == 0 ? fabs(b->centre[1] - a->centre[1]) < 0.01
+                                    : fabs(2 * b->centre[0] - b->x - (2 * a->centre[0] - a->x)) < 0.01 || fabs(b->x - a->x) < 0.01;
+            if (b->page == page && level && !isnan(number_of(b->text)) && line.count < NUMBERS_MOST)
+                line.number[line.count++] =
+                    (struct number){b, number_of(b->text), along ? (b->low[1] + b->high[1]) / 2 : b->centre[0]},
+                done[j] = true;
+        }
+        qsort(line.number, line.count, sizeof *line.number, by_place);
+        for (size_t from = 0, to; from < line.count; from = to) {
+            for (to = from + 1; to < line.count &&
+                                (along == 0 ? line.number[to].value > line.number[to - 1].value
+                                            : line.number[to].value < line.number[to - 1].value) &&
+                                labs(line.number[to].words - line.number[to - 1].words) == 1;)
+                to++;
+            if (to - from > 2)
+                numbers_are_in_place(line.number + from, to - from, along);
+        }
+    }
+}
+
+/* ---- titles of axes ---- */
+
+static bool is_frame(const struct stroke *s)
+{
+    enum { LEAST = 15 };
+    return !s->filled && s->begun == 1 && s->count >= 4 && s->count <= 5 && s->high[0] - s->low[0] > LEAST &&
+           s->high[1] - s->low[1] > LEAST;
+}
+
+/* Is a title of an axis in the middle of the side of the frame that it is beside, if there is one? */
+static bool is_centred(const struct words *title, int along)
+{
+    enum { FARTHEST = 40 };
+    double nearest = INFINITY;
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        const double c[2] = {title->centre[0], title->centre[1]};
+        if (is_on_page(j, title->page) && is_frame(s) && s->low[along] < c[along] && c[along] < s->high[along] &&
+            fmin(fabs(s->low[!along] - c[!along]), fabs(s->high[!along] - c[!along])) < FARTHEST)
+            nearest = fmin(nearest, fabs(c[along] - (s->low[along] + s->high[along]) / 2));
+    }
+    return nearest < 0.3 || nearest == INFINITY;
+}
+
+static void titles_are_centred(const struct drawn *d)
+{
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *a = &d->text[i];
+        if (a->upwards || strstr(a->text, " ("))
+            assert_page(a, is_centred(a, a->upwards));
+    }
+}
+
+static void page_laws(const struct drawn *d, double width, double height)
+{
+    texts_are_free(d, width, height);
+    titles_are_centred(d);
+    for (size_t p = 0; p < d->pages; p++) {
+        for (int along = 0; along < 2; along++)
+            axes_have_scales(d, p, along);
+    }
+}
+
+#endif
