@@ -157,12 +157,6 @@ static void drive_ends(const struct bead_patch_piece *piece, const struct nodes 
     }
 }
 
-/* True if a bead of the contacts that are not frozen has a drive. */
-static inline bool drives(const struct bead_patch *patch)
-{
-    return patch->driven >= 1 && (size_t)patch->driven <= patch->count + 1;
-}
-
 /* d'' = h^2 (u_k'' - u_{k+1}'') ds/dz at the nodes from the forces of the contact and its neighbours. */
 static void find_curvatures(const struct nodes *nodes, const struct bead_patch *patch, const struct pushing *pushing)
 {
@@ -208,7 +202,7 @@ static double picard(const struct nodes *nodes, double from, const struct bead_p
     find_curvatures(nodes, patch, pushing);
     if (patch->pulled)
         pull_curvatures(nodes, patch, pushing);
-    if (drives(patch))
+    if (bead_patch_drives(patch))
         drive_curvatures(nodes, patch);
     for (size_t n = pushing->first; n < pushing->last; n++) {
         const size_t k = pushing->contact[n];
@@ -269,7 +263,7 @@ static void finish_piece(const struct bead_patch_piece *piece, const struct node
     }
     if (patch->pulled)
         pull_ends(piece, patch);
-    if (drives(patch))
+    if (bead_patch_drives(patch))
         drive_ends(piece, nodes, patch);
 }
 

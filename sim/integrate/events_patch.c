@@ -89,7 +89,7 @@ static void find_branches(struct bead_events *e, const size_t *flagged, size_t c
 static void find_drive(struct bead_events *e, const struct bead_stepper *s, const struct bead_patch_piece *piece)
 {
     struct bead_patch *patch = &e->patch;
-    if (patch->driven < 1 || (size_t)patch->driven > patch->count + 1)
+    if (!bead_patch_drives(patch))
         return;
     for (size_t i = 0; i < BEAD_GAUSS_NODES; i++) {
         double rate, a[2];

@@ -62,6 +62,12 @@ struct bead_patch {
     void *memory;
 };
 
+/* True if a bead of the contacts that are not frozen has a drive. */
+static inline bool bead_patch_drives(const struct bead_patch *patch)
+{
+    return patch->driven >= 1 && (size_t)patch->driven <= patch->count + 1;
+}
+
 /* Data of a step for load_patch: states at both ends and constants of the contacts; stages are the forces in the method's
  * quadrature, with weights for the impulse and its moment. */
 enum { BEAD_PATCH_STAGES_MAX = 18 };
