@@ -118,7 +118,7 @@ enum bead_error bead_h5_verify(const char *path, uint64_t *bytes, struct bead_me
     return err;
 }
 
-static enum bead_error open_checked(struct bead_h5 *h5)
+enum bead_error bead_h5_open_here(struct bead_h5 *h5)
 {
     BEAD_TRY(find_seal(h5));
     uint64_t damaged = 0;
@@ -137,12 +137,6 @@ static enum bead_error open_checked(struct bead_h5 *h5)
     h5->file =
         H5Fopen("/", H5F_ACC_RDONLY, access_list); /* the driver has the file; of a relative name the directory is looked for */
     return h5->file < 0 ? bead_h5_fail(h5, true, "damaged, or cut off") : BEAD_OK;
-}
-
-void bead_h5_open_here(struct bead_h5 *h5)
-{
-    if (open_checked(h5))
-        bead_h5_check_leave(&h5->check);
 }
 
 /* Like H5Fis_hdf5, but without opening the library: the signature is at the beginning, or at 512 bytes times a power of two. */

@@ -33,7 +33,7 @@ enum bead_error bead_h5_fail_by(struct bead_h5 *h5, const char *done, int error)
 /* False if HDF5 is missing. */
 bool bead_h5_load_for(struct bead_h5 *h5);
 /* Open the file that h5->check has open, in this process. */
-void bead_h5_open_here(struct bead_h5 *h5);
+enum bead_error bead_h5_open_here(struct bead_h5 *h5);
 bool bead_h5_stays_in_process(void);
 /* Opens a file for reading as bead_file_look does. Waits for the head of an unfinished file made a moment ago, and finds one
  * finished meanwhile under its name. */
