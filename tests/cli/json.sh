@@ -13,12 +13,18 @@ outputs:
   - {movie: m.mp4, size: [320, 240], duration: 0.2 s, fps: 10, poster: p.png}
 YAML
 
-# is EXPRESSION : of the line in out, `j`, which holds in Python.
+# is EXPRESSION : of the line in out, `j`, which holds in Python; same(A, B): with all keys, and numbers to twelve digits.
 is() {
     [ "$(wc -l <out)" -eq 1 ] || { echo "not one line:"; cat out; return 1; }
     python3 -c '
 import json, sys
+from math import pi
 def wrong(word): raise ValueError(word)
+def same(a, b):
+    if isinstance(a, dict): return list(a) == list(b) and all(same(a[k], b[k]) or print(k, a[k], b[k]) for k in a)
+    if isinstance(a, list): return len(a) == len(b) and all(map(same, a, b))
+    return a == b if not isinstance(a, float) or b is None else abs(a - b) <= 1e-12 * abs(b)
+def of(file): return json.load(open(file, encoding="utf-8"))
 j = json.loads(open("out", encoding="utf-8").read(), parse_constant=wrong)
 sys.exit(0 if eval(sys.argv[1]) else str(j))' "$1"
 }
@@ -78,24 +84,39 @@ ok "... outputs, and which are made" is '[(o["name"], o["path"], o["kind"], o["m
     ("peaks.csv", "out/peaks.csv", "table", True), ("folder/µ.png", None, "image", False), ("m.mp4", None, "movie", False)]'
 ok "... and the plan in words" is 'len(j["lines"]) > 4 and any("skipped" in line for line in j["lines"])'
 ok "... nothing is made" test ! -e out/peaks.csv
+cp out plan
 ok "--plan --json of a sweep" exits 0 "$beadsim" sweep --plan --json
 ok "... as well" is 'j["chains"] == [] and ("sweep.h5", "sweep") in [(o["name"], o["kind"]) for o in j["outputs"]]'
 ok "--info --json of a scene" exits 0 "$beadreel" --info scene.yaml --json
-ok "... describes it" is 'j["kind"] == "scene" and j["until_s"] is None and j["accuracy"] == 1e-6 and j["chains"][0]["striker"] == "large-steel" and j["chains"][0]["velocity_m_s"] == 0.443'
+# Hertz: A = (4/3) sqrt(R*) E*; all the energy e at a contact compresses it by d, (2/5) A d^(5/2) = e, to p = 3 A sqrt(d) / (2 pi R*) in its centre.
+ok "... describes all of it" is '[o["kind"] for o in j.pop("outputs")] == ["table", "image", "movie"] and [same(j, {
+    "file": "scene.yaml", "kind": "scene", "title": "", "until_s": None, "accuracy": 1e-6, "chains": [dict(
+        name="a", equation=None, beads=13, contacts=12, striker="large-steel", velocity_m_s=0.443,
+        kinds=[dict(material="brass", own=False, beads=12, radius_m=[R, R], mass_kg=[m, m], modulus_Pa=[E, E], poisson=0.34)],
+        law="hertz", coefficient=[A, B], coefficient_power=1.5, energy_J=e, strike_bar_speed=0.443 / (E / 8500) ** 0.5,
+        compression_radius_most=(e / 0.4 / A) ** 0.4 / R, pressure_yield_most=3 * B * (e / 0.4 / B) ** 0.2 / (pi * R) / 0.51e9,
+        wall="none", spins="", magnetism=None, sensors=[]), j["chains"][1]]})
+    for R, E, n in [(4.76e-3, 90.2e9, (1 - 0.34 ** 2) / 90.2e9)] for m, e in [(8500 * 4 / 3 * pi * R ** 3, 3.63e-3 * 0.443 ** 2 / 2)]
+    for A, B in [[4 / 3 * (R / 2) ** 0.5 / (n + other) for other in (n, (1 - 0.3 ** 2) / 193e9)]]] == [True]'
+ok "... as the plan does" is 'j["chains"] == of("plan")["chains"]'
+cp out scene
 ok "--info --json of a ready scene" exits 0 "$beadreel" --info clean-vs-delocalised --json
 ok "... with beads and contacts" is '[(k["material"], k["beads"], k["own"]) for k in j["chains"][0]["kinds"]] == [("large-steel", 64, False), ("aluminium", 64, False)] and j["chains"][0]["coefficient_power"] == 1.5 and 2e9 < j["chains"][0]["coefficient"][0] < j["chains"][0]["coefficient"][1] < 1e10'
 ok "... with spins" is 'j["chains"][1]["magnetism"] == 0 and len(j["chains"][1]["spins"]) == 64'
 ok "--info --json of an equation" exits 0 "$beadreel" --info kdv --json
-ok "... has points" is 'j["chains"][0]["equation"] == "kdv" and j["chains"][0]["points"] > 0'
-"$beadsim" scene.yaml -o data --set 'outputs=[{trajectory: run.h5, every: 2 us}]' >/dev/null
+ok "... has points" is 'j["chains"] == [dict(name="", equation="kdv", points=800)]'
+"$beadsim" scene.yaml -o data --set 'outputs=[{trajectory: run.h5, every: 2 us}]' --json >run
 "$beadsim" scene.yaml -o grid --set 'outputs=[{trajectory: run.h5, every: 2 us}]' --set 'simulate.until=30 us' >/dev/null
 ok "--info of a trajectory" exits 0 "$beadreel" --info grid/run.h5
 ok "... has first and last sample" prints "samples: 16, every 2 us from 0 s to 30 us"
 ok "--info --json of a trajectory" exits 0 "$beadreel" --info data/run.h5 --json
-ok "... has samples and runs" is 'j["kind"] == "trajectory" and j["samples"]["every_s"] == 2e-6 and j["samples"]["count"] > 10 and "displacement" in j["samples"]["fields"] and [r["method"] for r in j["runs"]] == ["rkn8", "rkn8"]'
+ok "... has the chains of the scene, samples, and runs" is 'same(j, dict(of("scene"), file="data/run.h5", kind="trajectory", outputs=[{"name": "run.h5", "kind": "trajectory"}],
+    samples=dict(count=1 + int(j["runs"][0]["end_s"] / 2e-6), start_s=0, every_s=2e-6, end_s=2e-6 * (j["samples"]["count"] - 1), first_bead=0, last_bead=None,
+    fields=["force", "contact-force", "compression", "velocity", "displacement"]), runs=of("run")["runs"]))'
 "$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
 ok "--info --json of a sweep" exits 0 "$beadreel" --info sweep/sweep.h5 --json
-ok "... counts" is 'j["kind"] == "sweep" and j["known"] == j["chains"] > 4 and j["parts"] == 1'
+ok "... counts" is 'j["known"] > 4 and same(j, dict(file="sweep/sweep.h5", kind="sweep", title=j["title"], until_s=None, accuracy=1e-6, outputs=j["outputs"],
+    chains=j["known"], known=j["known"], part=1, parts=1, version="'"$("$beadsim" --version | awk 'NR == 1 {print $2}')"'"))'
 ok "--info --json of nothing" exits 2 "$beadreel" --info nothing.yaml --json
 ok "... has the error" is 'j["status"] == "failed" and "nothing.yaml" in j["errors"][0]["message"]'
 ok "--plan --json of a wrong scene" exits 2 "$beadreel" --plan scene.yaml --json --set chains=1
