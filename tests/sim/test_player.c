@@ -147,6 +147,7 @@ static void wrong_chains_say_what_is_wrong(void **state)
     const struct bead_properties soft[] = {steel, {.radius = 1e-3, .density = 1, .modulus = -1, .poisson = 0.3}};
     const struct bead_properties flat = {.radius = 1e-3, .density = 1, .modulus = 1, .poisson = 0.6};
     const struct bead_properties point = {.density = 1, .modulus = 1, .poisson = 0.3};
+    const struct bead_properties hollow = {.radius = 1e-3, .density = 1, .modulus = 1, .poisson = -1};
     static const struct bead_law unfinished = {.name = "unfinished"};
     const struct {
         struct bead_chain_settings settings;
@@ -158,7 +159,11 @@ static void wrong_chains_say_what_is_wrong(void **state)
         {{.beads = &steel, .count = 1, .velocity = NAN}, "velocity: nan"},
         {{.beads = &steel, .count = 1, .precompression = -1}, "precompression: -1"},
         {{.beads = &steel, .count = 1, .tilt = 0.1}, "tilt: 0.1; must be 0 where no wall"},
+        {{.beads = &steel, .count = 1, .wall = BEAD_WALL_RIGID, .tilt = 1.5707963267949}, "tilt: 1.5708; must be from 0 to"},
+        {{.beads = &steel, .count = 1, .wall = BEAD_WALL_MATERIAL + 1}, "wall: 3"},
+        {{.beads = &steel, .count = 1, .damping_coefficient = -1}, "damping_coefficient: -1"},
         {{.beads = &steel, .count = 1, .damping_exponent = 10}, "damping_exponent"},
+        {{.beads = &hollow, .count = 1}, "beads[0].poisson: -1"},
         {{.beads = &heavy, .count = 1}, "beads[0].mass"},
         {{.beads = soft, .count = 2}, "beads[1].modulus: -1"},
         {{.beads = &flat, .count = 1}, "beads[0].poisson: 0.6"},
@@ -179,6 +184,34 @@ static void wrong_chains_say_what_is_wrong(void **state)
         settings.size = 7;
         assert_int_equal(bead_chain_make(&settings, &chain, NULL), BEAD_ERROR_USAGE);
     }
+}
+
+/* What is at the end of a range is allowed. A chain that stands on a wall bears its weight, bead by bead, before the striker comes.
+ */
+static void ends_of_ranges_are_allowed(void **state)
+{
+    (void)state;
+    struct bead_properties rubber = steel;
+    rubber.poisson = 0.5;
+    struct bead_chain_settings settings = {.size = sizeof settings,
+                                           .beads = &rubber,
+                                           .count = 1,
+                                           .repeat = 4,
+                                           .wall = BEAD_WALL_MATERIAL,
+                                           .wall_material = rubber,
+                                           .tilt = acos(0),
+                                           .damping_exponent = nextafter(10, 0)};
+    struct bead_chain *chain = make(&settings);
+    assert_int_equal(bead_chain_contacts(chain), 5);
+    for (size_t k = 0; k < 5; k++)
+        assert_near(bead_chain_static_force(chain)[k], (double)k * steel.mass * 9.80665, 1e-14);
+    bead_chain_destroy(chain);
+    settings.repeat = 0;
+    settings.damping_exponent = settings.tilt = 0;
+    chain = make(&settings);
+    assert_int_equal(bead_chain_beads(chain), 2);
+    assert_true(bead_chain_energy(chain) == 0 && bead_chain_static_force(chain)[1] == 0);
+    bead_chain_destroy(chain);
 }
 
 struct taken {
@@ -419,6 +452,7 @@ int main(void)
         cmocka_unit_test(runs_are_over_at_their_end),
         cmocka_unit_test(mass_follows_from_density),
         cmocka_unit_test(wrong_chains_say_what_is_wrong),
+        cmocka_unit_test(ends_of_ranges_are_allowed),
         cmocka_unit_test(ways_to_play_are_one),
         cmocka_unit_test(state_between_steps),
         cmocka_unit_test(uncertainty_is_that_asked_for),
