@@ -113,6 +113,82 @@ ok "--info --json of a trajectory" exits 0 "$beadreel" --info data/run.h5 --json
 ok "... has the chains of the scene, samples, and runs" is 'same(j, dict(of("scene"), file="data/run.h5", kind="trajectory", outputs=[{"name": "run.h5", "kind": "trajectory"}],
     samples=dict(count=1 + int(j["runs"][0]["end_s"] / 2e-6), start_s=0, every_s=2e-6, end_s=2e-6 * (j["samples"]["count"] - 1), first_bead=0, last_bead=None,
     fields=["force", "contact-force", "compression", "velocity", "displacement"]), runs=of("run")["runs"]))'
+"$beadsim" data/run.h5 -o data/measures.csv --set outputs.0.show=measures >/dev/null
+"$beadreel" --info data/run.h5 >words
+# `out` has the same in JSON, the table has the measures.
+cat >words.py <<'PYTHON'
+import csv, json, math
+def of(x, unit, digits=4):  # "4.76 mm"
+    power = min(0, 3 * math.floor(math.log10(abs(float(f"{x:.{digits - 1}e}"))) / 3)) if x else 0
+    return f"{x / 10 ** power:.{digits}g} {dict(zip((0, -3, -6, -9, -12), ('', 'm', 'u', 'n', 'p')))[power]}{unit}"
+def measure(name, value, unit, note):
+    said = of(float(value), unit) if len(unit) == 1 else f"{float(value):.6g} {unit}".strip()
+    return f"  {name:27} {said}{', ' if note else ''}{note}"
+j, lines = json.load(open("out", encoding="utf-8")), ["data/run.h5: trajectory"]
+table = list(csv.reader(open("data/measures.csv", encoding="utf-8")))[1:]
+for c in j["chains"]:
+    k = c["kinds"][0]
+    lines += [f"chain {c['name']}: striker and {c['beads'] - 1} beads, {c['contacts']} contacts, free end",
+              f"  striker {c['striker']} at {of(c['velocity_m_s'], 'm/s')}, energy {of(c['energy_J'], 'J')}",
+              f"  {k['beads']} beads of {k['material']}: radius {of(k['radius_m'][0], 'm')}, mass {of(1e3 * k['mass_kg'][0], 'g')}, "
+              f"modulus {k['modulus_Pa'][0] / 1e9:.4g} GPa, Poisson {k['poisson']:.3g}",
+              f"  contacts: law hertz, coefficient {c['coefficient'][0]:.4g} to {c['coefficient'][1]:.4g} N/m^1.5",
+              f"  strike at {c['strike_bar_speed']:.3g} of the bar speed; compression at most {c['compression_radius_most']:.3g} of the radius, "
+              f"pressure at most {c['pressure_yield_most']:.3g} of the yield strength"]
+s = j["samples"]
+lines += [f"samples: {s['count']}, every {of(s['every_s'], 's')} from 0 s to {of(s['end_s'], 's')}, all beads",
+          "fields: force (N) contact-force (N) compression (m) velocity (m/s) displacement (m)"]
+for i, r in enumerate(j["runs"]):
+    lines += [f"run of chain {i}: {r['method']}, step {of(r['step_s'], 's')}, {r['steps']} steps to {of(r['end_s'], 's')}",
+              f"  front arrived at the end at {of(r['front_arrival_s'], 's')}",
+              f"  errors seen: energy {r['energy_error']:.2g}, embedded method {r['embedded_error']:.2g}, contact events {r['event_error']:.2g}",
+              f"measures of chain {i}, from these samples:"] + [measure(*row[1:5]) for row in table if row[0] == r["chain"]]
+said = open("words", encoding="utf-8").read().splitlines()
+for a, b in zip(said, lines):
+    if a != b: raise SystemExit(f"{a!r}, not {b!r}")
+if len(said) != len(lines): raise SystemExit(f"{len(said)} lines, not {len(lines)}")
+PYTHON
+ok "... the same in words, and the measures of a table" python3 words.py
+cat >all.yaml <<'YAML'
+chain:
+  striker: {velocity: 0}
+  precompression: 20 N
+  tilt: 12.5 deg
+  wall: rigid
+  start: [{bead: [3, 4], velocity: 0.1}, {bead: [5, 12], displacement: 2 nm}]
+  damping: {coefficient: 2, exponent: 1.3}
+  beads: [{cell: [large-steel, aluminium], spins: "11010111000111111100000001111000100100110101110001111111000000011110001001001"}, {bead: ptfe, sensor: end}]
+simulate: {until: 10 us, step: 0.1 us, method: rk4}
+outputs: [{table: p.csv, show: peaks}]
+YAML
+ok "--info of what is given" exits 0 "$beadsim" --info all.yaml
+sed 's/energy .*/energy/; s/^  contacts.*/  contacts/; s/^  strike at.*/  strike/' out >words
+ok "... says all of it" diff words - <<'TEXT'
+all.yaml: scene
+chain 0: striker and 155 beads, 156 contacts, rigid wall
+  striker large-steel at 0 m/s, energy
+  bead 3 starts at 100 mm/s, displaced by 0 m
+  bead 4 starts at 100 mm/s, displaced by 0 m
+  bead 5 starts at 0 m/s, displaced by 2 nm
+  bead 6 starts at 0 m/s, displaced by 2 nm
+  bead 7 starts at 0 m/s, displaced by 2 nm
+  bead 8 starts at 0 m/s, displaced by 2 nm
+  bead 9 starts at 0 m/s, displaced by 2 nm
+  bead 10 starts at 0 m/s, displaced by 2 nm
+  ... and 2 beads more
+  77 beads of large-steel: radius 4.76 mm, mass 3.63 g, modulus 193 GPa, Poisson 0.3
+  1 bead of ptfe: radius 2.38 mm, mass 123 mg, modulus 1.46 GPa, Poisson 0.46
+  77 beads of aluminium: radius 4.76 mm, mass 1.26 g, modulus 72.4 GPa, Poisson 0.33
+  contacts
+  precompression 20 N
+  tilt 12.5 deg
+  damping 2 N (s/m)^1.3
+  strike
+  spins 110101110001111111000000011110001001001101011100011111110000000111100010... (77), M = 0.01299
+  sensor end on bead 155
+until 10 us, accuracy 1e-06, method rk4, step 100 ns
+output 0: table p.csv
+TEXT
 "$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
 ok "--info --json of a sweep" exits 0 "$beadreel" --info sweep/sweep.h5 --json
 ok "... counts" is 'j["known"] > 4 and same(j, dict(file="sweep/sweep.h5", kind="sweep", title=j["title"], until_s=None, accuracy=1e-6, outputs=j["outputs"],
