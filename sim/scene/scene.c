@@ -17,7 +17,7 @@ static const struct bead_option rows[] = {
     {"title", BEAD_OPTION_TEXT, offsetof(struct bead_scene, title), .initial = "", .help = "title of the scene",
      .example = "My first wave"},
     {"author", BEAD_OPTION_TEXT, offsetof(struct bead_scene, author), .initial = "",
-     .help = "who made it, for the document information of PDF files", .example = "Ada Lovelace"},
+     .help = "who made it, for the document information of PDF files, and for trajectories", .example = "Ada Lovelace"},
     {"materials", BEAD_OPTION_CUSTOM, .shape = "a map of materials", .like = "{materials.NAME}", .read = bead_scene_read_materials,
      .help = "adds to the ready materials: see materials.NAME",
      .example = "{carbide: {density: 14900 kg/m3, modulus: 668 GPa, poisson: 0.24, radius: 4.76 mm}}"},

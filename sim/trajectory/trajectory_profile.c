@@ -219,10 +219,11 @@ static void write_h5md(struct bead_sink *sink)
     static const int64_t version[2] = {1, 1};
     static const int64_t dimension = 3;
     static const char *const boundary[] = {"none", "none", "none"};
+    const char *named = sink->context.scene->author;
     hid_t group = bead_h5_make_group(h5, h5->file, "/h5md");
     bead_h5_put_ints(h5, group, "version", version, 2);
     hid_t author = bead_h5_make_group(h5, group, "author");
-    bead_h5_put_text(h5, author, "name", "unknown");
+    bead_h5_put_text(h5, author, "name", *named ? named : "unknown");
     hid_t creator = bead_h5_make_group(h5, group, "creator");
     bead_h5_put_text(h5, creator, "name", "beadreel");
     bead_h5_put_text(h5, creator, "version", BEADREEL_VERSION);
