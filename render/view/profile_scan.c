@@ -88,9 +88,25 @@ static void make_pen(const struct bead_curve *c, struct pen *pen)
     }
 }
 
+/* The pen's round ends are part of a dash: dashes are shorter by its width, gaps longer. */
+static float dash_length(const struct bead_curve *c, int part)
+{
+    static const float least_on = 0.2f;
+    const float length = (float)c->dashes->lengths[part];
+    return c->width * (part % 2 ? length + 1 : most(least_on, length - 1));
+}
+
+static float pattern_length(const struct bead_curve *c)
+{
+    float length = 0;
+    for (int part = 0; c->dashes && part < c->dashes->count; part++)
+        length += dash_length(c, part);
+    return length;
+}
+
 int bead_curve_reach(const struct bead_curve *curve)
 {
-    return (int)ceilf(0.5f * curve->width) + 2;
+    return (int)ceilf(0.5f * curve->width + pattern_length(curve)) + 2;
 }
 
 /* The part of each slice that the pen covers as it follows the curve. */
@@ -227,45 +243,75 @@ static void add_point(struct dash *d, float x, float y)
     d->y[d->curve.count++] = y;
 }
 
-/* The pen's round ends are part of a dash: dashes are shorter by its width, gaps longer. */
-static float dash_length(const struct bead_curve *c, int part)
+/* What of segment `i` lies between two x. */
+struct piece {
+    float x, y, dx, dy, length;
+};
+
+static bool cut(const struct bead_curve *c, size_t i, const float ends[2], struct piece *p)
 {
-    static const float least_on = 0.2f;
-    const float length = (float)c->dashes->lengths[part];
-    return c->width * (part % 2 ? length + 1 : most(least_on, length - 1));
+    const float from = most(c->x[i - 1], ends[0]), to = least(c->x[i], ends[1]);
+    const float slope = (c->y[i] - c->y[i - 1]) / (c->x[i] - c->x[i - 1]);
+    if (!(from < to))
+        return false;
+    *p = (struct piece){.x = from, .y = c->y[i - 1] + slope * (from - c->x[i - 1]), .dx = to - from, .dy = slope * (to - from)};
+    p->length = sqrtf(p->dx * p->dx + p->dy * p->dy);
+    return true;
 }
 
+/* Whole patterns between two x, from segment `i` on. Where the curve itself ends there, patterns are not stretched. */
+static void draw_patterns(const struct bead_curve *c, size_t i, const float ends[2], struct dash *d)
+{
+    struct piece p;
+    float all = 0, stretch = 1, left;
+    int part = 0;
+    for (size_t k = i; k < c->count && c->x[k - 1] < ends[1]; k++)
+        all += cut(c, k, ends, &p) ? p.length : 0;
+    if (c->x[0] <= ends[0] && c->x[c->count - 1] >= ends[1])
+        stretch = all / (pattern_length(c) * most(1, roundf(all / pattern_length(c))));
+    left = stretch * dash_length(c, 0);
+    for (; i < c->count && c->x[i - 1] < ends[1]; i++) {
+        if (!cut(c, i, ends, &p))
+            continue;
+        if (part % 2 == 0 && d->curve.count == 0)
+            add_point(d, p.x, p.y);
+        float at = 0;
+        for (; p.length - at > left; left = stretch * dash_length(c, part)) {
+            at += left;
+            add_point(d, p.x + p.dx * (at / p.length), p.y + p.dy * (at / p.length));
+            if (part % 2 == 0)
+                end_dash(d);
+            part = (part + 1) % c->dashes->count;
+        }
+        left -= p.length - at;
+        if (part % 2 == 0)
+            add_point(d, p.x + p.dx, p.y + p.dy);
+    }
+    if (part % 2 == 0)
+        end_dash(d);
+    d->curve.count = 0;
+}
+
+/* Patterns fill strips of the plot that are as wide as one of them, or several where the curve is steep: dashes counted from the
+ * curve's beginning would all move whenever a part of it changed. */
 static void draw_dashes(const struct bead_curve *c, struct bead_rect rect, int from, int to, struct bead_frame *frame)
 {
     struct dash d = {.curve = *c, .rect = rect, .from = from, .to = to, .frame = frame};
-    int part = 0;
-    float left = dash_length(c, 0);
+    const float width = pattern_length(c), first = most(c->x[0], (float)from - c->width);
+    size_t i = 1;
     d.curve.x = d.x;
     d.curve.y = d.y;
     d.curve.area_alpha = 0;
+    d.curve.dashes = NULL;
     d.curve.count = 0;
-    add_point(&d, c->x[0], c->y[0]);
-    for (size_t i = 1; i < c->count && c->x[i - 1] < (float)to + c->width; i++) {
-        const float dx = c->x[i] - c->x[i - 1], dy = c->y[i] - c->y[i - 1], length = sqrtf(dx * dx + dy * dy);
-        float at = 0;
-        for (; length - at > left; left = dash_length(c, part)) {
-            at += left;
-            const float x = c->x[i - 1] + dx * (at / length), y = c->y[i - 1] + dy * (at / length);
-            if (part % 2 == 0) {
-                add_point(&d, x, y);
-                end_dash(&d);
-            } else {
-                d.curve.count = 0;
-                add_point(&d, x, y);
-            }
-            part = (part + 1) % c->dashes->count;
-        }
-        left -= length - at;
-        if (part % 2 == 0)
-            add_point(&d, c->x[i], c->y[i]);
+    for (float k = floorf((first - c->start) / width);; k++) {
+        const float ends[2] = {c->start + k * width, c->start + (k + 1) * width};
+        if (ends[0] >= c->x[c->count - 1] || ends[0] >= (float)to + c->width)
+            return;
+        while (i + 1 < c->count && c->x[i] <= ends[0])
+            i++;
+        draw_patterns(c, i, ends, &d);
     }
-    if (part % 2 == 0)
-        end_dash(&d);
 }
 
 void bead_curve_draw(const struct bead_curve *curve, struct bead_rect rect, int from, int to, struct bead_frame *frame,

@@ -15,7 +15,8 @@ struct bead_curve {
     float width; /* of the line, px */
     struct bead_rgb line, area;
     double area_alpha;
-    const struct bead_dashes *dashes; /* of the line, from the first point, without an area; NULL: solid */
+    const struct bead_dashes *dashes; /* of the line, without an area; NULL: solid */
+    float start;                      /* x where a pattern of dashes begins */
 };
 
 /* Reach of a point's influence beyond its neighbours, px. */

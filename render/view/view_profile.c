@@ -342,7 +342,8 @@ static struct bead_curve profile_curve_of(const struct bead_view *v)
                                .line = colour,
                                .area = colour,
                                .area_alpha = v->setup.own_colour ? shared_alpha : area_alpha,
-                               .dashes = v->setup.own_colour ? bead_look_dashes(v->setup.chain_index % BEAD_DASHES) : NULL};
+                               .dashes = v->setup.own_colour ? bead_look_dashes(v->setup.chain_index % BEAD_DASHES) : NULL,
+                               .start = v->x[0]};
 }
 
 /* The largest values so far: a thin line, fainter than the curve. */
@@ -399,8 +400,6 @@ static void find_changed(const struct bead_view *curve, bool all, uint8_t *chang
         int b = i + gaps >= curve->to ? width : (int)ceilf(curve->x[i + gaps]) + reach;
         a = a < 0 ? 0 : a;
         b = b > width ? width : b;
-        if (drawn.dashes && drawn.dashes->count > 0) /* all later dashes move along the curve */
-            b = width;
         if (b > a)
             memset(changed + a, 1, (size_t)(b - a));
     }

@@ -164,12 +164,55 @@ static void test_dashes(void **state)
     bead_frame_free(&parts);
 }
 
+/* A curve that rises at the left of `split`, and is level from there on; returns the number of dashes in columns from..to. */
+static int count_dashes(float rise, int from, int to, struct bead_frame *frame)
+{
+    enum { POINTS = 49, SPLIT = 20 };
+    float x[POINTS], y[POINTS];
+    const struct bead_rect rect = {0, 0, frame->width, frame->height};
+    const struct bead_curve curve = {
+        x, y, POINTS, .base = 400, .width = 4, .line = {1, 1, 1}, .dashes = bead_look_dashes(1), .start = 0};
+    int dashes = 0;
+    memset(frame->pixels, 0, frame->stride * (size_t)frame->height);
+    for (int i = 0; i < POINTS; i++) {
+        x[i] = (float)(10 * i);
+        y[i] = 390.5F - (i < SPLIT ? rise * (float)i / SPLIT : rise);
+    }
+    bead_curve_draw(&curve, rect, 0, frame->width, frame, NULL);
+    bool was = false;
+    for (int px = from; px < to; px++) { /* halfway up the slope, or on the level */
+        const int row = (int)(390.5F - (px < 10 * SPLIT ? rise * (float)px / (10 * SPLIT) : rise));
+        const bool on = frame->pixels[(size_t)row * frame->stride + 4 * (size_t)px] > 127;
+        dashes += on && !was;
+        was = on;
+    }
+    return dashes;
+}
+
+/* Dashes stay where they are when the curve changes elsewhere, and are as long where it is steep: 32 px a pattern. */
+static void test_dashes_stay(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_frame low, high;
+    require(bead_frame_create(480, 400, &low, &msg), &msg);
+    require(bead_frame_create(480, 400, &high, &msg), &msg);
+    assert_int_equal(count_dashes(0, 256, 480, &low), 7);
+    assert_int_equal(count_dashes(320, 256, 480, &high), 7);
+    for (int px = 256; px < 480; px++) /* level, 320 px higher */
+        assert_int_equal(low.pixels[390 * low.stride + 4 * (size_t)px], high.pixels[70 * high.stride + 4 * (size_t)px]);
+    assert_int_equal(count_dashes(320, 32, 156, &high), 8); /* 60 px in each 32 px: 2 patterns */
+    bead_frame_free(&low);
+    bead_frame_free(&high);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_curves_are_averages_over_slices),
         cmocka_unit_test(test_curves_cover_transparent_frames),
         cmocka_unit_test(test_dashes),
+        cmocka_unit_test(test_dashes_stay),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
