@@ -436,12 +436,57 @@ static void stages(void **)
     }
 }
 
+/* Where an image has time down, its cursor is light below what the camera sees, of equal beads as many as its window is long. */
+static void cursors_show_the_window(void **)
+{
+    static const struct film film = {"image",
+                                     BEAD_VIEW_SPACETIME,
+                                     PLAIN,
+                                     BEAD_FIELD_FORCE,
+                                     0,
+                                     35,
+                                     .film = true,
+                                     .orientation = BEAD_TIME_DOWN,
+                                     .window = 8 * 9.525e-3};
+    struct shown s;
+    size_t seen = 0;
+    open_shown(&s, &film);
+    const double beads = 31, spacing = 9.525e-3, first = bead_chain_position(s.chain)[0];
+    const struct bead_rgb accent = s.look.accent;
+    for (size_t k = 0; k < FRAMES; k++) {
+        const double time = feed(&s, k), left = (bead_camera_left(s.camera) - first) / spacing + 0.5;
+        draw(&s, time, &(struct bead_changes){0});
+        int from = WIDTH, to = 0;
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                const uint8_t *p = s.frame.pixels + (size_t)y * s.frame.stride + 4 * (size_t)x;
+                if (abs(p[0] - (int)lround(255 * accent.b)) > 1 || abs(p[1] - (int)lround(255 * accent.g)) > 1 ||
+                    abs(p[2] - (int)lround(255 * accent.r)) > 1)
+                    continue;
+                from = x < from ? x : from, to = x >= to ? x + 1 : to;
+            }
+        }
+        if (to == 0)
+            continue;
+        assert_true(fabs(from - plot.x - plot.width * fmax(0, left) / beads) < 0.6);
+        assert_true(fabs(to - plot.x - plot.width * fmin(beads, left + 8) / beads) < 0.6);
+        seen++;
+    }
+    assert_true(seen > FRAMES / 2);
+    close_shown(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(beads),  cmocka_unit_test(profiles), cmocka_unit_test(forces_about_rest_go_to_both_sides),
-        cmocka_unit_test(images), cmocka_unit_test(sensors),  cmocka_unit_test(modes),
+        cmocka_unit_test(beads),
+        cmocka_unit_test(profiles),
+        cmocka_unit_test(forces_about_rest_go_to_both_sides),
+        cmocka_unit_test(images),
+        cmocka_unit_test(sensors),
+        cmocka_unit_test(modes),
         cmocka_unit_test(stages),
+        cmocka_unit_test(cursors_show_the_window),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
