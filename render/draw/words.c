@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "render/draw/axis.h"
 #include "render/draw/markup.h"
 
 enum { LONGEST = 1024 };
@@ -73,6 +74,36 @@ void bead_wall_name(const struct bead_chain *chain, char *out, size_t size)
     const char *name = rigid ? "rigid" : bead_chain_scene(chain)->materials[spec->wall_material].label;
     const size_t length = strcspn(name, ","); /* without the radius, which walls do not have */
     snprintf(out, size, "%.*s wall", (int)(length < MOST ? length : MOST), name);
+}
+
+/* "": nothing is driven. */
+static void name_drive(const struct bead_drive *drive, char *out, size_t size)
+{
+    const enum bead_wave wave = drive->displacement ? drive->displacement : drive->force;
+    char from[40], to[40];
+    bead_quantity(drive->frequency, "Hz", 3, from, sizeof from);
+    bead_quantity(drive->to, "Hz", 3, to, sizeof to);
+    out[0] = '\0';
+    if (wave == BEAD_WAVE_SINE)
+        snprintf(out, size, "driven at %s", from);
+    else if (wave == BEAD_WAVE_CHIRP)
+        snprintf(out, size, "driven from %s to %s", from, to);
+    else if (wave != BEAD_WAVE_NONE)
+        snprintf(out, size, "driven by %s", wave == BEAD_WAVE_NOISE ? "noise" : "a measured wave");
+}
+
+void bead_mover_name(const struct bead_chain *chain, char *out, size_t size)
+{
+    const double velocity = bead_chain_spec(chain)->striker_velocity;
+    char speed[40];
+    name_drive(&bead_chain_spec(chain)->drive, out, size);
+    if (*out || velocity == 0)
+        return;
+    if (fabs(velocity) >= 0.01 && fabs(velocity) < 1) /* as the field writes it */
+        snprintf(speed, sizeof speed, "%.3g m/s", velocity);
+    else
+        bead_quantity(velocity, "m/s", 3, speed, sizeof speed);
+    snprintf(out, size, "striker %s", speed);
 }
 
 int bead_magnetism_digits(double magnetism)

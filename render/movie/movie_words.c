@@ -88,8 +88,8 @@ static bool heading_shows_formula(const struct bead_chain *chain)
 
 void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
 {
-    char name[160], other[160], speed[40];
-    bool same_beads = true, same_speed = true;
+    char name[160], other[160], mover[160];
+    bool same_beads = true;
     out[0] = '\0';
     bead_chain_describe(facts->chains[0], name, sizeof name);
     if (name[0]) {
@@ -103,22 +103,17 @@ void bead_facts_chain(const struct bead_facts *facts, char *out, size_t size)
         return;
     }
     name_beads(facts->chains[0], name, sizeof name);
-    double velocity = bead_chain_spec(facts->chains[0])->striker_velocity;
+    bead_mover_name(facts->chains[0], mover, sizeof mover);
     for (size_t c = 1; c < facts->chain_count; c++) {
         name_beads(facts->chains[c], other, sizeof other);
         same_beads = same_beads && strcmp(name, other) == 0;
-        same_speed = same_speed && bead_chain_spec(facts->chains[c])->striker_velocity == velocity;
+        bead_mover_name(facts->chains[c], other, sizeof other);
+        mover[0] = strcmp(mover, other) == 0 ? mover[0] : '\0';
     }
     if (same_beads && !facts->keyed)
         bead_markup_quote(name, out, size);
-    if (!same_speed || velocity == 0) /* something else moves the chain */
-        return;
-    if (fabs(velocity) >= 0.01 && fabs(velocity) < 1) /* as the field writes it */
-        snprintf(speed, sizeof speed, "%.3g m/s", velocity);
-    else
-        bead_quantity(velocity, "m/s", 3, speed, sizeof speed);
-    add_text(out, size, out[0] ? ", striker " : "striker ");
-    add_text(out, size, speed);
+    add_text(out, size, out[0] && mover[0] ? ", " : "");
+    add_text(out, size, mover);
 }
 
 enum { MOST_FACTS = 3, MOST_FACT = 256 };

@@ -156,6 +156,8 @@ static void striker_words(const struct bead_chain *chain, char *out, size_t size
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
     if (spec->striker_velocity != 0)
         snprintf(out, size, "striker, %.4g m/s", fabs(spec->striker_velocity));
+    else if (spec->drive.bead == 0 && (spec->drive.displacement || spec->drive.force))
+        bead_mover_name(chain, out, size);
     else
         snprintf(out, size, "striker at rest");
 }

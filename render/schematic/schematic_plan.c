@@ -59,9 +59,18 @@ double bead_plan_guide(const struct bead_plan_row *row, double x)
     return row->guide_y + row->slope * fmax(x - row->first_x, 0);
 }
 
-/* Places the striker on the ramp just before the chain; returns px from its left end to bead 1, and its height above the guide. */
+/* Places the striker on the ramp just before the chain, or beside it if it does not move; returns px from its left end to bead 1,
+ * and its height above the guide. */
 static void place_striker(const struct bead_plan *plan, struct bead_plan_row *row, double *width, double *top)
 {
+    if (row->level) {
+        row->striker_r = plan->scale * bead_chain_radius(row->chain)[0];
+        row->striker_x = row->first_x - row->striker_r;
+        row->striker_y = row->guide_y - plan->scale * row->largest;
+        *width = 2 * row->striker_r;
+        *top = 2 * plan->scale * row->largest;
+        return;
+    }
     double angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), em = plan->em;
     double r = row->striker_r = plan->scale * bead_chain_radius(row->chain)[0];
     double along = (r * (1 + sin(angle)) + 0.5 * em) / cos(angle);
@@ -96,6 +105,7 @@ static bool place_row(const struct bead_plan *plan, struct bead_plan_row *row)
     const struct bead_scene *scene = plan->d->context->scene;
     double em = plan->em, width = bead_strip_width(&row->strip, scene, plan->scale, gap_width * plan->em), ramp, top;
     row->y = row->first_x = row->guide_y = 0;
+    row->level = bead_chain_spec(row->chain)->striker_velocity == 0;
     place_striker(plan, row, &ramp, &top);
     double used = ramp + width + bead_plan_wall(plan, row), spare = plan->area.width - used;
     if (spare < 0)

@@ -37,6 +37,7 @@ struct bead_plan_row {
     double end_x, striker_r;     /* right end of the last bead */
     double striker_x, striker_y; /* centre */
     double foot_y;               /* of the ramp, so that the striker arrives on the beads' axis */
+    bool level;                  /* no ramp: the striker does not move, and lies beside the other beads */
 };
 
 /* Lengths that rows are made of, px. */

@@ -13,35 +13,55 @@ enum { MOST_ENTRIES = 8, PIECES = MOST_ENTRIES + 1 };
 /* In units of the label's font size. */
 static const double guide_height = 0.28, brace_gap = 0.25, brace_depth = 0.7, arrow_length = 2.0, arrow_above = 0.45;
 
-/* Draws the guide with its ramp; beads smaller than the largest rest on blocks. */
+static double ramp_angle(void)
+{
+    return atan(BEAD_PLAN_ANGLE_PERCENT / 100.0);
+}
+
+/* Beads smaller than the largest rest on blocks. */
+static void draw_block(const struct bead_plan *plan, const struct bead_plan_row *row, double x, double r)
+{
+    const double largest = plan->scale * row->largest, guide = bead_plan_guide(row, x), top = guide - largest + 0.8 * r;
+    if (r > 0.98 * largest)
+        return;
+    cairo_rectangle(plan->d->sketch->cr, x - 0.55 * r, top, 1.1 * r, guide - top + 0.5 * guide_height * plan->em);
+    cairo_fill(plan->d->sketch->cr);
+}
+
+/* The guide, with the ramp of a striker that moves. */
 static void draw_guide(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     struct bead_sketch *sketch = plan->d->sketch;
     cairo_t *cr = sketch->cr;
-    double em = plan->em, angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), thick = guide_height * em;
-    double foot = row->first_x - 0.2 * em, end = row->end_x + bead_plan_wall(plan, row);
-    double left = row->striker_x - row->striker_r * (1 + sin(angle)) - 0.4 * em;
+    const double angle = ramp_angle(), thick = guide_height * plan->em, foot = row->first_x - 0.2 * plan->em,
+                 left = row->striker_x - row->striker_r * (1 + sin(angle)) - 0.4 * plan->em,
+                 end = row->end_x + bead_plan_wall(plan, row);
     bead_sketch_colour(sketch, bead_sketch_mixed(sketch->look, sketch->look->ink, sketch->look->dark ? 0.35 : 0.3));
-    cairo_move_to(cr, left, row->foot_y - (foot - left) * tan(angle));
-    cairo_line_to(cr, foot, row->foot_y);
-    cairo_line_to(cr, foot, row->guide_y);
+    if (row->level) {
+        cairo_move_to(cr, row->striker_x - row->striker_r, row->guide_y);
+    } else {
+        cairo_move_to(cr, left, row->foot_y - (foot - left) * tan(angle));
+        cairo_line_to(cr, foot, row->foot_y);
+        cairo_line_to(cr, foot, row->guide_y);
+    }
     cairo_line_to(cr, row->first_x, row->guide_y);
     cairo_line_to(cr, end, bead_plan_guide(row, end));
     cairo_line_to(cr, end, bead_plan_guide(row, end) + thick);
     cairo_line_to(cr, row->first_x, row->guide_y + thick);
-    cairo_line_to(cr, foot - thick, row->guide_y + thick);
-    cairo_line_to(cr, foot - thick, row->foot_y + thick);
-    cairo_line_to(cr, left, row->foot_y - (foot - left) * tan(angle) + thick);
+    if (row->level) {
+        cairo_line_to(cr, row->striker_x - row->striker_r, row->guide_y + thick);
+    } else {
+        cairo_line_to(cr, foot - thick, row->guide_y + thick);
+        cairo_line_to(cr, foot - thick, row->foot_y + thick);
+        cairo_line_to(cr, left, row->foot_y - (foot - left) * tan(angle) + thick);
+    }
     cairo_close_path(cr);
     cairo_fill(cr);
-    double largest = plan->scale * row->largest;
+    if (row->level)
+        draw_block(plan, row, row->striker_x, row->striker_r);
     for (size_t i = 0; i < row->strip.count; i++) {
-        const struct bead_strip_bead *b = &row->strip.beads[i];
-        double top = bead_plan_guide(row, b->x) - largest + 0.8 * b->r;
-        if (b->left_out || b->r > 0.98 * largest)
-            continue;
-        cairo_rectangle(cr, b->x - 0.55 * b->r, top, 1.1 * b->r, bead_plan_guide(row, b->x) - top + 0.5 * thick);
-        cairo_fill(cr);
+        if (!row->strip.beads[i].left_out)
+            draw_block(plan, row, row->strip.beads[i].x, row->strip.beads[i].r);
     }
 }
 
@@ -63,7 +83,7 @@ static void setup_draw_wall(const struct bead_plan *plan, const struct bead_plan
 static void draw_striker(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     struct bead_sketch *sketch = plan->d->sketch;
-    double angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), em = plan->em, out = row->striker_r + arrow_above * em;
+    double angle = ramp_angle(), em = plan->em, out = row->striker_r + arrow_above * em;
     const struct bead_chain_spec *spec = bead_chain_spec(row->chain);
     double x = row->striker_x + out * sin(angle), y = row->striker_y - out * cos(angle), half = 0.5 * arrow_length * em;
     bead_sketch_ball(sketch, row->striker_x, row->striker_y, row->striker_r,
@@ -115,19 +135,20 @@ static void draw_leader(struct bead_sketch *sketch, const struct bead_label *lab
 static void draw_above(const struct bead_plan *plan, const struct bead_plan_row *row)
 {
     struct bead_sketch *sketch = plan->d->sketch;
-    double em = plan->em, y = bead_plan_above_y(plan, row), angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0);
+    double em = plan->em, y = bead_plan_above_y(plan, row), angle = ramp_angle();
     struct bead_text_style style = bead_sketch_style(sketch, em);
     for (size_t i = 0; i < row->above.count; i++) {
         const struct bead_label *label = &row->above.label[i];
-        bool striker = row->above.part[i] == SIZE_MAX;
-        double top = row->striker_y - (row->striker_r + arrow_above * em) * cos(angle) - 0.3 * em,
+        const bool striker = row->above.part[i] == SIZE_MAX, arrow = striker && !row->level;
+        double top = arrow ? row->striker_y - (row->striker_r + arrow_above * em) * cos(angle) - 0.3 * em
+                           : row->striker_y - row->striker_r - 0.15 * em,
                largest = plan->scale * row->largest;
         if (!striker)
             for (size_t b = 0; b < row->strip.count; b++)
                 if (row->strip.beads[b].mark == row->above.part[i])
                     top = bead_plan_guide(row, label->anchor) - largest - row->strip.beads[b].r - 0.15 * em;
         double bend = y + 0.62 * em + 0.75 * em;
-        if (!striker || top > bend)
+        if (!arrow || top > bend)
             draw_leader(sketch, label, top, fmin(bend, top), y + 0.62 * em);
         bead_sketch_text(sketch, &style, label->x, y, row->above.words[i][0]);
     }

@@ -491,12 +491,47 @@ static void cards_say_what_is_shown(void **)
     }
 }
 
+/* Films say what moves their chains, if it is the same for all. */
+static void movers_are_named(void **)
+{
+    static const struct {
+        const char *first, *second, *words;
+    } cases[] = {
+        {"", NULL, "large steel, striker 0.443 m/s"},
+        {"striker: {velocity: 2.5 mm/s}, ", "striker: {velocity: 2.5 mm/s}, ", "large steel, striker 2.50\u00a0mm/s"},
+        {"", "striker: {velocity: 0.5 m/s}, ", "large steel"},
+        {"start: [{bead: 3, velocity: 1 m/s}], ", NULL, "large steel"},
+        {"drive: {bead: 0, displacement: sine, amplitude: 1 um, frequency: 5 kHz}, ", NULL, "large steel, driven at 5.00\u00a0kHz"},
+        {"drive: {bead: 0, force: chirp, amplitude: 1 N, frequency: 500 Hz, to: 20 kHz}, ", NULL,
+         "large steel, driven from 500\u00a0Hz to 20.0\u00a0kHz"},
+        {"drive: {bead: 0, force: noise, amplitude: 1 N, frequency: 5 kHz}, ", NULL, "large steel, driven by noise"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        static struct film f;
+        char scene[1000], words[200];
+        size_t used = (size_t)snprintf(scene, sizeof scene, "chains:\n");
+        for (int c = 0; c < (cases[i].second ? 2 : 1); c++)
+            used +=
+                (size_t)snprintf(scene + used, sizeof scene - used, "  - {name: %c, %sbeads: [{bead: large-steel, count: 9}]}\n",
+                                 'A' + c, c ? cases[i].second : cases[i].first);
+        open_film(&f, scene, "magnify: 1");
+        f.composer->facts.keyed = false;
+        bead_facts_chain(&f.composer->facts, words, sizeof words);
+        assert_string_equal(words, cases[i].words);
+        close_film(&f);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(words_are_in_their_lines),    cmocka_unit_test(notes_are_boxes_with_tips),
-        cmocka_unit_test(races_say_who_leads),         cmocka_unit_test(names_have_samples_of_lines),
-        cmocka_unit_test(rooms_are_as_large_as_words), cmocka_unit_test(headings_are_as_wide_as_measured),
+        cmocka_unit_test(movers_are_named),
+        cmocka_unit_test(words_are_in_their_lines),
+        cmocka_unit_test(notes_are_boxes_with_tips),
+        cmocka_unit_test(races_say_who_leads),
+        cmocka_unit_test(names_have_samples_of_lines),
+        cmocka_unit_test(rooms_are_as_large_as_words),
+        cmocka_unit_test(headings_are_as_wide_as_measured),
         cmocka_unit_test(cards_say_what_is_shown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

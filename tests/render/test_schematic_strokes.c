@@ -773,6 +773,49 @@ static void beads_lie_on_their_guide(void **)
     }
 }
 
+/* A first bead that does not move lies beside the others on a guide without a ramp, small ones on a block; a line leads to it. */
+static void beads_that_strike_nothing_are_level(void **)
+{
+    for (int small = 0; small < 2; small++) {
+        struct seen seen = {.count = 0};
+        char text[600];
+        snprintf(text, sizeof text,
+                 COLOURED "chain: {striker: {bead: %s}, drive: {bead: 0, displacement: chirp, amplitude: 0.1 um, frequency: 1 kHz, "
+                          "to: 20 kHz}, beads: [{bead: red, count: 4}]}\nsimulate: {until: 1 ms}\n"
+                          "outputs: [{plot: a.png, show: setup, size: [1600, 900]}]\n",
+                 small ? "blue" : "red");
+        struct staged *s = set_stage(text);
+        const struct bead_look look = look_of(s);
+        struct ball b[20];
+        strokes_begin();
+        assert_int_equal(draw(s, 0, &seen, NULL), BEAD_OK);
+        const size_t legend = balls_of(b, 20, 0.3 * look.label) - 5;
+        const struct ball *first = &b[legend], *bead = first + 1;
+        const double floor_y = bead[0].y + bead[0].r;
+        assert_at(first->r, small ? bead[0].r / 2 : bead[0].r);
+        assert_at(first->y, bead[0].y);
+        assert_at(bead[0].x - first->x, bead[0].r + first->r);
+        size_t guides = 0, blocks = 0, leaders = 0;
+        for (size_t i = 0; i < strokes.count; i++) {
+            const struct stroke *stroke = &strokes.list[i];
+            assert_false(stroke->count == 2 && stroke_has(stroke, false, look.accent)); /* no arrow */
+            if (stroke->filled && fabs(stroke->low[0] - (first->x - first->r)) < 0.02 && stroke->low[1] > bead[0].y) {
+                assert_bounds(stroke, first->x - first->r, floor_y, bead[3].x + bead[3].r, floor_y + 0.28 * look.label);
+                guides++;
+            }
+            blocks += stroke->filled && fabs(stroke->low[0] - (first->x - 0.55 * first->r)) < 0.05 &&
+                      fabs(stroke->high[0] - (first->x + 0.55 * first->r)) < 0.05 && stroke->low[1] < floor_y;
+            leaders += stroke_has(stroke, false, look.faint) && fabs(stroke->at[0].x - first->x) < 0.02 &&
+                       fabs(stroke->at[0].y - (first->y - first->r - 0.15 * look.label)) < 0.02;
+        }
+        assert_int_equal(guides, 1);
+        assert_int_equal(blocks, small);
+        assert_int_equal(leaders, 1);
+        assert_true(wrote(&seen, "driven from 1.00\u00a0kHz to 20.0\u00a0kHz"));
+        clear_stage(s);
+    }
+}
+
 /* Labels that have no room above their beads stand aside, and their lines end where they begin, nearest to their beads. */
 static void lines_lead_to_their_labels(void **)
 {
@@ -826,6 +869,7 @@ int main(void)
         cmocka_unit_test(cells_are_in_the_middle),
         cmocka_unit_test(long_cells_have_gaps),
         cmocka_unit_test(beads_lie_on_their_guide),
+        cmocka_unit_test(beads_that_strike_nothing_are_level),
         cmocka_unit_test(lines_lead_to_their_labels),
     };
     return cmocka_run_group_tests_name("strokes of schematic drawings", tests, NULL, NULL);
