@@ -333,7 +333,8 @@ static enum bead_error claim_beside(const char *part, const char *path, struct b
     lock->beside = NULL;
     if (error != EEXIST)
         return cannot_write(name, error, msg);
-    read_owner(name, &owner);
+    if (!read_owner(name, &owner))
+        return bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run begins to write it; if there is none, remove %s", path, name);
     return bead_fail(msg, BEAD_ERROR_USAGE, "%s: another run is writing it, process %d on %s; if that is gone, remove %s", path,
                      owner.pid, owner.host, name);
 }

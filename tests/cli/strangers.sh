@@ -419,6 +419,9 @@ else
     ok "... and told of the first" says "another run is writing it, process $first on $(uname -n); if that is gone, remove shared/run.h5.part.lock"
     kill -KILL $first
     wait $first 2>/dev/null
+    mkdir claimed && : >claimed/run.h5.part.lock
+    ok "a claim that is still empty names nobody" fails 2 lockless "$beadsim" run.yaml -o claimed
+    ok "... but its file" says "another run begins to write it; if there is none, remove claimed/run.h5.part.lock"
     ok "the claim of a killed run is taken over" exits 0 lockless "$beadsim" run.yaml -o shared
     ok "... with a word" says "warning: this file system has no locks: until the end, files such as shared/run.h5.part.lock"
     ok "... and nothing stays" test "$(ls shared)" = run.h5
