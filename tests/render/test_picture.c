@@ -394,12 +394,30 @@ static void assert_names(const char *svg)
     assert_true(names > 1);
 }
 
+/* Runs of a text follow each other; those below or above its line have a smaller size. */
+static void assert_runs_follow(const char *text)
+{
+    const char *end = strstr(text, "</text>");
+    double last = NAN, line = NAN, most = 0;
+    for (const char *run = text; (run = strstr(run, "<tspan ")) != NULL && run < end; run++) {
+        double x, y, width, size;
+        assert_int_equal(sscanf(run, "<tspan x=\"%lf\" y=\"%lf\" textLength=\"%lf\"", &x, &y, &width), 3);
+        assert_int_equal(sscanf(strstr(run, "font-size="), "font-size=\"%lf\"", &size), 1);
+        assert_true(width >= 0 && (isnan(last) || fabs(x - last) < 0.02 * size));
+        line = isnan(line) ? y : line;
+        assert_true(y == line ? size >= most : size < most);
+        most = fmax(most, size);
+        last = x + width;
+    }
+    assert_true(last > 0);
+}
+
 /* Letters of an SVG file are text in named fonts, after the drawing; or outlines, if requested. It has a title and a
  * description. */
 static void test_svg_keeps_letters(void **state)
 {
     (void)state;
-    static const char *const outputs[] = {"image: t.svg, caption: \"*F*_{max} < 2 & more<u>U</u><s>S</s>\"",
+    static const char *const outputs[] = {"image: t.svg, caption: \"<b>B</b>, *F*_{max} < 2 & more<u>U</u><s>S</s>\"",
                                           "image: t.svg, outlines: true"};
     char path[512];
     in_directory("t.svg", path, sizeof path);
@@ -416,7 +434,11 @@ static void test_svg_keeps_letters(void **state)
         assert_int_equal(strstr(svg, "<use xlink:href=\"#glyph") != NULL, outlines);
         if (!outlines) {
             assert_non_null(strstr(svg, "&lt; 2 &amp; more</tspan>"));
+            assert_non_null(strstr(svg, " font-weight=\"bold\">B</tspan>"));
+            assert_non_null(strstr(svg, " font-style=\"italic\">F</tspan>"));
             assert_non_null(strstr(svg, " text-decoration=\"underline\">U</tspan>"));
+            for (const char *text = svg; (text = strstr(text, "<text ")) != NULL; text++)
+                assert_runs_follow(text);
             assert_non_null(strstr(svg, " text-decoration=\"line-through\">S</tspan>"));
             assert_true(strstr(svg, "<text ") > strstr(svg, "<image"));
             for (const char *run = svg; (run = strstr(run, "<tspan ")) != NULL; run++) /* of one colour, that of its text */
