@@ -164,12 +164,33 @@ static void equal_axes_are_labelled_once(void **)
     assert_int_equal(count_texts(&drawn[0], "bead"), 3); /* along both, and in the title of a bar */
 }
 
+/* Stacks of energy have the parts that are there: no gravity without a slope, no springs without any. */
+static void stacks_have_what_there_is(void **)
+{
+    static const struct {
+        const char *more;
+        size_t gravity;
+    } chains[] = {{"", 0}, {", tilt: 30 deg", 1}};
+    for (size_t i = 0; i < 2; i++) {
+        char text[500];
+        snprintf(text, sizeof text,
+                 "chain: {" STRIKER "beads: [{bead: large-steel, count: 5}], wall: rigid%s}\n"
+                 "simulate: {until: 0.1 ms}\noutputs: [{plot: a.pdf, show: energy}]\n",
+                 chains[i].more);
+        drawn_run(text, &drawn[0]);
+        assert_int_equal(count_texts(&drawn[0], "kinetic"), 1);
+        assert_int_equal(count_texts(&drawn[0], "gravity"), chains[i].gravity);
+        assert_int_equal(count_texts(&drawn[0], "spring"), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_the_same_at_twice_the_resolution),
         cmocka_unit_test(pictures_are_the_same_in_other_units),
         cmocka_unit_test(equal_axes_are_labelled_once),
+        cmocka_unit_test(stacks_have_what_there_is),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
 }

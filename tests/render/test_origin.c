@@ -179,16 +179,16 @@ static void make_eps(struct bytes *b, const char *text)
 
 /* ---- files whose text is put into them ---- */
 
-/* JFIF: the start, the segment of the application, a scan, whose data look like a comment, the end. */
+/* JFIF: the start, the segment of the application, an empty one, a scan, whose data look like a comment, the end. */
 static void begin_jpeg(struct bytes *b)
 {
-    ADD(b, 0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 2, 0, 0, 1, 0, 1, 0, 0, 0xff, 0xda, 0, 3, 9, 0xff, 0xfe, 0, 3,
-        'N', 0xff, 0xd9);
+    ADD(b, 0xff, 0xd8, 0xff, 0xe0, 0, 16, 'J', 'F', 'I', 'F', 0, 1, 2, 0, 0, 1, 0, 1, 0, 0, 0xff, 0xe1, 0, 2, 0xff, 0xda, 0, 3, 9,
+        0xff, 0xfe, 0, 3, 'N', 0xff, 0xd9);
 }
 
 static void check_jpeg(const struct bytes *b, size_t)
 {
-    assert_true(b->at[20] == 0xff && b->at[21] == 0xfe); /* behind the application's, before the scan */
+    assert_true(b->at[24] == 0xff && b->at[25] == 0xfe); /* behind the application's, before the scan */
     assert_memory_equal(b->at + b->count - 12, ((const unsigned char[]){0xff, 0xda, 0, 3, 9, 0xff, 0xfe, 0, 3, 'N', 0xff, 0xd9}),
                         12);
 }

@@ -193,6 +193,20 @@ static void pages_hold_their_run(void **state)
     free(page);
 }
 
+/* What the page says of a sweep of two cells: with the clean chain, three configurations. */
+static void assert_facts(const char *data)
+{
+    static const char *const facts[] = {
+        "{\"kind\": \"sweep\"",       "\"field\": {\"title\": \"bead force\", \"name\": \"force\", \"unit\": \"N\"",
+        "\"configurations\": 3,",     "\"cells\": 2,",
+        "\"places\": [{\"name\": \"", "\"magnetism\": 1,",
+        "\"spins\": \"11\"",          "\"low\": 0,"};
+    for (size_t i = 0; i < sizeof facts / sizeof *facts; i++) {
+        if (!strstr(data, facts[i]))
+            fail_msg("%s is not in %.3000s", facts[i], data);
+    }
+}
+
 /* The page of a sweep: its range ends with the largest force of its images, which has the last colour, and little else has. */
 static void colours_of_sweeps_reach_their_ends(void **state)
 {
@@ -207,6 +221,7 @@ static void colours_of_sweeps_reach_their_ends(void **state)
     in_directory("s.html", path, sizeof path);
     char *page = read_all(path, &length);
     const char *data = data_of(page);
+    assert_facts(data);
     for (const char *at = data; (at = strstr(at, "\"data\": \"")) != NULL; images++) {
         at += strlen("\"data\": \"");
         const size_t base64 = strcspn(at, "\""), count = base64 / 4 * 3 - (at[base64 - 1] == '=') - (at[base64 - 2] == '=');
@@ -222,7 +237,8 @@ static void colours_of_sweeps_reach_their_ends(void **state)
             i += row;
         }
     }
-    assert_true(images >= 3 && full > 0 && 50 * full < lit);
+    assert_int_equal(images, 4); /* of each, and their mean */
+    assert_true(full > 0 && 50 * full < lit);
     free(page);
 }
 
