@@ -111,7 +111,7 @@ struct bead_spans bead_beads_lens_changes(const struct bead_view *v, int by)
     const struct bead_drawing *d = &v->lens_drawing;
     const struct bead_rect *r = &v->lens.rect;
     struct bead_spans spans = {.count = 0};
-    if (!v->drawn || (by == 0 && v->lens.from != v->lens_drawn))
+    if (!v->drawn)
         return everything(r);
     add_span(&spans, r->x, r->x - by, r); /* newly in view */
     add_marks(&spans, d->old.marks, d->old.mark_count, true, by, r);

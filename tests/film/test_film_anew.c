@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Films are drawn by what changes. Each frame is the same as one drawn without those before it, and as the frame before with what
+ * is told to have changed: nothing trails, in layouts with each kind of view, word and mark. */
+#include <math.h>
+
+#include "render/movie/composer_private.h"
+#include "tests/scenes.h"
+
+enum { WIDTH = 480, HEIGHT = 270, CHAINS = 2, ROOM = 64, FRAMES = 9 };
+static const double span = 1.2e-3;
+static const struct bead_rect whole = {0, 0, WIDTH, HEIGHT};
+
+struct film {
+    struct bead_scene *scene;
+    struct bead_chain *chains[CHAINS];
+    struct bead_composer *composer;
+};
+
+static const struct bead_film_clock slow = {.slowed = 4000};
+
+static void require(enum bead_error err, const struct bead_message *msg)
+{
+    if (err)
+        fail_msg("%s", msg->text);
+}
+
+static void open_film(struct film *f, const char *chains, const char *output)
+{
+    struct bead_message msg = {""};
+    char text[2000];
+    snprintf(text, sizeof text, "title: A film\nsimulate: {until: 1.2 ms}\n%s\noutputs: [{movie: m.mp4, size: [%d, %d], %s}]\n",
+             chains, WIDTH, HEIGHT, output);
+    *f = (struct film){.scene = parse(text)};
+    for (size_t i = 0; i < f->scene->chain_count; i++)
+        require(bead_chain_create(f->scene, i, &f->chains[i], &msg), &msg);
+    const struct bead_composer_setup setup = {.output = &f->scene->outputs[0],
+                                              .chains = (const struct bead_chain *const *)f->chains,
+                                              .chain_count = f->scene->chain_count,
+                                              .title = f->scene->title,
+                                              .width = WIDTH,
+                                              .height = HEIGHT,
+                                              .time = {0, span},
+                                              .step = 2e-6,
+                                              .range = {.high = 45},
+                                              .scene = f->scene,
+                                              .canvas = "plain",
+                                              .film = &slow,
+                                              .tolerance_factor = 1};
+    require(bead_composer_create(&setup, &f->composer, &msg), &msg);
+    require(bead_composer_open(f->composer, &msg), &msg);
+}
+
+static void close_film(struct film *f)
+{
+    bead_composer_close(f->composer);
+    bead_composer_destroy(f->composer);
+    for (size_t i = 0; i < f->scene->chain_count; i++)
+        bead_chain_destroy(f->chains[i]);
+    bead_scene_free(f->scene);
+}
+
+/* A pulse in each chain, the first one ahead, that leaves its beads pushed on. */
+static double feed(struct film *f, int frame)
+{
+    const double time = span * frame / FRAMES;
+    for (size_t c = 0; c < f->scene->chain_count; c++) {
+        struct bead_message msg = {""};
+        double u[ROOM], force[ROOM], speed[ROOM];
+        const size_t beads = bead_chain_beads(f->chains[c]);
+        struct bead_sample sample = {.chain = c, .time = time, .active = beads, .comparison_active = beads};
+        for (int i = 0; i < ROOM; i++) {
+            const double x = i - (2.3 - 0.4 * (double)c) * frame;
+            u[i] = 1e-5 / (1 + exp(x));
+            force[i] = 40 * exp(-x * x);
+            speed[i] = 0.3 * exp(-x * x);
+        }
+        for (size_t k = 0; k < BEAD_FIELD_COUNT; k++)
+            sample.field[k] = sample.comparison[k] = force;
+        sample.field[BEAD_FIELD_DISPLACEMENT] = sample.comparison[BEAD_FIELD_DISPLACEMENT] = u;
+        sample.field[BEAD_FIELD_VELOCITY] = sample.comparison[BEAD_FIELD_VELOCITY] = speed;
+        require(bead_composer_feed(f->composer, &sample, &msg), &msg);
+    }
+    return time;
+}
+
+static void draw(struct film *f, double time, struct bead_changes *changes)
+{
+    struct bead_message msg = {""};
+    require(bead_composer_draw(f->composer, time, changes, &msg), &msg);
+}
+
+static void assert_same(const struct bead_frame *a, const struct bead_frame *b, int frame, const char *what)
+{
+    for (int y = 0; y < HEIGHT; y++) {
+        const uint8_t *row = a->pixels + (size_t)y * a->stride, *other = b->pixels + (size_t)y * b->stride;
+        for (int i = 0; memcmp(row, other, 4 * WIDTH) != 0 && i < 4 * WIDTH; i++) {
+            if (i % 4 < 3 && abs(row[i] - other[i]) > 1)
+                fail_msg("frame %d, %s: %d at %d, %d is also %d", frame, what, row[i], i / 4, y, other[i]);
+        }
+    }
+}
+
+/* The same frame without those before. */
+static void assert_anew(const struct film *on, const char *chains, const char *output, int frame)
+{
+    struct film f;
+    struct bead_message msg = {""};
+    open_film(&f, chains, output);
+    for (int k = 0; k < frame; k++)
+        require(bead_composer_pass(f.composer, feed(&f, k), &msg), &msg);
+    draw(&f, feed(&f, frame), &(struct bead_changes){0});
+    assert_same(bead_composer_frame(on->composer), bead_composer_frame(f.composer), frame, output);
+    close_film(&f);
+}
+
+static void assert_nothing_trails(const char *chains, const char *output)
+{
+    struct film f;
+    struct bead_frame copy;
+    struct bead_message msg = {""};
+    open_film(&f, chains, output);
+    require(bead_frame_create(WIDTH, HEIGHT, &copy, &msg), &msg);
+    for (int k = 0; k < FRAMES; k++) {
+        struct bead_changes changes = {0};
+        const struct bead_frame *frame = bead_composer_frame(f.composer);
+        draw(&f, feed(&f, k), &changes);
+        if (k == 0)
+            bead_frame_copy(&copy, frame, whole);
+        for (size_t i = 0; i < changes.count; i++)
+            bead_frame_copy(&copy, frame, changes.rect[i]);
+        assert_same(frame, &copy, k, "without what was not told");
+        if (k % 4 == 3)
+            assert_anew(&f, chains, output, k);
+    }
+    bead_frame_free(&copy);
+    close_film(&f);
+}
+
+#define STRUCK "striker: {bead: large-steel, velocity: 0.4 m/s}, "
+static const char one[] = "chain: {" STRUCK "beads: [{bead: large-steel, count: 39}, {bead: ptfe, sensor: s}], wall: brass}",
+                  two[] =
+                      "chains:\n  - {name: A, label: even, " STRUCK "beads: [{bead: large-steel, count: 50}]}\n"
+                      "  - {name: B, " STRUCK "beads: [{cell: [large-steel, aluminium], count: 25, spins: random}], wall: rigid}\n";
+static const struct {
+    const char *chains, *output;
+} films[] = {
+    {two, "race: true, captions: [{at: 0.2 ms, until: 0.6 ms, text: first}, {at: 0.7 ms, text: second}], "
+          "notes: [{at: 0.3 ms, until: 0.8 ms, bead: 5, text: here}]"},
+    {two, "layout: columns, views: [beads, profile, spacetime], theme: light"},
+    {one, "layout: stacked, views: [beads, profile, spacetime], field: velocity"},
+    {one, "views: [stage, profile, spacetime], follow: front"},
+    {one, "views: [sensors, spacetime], orientation: time-right, trust: true"},
+    {two, "layout: overlay, views: [profile, beads]"},
+};
+
+static void films_do_not_depend_on_frames_before(void **)
+{
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++)
+        assert_nothing_trails(films[i].chains, films[i].output);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(films_do_not_depend_on_frames_before)};
+    return cmocka_run_group_tests_name("films drawn anew", tests, NULL, NULL);
+}
