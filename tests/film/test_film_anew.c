@@ -4,6 +4,8 @@
 #include <math.h>
 
 #include "render/movie/composer_private.h"
+#include "sessions.h"
+#include "tests/pictures.h"
 #include "tests/scenes.h"
 
 enum { WIDTH = 480, HEIGHT = 270, CHAINS = 2, ROOM = 64, FRAMES = 9 };
@@ -159,8 +161,47 @@ static void films_do_not_depend_on_frames_before(void **)
         assert_nothing_trails(films[i].chains, films[i].output);
 }
 
+/* ---- films through their buffers ---- */
+
+static struct png_file picture_of(const char *name)
+{
+    char path[512];
+    in_directory(name, path, sizeof path);
+    return read_png(path);
+}
+
+/* A film's samples and frames pass through buffers and threads; a single frame is drawn from the samples as they come. */
+static void posters_are_frames(void **)
+{
+    static const char *const keys[] = {"beads: [4, 11], views: [profile, spacetime]",
+                                       "beads: [4, 11], views: [beads, spacetime], trust: true"};
+    char scene[512], output[512], frame[512];
+    in_directory("scene.yaml", scene, sizeof scene);
+    in_directory("", output, sizeof output);
+    in_directory("frame.png", frame, sizeof frame);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        char text[1000];
+        snprintf(text, sizeof text,
+                 "%s\nsimulate: {until: 0.2 ms}\noutputs: [{movie: m.gif, size: [320, 240], fps: 10, duration: 1 s, poster: "
+                 "poster.png, "
+                 "%s}]\n",
+                 one, keys[i]);
+        write_text(scene, text);
+        play_counts((struct bead_job){.input = scene, .output = output, .threads = 2});
+        play_counts((struct bead_job){.input = scene, .output = frame, .frame = "peak", .threads = 1});
+        struct png_file a = picture_of("poster.png"), b = picture_of("frame.png");
+        assert_true(a.width == b.width && a.height == b.height);
+        assert_memory_equal(a.rgb, b.rgb, 3 * (size_t)a.width * (size_t)a.height);
+        free(a.rgb);
+        free(b.rgb);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(films_do_not_depend_on_frames_before)};
-    return cmocka_run_group_tests_name("films drawn anew", tests, NULL, NULL);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(films_do_not_depend_on_frames_before),
+        cmocka_unit_test(posters_are_frames),
+    };
+    return cmocka_run_group_tests_name("films drawn anew", tests, make_directory, remove_directory);
 }
