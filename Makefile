@@ -17,6 +17,8 @@ LDFLAGS ?= -Wl,-z,relro,-z,now
 WERROR  ?=
 # Those of the drawing half, after CFLAGS.
 RENDER_CFLAGS ?=
+# Those of what takes the time of long runs, after these.
+FAST    ?= -O3
 VERSION := $(shell sed -n 's/^\#define BEADREEL_VERSION "\(.*\)"/\1/p' include/beadreel/api.h)
 SOVERSION = 0
 # Whose repository at GitHub this is; make metadata writes it where addresses are.
@@ -184,25 +186,25 @@ $(BUILD)/render/%.o: render/%.c $(BUILD)/.ready | $(WAIT)
 
 # One source of the kernels of forces and of pixels, compiled for each instruction set and chosen at run time.
 # Those of x86-64 are empty elsewhere.
-extra_kernels_portable = -O3
-extra_kernels_sse2     = $(if $(x86),-O3 -msse2)
-extra_kernels_avx2     = $(if $(x86),-O3 -mavx2)
-extra_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
+extra_kernels_portable = $(FAST)
+extra_kernels_sse2     = $(if $(x86),$(FAST) -msse2)
+extra_kernels_avx2     = $(if $(x86),$(FAST) -mavx2)
+extra_kernels_avx512   = $(if $(x86),$(FAST) -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 # Loops over all samples and pixels.
-extra_trajectory_read = -O3
-extra_fourier = -O3
-extra_etd = -O3
-extra_kdv_solver = -O3
-extra_fput_string = -O3
-extra_shock_law = -O3
-extra_area_kernels = -O3
-extra_area_colours = -O3
-extra_colour_table = -O3
+extra_trajectory_read = $(FAST)
+extra_fourier = $(FAST)
+extra_etd = $(FAST)
+extra_kdv_solver = $(FAST)
+extra_fput_string = $(FAST)
+extra_shock_law = $(FAST)
+extra_area_kernels = $(FAST)
+extra_area_colours = $(FAST)
+extra_colour_table = $(FAST)
 
-extra_pixel_kernels_portable = -O3
-extra_pixel_kernels_sse2     = $(if $(x86),-O3 -msse2)
-extra_pixel_kernels_avx2     = $(if $(x86),-O3 -mavx2)
-extra_pixel_kernels_avx512   = $(if $(x86),-O3 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
+extra_pixel_kernels_portable = $(FAST)
+extra_pixel_kernels_sse2     = $(if $(x86),$(FAST) -msse2)
+extra_pixel_kernels_avx2     = $(if $(x86),$(FAST) -mavx2)
+extra_pixel_kernels_avx512   = $(if $(x86),$(FAST) -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
 
 # The names that the loader knows HDF5's two libraries by are those that a program linked to them would need.
 hdf5_files = $(call once,hdf5_files,$(shell mkdir -p $(BUILD) && $(CC) -shared -x c /dev/null -o $(BUILD)/.hdf5.so $(LDFLAGS) -Wl,--no-as-needed $(hdf5_libs) && \
@@ -255,7 +257,7 @@ $(BUILD)/beadreel: $(BUILD)/render/beadreel.o $(COMMAND_OBJECTS) $(BUILD)/libbea
 	$(call say,LD,$@) $(run) $(CC) -pie $(CFLAGS) $(LDFLAGS) -o $@ $^ $(sim_libs) $(render_libs)
 
 demo: $(BUILD)/beadreel ## a clean beside a delocalised wave: movie, pictures, data into demo/
-	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO)
+	BEADREEL_ASSETS=assets $(BUILD)/beadreel clean-vs-delocalised -o $(DEMO) $(DEMO_SETTINGS)
 
 thesis: $(BUILD)/beadreel ## the figures of the thesis, with their numbers, into thesis/
 	@set -e; for f in $(sort $(wildcard assets/scenes/thesis/*.yaml)); do \
@@ -398,8 +400,10 @@ torture: all $(FAIL_ALLOC) ## kills, full disks, signals, failing allocations; K
 # One build for libFuzzer's targets and for tests under sanitizers: clang's, in all of the project's code. Comparisons of numbers are not
 # traced, which would halve the speed; those of texts are. Undefined behaviour is a trap: the report has where it is, but not what, whose
 # words take a quarter of the compiler's time. Null pointers end the program anyhow, and what lies askew is read as well on x86-64 and
-# arm64: to look for both takes another sixth. `make asan` has it all. What draws is not optimized: to optimize it takes longer than it runs.
-sanitized_build = --no-print-directory RENDER_CFLAGS=-O0 BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) STRICT_LINK= \
+# arm64: to look for both takes another sixth. `make asan` has it all. What draws is not optimized, nor are kernels that only tests choose
+# here, nor transforms: to optimize them takes longer than they run.
+unoptimized_too = fourier kernels_portable kernels_sse2 pixel_kernels_portable pixel_kernels_sse2
+sanitized_build = --no-print-directory RENDER_CFLAGS=-O0 FAST=-O1 $(unoptimized_too:%=extra_%=-O0) BUILD=$(BUILD)-fuzz CC=$(if $(findstring clang,$(CC)),"$(CC)",clang) STRICT_LINK= \
     CFLAGS="-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,$(FUZZ_SANITIZERS) -fno-sanitize=null,alignment -fsanitize-trap=undefined -fno-sanitize-coverage=trace-cmp"
 sanitized: ## clang builds what fuzz and asan-short run, and looks through the other tests and benchmarks
 	@$(MAKE) $(sanitized_build) PART=short counted looked_through fuzzers
