@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* All that a trajectory contains besides its samples, read by HDF5 alone: attributes, units, tables of chains, beads and materials.
- */
+/* All that a trajectory contains besides its samples, and all of a sweep's file, read by HDF5 alone: attributes, units, tables of
+ * chains, beads, materials and results. */
 #include "trajectory_support.h"
 
-enum { MOST = 64 };
+#include "sim/sweep/sweep_data.h"
+#include "sweeps.h"
+
+enum { MOST = 48 };
 
 static void put_value(FILE *to, hid_t type, const char *bytes, size_t size)
 {
@@ -317,22 +320,27 @@ static void expect_constants(void)
     expect_numbers("particles/chain/rest_position", 18, place_of, "m");
 }
 
-static void all_is_there(void **state)
+static void take_lines(const char *path)
 {
-    (void)state;
-    struct stand s;
     size_t size;
-    set_up(&s, "title: Two\nauthor: A. U. Thor\nsimulate: {method: rk4, step: 0.1 us}\n" TWO_CHAINS,
-           "trajectory: run.h5, every: 1 us, fields: [displacement, velocity, force, contact-force]", 20e-6);
-    deliver(&s, 21);
-    finish(&s);
     FILE *to = open_memstream(&rest, &size);
-    hid_t file = H5Fopen(s.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+    hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
     fputc('\n', to);
     put_object(file, "/", NULL, to);
     H5Lvisit(file, H5_INDEX_NAME, H5_ITER_INC, put_object, to);
     H5Fclose(file);
     fclose(to);
+}
+
+static void all_of_a_trajectory(void **state)
+{
+    (void)state;
+    struct stand s;
+    set_up(&s, "title: Two\nauthor: A. U. Thor\nsimulate: {method: rk4, step: 0.1 us}\n" TWO_CHAINS,
+           "trajectory: run.h5, every: 1 us, fields: [displacement, velocity, force, contact-force]", 20e-6);
+    deliver(&s, 21);
+    finish(&s);
+    take_lines(s.path);
     expect_head();
     expect_summary(s.scene->text);
     expect_materials(s.scene);
@@ -348,8 +356,116 @@ static void all_is_there(void **state)
     tear_down(&s, 1);
 }
 
+static struct bead_sweep_configuration of[4]; /* those of the sweep; the last: the clean one */
+
+static double magnetism_of(size_t i)
+{
+    return of[i].magnetism;
+}
+static double spin_of(size_t i)
+{
+    return of[i / 3].spins[i % 3] == '1';
+}
+
+/* A result of the configuration i, or of the clean one, as the library has it. */
+static double result_of(const struct bead_sweep_peak *peak, size_t what)
+{
+    return (const double[]){peak->force, peak->time, peak->uncertainty, peak->time_uncertainty, peak->bead, peak->open}[what];
+}
+
+static void expect_peaks(const char *prefix, const struct bead_sweep_configuration *configurations, size_t count)
+{
+    static const struct {
+        const char *name, *units;
+    } columns[] = {{"peak_force", "N"}, {"peak_time", "s"}, {"peak_uncertainty", "N"}, {"peak_time_uncertainty", "s"},
+                   {"peak_bead", NULL}, {"peak_open", NULL}};
+    for (size_t what = 0; what < 6; what++) {
+        char values[256] = "", *at = values;
+        for (size_t i = 0; i < count; i++)
+            at += sprintf(at, " %.7g", result_of(configurations[i].peaks, what));
+        expect("sweeps/0/%s%s:%s", prefix, columns[what].name, values);
+        expect("sweeps/0/%s%s@DIMENSION_LIST: references", prefix, columns[what].name);
+        if (columns[what].units)
+            expect("sweeps/0/%s%s@units: %s", prefix, columns[what].name, columns[what].units);
+    }
+}
+
+static const double *profile;
+static double profile_of(size_t i)
+{
+    return profile[i];
+}
+
+/* Those of several chains are too many to be written out. */
+static void expect_profiles(const char *prefix, const struct bead_sweep *sweep, size_t count)
+{
+    const struct sweep_panel *panel = &sweep->panels[0];
+    const size_t beads = panel->shown.beads;
+    static const char *const names[] = {"bead_force",       "bead_energy",       "last_force",       "last_energy",
+                                        "finer_bead_force", "finer_bead_energy", "finer_last_force", "finer_last_energy"};
+    for (size_t i = 0; i < 8; i++) {
+        profile = panel->profiles + i * beads;
+        if (count > 1)
+            expect("sweeps/0/%s%s: %zu values", prefix, names[i], count * beads);
+        else
+            expect("sweeps/0/%s%s:%s", prefix, names[i], list(beads, profile_of));
+        expect("sweeps/0/%s%s@DIMENSION_LIST: references", prefix, names[i]);
+        expect("sweeps/0/%s%s@units: %s", prefix, names[i], i % 2 ? "J" : "N");
+    }
+}
+
+static void all_of_a_sweep(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    char directory[64], path[128],
+        text[] = "title: Three\nsweep: {cells: 3, configurations: 2, magnetism: [0.33333333333, 1], seed: 5, "
+                 "measure: {decay: true}}\noutputs: [{sweep: s.h5}]\n";
+    struct bead_scene *scene = parse(text);
+    struct bead_sweep *sweep = compute(scene, NULL);
+    make_directory(directory, sizeof directory);
+    snprintf(path, sizeof path, "%s/s.h5", directory);
+    assert_int_equal(bead_sweep_write(sweep, path, &msg), BEAD_OK);
+    const size_t beads = bead_sweep_panel(sweep, 0)->beads;
+    for (size_t i = 0; i < 4; i++)
+        assert_true(bead_sweep_configuration(sweep, 0, i < 3 ? i : BEAD_SWEEP_CLEAN, &of[i]));
+    assert_int_equal(bead_sweep_panel(sweep, 0)->configurations, 3);
+    take_lines(path);
+    static const char *const lines[] = {"/",
+                                        "/@format: beadreel-sweep",
+                                        "/@format_version: 2",
+                                        "/@creator: beadreel",
+                                        "/@part: 1",
+                                        "/@version: " BEADREEL_VERSION,
+                                        "/@parts: 1",
+                                        "/@title: Three",
+                                        "sweeps",
+                                        "sweeps/0",
+                                        "sweeps/0@name: ",
+                                        "sweeps/0@seed: 5"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        expect("%s", lines[i]);
+    expect("/@fingerprint: %.7g", (double)(int64_t)scene->fingerprint);
+    expect("scene: %s", text);
+    expect_axis("sweeps/0", "bead", list(beads, itself));
+    expect_axis("sweeps/0", "configuration", list(3, itself));
+    expect_axis("sweeps/0", "place", " peak");
+    expect_numbers("sweeps/0/spins", 9, spin_of, NULL);
+    expect_numbers("sweeps/0/magnetism", 3, magnetism_of, "1");
+    expect_peaks("", of, 3);
+    expect_peaks("reference_", of + 3, 1);
+    expect_profiles("", sweep, 3);
+    expect_profiles("reference_", sweep, 1);
+    assert_string_equal(rest, "\n");
+    free(rest);
+    bead_sweep_close(sweep);
+    bead_scene_free(scene);
+    assert_int_equal(count_files(directory, true), 1);
+    rmdir(directory);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_is_there)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_trajectory), cmocka_unit_test(all_of_a_sweep)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
