@@ -189,6 +189,9 @@ chain 0: striker and 155 beads, 156 contacts, rigid wall
 until 10 us, accuracy 1e-06, method rk4, step 100 ns
 output 0: table p.csv
 TEXT
+ok "... in JSON" exits 0 "$beadsim" --info all.yaml --json
+ok "... too" is '[(c["beads"], c["contacts"], c["wall"], len(c["spins"]), round(77 * c["magnetism"]), c["sensors"], [k["beads"] for k in c["kinds"]])
+    for c in j["chains"]] == [(156, 156, "rigid", 77, 1, [{"name": "end", "bead": 155}], [77, 1, 77])] and j["until_s"] == 1e-5'
 "$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
 ok "--info --json of a sweep" exits 0 "$beadreel" --info sweep/sweep.h5 --json
 ok "... counts" is 'j["known"] > 4 and same(j, dict(file="sweep/sweep.h5", kind="sweep", title=j["title"], until_s=None, accuracy=1e-6, outputs=j["outputs"],

@@ -84,6 +84,13 @@ static void expect(const char *format, ...)
     memmove(found, found + length, strlen(found + length) + 1);
 }
 
+/* A function of an index. */
+#define NUMBERS(name, expression)                  \
+    static double name(size_t i)                   \
+    {                                              \
+        return i == SIZE_MAX ? NAN : (expression); \
+    }
+
 /* `count` numbers as printf has them, from a function of their index. */
 static const char *list(size_t count, double (*number)(size_t))
 {
@@ -95,50 +102,17 @@ static const char *list(size_t count, double (*number)(size_t))
 }
 
 /* Eleven beads and ten contacts of the first chain, seven of each of the second. */
-static double chain_of_bead(size_t i)
-{
-    return i >= 11;
-}
-static double chain_of_contact(size_t i)
-{
-    return i >= 10;
-}
-static double bead_of(size_t i)
-{
-    return i < 11 ? (double)i : (double)i - 11;
-}
-static double contact_of(size_t i)
-{
-    return i < 10 ? (double)i : (double)i - 10;
-}
-static double itself(size_t i)
-{
-    return (double)i;
-}
-static double time_of(size_t i)
-{
-    return 1e-6 * (double)i;
-}
-static double species_of(size_t i)
-{
-    return i < 12 ? 0 : 3;
-}
-static double mass_of(size_t i)
-{
-    return i < 12 ? 3.63e-3 : 1.26e-3;
-}
-static double radius_of(size_t)
-{
-    return 4.76e-3;
-}
-static double place_of(size_t i) /* the first bead at 0, and the striker before it */
-{
-    return 2 * 4.76e-3 * (bead_of(i) - 1);
-}
-static double static_force_of(size_t i)
-{
-    return i < 10 ? 0 : 5;
-}
+NUMBERS(chain_of_bead, i >= 11)
+NUMBERS(chain_of_contact, i >= 10)
+NUMBERS(bead_of, i < 11 ? (double)i : (double)i - 11)
+NUMBERS(contact_of, i < 10 ? (double)i : (double)i - 10)
+NUMBERS(itself, (double)i)
+NUMBERS(time_of, 1e-6 * (double)i)
+NUMBERS(species_of, i < 12 ? 0 : 3)
+NUMBERS(mass_of, i < 12 ? 3.63e-3 : 1.26e-3)
+NUMBERS(radius_of, 4.76e-3)
+NUMBERS(place_of, 2 * 4.76e-3 * (bead_of(i) - 1)) /* the first bead at 0, and the striker before it */
+NUMBERS(static_force_of, i < 10 ? 0 : 5)
 static double stiffness_of(size_t i) /* (4/3) sqrt(R*) E* */
 {
     static const double steel = (1 - 0.3 * 0.3) / 193e9, aluminium = (1 - 0.33 * 0.33) / 72.4e9, brass = (1 - 0.34 * 0.34) / 90.2e9;
@@ -275,10 +249,7 @@ static void expect_summary(const char *scene)
 static const struct bead_scene *given;
 static size_t member; /* offset */
 
-static double member_of(size_t i)
-{
-    return *(const double *)((const char *)&given->materials[i] + member);
-}
+NUMBERS(member_of, *(const double *)((const char *)&given->materials[i] + member))
 
 static void expect_materials(const struct bead_scene *scene)
 {
@@ -356,16 +327,57 @@ static void all_of_a_trajectory(void **state)
     tear_down(&s, 1);
 }
 
+/* The check run differs by (1 + c) (1 + f) nm (or m/s, N) in one number of field f of chain c; five times as much is written. */
+static void uncertainties_of_fields(void **state)
+{
+    (void)state;
+    static const char *const names[] = {[BEAD_FIELD_DISPLACEMENT] = "displacement",
+                                        [BEAD_FIELD_VELOCITY] = "velocity",
+                                        [BEAD_FIELD_FORCE] = "bead_force",
+                                        [BEAD_FIELD_CONTACT_FORCE] = "contact_force"},
+                             *const units[] = {[BEAD_FIELD_DISPLACEMENT] = "m",
+                                               [BEAD_FIELD_VELOCITY] = "m s-1",
+                                               [BEAD_FIELD_FORCE] = "N",
+                                               [BEAD_FIELD_CONTACT_FORCE] = "N"};
+    static double check[BEAD_FIELD_COUNT][16];
+    struct bead_message msg = {""};
+    struct stand s;
+    set_up(&s, TWO_CHAINS,
+           "trajectory: run.h5, every: 1 us, uncertainty: true, fields: [displacement, velocity, force, contact-force]", 4e-6);
+    assert_true(s.needs.checked);
+    for (; s.next < 5; s.next++) {
+        for (size_t c = 0; c < 2; c++) {
+            struct bead_sample other = {.chain = c},
+                               sample = {.chain = c, .index = s.next, .time = 1e-6 * (double)s.next, .check = &other};
+            sample.active = bead_chain_beads(s.chains[c]);
+            for (size_t f = 0; f < sizeof names / sizeof *names; f++) {
+                for (size_t j = 0; names[f] && j < sample.active; j++)
+                    s.values[c][f][j] = check[f][j] = made_up(c, f, s.next, j);
+                sample.field[f] = s.values[c][f];
+                other.field[f] = check[f];
+                check[f][c + 4] += s.next == 1 + f % 3 ? 1e-9 * (double)((1 + c) * (1 + f)) : 0;
+            }
+            assert_int_equal(s.type->sample(s.sink, &sample, &msg), BEAD_OK);
+        }
+    }
+    finish(&s);
+    take_lines(s.path);
+    expect("parameters/beadreel/uncertainty");
+    for (size_t f = 0; f < sizeof names / sizeof *names; f++) {
+        if (!names[f])
+            continue;
+        expect("parameters/beadreel/uncertainty/%s: %.7g %.7g", names[f], 5e-9 * (double)(1 + f), 10e-9 * (double)(1 + f));
+        expect("parameters/beadreel/uncertainty/%s@units: %s", names[f], units[f]);
+    }
+    assert_null(strstr(rest, "/uncertainty/"));
+    free(rest);
+    tear_down(&s, 1);
+}
+
 static struct bead_sweep_configuration of[4]; /* those of the sweep; the last: the clean one */
 
-static double magnetism_of(size_t i)
-{
-    return of[i].magnetism;
-}
-static double spin_of(size_t i)
-{
-    return of[i / 3].spins[i % 3] == '1';
-}
+NUMBERS(magnetism_of, of[i].magnetism)
+NUMBERS(spin_of, of[i / 3].spins[i % 3] == '1')
 
 /* A result of the configuration i, or of the clean one, as the library has it. */
 static double result_of(const struct bead_sweep_peak *peak, size_t what)
@@ -391,10 +403,7 @@ static void expect_peaks(const char *prefix, const struct bead_sweep_configurati
 }
 
 static const double *profile;
-static double profile_of(size_t i)
-{
-    return profile[i];
-}
+NUMBERS(profile_of, profile[i])
 
 /* Those of several chains are too many to be written out. */
 static void expect_profiles(const char *prefix, const struct bead_sweep *sweep, size_t count)
@@ -466,6 +475,7 @@ static void all_of_a_sweep(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_trajectory), cmocka_unit_test(all_of_a_sweep)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_trajectory), cmocka_unit_test(uncertainties_of_fields),
+                                       cmocka_unit_test(all_of_a_sweep)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
