@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of systems: every row is complete and its traits agree with each other. */
-#include "tests/support.h"
-
-#include "sim/equation/equation.h"
+/* The table of systems: every row is complete and its traits agree with each other; the fields of equations agree, too. */
+#include "tests/motions.h"
 
 static bool moves(const struct bead_equation *e)
 {
@@ -88,11 +86,82 @@ static void rows_that_are_not_are_refused(void **state)
     assert_string_equal(lacks(&some), "masses and units of its contacts");
 }
 
+/* Each mass has its kinetic energy and half of the energy r^2/2 + alpha r^3/3 + beta r^4/4 of both springs, and the mean of their
+ * strains. In a ring they add up to the energy of the string, between walls to all but half of the outer springs. */
+static void strings_have_their_energies(void **state)
+{
+    (void)state;
+    enum { N = 9 };
+    static const struct bead_system *const fput = &bead_system_fput;
+    for (int ring = 0; ring < 2; ring++) {
+        const struct bead_equation_spec spec = {.points = N,
+                                                .ends = ring ? BEAD_ENDS_PERIODIC : BEAD_ENDS_FIXED,
+                                                .alpha = 0.25,
+                                                .beta = 0.5,
+                                                .start = BEAD_START_MODE,
+                                                .mode = 1,
+                                                .amplitude = 1};
+        struct bead_motion *motion = start_motion(fput, &spec, 1e-10, 0, 7);
+        const double first = fput->equation->energy(motion);
+        move_until(fput, motion, 7);
+        double *u = field_at(fput, motion, N, 7, BEAD_FIELD_DISPLACEMENT), *v = field_at(fput, motion, N, 7, BEAD_FIELD_VELOCITY);
+        double *e = field_at(fput, motion, N, 7, BEAD_FIELD_ENERGY), *strain = field_at(fput, motion, N, 7, BEAD_FIELD_STRAIN);
+        double of_spring[N + 1], r[N + 1], all = 0, sum = 0;
+        for (int k = 0; k <= N; k++) { /* spring k is left of mass k */
+            r[k] = (k < N ? u[k] : ring ? u[0] : 0) - (k > 0 ? u[k - 1] : ring ? u[N - 1] : 0);
+            of_spring[k] = r[k] * r[k] * (1. / 2 + 0.25 * r[k] / 3 + 0.5 * r[k] * r[k] / 4);
+            all += ring && k == N ? 0 : of_spring[k];
+        }
+        for (int j = 0; j < N; j++) {
+            assert_near(strain[j], (r[j] + r[j + 1]) / 2, 1e-14);
+            assert_near(e[j], v[j] * v[j] / 2 + (of_spring[j] + of_spring[j + 1]) / 2, 1e-14);
+            all += v[j] * v[j] / 2;
+            sum += e[j];
+        }
+        assert_near(all, first, 1e-8 * first);
+        assert_near(fput->equation->energy(motion), all, 1e-13);
+        assert_near(sum + (ring ? 0 : (of_spring[0] + of_spring[N]) / 2), all, 1e-13);
+        fput->equation->destroy(motion);
+        free(u), free(v), free(e), free(strain);
+    }
+}
+
+/* Of a smooth wave: the energy of each cell is v^2/2 + c^2 (r^2/2 + epsilon r^3/6), their sum that of the start, and the strain is
+ * the slope of the displacement. */
+static void waves_have_their_energies(void **state)
+{
+    (void)state;
+    enum { N = 200 };
+    static const struct bead_system *const shock = &bead_system_shock;
+    static const double dx = 10. / N, end = 0.3;
+    const struct bead_equation_spec spec = {
+        .points = N, .length = 10, .speed = 2, .epsilon = 0.5, .start = BEAD_START_COSINE, .mode = 2, .amplitude = 0.1};
+    struct bead_motion *motion = start_motion(shock, &spec, 1e-6, 0, end);
+    const double first = shock->equation->energy(motion);
+    move_until(shock, motion, end);
+    double *r = field_at(shock, motion, N, end, BEAD_FIELD_STRAIN), *v = field_at(shock, motion, N, end, BEAD_FIELD_VELOCITY);
+    double *e = field_at(shock, motion, N, end, BEAD_FIELD_ENERGY), *u = field_at(shock, motion, N, end, BEAD_FIELD_DISPLACEMENT);
+    double all = 0, most = 0;
+    for (int i = 0; i < N; i++) {
+        const int a = (i + N - 2) % N, b = (i + N - 1) % N, c = (i + 1) % N, d = (i + 2) % N;
+        assert_near(e[i], v[i] * v[i] / 2 + 4 * r[i] * r[i] * (1. / 2 + 0.5 * r[i] / 6), 1e-15);
+        assert_near((8 * (u[c] - u[b]) - (u[d] - u[a])) / (12 * dx), r[i], 1e-4);
+        most = fmax(most, fabs(r[i]));
+        all += dx * e[i];
+    }
+    assert_true(most > 0.05);
+    assert_near(all, first, 1e-5 * first);
+    shock->equation->destroy(motion);
+    free(u), free(v), free(e), free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_are_whole),
         cmocka_unit_test(rows_that_are_not_are_refused),
+        cmocka_unit_test(strings_have_their_energies),
+        cmocka_unit_test(waves_have_their_energies),
     };
     return cmocka_run_group_tests_name("systems", tests, NULL, NULL);
 }
