@@ -4,6 +4,7 @@
 
 #include "sim/base/wide.h"
 #include "sim/equation/etd.h"
+#include "sim/equation/kdv_solver.h"
 
 static const struct bead_system *const kdv = &bead_system_kdv;
 
@@ -62,6 +63,29 @@ static void a_soliton_keeps_its_shape(void **state)
     assert_below(worst_error_of_soliton(1e-6, 2), 2e-6);
     assert_below(worst_error_of_soliton(4e-9, 2), 1e-8);
     assert_below(worst_error_of_soliton(1e-4, 2), 2e-4);
+}
+
+/* So does a pulse of its height and width. What is narrower may come: a pulse may be narrow itself, or its solitons may, up to
+ * twice as high: of 2 a, with 6 and 1, they have sqrt(a) for 1 / width. */
+static void a_pulse_of_its_shape_is_a_soliton(void **state)
+{
+    (void)state;
+    struct bead_equation_spec pulse = one_soliton;
+    pulse.start = BEAD_START_PULSE;
+    pulse.soliton_count = 0;
+    pulse.amplitude = 2;
+    pulse.width = 1;
+    const size_t points = kdv->count(&(struct bead_chain_spec){.equation = pulse}, 1e-8);
+    struct bead_motion *motion = start_motion(kdv, &pulse, 1e-8, 0, 1);
+    assert_below(error_of_soliton(motion, points, 0), 1e-13);
+    move_until(kdv, motion, 1);
+    assert_below(error_of_soliton(motion, points, 1), 1e-7);
+    kdv->equation->destroy(motion);
+    assert_close(bead_kdv_sharpest(&pulse), sqrt(2), 1e-15);
+    pulse.width = 1. / 3;
+    assert_close(bead_kdv_sharpest(&pulse), 3, 1e-15);
+    pulse.amplitude = -18;
+    assert_close(bead_kdv_sharpest(&pulse), sqrt(18), 1e-15);
 }
 
 static void a_soliton_has_its_integrals(void **state)
@@ -454,6 +478,7 @@ static void coefficients_are_exact(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(a_soliton_keeps_its_shape),
+                                       cmocka_unit_test(a_pulse_of_its_shape_is_a_soliton),
                                        cmocka_unit_test(a_soliton_has_its_integrals),
                                        cmocka_unit_test(a_soliton_has_its_width),
                                        cmocka_unit_test(solitons_collide_and_only_shift),
