@@ -85,8 +85,9 @@ static enum bead_error derive(struct search *s, struct bead_message *msg)
 
 /* ---- steps ---- */
 
-/* The factor of (J'J + damping diagonal), scaled to a diagonal of 1. False: parameters do the same. */
-static bool factor(struct search *s, double damping)
+/* The factor of (J'J + damping diagonal), scaled to a diagonal of 1. The first parameter that does what those before it do is an
+ * error. */
+static enum bead_error factor(struct search *s, double damping, struct bead_message *msg)
 {
     const size_t n = s->fit->parameters;
     for (size_t i = 0; i < n; i++) {
@@ -94,11 +95,12 @@ static bool factor(struct search *s, double damping)
             const double scale = sqrt(s->matrix[i * n + i] * s->matrix[k * n + k]);
             const double rest = s->matrix[i * n + k] / scale + (i == k ? damping : 0) - dot(s->l + i * n, s->l + k * n, k);
             if (i == k && !(rest > 1e-12))
-                return false;
+                return bead_fail(msg, BEAD_ERROR_NUMBERS, "fit: the measured values cannot tell %s from the other parameters",
+                                 s->fit->names[i]);
             s->l[i * n + k] = i == k ? sqrt(rest) : rest / s->l[k * n + k];
         }
     }
-    return true;
+    return BEAD_OK;
 }
 
 /* Solves for `way`, which holds the right-hand side. */
@@ -117,20 +119,13 @@ static void solve(struct search *s)
         y[i] /= sqrt(s->matrix[i * n + i]);
 }
 
-static enum bead_error same(const struct search *s, struct bead_message *msg)
-{
-    return bead_fail(msg, BEAD_ERROR_NUMBERS, "fit: the measured values cannot tell %s%s from the other parameters",
-                     s->fit->names[0], s->fit->parameters > 2 ? ", or one of those behind it," : "");
-}
-
 /* Tries a step; *gain: how much smaller the sum of squares is. */
 static enum bead_error try_step(struct search *s, double damping, double *gain, struct bead_message *msg)
 {
     struct bead_least_squares *f = s->fit;
     struct bead_message why = {""};
     *gain = -INFINITY;
-    if (!factor(s, damping))
-        return same(s, msg);
+    BEAD_TRY(factor(s, damping, msg));
     for (size_t k = 0; k < f->parameters; k++)
         s->way[k] = -s->slope[k];
     solve(s);
@@ -171,8 +166,7 @@ static enum bead_error find_errors(struct search *s, struct bead_message *msg)
     struct bead_least_squares *f = s->fit;
     f->rms = sqrt(dot(s->r, s->r, f->points) / (double)(f->points - f->parameters));
     BEAD_TRY(derive(s, msg));
-    if (!factor(s, 0))
-        return same(s, msg);
+    BEAD_TRY(factor(s, 0, msg));
     for (size_t k = 0; k < f->parameters; k++) {
         memset(s->way, 0, f->parameters * sizeof *s->way);
         s->way[k] = 1;

@@ -11,19 +11,19 @@ struct data {
     double (*model)(const double *b, double x);
 };
 
-static enum bead_error residuals(const void *context, const double *b, double *r, struct bead_message *msg)
+static enum bead_error residuals(const void *context, const double *b, double *r, struct bead_message *)
 {
-    (void)msg;
     const struct data *d = context;
     for (size_t i = 0; i < d->count; i++)
         r[i] = d->model(b, d->x[i]) - d->y[i];
     return BEAD_OK;
 }
 
+static struct bead_message msg;
+
 static enum bead_error fit(const struct data *data, size_t parameters, double *b, double *error, double *rms)
 {
-    static const char *const names[] = {"b1", "b2"};
-    struct bead_message msg;
+    static const char *const names[] = {"b1", "b2", "b3"};
     struct bead_least_squares f = {parameters, data->count, residuals, data, names, 0, 2, b, error, 0, 0};
     for (size_t i = 0; i < data->count; i++)
         f.size = hypot(f.size, data->y[i]);
@@ -64,19 +64,29 @@ static double first(const double *b, double x)
     return b[0] * x;
 }
 
-/* Parameters that begin at 0 also have a step; parameters that the data cannot determine are reported. */
+static double three(const double *b, double x)
+{
+    return (b[0] + b[2]) * x + b[1] * x * x;
+}
+
+/* Parameters that begin at 0 also have a step; parameters that the data cannot determine are reported, by name. */
 static void what_cannot_be_found_is_said(void **state)
 {
     (void)state;
-    static const double x[] = {1, 2, 3}, y[] = {3, 6, 9.1};
-    double b[] = {0, 0}, error[2], rms;
+    static const double x[] = {1, 2, 3, 4, 5}, y[] = {3, 6, 9.1, 12, 15.1};
+    double b[] = {0, 0, 3}, error[3], rms;
     assert_int_equal(fit(&(struct data){3, x, y, first}, 1, b, error, &rms), BEAD_OK);
     assert_near(b[0], 42.3 / 14, 1e-9);
     b[0] = 1;
     assert_int_equal(fit(&(struct data){3, x, y, sum}, 2, b, error, &rms), BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "cannot tell b2 from"));
     b[1] = 5;
     assert_int_equal(fit(&(struct data){3, x, y, first}, 2, b, error, &rms), BEAD_ERROR_NUMBERS);
-    assert_int_equal(fit(&(struct data){1, x, y, first}, 2, b, error, &rms), BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "b2 changes nothing"));
+    assert_int_equal(fit(&(struct data){2, x, y, first}, 2, b, error, &rms), BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "2 points are too few for 2 parameters"));
+    assert_int_equal(fit(&(struct data){5, x, y, three}, 3, b, error, &rms), BEAD_ERROR_NUMBERS);
+    assert_non_null(strstr(msg.text, "cannot tell b3 from"));
 }
 
 static double hardly(const double *b, double x)
