@@ -193,6 +193,46 @@ ok "... in JSON" exits 0 "$beadsim" --info all.yaml --json
 ok "... too" is '[(c["beads"], c["contacts"], c["wall"], len(c["spins"]), round(77 * c["magnetism"]), c["sensors"], [k["beads"] for k in c["kinds"]])
     for c in j["chains"]] == [(156, 156, "rigid", 77, 1, [{"name": "end", "bead": 155}], [77, 1, 77])] and j["until_s"] == 1e-5'
 "$beadsim" sweep -o sweep --set sweep.cells=6 --set sweep.configurations=2 --only sweep.h5 >/dev/null
+# Steps follow from the accuracy and the chain.
+planned() { "$beadsim" "$@" --plan -o out >out.txt && sed -E 's/steps (from|of) [0-9.]+ us/steps \1 N us/' out.txt | diff - plan; }
+cat >plan <<'TEXT'
+chain a: 13 beads, 12 contacts; rkn8 (contacts open and close) with steps from N us
+chain b "two": 9 beads, 8 contacts; rkn8 (contacts open and close) with steps from N us
+time: until the first pulse has passed the end; no output needs the end time in advance: no scouting run
+output out/peaks.csv: largest force of every contact
+  samples: none
+  maxima of every contact's force until the front reaches the end, found between steps
+output folder/µ.png: skipped: this program makes data only
+output m.mp4: skipped: this program makes data only
+comparison run: uncertainties of out/peaks.csv needs all chains a second time, for comparison: accuracy 0.0003 instead of 1e-06, steps of N us; a third one if many peaks respond strongly
+skipped: samples (no output reads any)
+skipped: HDF5 (no trajectory output)
+skipped: drawing (no picture asked for)
+skipped: beads ahead of the front, until it comes (exactly at rest)
+TEXT
+ok "--plan says all of it" planned scene.yaml
+cat >parts.yaml <<'YAML'
+chain:
+  beads:
+    - {cell: [large-steel, aluminium], count: 12, spins: random, magnetism: 0.5, seed: 1}
+    - {bead: small-steel, sensor: s}
+    - {bead: large-steel, count: 30}
+sweep: {name: abc, configurations: 4, magnetism: [0, 1], seed: 5, measure: {decay: true, sensor: s}}
+outputs: [{sweep: s.h5}, {table: f.csv}]
+YAML
+# Four configurations and the one that is all up; 1 + 2 * 12 + 1 + 30 beads.
+cat >plan <<'TEXT'
+sweep abc: 5 configurations of 56 beads, 2 magnetisms from 0 to 1, and the one with all of 12 random cells up; rkn8 with steps from N us
+  measured: largest force at sensor s
+  measured: peaks of the force and energy of every bead
+  all beads are kept: the decay is measured on all of them
+time: each chain until its front reaches the end
+of these, part 2 of 3
+output out/s.2of3.h5: spins and results of every configuration; in its .part until the end
+output f.csv: skipped: a part has no statistics
+skipped: samples, contact forces and all peaks that are not measured; beads ahead of the front
+TEXT
+ok "... of a part of a sweep" planned parts.yaml --shard 2/3
 ok "--info --json of a sweep" exits 0 "$beadreel" --info sweep/sweep.h5 --json
 ok "... counts" is 'j["known"] > 4 and same(j, dict(file="sweep/sweep.h5", kind="sweep", title=j["title"], until_s=None, accuracy=1e-6, outputs=j["outputs"],
     chains=j["known"], known=j["known"], part=1, parts=1, version="'"$("$beadsim" --version | awk 'NR == 1 {print $2}')"'"))'
