@@ -117,6 +117,58 @@ static void wrong_shapes_get_their_message(void **state)
     free(text);
 }
 
+/* What is just allowed, and what is just refused, and each of several reasons for which a scene is. */
+static void limits_are_exact(void **state)
+{
+    (void)state;
+#define MOVIE(keys)    BEADS "simulate: {until: 1 ms}\noutputs: [{movie: a.mp4, " keys "}]\n"
+#define IMAGE(keys)    BEADS "outputs: [{image: a.png, " keys "}]\n"
+#define VARY(disorder) "chain: {beads: [{bead: brass, count: 3, disorder: {" disorder ", seed: 1}}]}\n" OUTPUTS
+#define OVER(text)     "chain: {beads: [{bead: brass, count: 50}]}\nsweep: {over: {" text "}}\noutputs: [{table: a.csv}]\n"
+#define PAIR           "chains: [{name: a, beads: [{bead: brass}]}, {name: b, beads: [{bead: brass}]}]\nsimulate: {until: 1 ms}\n"
+#define WAVE(keys)     KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{movie: a.mp4, " keys "}]\n"
+#define LONG           "0.9000000000000000000000000000000000000000000000000000000000000"
+    static const struct {
+        const char *good, *bad, *expected;
+    } cases[] = {
+        {MOVIE("inset: cell"), MOVIE("views: [profile], inset: cell"), "inset: is cell, but"},
+        {NULL, MOVIE("axes: false, inset: cell"), "inset: is cell, but"},
+        {WAVE("inset: none"), WAVE("inset: cell"), "inset: is cell, but"},
+        {MOVIE("notes: [{at: 0.1 ms, text: a, bead: 1}]"), MOVIE("views: [profile], notes: [{at: 0.1 ms, text: a, bead: 1}]"),
+         "notes: are given, but"},
+        {NULL, MOVIE("axes: false, notes: [{at: 0.1 ms, text: a, bead: 1}]"), "notes: are given, but"},
+        {MOVIE("notes: [{at: 0.9999 ms, text: a, bead: 1}]"), MOVIE("notes: [{at: 1 ms, text: a, bead: 1}]"),
+         "must be before the end of what is shown"},
+        {PAIR "outputs: [{movie: a.mp4, race: true}]\n", MOVIE("race: true"), "race: is true, but a race needs"},
+        {NULL, PAIR "outputs: [{movie: a.mp4, views: [profile], race: true}]\n", "race: is true, but a race needs"},
+        {MOVIE("time: [0.1 ms, 1 ms], stops: [0.1 ms, 0.9999 ms]"), MOVIE("stops: [1 ms]"), "stops: has 0.001; must be times"},
+        {NULL, MOVIE("time: [0.1 ms, 1 ms], stops: [0.09 ms]"), "stops: has 9e-05; must be times"},
+        {MOVIE("poster: p.png, poster-at: 1 ms"), MOVIE("poster: p.png, poster-at: 1.001 ms"), "poster-at: is 0.001001 s; must be"},
+        {MOVIE("time: [0.1 ms, 1 ms], poster: p.png, poster-at: 0.1 ms"),
+         MOVIE("time: [0.1 ms, 1 ms], poster: p.png, poster-at: 0.09 ms"), "poster-at: is 9e-05 s; must be"},
+        {NULL, MOVIE("poster-at: 0.1 ms"), "poster-at: is given, but no `poster`"},
+        {MOVIE("views: [spacetime, profile], layout: beside"), MOVIE("views: [spacetime], layout: beside"), "layout: is beside"},
+        {NULL, MOVIE("views: [stage, profile], layout: beside"), "layout: is beside"},
+        {IMAGE("size: [32768, 15258]"), IMAGE("size: [32768, 15259]"), "size: is 32768 x 15259 pixels; must be"},
+        {IMAGE("size: [1, 1]"), IMAGE("size: [32769, 1]"), "size.0: `32769`"},
+        {IMAGE("theory: true"), IMAGE("axes: false, theory: true"), "theory: is set, but `axes: false`"},
+        {IMAGE("trust: true"), IMAGE("axes: false, trust: true"), "trust: is set, but `axes: false`"},
+        {VARY("radius: normal 30 %"), VARY("radius: normal 30.1 %"), "radius: is `normal 30.1 %`; must be"},
+        {VARY("radius: uniform 2..4 mm"), VARY("radius: uniform 4..2 mm"), "radius: is `uniform 4..2 mm`; must be"},
+        {VARY("radius: uniform 0.9..0.9"), VARY("radius: uniform 0.9 mm..1"), "radius: is "},
+        {VARY("radius: uniform 1e-3..1"), VARY("radius: uniform 0..1"), "radius: is `uniform 0..1`; must be"},
+        {VARY("gap: uniform 0 mm..1 mm"), VARY("gap: uniform -1 mm..1 mm"), "gap: is `uniform -1 mm..1 mm`; must be"},
+        {VARY("radius: uniform " LONG "..1"), VARY("radius: uniform " LONG "0..1"), "radius: is "},
+        {OVER("chain.beads.0.count: 1..100000"), OVER("chain.beads.0.count: 1..100001"), "chain.beads.0.count: "},
+        {SWEEP("measure: {beads: [1, 30]}"), SWEEP("measure: {beads: [1, 31]}"), "reaches to bead 39; the chain ends with bead 38"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (cases[i].good)
+            bead_scene_free(parse(cases[i].good));
+        refuse(cases[i].bad, cases[i].expected);
+    }
+}
+
 static void near_misses_are_suggested(void **state)
 {
     (void)state;
@@ -343,6 +395,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_malformed_file_gets_its_message),
         cmocka_unit_test(wrong_shapes_get_their_message),
+        cmocka_unit_test(limits_are_exact),
         cmocka_unit_test(near_misses_are_suggested),
         cmocka_unit_test(files_that_cannot_be_read),
         cmocka_unit_test(settings_change_the_scene),
