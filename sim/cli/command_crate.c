@@ -51,12 +51,17 @@ static char *place(const struct crate *crate, const char *path)
     const size_t length = strlen(crate->folder);
     if (strncmp(path, crate->folder, length) != 0 || path[length] == '/')
         return NULL;
-    char *uri = calloc(3 * strlen(path) + 1, 1), *to = uri;
-    for (const char *c = path + length; uri && *c; c++) {
+    char *uri = NULL;
+    size_t size;
+    FILE *out = open_memstream(&uri, &size);
+    for (const char *c = path + length; out && *c; c++) {
         const bool plain = memchr("-._~/", *c, 5) || (*c >= '0' && *c <= '9') || ((*c | 32) >= 'a' && (*c | 32) <= 'z');
-        to += sprintf(to, plain ? "%c" : "%%%02X", (unsigned char)*c);
+        fprintf(out, plain ? "%c" : "%%%02X", (unsigned char)*c);
     }
-    return uri;
+    if (!out || fclose(out) == 0)
+        return uri;
+    free(uri);
+    return NULL;
 }
 
 static void refer(struct bead_json *json, const char *key, const char *id)
