@@ -121,13 +121,17 @@ static void wrong_shapes_get_their_message(void **state)
 static void limits_are_exact(void **state)
 {
     (void)state;
-#define MOVIE(keys)    BEADS "simulate: {until: 1 ms}\noutputs: [{movie: a.mp4, " keys "}]\n"
-#define IMAGE(keys)    BEADS "outputs: [{image: a.png, " keys "}]\n"
-#define VARY(disorder) "chain: {beads: [{bead: brass, count: 3, disorder: {" disorder ", seed: 1}}]}\n" OUTPUTS
-#define OVER(text)     "chain: {beads: [{bead: brass, count: 50}]}\nsweep: {over: {" text "}}\noutputs: [{table: a.csv}]\n"
-#define PAIR           "chains: [{name: a, beads: [{bead: brass}]}, {name: b, beads: [{bead: brass}]}]\nsimulate: {until: 1 ms}\n"
-#define WAVE(keys)     KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{movie: a.mp4, " keys "}]\n"
-#define LONG           "0.9000000000000000000000000000000000000000000000000000000000000"
+#define MOVIE(keys)           BEADS "simulate: {until: 1 ms}\noutputs: [{movie: a.mp4, " keys "}]\n"
+#define IMAGE(keys)           BEADS "outputs: [{image: a.png, " keys "}]\n"
+#define VARY(disorder)        "chain: {beads: [{bead: brass, count: 3, disorder: {" disorder ", seed: 1}}]}\n" OUTPUTS
+#define OVER(text)            "chain: {beads: [{bead: brass, count: 50}]}\nsweep: {over: {" text "}}\noutputs: [{table: a.csv}]\n"
+#define OVER_TO(text, output) "chain: {beads: [{bead: brass, count: 50}]}\nsweep: {over: {" text "}}\noutputs: [{" output "}]\n"
+#define START(start)          "chain: {start: [" start "], beads: [{bead: brass, count: 5}]}\nsimulate: {until: 1 ms}\n" OUTPUTS
+#define DRIVE(points) \
+    "chain: {drive: {force: " points ", amplitude: 1 N}, beads: [{bead: brass, count: 5}]}\nsimulate: {until: 1 ms}\n" OUTPUTS
+#define PAIR       "chains: [{name: a, beads: [{bead: brass}]}, {name: b, beads: [{bead: brass}]}]\nsimulate: {until: 1 ms}\n"
+#define WAVE(keys) KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{movie: a.mp4, " keys "}]\n"
+#define LONG       "0.9000000000000000000000000000000000000000000000000000000000000"
     static const struct {
         const char *good, *bad, *expected;
     } cases[] = {
@@ -161,6 +165,55 @@ static void limits_are_exact(void **state)
         {VARY("radius: uniform " LONG "..1"), VARY("radius: uniform " LONG "0..1"), "radius: is "},
         {OVER("chain.beads.0.count: 1..100000"), OVER("chain.beads.0.count: 1..100001"), "chain.beads.0.count: "},
         {SWEEP("measure: {beads: [1, 30]}"), SWEEP("measure: {beads: [1, 31]}"), "reaches to bead 39; the chain ends with bead 38"},
+        {MOVIE("views: [stage, profile], layout: stage"), MOVIE("views: [profile], layout: stage"), "layout: is stage, but"},
+        {MOVIE("views: [stage, profile], layout: overlay"), MOVIE("views: [stage, profile], follow: front, layout: overlay"),
+         "layout: is overlay, but with `follow: front`"},
+        {NULL, MOVIE("views: [stage], layout: overlay"), "layout: is overlay, but `views` has no profile"},
+        {NULL, MOVIE("notes: [{at: 0.1 ms, text: a, bead: 2}]"), "bead: is 2, but the last bead is 1"},
+        {MOVIE("notes: [{at: 0.1 ms, text: a, contact: 0}]"), MOVIE("notes: [{at: 0.1 ms, text: a, contact: 1}]"),
+         "contact: is 1, but the last contact is 0"},
+        {NULL, MOVIE("slides: s.html, poster: p.png"), "slides: are given beside `poster`"},
+        {"sweep: {cells: 4}\noutputs: [{report: r.html}]\n", OVER_TO("chain.beads.0.count: 2..3", "report: r.html"),
+         "report: shows points by magnetism"},
+        {NULL, "sweep: {cells: 4, measure: {peak: none, decay: true}}\noutputs: [{report: r.html}]\n", "report: shows peaks, and"},
+        {OVER_TO("chain.beads.0.count: 2..3", "plot: a.pdf, scale: log"),
+         "sweep: {cells: 4}\noutputs: [{plot: a.pdf, scale: log}]\n", "scale: is given, but the sweep is over spins"},
+        {NULL, OVER_TO("chain.beads.0.count: 2..3", "plot: a.pdf, show: decay"), "show: decay is fitted for each magnetism"},
+        {NULL, "sweep: {cells: 4}\noutputs: [{plot: a.pdf, show: spreading}]\n", "show: spreading is averaged over the seeds"},
+        {NULL, OVER_TO("chain.beads.0.count: 2..3", "plot: a.pdf, show: spreading"),
+         "show: is spreading, of chains that run as long"},
+        {NULL, "sweep: {cells: 4}\noutputs: [{table: a.csv, uncertainty: false}]\n", "uncertainty: is false, but a sweep"},
+        {NULL, "sweep: {cells: 4}\noutputs: [{table: a.csv, show: decay}]\n", "show: decay is not measured"},
+        {OUTPUT("trajectory: a.h5, xdmf: true"), OUTPUT("trajectory: 'a:b.h5', xdmf: true"),
+         "xdmf: cannot name a file with a colon"},
+        {NULL, OUTPUT("trajectory: a.h5, fields: [force], xdmf: true"), "xdmf: tells where beads are: add displacement"},
+        {NULL, KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{trajectory: a.h5, xdmf: true}]\n",
+         "xdmf: tells where beads are, but there are none"},
+        {OUTPUT("table: a.csv, show: sensors, beads: [0..1]"), OUTPUT("table: a.csv, show: sensors, beads: [1..0]"),
+         "must rise from one number to another"},
+        {NULL, KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1}\noutputs: [{table: a.csv, show: sensors, contacts: [1]}]\n",
+         "contacts: are between beads, which equations do not have"},
+        {START("{bead: [2, 3], velocity: 1}"), START("{bead: [3, 2], velocity: 1}"), "is [3, 2]; the first must not be greater"},
+        {START("{bead: 0, velocity: 1}"),
+         "chain: {striker: {velocity: 1}, start: [{bead: 0, velocity: 1}], beads: [{bead: brass}]}\n"
+         "simulate: {until: 1 ms}\n" OUTPUTS,
+         "gives the velocity of bead 0, the striker"},
+        {NULL, KDV("{cosine: 1, amplitude: 1}}") "simulate: {until: 1, verify: true}\noutputs: [{table: a.csv, show: measures}]\n",
+         "verify: is about the peaks of contacts"},
+        {NULL,
+         "chain: {beads: [{bead: brass, count: 9}]}\nsweep: {over: {chain.beads.0.count: 2..3}, measure: {decay: true}}\n"
+         "outputs: [{table: a.csv}]\n",
+         "decay: is one of spins, by magnetism"},
+        {NULL,
+         "chain: {beads: [{bead: brass, count: 9}]}\nsweeps: [{name: a, over: {chain.beads.0.count: 2..3}}, {name: b, over: "
+         "{chain.beads.0.count: 2..3}}]\noutputs: [{table: "
+         "a.csv}]\n",
+         "belongs to `sweep`, of which a scene has one"},
+        {NULL, OVER(""), "must be a map of one to eight keys"},
+        {NULL, OVER("chain.beads.0.count: []"), "chain.beads.0.count: is an empty list; must be "},
+        {DRIVE("'0 0, 1e-4 1'"), DRIVE("'0 0, 1e-4'"), "point 2 is not `time value`"},
+        {NULL, DRIVE("'0 0'"), "must be"},
+        {NULL, DRIVE("'0 0, 0 1'"), "point 2, at 0 s, is not later than the one before"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         if (cases[i].good)
