@@ -254,6 +254,42 @@ static void shocks_keep_mass_and_momentum_and_take_energy(void **state)
     }
 }
 
+/* Total variation of v - g and v + g around the ring, g = 2 c / (3 e) ((1 + e r)^(3/2) - 1). */
+static double variation_of(struct bead_motion *motion, const struct bead_equation_spec *spec)
+{
+    const size_t n = spec->points;
+    const double t = shock->equation->time(motion);
+    double *r = field_at(shock, motion, n, t, BEAD_FIELD_STRAIN), *v = field_at(shock, motion, n, t, BEAD_FIELD_VELOCITY), sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        const size_t next = (i + 1) % n;
+        const double change =
+            2 * spec->speed / (3 * spec->epsilon) * (pow(1 + spec->epsilon * r[next], 1.5) - pow(1 + spec->epsilon * r[i], 1.5));
+        sum += fabs(v[next] - v[i] - change) + fabs(v[next] - v[i] + change);
+    }
+    free(r);
+    free(v);
+    return sum;
+}
+
+/* Waves that meet vary more than each alone; what is told is the most of all steps. */
+static void variations_are_those_of_the_invariants(void **state)
+{
+    (void)state;
+    struct bead_equation_spec spec = standing(0.4);
+    struct bead_message msg = {""};
+    spec.points = 60;
+    struct bead_motion *motion = start_motion(shock, &spec, 1e-5, 0, 20);
+    const double first = variation_of(motion, &spec);
+    double most = first;
+    while (shock->equation->time(motion) < 20) {
+        assert_int_equal(shock->equation->step(motion, &msg), BEAD_OK);
+        most = fmax(most, variation_of(motion, &spec));
+    }
+    assert_true(most > 1.0001 * first);
+    assert_close(measure(shock, motion, "largest total variation, relative"), most / first, 1e-12);
+    shock->equation->destroy(motion);
+}
+
 /* Where a shock is: the place, between cells, where the strain falls through the mean of both sides, 8 cells away. */
 static bool find_shock(const double *r, size_t cells, double dx, double *at, double sides[2])
 {
@@ -448,6 +484,7 @@ int main(void)
                                        cmocka_unit_test(smooth_waves_are_as_exact_as_asked),
                                        cmocka_unit_test(linear_waves_only_move),
                                        cmocka_unit_test(shocks_keep_mass_and_momentum_and_take_energy),
+                                       cmocka_unit_test(variations_are_those_of_the_invariants),
                                        cmocka_unit_test(shocks_have_their_speed),
                                        cmocka_unit_test(a_pulse_to_the_left_mirrors_that_to_the_right),
                                        cmocka_unit_test(strains_without_waves_are_refused),
