@@ -211,6 +211,73 @@ static void bad_names_are_refused(void **state)
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
 }
 
+/* What does not go together, or names nothing; nothing is computed for it. */
+static void jobs_that_make_no_sense(void **state)
+{
+    (void)state;
+#define SWEEPS \
+    "sweeps: [{name: a, cells: 4, configurations: 2}, {name: bb, cells: 5, configurations: 3}]\noutputs: [{table: a.csv}]\n"
+#define TWO "chains: [{name: left, beads: [{bead: brass}]}, {name: right, beads: [{bead: ptfe}]}]\noutputs: [{table: a.csv}]\n"
+#define RANDOM                                                                                                                  \
+    "chain: {beads: [{cell: [large-steel, aluminium], count: 9, spins: random}, {bead: brass, count: 20}]}\noutputs: [{table: " \
+    "a.csv}]\n"
+#define FILM(x) CHAIN "simulate: {until: 1 ms}\noutputs: [{movie: a.mp4}" x "]\n"
+    static const char *const other[] = {"b.h5"}, *const table[] = {"b.csv"};
+    static const struct {
+        const char *scene;
+        struct bead_job job;
+        const char *says;
+    } cases[] = {
+        {NULL, {0}, "no scene given"},
+        {CHAIN, {.sheet = true, .configuration = "1", .output = "a.png"}, "--sheet shows many configurations, --configuration one"},
+        {CHAIN, {.still = "frame"}, "--still: there is no `frame`; must be poster"},
+        {CHAIN, {.frame = "peak", .sheet = true}, "--frame: has no effect with --sheet"},
+        {CHAIN, {.still = "poster", .configuration = "1", .output = "a.png"}, "--frame: has no effect with --configuration"},
+        {CHAIN, {.sheet = true, .part = 1, .parts = 2}, "--sheet: there is no part of a sheet"},
+        {CHAIN, {.sheet = true}, "--sheet: say where it goes"},
+        {CHAIN, {.configuration = "1"}, "--configuration: say what to make of it"},
+        {CHAIN, {.others = other, .other_count = 1}, "one file at a time: `%s` and `b.h5`"},
+        {CHAIN, {.difference = true}, "--diff: needs two trajectories"},
+        {SWEEPS, {.configuration = "1", .output = "a.png"}, "--configuration 1: there are 2 sweeps; say which, as in a:1"},
+        {SWEEPS,
+         {.configuration = "b:1", .output = "a.png"},
+         "--configuration b:1: no sweep has this name; there is a, and others"},
+        {SWEEPS, {.configuration = "bb:x", .output = "a.png"}, "--configuration bb:x: must be a number from 0 to "},
+        {SWEEPS, {.configuration = "bb:", .output = "a.png"}, "--configuration bb:: must be a number from 0 to "},
+        {SWEEPS, {.part = 1, .parts = 2}, "--shard: the scene has no output {sweep: FILE.h5}"},
+        {"sweep: {cells: 4}\noutputs: [{sweep: s.h5}, {table: b.csv}]\n",
+         {.part = 1, .parts = 2, .only = table, .only_count = 1},
+         "--shard: the scene has no output {sweep: FILE.h5}"},
+        {TWO,
+         {.configuration = "middle", .output = "a.png"},
+         "--configuration middle: no chain has this name; there are left, right"},
+        {RANDOM, {.configuration = "12345", .output = "a.png"}, "--configuration 12345: must be a number from 0 to "},
+        {FILM(""), {.frame = "2 kg"}, "--frame: "},
+        {FILM(""), {.frame = "101%"}, "--frame: "},
+        {FILM(", {table: b.csv}"), {.frame = "peak", .only = table, .only_count = 1}, "--frame: --only b.csv names no movie of "},
+        {ONE_MS "outputs: [{table: b.csv}]\n", {.still = "poster"}, "--still: %s has no movie"},
+    };
+    static const struct bead_sink_type *const *lists[2];
+    lists[0] = bead_data_sinks();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct bead_message msg = {""};
+        struct bead_session *session = NULL;
+        struct bead_job job = cases[i].job;
+        char path[512], says[1024];
+        job.size = sizeof job;
+        job.sinks = lists;
+        if (cases[i].scene) {
+            write_scene(cases[i].scene, path);
+            job.input = path;
+        }
+        snprintf(says, sizeof says, cases[i].says, path);
+        const enum bead_error err = bead_session_open(&job, &session, &msg);
+        if (err != BEAD_ERROR_USAGE || !strstr(msg.text, says))
+            fail_msg("job %zu: %d: '%s' is not in '%s'", i, (int)err, says, msg.text);
+        assert_null(session);
+    }
+}
+
 /* A signal may come before any output has begun: while the ranges of a movie are looked for. */
 static void a_run_may_stop_while_scouting(void **state)
 {
@@ -366,6 +433,7 @@ int main(void)
         cmocka_unit_test(the_window_skips_what_is_at_rest),
         cmocka_unit_test(grids_that_meet_share_samples),
         cmocka_unit_test(bad_names_are_refused),
+        cmocka_unit_test(jobs_that_make_no_sense),
         cmocka_unit_test(a_run_may_stop_while_scouting),
         cmocka_unit_test(nonsense_is_stopped),
         cmocka_unit_test(a_session_runs_once),
