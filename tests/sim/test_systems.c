@@ -155,6 +155,31 @@ static void waves_have_their_energies(void **state)
     free(u), free(v), free(e), free(r);
 }
 
+/* Cells that are shown have the means of finer ones, whose faces lie elsewhere: of a cosine, known exactly. */
+static void shown_cells_have_their_means(void **state)
+{
+    (void)state;
+    enum { CELLS = 96, SHOWN = 40 };
+    static const struct bead_system *const shock = &bead_system_shock;
+    const struct bead_equation_spec spec = {
+        .points = CELLS, .length = 2 * M_PI, .speed = 1, .epsilon = 0.5, .start = BEAD_START_COSINE, .mode = 1, .amplitude = 0.1};
+    struct bead_message msg = {""};
+    struct bead_motion *motion;
+    const struct bead_motion_settings settings = {&spec, CELLS, "auto", 1e-6, 0, 1, SHOWN, 0};
+    assert_int_equal(shock->equation->create(&settings, &motion, &msg), BEAD_OK);
+    double *r = field_at(shock, motion, SHOWN, 0, BEAD_FIELD_STRAIN), *fine = NULL, most = 0;
+    struct bead_motion *all = start_motion(shock, &spec, 1e-6, 0, 1);
+    fine = field_at(shock, all, CELLS, 0, BEAD_FIELD_STRAIN);
+    for (int i = 0; i < CELLS; i++)
+        assert_near(fine[i], 0.1 * (sin(2 * M_PI * (i + 1) / CELLS) - sin(2 * M_PI * i / CELLS)) / (2 * M_PI / CELLS), 1e-13);
+    for (int i = 0; i < SHOWN; i++)
+        most = fmax(most, fabs(r[i] - 0.1 * (sin(2 * M_PI * (i + 1) / SHOWN) - sin(2 * M_PI * i / SHOWN)) / (2 * M_PI / SHOWN)));
+    assert_below(most, 1e-9);
+    shock->equation->destroy(motion);
+    shock->equation->destroy(all);
+    free(r), free(fine);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -162,6 +187,7 @@ int main(void)
         cmocka_unit_test(rows_that_are_not_are_refused),
         cmocka_unit_test(strings_have_their_energies),
         cmocka_unit_test(waves_have_their_energies),
+        cmocka_unit_test(shown_cells_have_their_means),
     };
     return cmocka_run_group_tests_name("systems", tests, NULL, NULL);
 }
