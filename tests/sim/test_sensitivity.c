@@ -233,10 +233,10 @@ static void derivatives_add_up(void **state)
             modulus += m->modulus * s.modulus[j] / force;
             swing += fabs(m->mass * s.mass[j]) / force;
         }
-        assert_near(mass, 0.6, 1e-7 * swing);
-        assert_near(modulus, 0.4, 1e-7 * swing);
-        assert_near(radius, 0.2, 1e-7 * swing);
-        assert_near(scene->chains[0].striker_velocity * s.velocity / force, 1.2, 1e-7 * swing);
+        assert_near(mass, 0.6, 5e-8 * swing);
+        assert_near(modulus, 0.4, 5e-8 * swing);
+        assert_near(radius, 0.2, 2.5e-8 * swing);
+        assert_near(scene->chains[0].striker_velocity * s.velocity / force, 1.2, 2.5e-8 * swing);
         bead_sensitivity_free(&s);
     }
     bead_scene_free(scene);
