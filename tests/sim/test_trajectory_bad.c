@@ -380,6 +380,8 @@ static void numbers_are_checked_when_read(void **state)
     assert_int_equal(bead_trajectory_read(t, 10, 0, force, &sample, &msg), BEAD_OK);
     assert_int_equal(bead_trajectory_read(t, 299, 1, force, &sample, &msg), BEAD_ERROR_FORMAT);
     assert_non_null(strstr(msg.text, "sample 270"));
+    assert_int_equal(bead_trajectory_read(t, 10, 0, force, &sample, &msg), BEAD_OK); /* read again, as it was */
+    assert_true(sample.field[BEAD_FIELD_FORCE][3] == made_up(0, BEAD_FIELD_FORCE, 10, 3));
     assert_int_equal(bead_trajectory_read(t, 299, 1, BEAD_FIELD_BIT(BEAD_FIELD_VELOCITY), &sample, &msg), BEAD_OK);
     assert_int_equal(bead_trajectory_read(t, 0, 0, BEAD_FIELD_BIT(BEAD_FIELD_ENERGY), &sample, &msg), BEAD_ERROR_USAGE);
     bead_trajectory_close(t);
