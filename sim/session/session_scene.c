@@ -85,7 +85,7 @@ enum bead_error bead_session_choose_chain(struct bead_session *s, const struct b
         return bead_fail(msg, BEAD_ERROR_USAGE, "--configuration %s: no chain has this name; there are %s", asked, names);
     struct bead_node *entry = bead_node_get(bead_yaml_root(scene->tree), "chains", NULL)->items[*index],
                      one = {.kind = BEAD_NODE_LIST, .place = entry->place, .items = &entry, .count = 1};
-    const struct bead_override chain = {.origin = "--configuration", .path = "chains", .place = {1, 1}, .node = &one};
+    const struct bead_override chain = {.origin = "--configuration", .path = "chains", .node = &one};
     return bead_session_choose(s, scene, source, &chain, changed, msg);
 }
 

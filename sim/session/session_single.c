@@ -446,9 +446,8 @@ static enum bead_error tell(const struct bead_session *s, const struct bead_scen
     const struct bead_override all[] = {{.origin = "--output",
                                          .path = made->own ? made->own->name : bead_output_key(made->kind),
                                          .below = "outputs.0",
-                                         .place = {1, 1},
                                          .node = &file},
-                                        {.origin = "--output", .path = "outputs.+", .place = {1, 1}, .node = keeper->node}};
+                                        {.origin = "--output", .path = "outputs.+", .node = keeper->node}};
     struct bead_scene *told = NULL;
     BEAD_TRY(bead_scene_change(*changed, &(struct bead_overrides){.all = all, .count = 2, .config = s->job.config}, &told, msg));
     bead_scene_free(*changed);
