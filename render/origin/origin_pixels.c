@@ -200,7 +200,7 @@ bool origin_put_webp(struct origin_file *file, struct origin_span text)
 {
     unsigned char head[WEBP_FLAGS + 1];
     struct origin_block packet, block;
-    if (!extend_webp(file) || !origin_read_at(file, 0, head, sizeof head))
+    if (file->size % 2 != 0 || !extend_webp(file) || !origin_read_at(file, 0, head, sizeof head)) /* chunks begin at even places */
         return false;
     const bool whole = origin_make_xmp(text, &packet);
     origin_block_begin(&block);
