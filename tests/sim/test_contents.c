@@ -445,7 +445,7 @@ static void all_of_a_sweep(void **state)
                                         "/@format_version: 2",
                                         "/@creator: beadreel",
                                         "/@part: 1",
-                                        "/@version: " BEADREEL_VERSION,
+                                        ("/@version: " BEADREEL_VERSION),
                                         "/@parts: 1",
                                         "/@title: Three",
                                         "sweeps",
