@@ -9,6 +9,8 @@ ZSHDIR  ?= $(PREFIX)/share/zsh/site-functions
 DESTDIR ?=
 BUILD   ?= build
 DEMO    ?= demo
+# For a smaller film: --set KEY=VALUE
+DEMO_SETTINGS ?=
 THESIS  ?= thesis
 CC      ?= cc
 CFLAGS  ?= -O2 -g $(HARDENING)
@@ -388,7 +390,7 @@ mutants: ## small faults in sim and render that no test notices: MUTANTS=100 SEE
 	@tests/mutants.py --count $(MUTANTS) --seed $(SEED) --work $(BUILD)-mutants -- $(ROOMS)
 
 tsan: ## demo, sweep and every kind of output under the thread sanitizer; ends with `N passed, M failed`
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)-tsan STRICT_LINK= CFLAGS="-O0 -g1 -fno-omit-frame-pointer -fsanitize=thread" all
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)-tsan STRICT_LINK= FAST=-O1 $(unoptimized_too:%=extra_%=-O0) CFLAGS="-O0 -g1 -fno-omit-frame-pointer -fsanitize=thread" all
 	@tests/tsan.sh $(BUILD)-tsan
 
 $(FAIL_ALLOC): tests/torture/fail_alloc.c

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The README's two commands on a bare Debian of this checkout's HEAD: tests/fresh.sh SUITE [TEST...] (bookworm or trixie), or `make fresh`.
 # Makes a minimal system (see debian.bash), adds make, git and ca-certificates, clones the commit into it, runs the commands there
-# and removes it all. It takes 3 GB and some minutes. With tests named, only these are built and run.
+# and removes it all. It takes 3 GB and some minutes. With tests named, only these are built and run, and the demo's film is small.
 # Exit status 0 passed, 1 failed, 77 it cannot be tried here.
 set -u
 suites="bookworm trixie"
@@ -20,7 +20,12 @@ programs=()
 for test in "${@:2}"; do if compgen -G "tests/*/$test.c" >/dev/null; then programs+=("build/tests/$test"); fi; done
 failed=0 report=()
 for command in "${commands[@]}"; do
-    if [ $# -gt 1 ] && [ "$command" = "make deps test" ]; then command="make deps all ${programs[*]} && tests/run.sh build ${*:2}"; fi
+    if [ $# -gt 1 ]; then
+        case $command in
+        "make deps demo") command+=" DEMO_SETTINGS='--set outputs.waves.mp4.size=[320,180] --set outputs.waves.mp4.duration=2s'" ;;
+        "make deps test") command="make deps all ${programs[*]} && tests/run.sh build ${*:2}" ;;
+        esac
+    fi
     say "$command"
     SECONDS=0
     within sh -c "cd /root/beadreel && $command"
