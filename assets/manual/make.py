@@ -16,6 +16,8 @@ In a chapter, ``` {.LANGUAGE file=NAME} is the text of a file, and ```sh are com
     <!-- makes: FILE... -->             these are there now
     <!-- picture: FILE | WORDS | COMMAND --> the picture that COMMAND makes; without a command, FILE of assets
     <!-- live: FILE | WORDS | COMMAND -->    a link to the report that COMMAND makes
+
+With MANUAL=small in the environment, a COMMAND gets the arguments that stand behind one more `|` as well: smaller sweeps and films.
 """
 import html
 import os
@@ -98,16 +100,20 @@ class Manual:
         self.version = subprocess.run(['beadreel', '--version'], env=self.environment, capture_output=True, text=True,
                                       check=True).stdout.split()[1]
 
+    def run(self, work, command, smaller=''):
+        command += ' ' + smaller if os.environ.get('MANUAL') == 'small' else ''
+        subprocess.run(command, shell=True, cwd=work, env=self.environment, check=True, stdout=subprocess.DEVNULL)
+
     def picture(self, work, words):
-        name, alt, command = (words.split(' | ') + [''])[:3]
+        name, alt, *command = re.split(r' \| *', words)
         if command:
-            subprocess.run(command, shell=True, cwd=work, env=self.environment, check=True, stdout=subprocess.DEVNULL)
+            self.run(work, *command)
         shutil.copy(os.path.join(work if command else ASSETS, name), self.to)
         return f'<figure><img src="{os.path.basename(name)}" alt="{html.escape(alt)}"></figure>'
 
     def live(self, work, words):
-        name, label, command = words.split(' | ')
-        subprocess.run(command, shell=True, cwd=work, env=self.environment, check=True, stdout=subprocess.DEVNULL)
+        name, label, *command = re.split(r' \| *', words)
+        self.run(work, *command)
         os.makedirs(os.path.join(self.to, 'live'), exist_ok=True)
         shutil.copy(os.path.join(work, name), os.path.join(self.to, 'live'))
         return f'[{label}](live/{name})'

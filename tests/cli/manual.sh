@@ -51,24 +51,7 @@ ok "a file that is not made is found" broken 'true' '<!-- makes: nothing.png -->
 ok "a test elsewhere that is none is found" broken 'true' '<!-- elsewhere: tests/run.sh: nothing of the kind -->'
 
 if command -v pandoc >/dev/null && command -v mandoc >/dev/null; then
-    # Its large sweeps and films are small here.
-    mkdir "$T/few"
-    cat >"$T/few/beadreel" <<SH
-#!/bin/bash
-case \$1 in
-sweep | sweep.yaml | order.yaml) set -- "\$@" --set sweep.configurations=2 ;;
-decay.yaml) set -- "\$@" --set sweep.over='{chain.beads.0.magnetism: [0, 0.9], chain.beads.0.seed: 1..2}' ;;
-spreading.yaml) set -- "\$@" --set sweep.over='{chain.beads.0.disorder.seed: 1..2}' ;;
-mean.yaml) set -- "\$@" --set sweep.over='{chain.beads.0.seed: 1..4}' ;;
-hanging.yaml) set -- "\$@" --set simulate.until='0.4 s' ;;
-loop.yaml) set -- "\$@" --set outputs.0.duration='0.5 s' ;;
-lecture.yaml) set -- "\$@" --set outputs.0.size='[480, 270]' --set outputs.0.fps=1 ;;
-plane.yaml) for k in 0 1 2 3; do set -- "\$@" --set sweeps.\$k.configurations=2; done ;;
-esac
-exec "$beadreel" "\$@"
-SH
-    chmod +x "$T/few/beadreel" && ln -s "$beadsim" "$T/few/beadsim"
-    ok "the manual becomes HTML" "$manual/make.py" html "$T/few" "$T/html"
+    ok "the manual becomes HTML" env MANUAL=small "$manual/make.py" html "$BUILD" "$T/html"
     linked() { # every link and picture leads to a file; nothing comes from elsewhere
         local page link
         for page in "$T"/html/*.html; do
