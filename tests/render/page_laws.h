@@ -187,16 +187,23 @@ static bool is_frame(const struct stroke *s)
            s->high[1] - s->low[1] > LEAST;
 }
 
-/* Is a title of an axis in the middle of the side of the frame that it is beside, if there is one? */
-static bool is_centred(const struct words *title, int along)
+static bool is_beside(const struct stroke *frame, const double place[2], int along)
 {
     enum { FARTHEST = 40 };
+    const double before = frame->low[!along] - place[!along], after = place[!along] - frame->high[!along];
+    return (after > 0 && after < FARTHEST) || (along == 1 && before > 0 && before < FARTHEST);
+}
+
+/* Is a title of an axis in the middle of the side of the frame that it is beside, if there is one? Those that are not upright are
+ * below. */
+static bool is_centred(const struct words *title, int along)
+{
     double nearest = INFINITY;
     for (size_t j = 0; j < strokes.count; j++) {
         const struct stroke *s = &strokes.list[j];
         const double c[2] = {title->centre[0], title->centre[1]};
         if (is_on_page(j, title->page) && is_frame(s) && s->low[along] < c[along] && c[along] < s->high[along] &&
-            fmin(fabs(s->low[!along] - c[!along]), fabs(s->high[!along] - c[!along])) < FARTHEST)
+            is_beside(s, c, along))
             nearest = fmin(nearest, fabs(c[along] - (s->low[along] + s->high[along]) / 2));
     }
     return nearest < 0.3 || nearest == INFINITY;

@@ -26,14 +26,26 @@ static const struct {
      {"image: %s", "image: %s, views: [sensors], theme: dark", "plot: %s, show: setup", "plot: %s, show: contact",
       "plot: %s, show: bands", "plot: %s, show: eigenmodes", "plot: %s, show: profiles, at: [0.1 ms, 0.2 ms]",
       "plot: %s, show: spectrum"}},
-    {"chain: {" STRIKER "beads: [{cell: [large-steel, large-steel, aluminium], count: 4, spins: random}]}\n"
+    {"chain: {" STRIKER
+     "beads: [{cell: [large-steel, large-steel, aluminium], count: 4, spins: random}], wall: brass, tilt: 4 deg}\n"
      "simulate: {until: 0.2 ms}\n",
-     {"plot: %s, show: cell", "plot: %s, show: peaks, scale: log", "image: %s, views: [beads, profile, spacetime]"}},
+     {"plot: %s, show: cell", "plot: %s, show: setup", "plot: %s, show: peaks, scale: log",
+      "image: %s, views: [beads, profile, spacetime]"}},
     {"chain: {equation: fput, points: 16, alpha: 0.25, start: {mode: 1, amplitude: 1}}\n"
      "simulate: {until: 30}\n",
      {"plot: %s, show: modes", "image: %s"}},
+    {"chain: {" STRIKER "wall: brass, beads: [{bead: large-steel, count: 20}, {bead: large-steel, sensor: s}]}\n"
+     "simulate: {until: 0.4 ms}\n",
+     {"image: %s, theory: true, trust: true, views: [spacetime, sensors], caption: \"Waves of *F*_{m}\"",
+      "plot: %s, show: sensors, trust: true, normalise: max",
+      "plot: %s, show: profiles, field: contact-force, at: [0.1 ms], overlay: true", "plot: %s, show: setup",
+      "plot: %s, show: spreading"}},
     {"sweep: {cells: 2, magnetism: [0, 1], configurations: 2}\n", {"plot: %s", "sheet: %s"}},
     {"sweep: {cells: 2, magnetism: 0, configurations: 2}\n", {"image: %s"}},
+    {"chain: {" STRIKER "beads: [{bead: small-steel, count: 3}, {bead: small-steel, sensor: s}]}\n"
+     "sweep: {over: {chain.striker.velocity: [0.1 m/s, 1 m/s], chain.striker.mass: [2 g, 4 g]}}\n"
+     "simulate: {until: 60 us}\n",
+     {"plot: %s", "plot: %s, show: plane"}},
 };
 
 static void record(size_t scene, int dpi, struct drawn *d)
