@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Films are drawn by what changes. Each frame is the same as one drawn without those before it, and as the frame before with what
- * is told to have changed: nothing trails, in layouts with each kind of view, word and mark. */
+/* Other ways to the same film. Films are drawn by what changes: each frame is the same as one drawn without those before it, and as
+ * the frame before with what is told to have changed: nothing trails, in layouts with each kind of view, word and mark. */
 #include <math.h>
 
 #include "render/movie/composer_private.h"
 #include "sessions.h"
 #include "tests/pictures.h"
 #include "tests/scenes.h"
+#include "tests/texts.h"
 
 enum { WIDTH = 480, HEIGHT = 270, CHAINS = 2, ROOM = 64, FRAMES = 9 };
 static const double span = 1.2e-3;
@@ -16,6 +17,8 @@ struct film {
     struct bead_scene *scene;
     struct bead_chain *chains[CHAINS];
     struct bead_composer *composer;
+    struct texts texts;
+    struct bead_text_watch watch;
 };
 
 static const struct bead_film_clock slow = {.slowed = 4000};
@@ -26,27 +29,29 @@ static void require(enum bead_error err, const struct bead_message *msg)
         fail_msg("%s", msg->text);
 }
 
-static void open_film(struct film *f, const char *chains, const char *output)
+/* `scale`: of the frame. */
+static void open_film(struct film *f, const char *chains, const char *output, int scale)
 {
     struct bead_message msg = {""};
     char text[2000];
     snprintf(text, sizeof text, "title: A film\nsimulate: {until: 1.2 ms}\n%s\noutputs: [{movie: m.mp4, size: [%d, %d], %s}]\n",
-             chains, WIDTH, HEIGHT, output);
-    *f = (struct film){.scene = parse(text)};
+             chains, scale * WIDTH, scale * HEIGHT, output);
+    *f = (struct film){.scene = parse(text), .watch = {texts_note, &f->texts}};
     for (size_t i = 0; i < f->scene->chain_count; i++)
         require(bead_chain_create(f->scene, i, &f->chains[i], &msg), &msg);
     const struct bead_composer_setup setup = {.output = &f->scene->outputs[0],
                                               .chains = (const struct bead_chain *const *)f->chains,
                                               .chain_count = f->scene->chain_count,
                                               .title = f->scene->title,
-                                              .width = WIDTH,
-                                              .height = HEIGHT,
+                                              .width = scale * WIDTH,
+                                              .height = scale * HEIGHT,
                                               .time = {0, span},
                                               .step = 2e-6,
                                               .range = {.high = 45},
                                               .scene = f->scene,
                                               .canvas = "plain",
                                               .film = &slow,
+                                              .watch = &f->watch,
                                               .tolerance_factor = 1};
     require(bead_composer_create(&setup, &f->composer, &msg), &msg);
     require(bead_composer_open(f->composer, &msg), &msg);
@@ -105,9 +110,9 @@ static void assert_same(const struct bead_frame *a, const struct bead_frame *b, 
 /* The same frame without those before. */
 static void assert_anew(const struct film *on, const char *chains, const char *output, int frame)
 {
-    struct film f;
+    static struct film f;
     struct bead_message msg = {""};
-    open_film(&f, chains, output);
+    open_film(&f, chains, output, 1);
     for (int k = 0; k < frame; k++)
         require(bead_composer_pass(f.composer, feed(&f, k), &msg), &msg);
     draw(&f, feed(&f, frame), &(struct bead_changes){0});
@@ -117,10 +122,10 @@ static void assert_anew(const struct film *on, const char *chains, const char *o
 
 static void assert_nothing_trails(const char *chains, const char *output)
 {
-    struct film f;
+    static struct film f;
     struct bead_frame copy;
     struct bead_message msg = {""};
-    open_film(&f, chains, output);
+    open_film(&f, chains, output, 1);
     require(bead_frame_create(WIDTH, HEIGHT, &copy, &msg), &msg);
     for (int k = 0; k < FRAMES; k++) {
         struct bead_changes changes = {0};
@@ -153,12 +158,49 @@ static const struct {
     {one, "views: [stage, profile, spacetime], follow: front"},
     {one, "views: [sensors, spacetime], orientation: time-right, trust: true"},
     {two, "layout: overlay, views: [profile, beads]"},
+    {two, "layout: grid, theme: light, field: velocity, profile: cell"},
+    {two, "layout: beside, type: large"},
+    {two, "layout: images, views: [beads, spacetime], trust: true"},
+    {two, "inset: cell, light: beads, theme: light"},
+    {one, "views: [stage, sensors], theme: light"},
 };
 
 static void films_do_not_depend_on_frames_before(void **)
 {
     for (size_t i = 0; i < sizeof films / sizeof *films; i++)
         assert_nothing_trails(films[i].chains, films[i].output);
+}
+
+/* ---- size ---- */
+
+static bool is_twice(double a, double b, double slack)
+{
+    return fabs(2 * a - b) <= slack;
+}
+
+/* All words are twice as large and as far from the corner in a frame of twice the size. Places are rounded to pixels; on stages
+ * beads have sizes in steps, of which places depend. */
+static void films_are_the_same_at_twice_the_size(void **)
+{
+    static struct film f[2];
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        for (int k = 0; k < 2; k++) {
+            open_film(&f[k], films[i].chains, films[i].output, 2 << k);
+            draw(&f[k], feed(&f[k], 3), &(struct bead_changes){0});
+        }
+        assert_true(f[0].texts.count > 10);
+        assert_int_equal(f[0].texts.count, f[1].texts.count);
+        const double slack = strstr(films[i].output, "layout:") || strstr(films[i].output, "sensors") ? 8 : 56;
+        for (size_t t = 0; t < f[0].texts.count; t++) {
+            const struct text *a = &f[0].texts.text[t], *b = &f[1].texts.text[t];
+            if (strcmp(a->markup, b->markup) != 0 || !is_twice(a->x, b->x, slack) || !is_twice(a->y, b->y, slack) ||
+                !is_twice(a->width, b->width, 1 + 0.03 * b->width) || !is_twice(a->height, b->height, 1))
+                fail_msg("%s: '%s' at %g, %g, %g wide, %g high, is also '%s' at %g, %g, %g wide, %g high", films[i].output,
+                         a->markup, a->x, a->y, a->width, a->height, b->markup, b->x, b->y, b->width, b->height);
+        }
+        for (int k = 0; k < 2; k++)
+            close_film(&f[k]);
+    }
 }
 
 /* ---- films through their buffers ---- */
@@ -201,6 +243,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(films_do_not_depend_on_frames_before),
+        cmocka_unit_test(films_are_the_same_at_twice_the_size),
         cmocka_unit_test(posters_are_frames),
     };
     return cmocka_run_group_tests_name("films drawn anew", tests, make_directory, remove_directory);
