@@ -5,6 +5,7 @@
 
 #include "render/movie/composer_private.h"
 #include "sessions.h"
+#include "strokes.h"
 #include "tests/pictures.h"
 #include "tests/scenes.h"
 #include "tests/texts.h"
@@ -178,19 +179,55 @@ static bool is_twice(double a, double b, double slack)
     return fabs(2 * a - b) <= slack;
 }
 
-/* All words are twice as large and as far from the corner in a frame of twice the size. Places are rounded to pixels; on stages
- * beads have sizes in steps, of which places depend. */
+enum { LINES_MOST = 4000 };
+struct lines {
+    size_t count;
+    struct stroke line[LINES_MOST];
+};
+
+static void take_lines(struct lines *to)
+{
+    strokes.on = false;
+    assert_true(strokes.count < LINES_MOST);
+    to->count = 0;
+    for (size_t i = 0; i < strokes.count; i++) {
+        if (!strokes.list[i].filled)
+            to->line[to->count++] = strokes.list[i];
+    }
+}
+
+static void compare_lines(const struct lines lines[2], double slack, const char *what)
+{
+    assert_true(lines[0].count > 0);
+    assert_int_equal(lines[0].count, lines[1].count);
+    for (size_t i = 0; i < lines[0].count; i++) {
+        const struct stroke *a = &lines[0].line[i], *b = &lines[1].line[i];
+        bool same = a->dashes == b->dashes;
+        for (int k = 0; k < 2; k++)
+            same = same && is_twice(a->low[k], b->low[k], slack) && is_twice(a->high[k], b->high[k], slack);
+        if (!same)
+            fail_msg("%s: the line of %zu points at %g to %g, %g to %g is also one of %zu at %g to %g, %g to %g", what, a->count,
+                     a->low[0], a->high[0], a->low[1], a->high[1], b->count, b->low[0], b->high[0], b->low[1], b->high[1]);
+    }
+}
+
+/* All words and lines are twice as large and as far from the corner in a frame of twice the size. Places are rounded to pixels; on
+ * stages beads have sizes in steps, of which places depend. */
 static void films_are_the_same_at_twice_the_size(void **)
 {
     static struct film f[2];
+    static struct lines lines[2];
     for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
         for (int k = 0; k < 2; k++) {
+            strokes_begin();
             open_film(&f[k], films[i].chains, films[i].output, 2 << k);
             draw(&f[k], feed(&f[k], 3), &(struct bead_changes){0});
+            take_lines(&lines[k]);
         }
+        const double slack = strstr(films[i].output, "layout:") || strstr(films[i].output, "sensors") ? 10 : 56;
+        compare_lines(lines, slack, films[i].output);
         assert_true(f[0].texts.count > 10);
         assert_int_equal(f[0].texts.count, f[1].texts.count);
-        const double slack = strstr(films[i].output, "layout:") || strstr(films[i].output, "sensors") ? 8 : 56;
         for (size_t t = 0; t < f[0].texts.count; t++) {
             const struct text *a = &f[0].texts.text[t], *b = &f[1].texts.text[t];
             if (strcmp(a->markup, b->markup) != 0 || !is_twice(a->x, b->x, slack) || !is_twice(a->y, b->y, slack) ||
