@@ -436,6 +436,27 @@ static void stages(void **)
     }
 }
 
+/* Nothing moves: beads look the same beside colours that begin at 0 and about it. */
+static void beads_at_rest_have_no_light(void **)
+{
+    static const struct film films[] = {{"forces", BEAD_VIEW_BEADS, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true},
+                                        {"velocities", BEAD_VIEW_BEADS, PLAIN, BEAD_FIELD_VELOCITY, -0.25, 0.25, .film = true}};
+    struct shown s[2];
+    struct bead_message msg = {""};
+    for (int i = 0; i < 2; i++) {
+        static struct fields run[RUNS];
+        open_shown(&s[i], &films[i]);
+        make_fields(run, s[i].chain, 0, 0);
+        memset(run[0].value, 0, sizeof run[0].value);
+        require(s[i].type->feed(s[i].view, &run[0].sample, &msg), &msg);
+        draw(&s[i], 0, &(struct bead_changes){0});
+    }
+    assert_true(difference(&s[0].frame, &s[0].background) > 50);
+    assert_int_equal(difference(&s[0].frame, &s[1].frame), 0);
+    for (int i = 0; i < 2; i++)
+        close_shown(&s[i]);
+}
+
 /* Where an image has time down, its cursor is light below what the camera sees, of equal beads as many as its window is long. */
 static void cursors_show_the_window(void **)
 {
@@ -487,6 +508,7 @@ int main(void)
         cmocka_unit_test(modes),
         cmocka_unit_test(stages),
         cmocka_unit_test(cursors_show_the_window),
+        cmocka_unit_test(beads_at_rest_have_no_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
