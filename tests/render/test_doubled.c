@@ -206,6 +206,65 @@ static void stacks_have_what_there_is(void **)
     }
 }
 
+/* The values at the lower and the upper end of the first frame of a page, from the numbers along its left side. */
+static void ends_of_axis(const struct drawn *d, size_t page, double ends[2])
+{
+    const struct stroke *frame = NULL;
+    double at[2] = {NAN, NAN}, value[2] = {NAN, NAN};
+    for (size_t j = 0; j < strokes.count && !frame; j++)
+        frame = is_on_page(j, page) && is_frame(&strokes.list[j]) ? &strokes.list[j] : NULL;
+    assert_non_null(frame);
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *a = &d->text[i];
+        const double middle = (a->low[1] + a->high[1]) / 2;
+        if (a->page != page || isnan(number_of(a->text)) || a->high[0] > frame->low[0] || middle > frame->high[1] + 3)
+            continue;
+        const int k = !isnan(at[0]);
+        at[k] = middle;
+        value[k] = number_of(a->text);
+    }
+    for (int k = 0; k < 2; k++)
+        ends[k] = value[0] + (value[1] - value[0]) * ((k ? frame->low : frame->high)[1] - at[0]) / (at[1] - at[0]);
+}
+
+/* Axes have the range that is asked for; otherwise they begin at 0 and reach beyond what is shown. */
+static void ranges_are_those_asked_for(void **)
+{
+    static const struct {
+        const char *scene, *plot, *unit;
+        double low, high;
+    } plots[] = {
+        {"sweep: {cells: 2, magnetism: [0, 1], configurations: 2}\n", "plot: %zu.pdf", "", 0.3, 0.8},
+        {"chain: {" STRIKER "beads: [{bead: large-steel, count: 6}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 0.1 ms}\n",
+         "plot: %zu.pdf, show: sensors, beads: [2]", " N", 20, 80},
+        {"chain: {" STRIKER "beads: [{bead: large-steel, count: 6}, {bead: ptfe, sensor: s}]}\nsimulate: {until: 0.1 ms}\n",
+         "plot: %zu.pdf, show: peaks", " N", 20, 80},
+    };
+    for (size_t i = 0; i < sizeof plots / sizeof *plots; i++) {
+        enum { ASKED = 4 };
+        char text[2000];
+        int used = snprintf(text, sizeof text, "%soutputs:\n", plots[i].scene);
+        for (size_t k = 0; k < ASKED; k++) {
+            char low[20] = "auto", high[20] = "auto";
+            if (k & 1)
+                snprintf(low, sizeof low, "%g%s", plots[i].low, plots[i].unit);
+            if (k & 2)
+                snprintf(high, sizeof high, "%g%s", plots[i].high, plots[i].unit);
+            used += snprintf(text + used, sizeof text - (size_t)used, "  - {");
+            used += snprintf(text + used, sizeof text - (size_t)used, plots[i].plot, k);
+            used += snprintf(text + used, sizeof text - (size_t)used, ", range: [%s, %s]}\n", low, high);
+        }
+        drawn_run(text, &drawn[0]);
+        for (size_t k = 0; k < ASKED; k++) {
+            double ends[2];
+            ends_of_axis(&drawn[0], k, ends);
+            const double near = 0.005 * (ends[1] - ends[0]);
+            assert_true(fabs(ends[0] - (k & 1 ? plots[i].low : 0)) < near);
+            assert_true(k & 2 ? fabs(ends[1] - plots[i].high) < near : ends[1] > 1.2 * plots[i].high);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -213,6 +272,7 @@ int main(void)
         cmocka_unit_test(pictures_are_the_same_in_other_units),
         cmocka_unit_test(equal_axes_are_labelled_once),
         cmocka_unit_test(stacks_have_what_there_is),
+        cmocka_unit_test(ranges_are_those_asked_for),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
 }
