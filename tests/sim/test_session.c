@@ -10,6 +10,7 @@
 #include "beadreel/render.h"
 #include "beadreel/trajectory.h"
 #include "sessions.h"
+#include "sim/session/session_data.h"
 
 static bool is_there(const char *name)
 {
@@ -209,6 +210,19 @@ static void bad_names_are_refused(void **state)
     job =
         (struct bead_job){.size = sizeof job, .input = "assets/scenes/thesis/imagesc.yaml", .instructions = "mmx", .sinks = lists};
     assert_int_equal(bead_session_open(&job, &session, &msg), BEAD_ERROR_USAGE);
+}
+
+/* An ending has two to eight letters and digits, not only digits: others belong to names of directories. */
+static void files_are_told_from_directories(void **state)
+{
+    (void)state;
+    static const char *const files[] = {"a.xy", "a.abcdefgh", "b.c/a.7z", ".a.png", "a.v25"};
+    static const char *const directories[] = {"a", "a.d", "a.abcdefghi", "run.25", ".ab", "a.x-y", "a.xy/b", "a."};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        assert_true(bead_session_names_file(files[i], NULL));
+    for (size_t i = 0; i < sizeof directories / sizeof *directories; i++)
+        assert_false(bead_session_names_file(directories[i], NULL));
+    assert_false(bead_session_names_file(NULL, NULL));
 }
 
 /* What does not go together, or names nothing; nothing is computed for it. */
@@ -433,6 +447,7 @@ int main(void)
         cmocka_unit_test(the_window_skips_what_is_at_rest),
         cmocka_unit_test(grids_that_meet_share_samples),
         cmocka_unit_test(bad_names_are_refused),
+        cmocka_unit_test(files_are_told_from_directories),
         cmocka_unit_test(jobs_that_make_no_sense),
         cmocka_unit_test(a_run_may_stop_while_scouting),
         cmocka_unit_test(nonsense_is_stopped),
