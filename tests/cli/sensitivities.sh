@@ -39,6 +39,7 @@ deviation() {
 
 ok "a run" exits 0 "$beadsim" pair.yaml -o .
 ok "the columns" grep -qx 'chain,contact,peak_force_N,time_s,bead,by_mass_N_per_kg,by_radius_N_per_m,by_modulus_N_per_Pa,by_striker_velocity_N_s_per_m\(,by_[a-zA-Z_]*_uncertainty\)\{4\}' given.csv
+ok "... whose uncertainties are known" test "$(tail -n +2 given.csv | cut -d, -f10-13 | grep -cvE '^([0-9.e-]+,){3}([0-9.e-]+)?$')" -eq 0
 ok "a row for each bead, once" test "$(rows given.csv long 4)" -eq 27
 ok "... of the other contact" test "$(rows given.csv long 18)" -eq 27
 ok "... of the other chain" test "$(rows given.csv short 4)" -eq 13
