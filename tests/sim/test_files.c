@@ -53,6 +53,10 @@ static void links_are_not_followed(void **state)
     assert_int_equal(bead_file_write(path, fill, "new", NULL, &msg), BEAD_ERROR_IO);
     assert_non_null(strstr(msg.text, "symbolic link"));
     assert_int_equal(bead_file_claim(path, &claim, &msg), BEAD_ERROR_IO);
+    assert_int_equal(unlink(part), 0);
+    assert_int_equal(link(victim, part), 0);
+    assert_int_equal(bead_file_write(path, fill, "new", NULL, &msg), BEAD_ERROR_IO);
+    assert_non_null(strstr(msg.text, "hard links"));
     assert_true(holds(victim, "precious"));
 }
 

@@ -165,6 +165,16 @@ static void limits_are_exact(void **state)
         {VARY("radius: uniform " LONG "..1"), VARY("radius: uniform " LONG "0..1"), "radius: is "},
         {OVER("chain.beads.0.count: 1..100000"), OVER("chain.beads.0.count: 1..100001"), "chain.beads.0.count: "},
         {SWEEP("measure: {beads: [1, 30]}"), SWEEP("measure: {beads: [1, 31]}"), "reaches to bead 39; the chain ends with bead 38"},
+        {"chain: {equation: fput, points: 31, start: {mode: 1}}\nsimulate: {until: 60}\noutputs: [{table: a.csv, show: "
+         "measures}]\n",
+         "chain: {equation: fput, points: 31, start: {mode: 1}}\nsimulate: {until: -1}\noutputs: [{table: a.csv, show: "
+         "measures}]\n",
+         "until: `-1` is out of range"},
+        {"sweep: {cells: 197, configurations: 1000000, magnetism: [0]}\noutputs: [{sweep: a.h5}]\n", /* 200 numbers of each */
+         "sweep: {cells: 198, configurations: 1000000, magnetism: [0]}\noutputs: [{sweep: a.h5}]\n",
+         "has 1000000 configurations of 3 results and 198 spins, which is too much"},
+        {"chain: {beads: [{cell: [\"2 ptfe\", \"199998 ptfe\"]}]}\n" OUTPUTS,
+         "chain: {beads: [{cell: [\"2 ptfe\", \"199999 ptfe\"]}]}\n" OUTPUTS, "makes 200001 beads of a cell; at most 200000"},
         {MOVIE("views: [stage, profile], layout: stage"), MOVIE("views: [profile], layout: stage"), "layout: is stage, but"},
         {MOVIE("views: [stage, profile], layout: overlay"), MOVIE("views: [stage, profile], follow: front, layout: overlay"),
          "layout: is overlay, but with `follow: front`"},
@@ -216,8 +226,11 @@ static void limits_are_exact(void **state)
         {NULL, DRIVE("'0 0, 0 1'"), "point 2, at 0 s, is not later than the one before"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        if (cases[i].good)
-            bead_scene_free(parse(cases[i].good));
+        if (cases[i].good) {
+            struct bead_scene *scene = parse(cases[i].good);
+            assert_null(scene->doubts);
+            bead_scene_free(scene);
+        }
         refuse(cases[i].bad, cases[i].expected);
     }
 }
