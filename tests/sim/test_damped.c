@@ -276,6 +276,31 @@ static void budgets_take_few_steps(void **state)
     }
 }
 
+/* Steps of rk4, which keeps no stages, count what dampers and an absorbing end take by their polynomials. */
+static void budgets_of_short_steps(void **state)
+{
+    (void)state;
+    static const char *const chains[] = {"beads: [{bead: large-steel, count: 9}], damping: {coefficient: 20, exponent: 1}",
+                                         "beads: [{bead: large-steel, count: 9}], precompression: 20 N, wall: absorbing"};
+    for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+        char chain[256];
+        snprintf(chain, sizeof chain, "chain: {striker: {velocity: 1 m/s}, %s}\n", chains[i]);
+        struct built built = build(chain, "method: rk4, step: 0.1 us, until: 0.6 ms");
+        struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 0.6e-3, .budget = true});
+        double first = 0;
+        for (int n = 0; n <= 6; n++) {
+            run_until(run, 0.1e-3 * n);
+            const struct bead_budget *b = sample_at(run, 0.1e-3 * n).budget;
+            const double total = b->kinetic + b->contacts + b->wall + b->gravity + b->dissipated;
+            first = n == 0 ? total : first;
+            assert_near(total / first, 1, 1e-7);
+            assert_true(n < 6 || b->dissipated > 0.2 * first);
+        }
+        bead_run_destroy(run);
+        release(&built);
+    }
+}
+
 /* Velocity of bead j of `count` alike, of which the first had the velocity 1. Springs, of k / m = `stiffness`, and dashpots, of c /
  * m = `damping`, have modes cos((2 j + 1) q pi / 2 count), damped oscillators s^2 + damping K s + stiffness K = 0 with K = 4
  * sin^2(q pi / 2 count). Where all are overdamped, momentum spreads like heat. */
@@ -394,6 +419,7 @@ int main(void)
         cmocka_unit_test(the_window_changes_no_bit),
         cmocka_unit_test(restitution_follows_the_expansion),
         cmocka_unit_test(budgets_take_few_steps),
+        cmocka_unit_test(budgets_of_short_steps),
         cmocka_unit_test(momentum_spreads_like_heat),
     };
     return cmocka_run_group_tests_name("damped", tests, NULL, NULL);
