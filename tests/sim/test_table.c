@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <locale.h>
 
+#include "sim/measure/profile_times.h"
 #include "tests/missing.h"
 
 static char *read_all(const char *path)
@@ -206,6 +207,60 @@ static void a_full_disk_is_an_error(void **state)
     tear_down(&s, 0);
 }
 
+/* Samples of one chain, whose velocities grow along it and with time; bead 12 is at rest. */
+static void feed(struct bead_profile_times *moments, double until, double every)
+{
+    struct bead_message msg = {""};
+    for (int i = 0; i * every <= until * (1 + 1e-9); i++) {
+        double v[13];
+        const struct bead_sample sample = {.index = (size_t)i, .time = i * every, .active = 12, .field[BEAD_FIELD_VELOCITY] = v};
+        for (int j = 0; j < 13; j++)
+            v[j] = j + 1e6 * sample.time * (j + 1);
+        assert_int_equal(bead_profile_times_feed(moments, &sample, &msg), BEAD_OK);
+    }
+}
+
+/* Profiles are at their moments: those of stored samples on straight lines between two, others where the grid meets them all. */
+static void profiles_are_at_their_moments(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *at;
+        double native, start, every, end; /* us */
+        size_t count;
+        double moment[4];
+        bool samples;
+    } cases[] = {{"[0 us, 2.5 us, 7.3 us, 20 us]", 2, 0, 2, 20, 4, {0, 2.5, 7.3, 20}, false},
+                 {"[3 us, 5 us]", 2, 2, 2, 6, 2, {3, 5}, false},
+                 {"[4 us, 10 us]", 2, 4, 2, 10, 2, {4, 10}, true},
+                 {"[2 us, 4 us, 5 us]", 0, 2, 1, 5, 3, {2, 4, 5}, true},
+                 {"[1 us, 2.5 us, 3.5 us]", 0, 1, 0.5, 3.5, 3, {1, 2.5, 3.5}, true},
+                 {"[6 us]", 0, 6, 1e6, 6, 1, {6}, true}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct bead_message msg = {""};
+        struct stand s;
+        char output[100];
+        snprintf(output, sizeof output, "table: t.csv, show: profiles, field: velocity, at: %s", cases[i].at);
+        assert_int_equal(try_set_up(&s, ONE_CHAIN, output, 20e-6, &msg), BEAD_OK);
+        struct bead_profile_times *moments;
+        s.context.native = (struct bead_grid){0, 1e-6 * cases[i].native, 20e-6, false};
+        assert_int_equal(bead_profile_times_create(&s.scene->outputs[0], &s.context, &moments, &msg), BEAD_OK);
+        const struct bead_grid grid = bead_profile_times_needs(moments).grid;
+        assert_near(grid.start, 1e-6 * cases[i].start, 1e-18);
+        assert_near(grid.every, 1e-6 * cases[i].every, 1e-18);
+        assert_near(grid.end, 1e-6 * cases[i].end, 1e-18);
+        assert_int_equal(bead_profile_times_are_samples(moments), cases[i].samples);
+        assert_int_equal(bead_profile_times_values(moments, 0), 13);
+        feed(moments, 20e-6, 1e-6 * fmin(cases[i].every, 1 + (cases[i].native > 0)));
+        for (size_t k = 0; k < cases[i].count; k++) {
+            for (int j = 0; j < 13; j++)
+                assert_near(bead_profile_times_profile(moments, 0, k)[j], j < 12 ? j + cases[i].moment[k] * (j + 1) : 0, 1e-12);
+        }
+        bead_profile_times_destroy(moments);
+        tear_down(&s, 0);
+    }
+}
+
 int main(void)
 {
     /* A comma for the decimal point, where the machine has such a locale. */
@@ -217,6 +272,7 @@ int main(void)
         cmocka_unit_test(listed_peaks),
         cmocka_unit_test(sensors),
         cmocka_unit_test(one_chain_has_plain_sensor_names),
+        cmocka_unit_test(profiles_are_at_their_moments),
         cmocka_unit_test(failures_leave_no_file),
         cmocka_unit_test(a_full_disk_is_an_error),
     };
