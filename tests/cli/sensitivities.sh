@@ -56,6 +56,18 @@ ok "... that follows from the derivatives" near "$(number peaks.csv long 18 6)" 
 ok "... in the other chain" near "$(number peaks.csv short 4 6)" "$(deviation short 4)" 3e-4
 ok "... of the mean of two contacts less than of one" near "$(number beads.csv short 5 7)" "$(number peaks.csv short 4 6)" 0.5
 ok "... every peak of a run that ends by itself has one" test "$(awk -F, 'NR > 1 && !($6 > 0)' peaks.csv | wc -l)" -eq 0
+# A wall whose modulus is known to 2 %: the difference of two runs tells what the last force makes of it.
+cat >wall.yaml <<'YAML'
+materials: {w: {modulus: 90 GPa, poisson: 0.3, radius: 1 mm, mass: 1 g, tolerance: {modulus: 2 %}}}
+chain: {beads: [{bead: large-steel, count: 3}], wall: w}
+simulate: {accuracy: 1e-9}
+outputs: [{table: wall.csv, show: peaks, uncertainty: false}]
+YAML
+last() { awk -F, -v column="$1" 'END {print $column}' wall.csv; }
+with_modulus() { "$beadsim" wall.yaml -o . --set materials.w.modulus="$1 GPa" >/dev/null && last 2; }
+ok "a wall with a tolerance" exits 0 "$beadsim" wall.yaml -o .
+deviates=$(last 5)
+ok "... makes peaks deviate" near "$deviates" "$(awk -v a="$(with_modulus 89.982)" -v b="$(with_modulus 90.018)" 'BEGIN {printf "%.12g", (b - a) / 0.036 * 0.02 * 90}')" 1e-6
 ok "other instructions" exits 0 "$beadsim" pair.yaml -o portable --instructions portable --threads 1
 ok "... the same bits" cmp given.csv portable/given.csv
 ok "... of deviations" cmp peaks.csv portable/peaks.csv
