@@ -475,6 +475,7 @@ static void means_are_as_exact_as_they_need(void **state)
     struct bead_scene *scene[] = {parse(RANDOM_CELLS "simulate: {accuracy: 1e-8}\n" OUTPUT),
                                   parse(RANDOM_CELLS "simulate: {accuracy: statistical}\n" OUTPUT)};
     struct bead_sweep *exact = compute(scene[0], &(struct bead_sweep_settings){.threads = 1}), *sweep[2];
+    int measured = 0;
     assert_true(bead_sweep_accuracy(exact) == 0);
     for (int i = 0; i < 2; i++) {
         struct bead_sweep_statistics a, b;
@@ -495,7 +496,10 @@ static void means_are_as_exact_as_they_need(void **state)
         struct bead_sweep_configuration a, b;
         assert_true(bead_sweep_configuration(sweep[0], 0, i, &a) && bead_sweep_configuration(sweep[1], 0, i, &b));
         assert_memory_equal(a.peaks, b.peaks, sizeof *a.peaks);
+        measured += a.peaks->uncertainty > 0;
+        assert_true(a.peaks->uncertainty == 0 || a.peaks->uncertainty >= bead_sweep_accuracy(sweep[0]) * a.peaks->force);
     }
+    assert_true(measured > 0);
     bead_sweep_close(exact);
     for (int i = 0; i < 2; i++) {
         bead_sweep_close(sweep[i]);
