@@ -12,8 +12,8 @@ enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8 };
 static const double faded = 1e-9;
 /* Steps between updates of the largest r. */
 enum { LOOK_EVERY = 16 };
-/* h^2 K/m up to which a contact has no stiffness. */
-static const double no_stiffness = 1e-30;
+/* h^2 K/m up to which a contact has no stiffness, and the part of the chain's speed up to which a bead is at rest. */
+static const double no_stiffness = 1e-30, at_rest = 1e-20;
 
 /* A force on its way back. Beads outside low..high - 1 have r = r' = 0. */
 struct traveller {
@@ -163,13 +163,13 @@ static void start(struct sweep *w, struct traveller *t)
 
 /* ---- steps ---- */
 
-/* Leaves out beads ahead of the front, whose contacts have no stiffness and had none before. */
+/* Leaves out beads ahead of the front: their contacts have no stiffness, and had none before, as they are at rest. Others fly. */
 static void leave_front(const struct sweep *w, struct traveller *t, double h)
 {
-    const double *stiffness = w->nodes.stiffness[BEAD_NODES - 1], *m = w->nodes.inverse_mass;
+    const double *stiffness = w->nodes.stiffness[BEAD_NODES - 1], *m = w->nodes.inverse_mass, *v = w->nodes.stepper->start.v;
     for (; t->high > t->low + 1; t->high--) {
         const size_t j = t->high - 1;
-        if (h * h * m[j] * (stiffness[j] + stiffness[j - 1]) > no_stiffness)
+        if (h * h * m[j] * (stiffness[j] + stiffness[j - 1]) > no_stiffness || fabs(v[j]) > at_rest * w->chain->speed)
             return;
         t->r[j] = t->rate[j] = 0;
     }

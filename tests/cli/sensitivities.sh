@@ -68,6 +68,24 @@ with_modulus() { "$beadsim" wall.yaml -o . --set materials.w.modulus="$1 GPa" >/
 ok "a wall with a tolerance" exits 0 "$beadsim" wall.yaml -o .
 deviates=$(last 5)
 ok "... makes peaks deviate" near "$deviates" "$(awk -v a="$(with_modulus 89.982)" -v b="$(with_modulus 90.018)" 'BEGIN {printf "%.12g", (b - a) / 0.036 * 0.02 * 90}')" 1e-6
+# Two equal balls, that meet again after one has flown to an anvil and back: F1 = A^(2/5) m^(3/5) v^(6/5) with 1/m = 1/m0 + 1/m1, and F2 the
+# same with v (3 m0 - m1) / (m0 + m1) for v. By ln R0 and ln R1 their logarithms change by 1, 1 and by 23/5, -13/5; the larger of two normal
+# deviates of equal means has the variance (2 + 27.92) / 2 - 25.92 / 2 pi (Clark). The anvil's force, v 2 m0 / (m0 + m1): 9/5 and 1/10.
+cat >twice.yaml <<'YAML'
+materials:
+  ball: {modulus: 200 GPa, poisson: 0.3, radius: 5 mm, density: 7800, tolerance: {radius: 0.1 %}}
+  anvil: {modulus: 200 GPa, poisson: 0.3, radius: 5 mm, mass: 1e6 kg}
+chain: {striker: {bead: ball, velocity: 1 m/s}, gap: 0.1 mm, beads: [{bead: ball}, {bead: anvil}]}
+simulate: {until: 0.5 ms, accuracy: 1e-9}
+outputs:
+  - {table: twice.csv, show: peaks, uncertainty: false}
+  - {table: flown.csv, show: sensitivities, contacts: 1, uncertainty: false}
+YAML
+ok "beads that fly" exits 0 "$beadsim" twice.yaml -o .
+ok "... remember who struck them" near "$(awk -F, 'NR == 2 {printf "%.12g", $8 / $2}' flown.csv)" 1.2 1e-6
+ok "... and how heavy it was" near "$(awk -F, 'NR == 2 {printf "%.12g", 7800 * 4 / 3 * 3.141592653589793 * 0.005 ^ 3 * $5 / $2}' flown.csv)" 0.6 1e-6
+ok "... in deviations, too" near "$(awk -F, 'NR == 3 {printf "%.12g", $5 / $2}' twice.csv)" 1.8027756e-3 1e-5
+ok "of two peaks either may be the largest" near "$(awk -F, 'NR == 2 && $4 == "rival" {printf "%.12g", $5 / $2}' twice.csv)" 3.2916106e-3 1e-4
 ok "other instructions" exits 0 "$beadsim" pair.yaml -o portable --instructions portable --threads 1
 ok "... the same bits" cmp given.csv portable/given.csv
 ok "... of deviations" cmp peaks.csv portable/peaks.csv
