@@ -60,6 +60,7 @@ static const struct kind kinds[] = {
     {"steep", "wall: brass, tilt: 30 deg, ", 20, 12, 0.4e-3, steel, 1e-7, true},
     {"steep to a rigid wall", "wall: rigid, tilt: 45 deg, ", 30, 25, 0.6e-3, steel, 3e-8, true},
     {"unlike", "", 16, 10, 1e-3, unlike, 1e-7, true},
+    {"gaps", "gap: 50 um, wall: brass, ", 6, 5, 2e-3, flipped, 5e-5, true},
     {"as printed", "law: thesis-appendix, ", 12, 8, 0.2e-3, flipped, 1e-7, true},
     {"springs", "law: {fpu-alpha: 100, stiffness: 1 MN/m}, ", 12, 8, 1.5e-3, steel, 3e-8, false},
     {"one-sided springs", "law: {power: 1, coefficient: 1e6}, ", 12, 8, 1.5e-3, steel, 3e-5, false},
