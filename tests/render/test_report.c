@@ -205,6 +205,11 @@ static void assert_facts(const char *data)
         if (!strstr(data, facts[i]))
             fail_msg("%s is not in %.3000s", facts[i], data);
     }
+    char places[64];
+    const char *beads = strstr(data, "\"beads\": ");
+    assert_true(beads && atoi(beads + 9) > 4);
+    snprintf(places, sizeof places, "\"places\": %d, \"values\": %d", atoi(beads + 9), atoi(beads + 9));
+    assert_non_null(strstr(data, places)); /* one for each bead */
 }
 
 /* The page of a sweep: its range ends with the largest force of its images, which has the last colour, and little else has. */
