@@ -149,11 +149,10 @@ static double bound(const struct chains *chains, const struct bead_sweep_spread 
     size_t used = 0;
     for (size_t c = chains->count; c < chains->all; c++) {
         const struct chain *check = &chains->of[c];
-        if (check->curve == curve)
-            values[used++] = of(&chains->of[check->index], check, n, i);
-    }
-    for (size_t c = 0; c < used; c++) {
-        if (isnan(values[c]))
+        if (check->curve != curve)
+            continue;
+        values[used] = of(&chains->of[check->index], check, n, i);
+        if (isnan(values[used++]))
             return NAN;
     }
     bead_summary_of(values, used, &sample);
