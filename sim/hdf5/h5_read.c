@@ -211,7 +211,7 @@ static void read_vector(struct bead_h5 *h5, const char *name, H5T_class_t class,
         return;
     BEAD_H5_AUTO type = H5Dget_type(dataset);
     BEAD_H5_AUTO space = H5Dget_space(dataset);
-    bool fits = type_is(type, class) && vector_length(space) >= 0 && (size_t)vector_length(space) == count;
+    bool fits = type_is(type, class) && vector_length(space) == (hssize_t)count;
     BEAD_H5_AUTO text = fits && memory < 0 ? text_type_like(type, size) : -1;
     if (!fits)
         bead_h5_fail(h5, false, "%s must have %zu values of the right kind", name, count);
