@@ -135,6 +135,8 @@ struct bead_sink_type {
     /* Only in types for outputs of sweeps, which have none of the functions above: write the whole file. */
     enum bead_error (*write)(const struct bead_output *output, const struct bead_run_context *context, const char *path,
                              uint64_t *bytes, struct bead_message *msg);
+    /* Before chains run, which may take hours: an error that `write` would meet whatever their results are. NULL: none. */
+    enum bead_error (*check)(const struct bead_output *output, const struct bead_run_context *context, struct bead_message *msg);
     const char *(*why)(const struct bead_output *output); /* what is written, in words for --plan */
     bool runs_chains;                                     /* `write` runs the chains that it shows, */
     bool without_results;                                 /* and needs no results of others */

@@ -160,6 +160,18 @@ static enum bead_error write_sheet(const struct bead_output *output, const struc
     return err;
 }
 
+/* Do the pictures fit the page? */
+static enum bead_error check_sheet(const struct bead_output *output, const struct bead_run_context *context,
+                                   struct bead_message *msg)
+{
+    struct contact_sheet s = {.output = output, .sweep = context->sweep};
+    enum bead_error err = sheet_prepare(&s, msg);
+    if (!err)
+        err = contact_sheet_arrange(&s, msg);
+    contact_sheet_clear(&s);
+    return err;
+}
+
 static const char *sheet_why(const struct bead_output *)
 {
     return "small pictures of many configurations, rows by magnetism; only these run";
@@ -168,6 +180,7 @@ static const char *sheet_why(const struct bead_output *)
 const struct bead_sink_type bead_contact_sheet_sink = {.name = "sheet",
                                                        .help = "small pictures of many configurations of a sweep",
                                                        .kind = BEAD_OUTPUT_SHEET,
+                                                       .check = check_sheet,
                                                        .why = sheet_why,
                                                        .write = write_sheet,
                                                        .runs_chains = true,

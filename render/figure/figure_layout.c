@@ -126,11 +126,12 @@ static enum bead_error too_small(void *plan, struct bead_message *msg)
 {
     const struct bead_figure *f = ((const struct plan *)plan)->f;
     const struct bead_output *output = f->output;
+    const size_t plots = f->cell_count * f->view_count;
     char size[BEAD_SIZE_WORDS];
     return bead_output_wrong(output, msg,
-                             "size: %s leave no room for %zu plots and their labels; use a larger picture, fewer views or "
+                             "size: %s leave no room for %zu plot%s and their labels; use a larger picture, fewer views or "
                              "`axes: false`",
-                             bead_page_size(&f->page, size), f->cell_count * f->view_count);
+                             bead_page_size(&f->page, size), plots, plots == 1 ? "" : "s");
 }
 
 /* The greatest height that a view can use, px; 0: any. */

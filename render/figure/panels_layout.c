@@ -241,8 +241,8 @@ static enum bead_error no_room(void *still, struct bead_message *msg)
 {
     const struct bead_still *s = still;
     char words[BEAD_SIZE_WORDS];
-    return bead_output_wrong(s->output, msg, "size: %s leave no room for %zu panels and their labels",
-                             bead_page_size(&s->page, words), s->count);
+    return bead_output_wrong(s->output, msg, "size: %s leave no room for %zu panel%s and their labels",
+                             bead_page_size(&s->page, words), s->count, s->count == 1 ? "" : "s");
 }
 
 /* A bar for several rows extends down to the last one. */

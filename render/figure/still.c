@@ -37,12 +37,12 @@ static void plot_destroy(struct bead_still *s)
 static enum bead_error plot_create(const struct bead_output *output, const struct bead_run_context *context, struct bead_still *s,
                                    struct bead_message *msg)
 {
-    struct bead_page page;
     s->output = output;
     s->context = *context;
-    BEAD_TRY(bead_page_find(output, &page, msg));
-    return is_drawing(output) ? bead_schematic_check(output, context, msg)
-                              : bead_plot_data_create(output, context, SIZE_MAX, &s->plot, msg);
+    if (is_drawing(output))
+        return bead_schematic_check(output, context, msg);
+    BEAD_TRY(bead_plot_data_create(output, context, SIZE_MAX, &s->plot, msg));
+    return bead_plot_data_check(s->plot, msg);
 }
 
 static void plot_needs(const struct bead_still *s, struct bead_needs *needs)

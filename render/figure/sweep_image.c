@@ -125,42 +125,77 @@ static const char *statistic_name(const struct ensemble *e)
     return names[show];
 }
 
-/* Draws the image of a run that has these samples. */
+/* An image of one chain's run, fed with the ensemble's numbers. */
+struct drawing {
+    struct bead_output output;
+    struct bead_run_context context;
+    char title[80];
+    struct bead_sweep_chain *made;
+    const struct bead_chain *chain;
+    struct bead_sink *sink;
+};
+
+static enum bead_error open_drawing(const struct ensemble *e, const struct bead_run_context *context, const char *path,
+                                    struct drawing *d, struct bead_message *msg)
+{
+    *d = (struct drawing){.output = *e->output, .context = *context};
+    d->output.path = (char *)(uintptr_t)path; /* read only */
+    d->output.views.kinds[0] = BEAD_VIEW_SPACETIME;
+    d->output.views.count = 1;
+    snprintf(d->title, sizeof d->title, "%s of %zu chains", statistic_name(e), e->count);
+    d->output.panel.title = d->title;
+    BEAD_TRY(bead_sweep_chain_create(e->sweep, 0, 0, &d->made, msg));
+    d->chain = bead_sweep_chain_of(d->made);
+    d->context.chains = &d->chain;
+    d->context.chain_count = 1;
+    d->context.end = e->end;
+    d->context.native = (struct bead_grid){0, e->end / TIMES, e->end, false};
+    d->context.resolution = e->end / TIMES;
+    d->context.directory = ".";
+    d->context.sweep = NULL;
+    d->context.replayed = true;
+    return bead_image_sink.create(&d->output, &d->context, &d->sink, msg);
+}
+
+static void close_drawing(struct drawing *d)
+{
+    bead_image_sink.destroy(d->sink);
+    bead_sweep_chain_destroy(d->made);
+}
+
 static enum bead_error draw(struct ensemble *e, const struct bead_run_context *context, const char *path, const double *result,
                             struct bead_message *msg)
 {
-    struct bead_output output = *e->output;
-    char title[80];
-    struct bead_sweep_chain *made = NULL;
-    struct bead_sink *sink = NULL;
-    output.path = (char *)(uintptr_t)path; /* read only */
-    output.views.kinds[0] = BEAD_VIEW_SPACETIME;
-    output.views.count = 1;
-    snprintf(title, sizeof title, "%s of %zu chains", statistic_name(e), e->count);
-    output.panel.title = title;
-    BEAD_TRY(bead_sweep_chain_create(e->sweep, 0, 0, &made, msg));
-    const struct bead_chain *chain = bead_sweep_chain_of(made);
-    struct bead_run_context own = *context;
-    own.chains = &chain;
-    own.chain_count = 1;
-    own.end = e->end;
-    own.native = (struct bead_grid){0, e->end / TIMES, e->end, false};
-    own.resolution = e->end / TIMES;
-    own.directory = ".";
-    own.sweep = NULL;
-    own.replayed = true;
-    enum bead_error err = bead_image_sink.create(&output, &own, &sink, msg);
+    struct drawing d;
+    enum bead_error err = open_drawing(e, context, path, &d, msg);
     if (!err)
-        err = bead_image_sink.begin(sink, (struct bead_range){0, 0}, msg);
+        err = bead_image_sink.begin(d.sink, (struct bead_range){0, 0}, msg);
     for (size_t i = 0; i <= TIMES && !err; i++) {
-        struct bead_sample sample = {.time = fmin((double)i * own.native.every, e->end), .index = i, .active = e->places};
-        sample.field[output.shown.field] = result + i * e->places;
-        err = bead_image_sink.sample(sink, &sample, msg);
+        struct bead_sample sample = {.time = fmin((double)i * d.context.native.every, e->end), .index = i, .active = e->places};
+        sample.field[d.output.shown.field] = result + i * e->places;
+        err = bead_image_sink.sample(d.sink, &sample, msg);
     }
     if (!err)
-        err = bead_image_sink.end(sink, NULL, msg);
-    bead_image_sink.destroy(sink);
-    bead_sweep_chain_destroy(made);
+        err = bead_image_sink.end(d.sink, NULL, msg);
+    close_drawing(&d);
+    return err;
+}
+
+/* Does the image fit its page? Without `until`, nobody knows yet when it ends, and which times it may show. */
+static enum bead_error check_image(const struct bead_output *output, const struct bead_run_context *context,
+                                   struct bead_message *msg)
+{
+    const double until = bead_sweep_scene(context->sweep)->simulate.until;
+    struct bead_output shown = *output;
+    if (isnan(until))
+        shown.shown.time[0] = shown.shown.time[1] = NAN;
+    const struct ensemble e = {.sweep = context->sweep,
+                               .output = &shown,
+                               .count = bead_sweep_panel(context->sweep, 0)->configurations,
+                               .end = isnan(until) ? 1 : until};
+    struct drawing d;
+    const enum bead_error err = open_drawing(&e, context, output->path, &d, msg);
+    close_drawing(&d);
     return err;
 }
 
@@ -198,6 +233,7 @@ static const char *image_why(const struct bead_output *output)
 const struct bead_sink_type bead_sweep_image_sink = {.name = "image",
                                                      .help = "mean of a field over the chains of a sweep",
                                                      .kind = BEAD_OUTPUT_IMAGE,
+                                                     .check = check_image,
                                                      .why = image_why,
                                                      .write = write_image,
                                                      .runs_chains = true,

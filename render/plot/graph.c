@@ -5,6 +5,7 @@
 #include "render/draw/markup.h"
 #include "render/encode/page.h"
 #include "render/plot/graph_private.h"
+#include "sim/base/memory.h"
 
 enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,
                                 double height, struct bead_message *msg)
@@ -20,21 +21,75 @@ enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bea
     return status ? bead_fail(msg, BEAD_ERROR_MEMORY, "graph: %s", cairo_status_to_string(status)) : BEAD_OK;
 }
 
+/* A graph on its page. */
 struct job {
-    const struct bead_graph *graph;
+    struct bead_graph graph;
     const struct bead_output *output;
     struct bead_page page;
     struct bead_look look;
+    char title[2048], size[BEAD_SIZE_WORDS];
 };
+
+static enum bead_error prepare(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
+                               struct job *job, struct bead_message *msg)
+{
+    job->graph = *graph;
+    job->output = output;
+    job->title[0] = '\0';
+    BEAD_TRY(bead_page_find(output, &job->page, msg));
+    if (bead_page_titled(&job->page))
+        bead_markup_quote(scene->title, job->title, sizeof job->title);
+    job->graph.title = job->title;
+    job->graph.caption = output->still.caption;
+    job->graph.size = bead_page_size(&job->page, job->size);
+    bead_page_look(&job->page, &output->paper, &job->look);
+    return BEAD_OK;
+}
+
+/* Adds the place of the output to what is wrong with it. */
+static enum bead_error tell_place(const struct job *job, enum bead_error err, const struct bead_message *why,
+                                  struct bead_message *msg)
+{
+    if (err == BEAD_ERROR_SCENE)
+        return bead_output_wrong(job->output, msg, "%.600s", why->text);
+    return err ? bead_fail(msg, err, "%s", why->text) : BEAD_OK;
+}
 
 static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct job *job = context;
     struct bead_message why = {""};
-    enum bead_error err = bead_graph_draw(job->graph, &job->look, cr, job->page.width, job->page.height, &why);
-    if (err == BEAD_ERROR_SCENE)
-        return bead_output_wrong(job->output, msg, "%.600s", why.text);
-    return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
+    return tell_place(job, bead_graph_draw(&job->graph, &job->look, cr, job->page.width, job->page.height, &why), &why, msg);
+}
+
+/* Ends that are not known yet: numbers as narrow as any, in order. */
+static void assume_ends(struct bead_graph_axis *axis)
+{
+    if (isnan(axis->low))
+        axis->low = isnan(axis->high) ? 1 : axis->high > 0 ? axis->high / 2 : axis->high - 1;
+    if (isnan(axis->high))
+        axis->high = axis->low > 0 ? 2 * axis->low : axis->low + 1;
+}
+
+enum bead_error bead_graph_check(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
+                                 struct bead_message *msg)
+{
+    struct job job;
+    struct graph_layout layout;
+    struct bead_message why = {""};
+    BEAD_FREED struct bead_panel *panels = NULL;
+    BEAD_TRY(prepare(graph, output, scene, &job, msg));
+    BEAD_TRY(bead_new(&panels, graph->panel_count, msg, "a plot"));
+    for (size_t i = 0; i < graph->panel_count; i++) {
+        panels[i] = (struct bead_panel){.title = graph->panels[i].title, .x = graph->panels[i].x, .y = graph->panels[i].y};
+        assume_ends(&panels[i].x);
+        assume_ends(&panels[i].y);
+    }
+    job.graph.panels = panels;
+    const enum bead_error err = graph_layout_make(&job.graph, &job.look, job.page.width, job.page.height, NULL, &layout, &why);
+    if (!err)
+        graph_layout_free(&layout);
+    return tell_place(&job, err, &why, msg);
 }
 
 /* Text without its markup. */
@@ -85,17 +140,9 @@ static void tell(const struct bead_graph *graph, char *out, size_t size)
 enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
                                  const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    char title[2048] = "", size[BEAD_SIZE_WORDS];
-    struct bead_graph whole = *graph;
-    whole.title = title;
-    whole.caption = output->still.caption;
-    struct job job = {.graph = &whole, .output = output};
-    BEAD_TRY(bead_page_find(output, &job.page, msg));
-    if (bead_page_titled(&job.page))
-        bead_markup_quote(scene->title, title, sizeof title);
-    whole.size = bead_page_size(&job.page, size);
-    bead_page_look(&job.page, &output->paper, &job.look);
+    struct job job;
     char tale[BEAD_DESCRIPTION / 2] = "";
+    BEAD_TRY(prepare(graph, output, scene, &job, msg));
     tell(graph, tale, sizeof tale);
     return bead_page_write(&job.page, output, scene, &(struct bead_drawing){graph_draw, NULL, &job, tale}, path, bytes, msg);
 }

@@ -97,3 +97,6 @@ BEAD_CHECK enum bead_error bead_graph_draw(const struct bead_graph *graph, const
 BEAD_CHECK enum bead_error bead_graph_write(const struct bead_graph *graph, const struct bead_output *output,
                                             const struct bead_scene *scene, const char *path, uint64_t *bytes,
                                             struct bead_message *msg);
+/* Before its data are known: would `write` have room for the panels, even without curves? Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_graph_check(const struct bead_graph *graph, const struct bead_output *output,
+                                            const struct bead_scene *scene, struct bead_message *msg);

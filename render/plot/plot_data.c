@@ -157,13 +157,24 @@ const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data
     return data->panels;
 }
 
+static struct bead_graph graph_of(const struct bead_plot_data *data)
+{
+    struct bead_graph graph = {
+        .letters = true, .share_x = plot_kind_of(data)->share_x, .share_y = !data->residuals, .residuals = data->residuals};
+    graph.panels = bead_plot_data_panels(data, &graph.panel_count);
+    return graph;
+}
+
+enum bead_error bead_plot_data_check(const struct bead_plot_data *data, struct bead_message *msg)
+{
+    const struct bead_graph graph = graph_of(data);
+    return bead_graph_check(&graph, data->output, data->context.scene, msg);
+}
+
 enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
                                      uint64_t *bytes, struct bead_message *msg)
 {
-    const struct plot_kind *kind = plot_kind_of(data);
     BEAD_TRY(bead_plot_data_finish(data, outcomes, msg));
-    struct bead_graph graph = {
-        .letters = true, .share_x = kind->share_x, .share_y = !data->residuals, .residuals = data->residuals};
-    graph.panels = bead_plot_data_panels(data, &graph.panel_count);
+    const struct bead_graph graph = graph_of(data);
     return bead_graph_write(&graph, data->output, data->context.scene, path, bytes, msg);
 }

@@ -19,6 +19,8 @@ BEAD_CHECK enum bead_error bead_plot_data_finish(struct bead_plot_data *data, co
                                                  struct bead_message *msg);
 /* The panels; owned by the data. Before finish they have axes and titles, but no series. */
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count);
+/* Would the panels have room on the page of a plot? Errors: SCENE, MEMORY. */
+BEAD_CHECK enum bead_error bead_plot_data_check(const struct bead_plot_data *data, struct bead_message *msg);
 /* Finishes, and writes the panels as a plot. Errors: those of finish and of bead_graph_write. */
 BEAD_CHECK enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
                                                 uint64_t *bytes, struct bead_message *msg);

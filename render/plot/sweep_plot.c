@@ -423,6 +423,27 @@ static enum bead_error write_plot(const struct bead_output *output, const struct
     return err;
 }
 
+/* Panels whose number does not depend on results, without words. */
+static enum bead_error check_plot(const struct bead_output *output, const struct bead_run_context *context,
+                                  struct bead_message *msg)
+{
+    const struct bead_sweep_curves_asked *asked = &output->sweep_curves;
+    const bool decay = asked->show == BEAD_SWEEP_DECAY,
+               own = asked->show == BEAD_SWEEP_SPREADING || bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT || *asked->measure;
+    sweep_plot *const plot = plot_of(output, context->sweep);
+    const size_t panels = plot == write_spins ? bead_sweep_panels(context->sweep) * (decay ? DECAY_PANELS : 1)
+                          : own               ? 1
+                                              : bead_sweep_panel(context->sweep, 0)->places;
+    BEAD_FREED struct bead_panel *empty = NULL;
+    BEAD_TRY(bead_new(&empty, panels, msg, "a plot"));
+    for (size_t i = 0; i < panels; i++) {
+        empty[i].x = (struct bead_graph_axis){.title = "", .unit = "", .low = NAN, .high = NAN};
+        empty[i].y = empty[i].x;
+    }
+    const struct bead_graph graph = {.panels = empty, .panel_count = panels, .share_x = !decay, .share_y = !decay};
+    return bead_graph_check(&graph, output, bead_sweep_scene(context->sweep), msg);
+}
+
 static const char *sweep_plot_why(const struct bead_output *output)
 {
     if (*output->sweep_curves.measure)
@@ -437,5 +458,9 @@ static const char *sweep_plot_why(const struct bead_output *output)
                : "peak force against magnetism, with plateau and threshold, or against a key";
 }
 
-const struct bead_sink_type bead_sweep_plot_sink = {
-    .name = "plot", .help = "statistics of a sweep", .kind = BEAD_OUTPUT_PLOT, .why = sweep_plot_why, .write = write_plot};
+const struct bead_sink_type bead_sweep_plot_sink = {.name = "plot",
+                                                    .help = "statistics of a sweep",
+                                                    .kind = BEAD_OUTPUT_PLOT,
+                                                    .check = check_plot,
+                                                    .why = sweep_plot_why,
+                                                    .write = write_plot};

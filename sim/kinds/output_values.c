@@ -342,8 +342,11 @@ static enum bead_error read_range(struct bead_reader *reader, const struct bead_
     BEAD_TRY(bead_read_pair(reader, at, &number, option->shape, range));
     if (range[0] >= range[1])
         return bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be below the second", range[0], range[1], space, unit);
-    if (scale == BEAD_SCALE_LOG && range[0] <= 0)
-        return bead_wrong(reader, at, "begins at %g%s%s; must be above 0 with `scale: log`", range[0], space, unit);
+    for (int i = 0; i < 2 && scale == BEAD_SCALE_LOG; i++) {
+        if (range[i] <= 0)
+            return bead_wrong(reader, at, "%s at %g%s%s; must be above 0 with `scale: log`", i ? "ends" : "begins", range[i], space,
+                              unit);
+    }
     return BEAD_OK;
 }
 
@@ -381,5 +384,6 @@ BEAD_OPTION_READER(bead_output_read_plot_range)
 BEAD_OPTION_READER(bead_output_read_sweep_range)
 {
     struct bead_output *output = settings;
-    return read_range(reader, at, option, "", BEAD_SCALE_LINEAR, output->plot.range);
+    const bool colours = output->sweep_curves.show == BEAD_SWEEP_PLANE; /* of values on axes with this scale */
+    return read_range(reader, at, option, "", colours ? BEAD_SCALE_LINEAR : output->plot.scale, output->plot.range);
 }

@@ -328,20 +328,29 @@ enum bead_error bead_read_pair(const struct bead_reader *reader, const struct be
     return BEAD_OK;
 }
 
+/* [from, to]. */
+static enum bead_error read_extent(const struct bead_reader *reader, const struct bead_at *at, const struct bead_option *option,
+                                   double value[2])
+{
+    char pair[200] = "[a, b], both ";
+    bead_option_allowed(option, pair + strlen(pair), sizeof pair - strlen(pair));
+    BEAD_TRY(bead_read_pair(reader, at, option, pair, value));
+    return value[0] >= value[1] ? bead_wrong(reader, at, "is [%g, %g]; the first must be before the second", value[0], value[1])
+                                : BEAD_OK;
+}
+
 /* ---- rows ---- */
 
 static BEAD_OPTION_READER(read_value)
 {
     char *field = (char *)settings + option->offset;
-    char pair[200] = "[a, b], both ";
     unsigned choice = 0;
     enum bead_error err = BEAD_OK;
     switch (option->type) {
     case BEAD_OPTION_NUMBER:
         return bead_read_number(reader, at, option, (double *)(void *)field);
     case BEAD_OPTION_PAIR:
-        bead_option_allowed(option, pair + strlen(pair), sizeof pair - strlen(pair));
-        return bead_read_pair(reader, at, option, pair, (double *)(void *)field);
+        return read_extent(reader, at, option, (double *)(void *)field);
     case BEAD_OPTION_COUNT:
         return bead_read_count(reader, at, option, (size_t *)(void *)field);
     case BEAD_OPTION_SEED:

@@ -122,6 +122,8 @@ BEAD_CHECK enum bead_error bead_session_fit(struct bead_session *session, struct
 struct bead_play bead_session_play(const struct bead_session *session, const char *what);
 /* The settings of a sweep's run. */
 struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session *session);
+/* For sinks of outputs of sweeps. */
+struct bead_run_context bead_session_sweep_context(const struct bead_session *session, const struct bead_sweep_settings *settings);
 BEAD_CHECK enum bead_error bead_session_out_of_memory(struct bead_message *msg);
 /* Chains begin as outlines, which suffice for most plans; this builds their arrays, unless they exist. */
 BEAD_CHECK enum bead_error bead_session_lay(struct bead_session *session, struct bead_message *msg);

@@ -174,13 +174,7 @@ static enum bead_error session_stop(struct bead_session *s, struct bead_made *m,
 static enum bead_error write_sweep(const struct bead_session *s, struct bead_made *m, struct bead_message *msg)
 {
     const struct bead_sweep_settings settings = bead_session_sweep_settings(s);
-    const struct bead_run_context context = {.scene = s->source,
-                                             .threads = s->threads,
-                                             .canvas = s->job.canvas,
-                                             .stop = s->job.stop,
-                                             .claimed = true,
-                                             .sweep = s->sweep,
-                                             .sweep_settings = &settings};
+    const struct bead_run_context context = bead_session_sweep_context(s, &settings);
     return m->type->write(m->output, &context, m->path, &m->bytes, msg);
 }
 

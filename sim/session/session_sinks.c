@@ -77,6 +77,17 @@ struct bead_sweep_settings bead_session_sweep_settings(const struct bead_session
                                         .progress_context = s->job.progress_context};
 }
 
+struct bead_run_context bead_session_sweep_context(const struct bead_session *s, const struct bead_sweep_settings *settings)
+{
+    return (struct bead_run_context){.scene = s->source,
+                                     .threads = s->threads,
+                                     .canvas = s->job.canvas,
+                                     .stop = s->job.stop,
+                                     .claimed = true,
+                                     .sweep = s->sweep,
+                                     .sweep_settings = settings};
+}
+
 /* The fields that a trajectory output gives: those stored, and those that follow from displacements of all beads. */
 static unsigned kept_fields(const struct bead_session *s)
 {

@@ -26,6 +26,22 @@ static enum bead_error find_path(struct bead_session *s, struct bead_made *m, st
     return err;
 }
 
+/* What outputs cannot show is told before chains run. */
+static enum bead_error check_outputs(const struct bead_session *s, struct bead_message *msg)
+{
+    const struct bead_sweep_settings settings = bead_session_sweep_settings(s);
+    const struct bead_run_context context = bead_session_sweep_context(s, &settings);
+    for (size_t i = 0; i < s->made_count; i++) {
+        const struct bead_made *m = &s->made[i];
+        if (!bead_session_makes(m))
+            continue;
+        BEAD_TRY(bead_sweep_asked_check(s->sweep, m->output, msg));
+        if (m->type->check)
+            BEAD_TRY(m->type->check(m->output, &context, msg));
+    }
+    return BEAD_OK;
+}
+
 enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_message *msg)
 {
     BEAD_TRY(bead_session_list_outputs(s, msg));
@@ -39,7 +55,8 @@ enum bead_error bead_session_open_sweep(struct bead_session *s, struct bead_mess
     }
     if (s->job.parts > 0 && !file)
         return bead_fail(msg, BEAD_ERROR_USAGE, "--shard: the scene has no output {sweep: FILE.h5} for the part's results");
-    return bead_sweep_create(s->scene, &s->sweep, msg);
+    BEAD_TRY(bead_sweep_create(s->scene, &s->sweep, msg));
+    return check_outputs(s, msg);
 }
 
 enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead_message *msg)
@@ -62,8 +79,9 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
         return err;
     s->sweep_read = true;
     s->source = bead_sweep_scene(s->sweep);
-    err = bead_session_list_outputs(s, msg);
-    return err ? err : bead_file_join(".", s->made->output->path, &s->made->path, msg);
+    BEAD_TRY(bead_session_list_outputs(s, msg));
+    BEAD_TRY(check_outputs(s, msg));
+    return bead_file_join(".", s->made->output->path, &s->made->path, msg);
 }
 
 /* ---- running ---- */
@@ -122,11 +140,6 @@ enum bead_error bead_session_run_sweep(struct bead_session *s, struct bead_messa
     for (size_t i = 0; i < s->made_count; i++) {
         if (bead_session_makes(&s->made[i]) && bead_session_holds_sweep(&s->made[i]))
             results = &s->made[i];
-    }
-    for (size_t i = 0; i < s->made_count; i++) { /* before a run that takes hours */
-        const char *measure = s->made[i].output->sweep_curves.measure, *unit;
-        if (measure && *measure)
-            BEAD_TRY(bead_sweep_measure_unit(measure, &unit, msg));
     }
     enum bead_error err = s->sweep_read ? BEAD_OK : bead_file_make_directory(s->job.output, msg);
     if (!err)

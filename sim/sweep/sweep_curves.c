@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the curves of a sweep over keys: see sweep_curves.h. */
 #include "sim/sweep/sweep_curves.h"
-#include <ctype.h>
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "sim/base/elementary.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/output_kinds.h"
+#include "sim/measure/places.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_internal.h"
 
@@ -205,4 +207,32 @@ void bead_sweep_curves_free(struct bead_sweep_curves *curves)
     for (size_t i = 0; curves->curves && i < curves->count; i++)
         free(curves->curves[i].points);
     free(curves->curves);
+}
+
+/* Places of curves, in the scene as it is. */
+static enum bead_error check_places(const struct bead_sweep *sweep, const struct bead_output *output, struct bead_message *msg)
+{
+    struct bead_sweep_chain *made = NULL;
+    enum bead_error err = bead_sweep_chain_create(sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
+    if (!err)
+        err = bead_places_check(output, bead_sweep_chain_of(made), msg);
+    bead_sweep_chain_destroy(made);
+    return err;
+}
+
+enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const struct bead_output *output, struct bead_message *msg)
+{
+    const struct bead_sweep_curves_asked *asked = &output->sweep_curves;
+    const struct bead_over *over = &bead_sweep_panel(sweep, 0)->spec->over;
+    const char *unit;
+    size_t key;
+    struct bead_message why = {""};
+    enum bead_error err = BEAD_OK;
+    if (bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT)
+        return check_places(sweep, output, msg);
+    if (asked->measure && *asked->measure)
+        err = bead_sweep_measure_unit(asked->measure, &unit, &why);
+    if (!err && asked->against && *asked->against && over->key_count > 0)
+        err = find_key(over, asked->against, &key, &why);
+    return err ? bead_output_wrong(output, msg, "%s", why.text) : BEAD_OK;
 }

@@ -32,7 +32,7 @@ ok "... of the run" fails 2 "$beadreel" clean-vs-delocalised --set until=1ms
 ok "... too" says 'did you mean `simulate.until`?'
 
 # The kind of output that makes such files; what keys are called here; what moves nothing; sizes that a codec cannot have.
-ok "a panel without room" told 'scene.yaml:2:69: size: 200 x 260 pixels leave no room for 1 plots' \
+ok "a panel without room" told 'scene.yaml:2:69: size: 200 x 260 pixels leave no room for 1 plot' \
     "chain: {beads: [{bead: brass, count: 40}], striker: {velocity: 0.4 m/s}}\noutputs: [{image: a.png, size: [200, 260], panels: [[{show: peaks}, {field: force}]]}]"
 ok "a film as an image" told 'scene.yaml:2:19: outputs.0.image: `a.mp4` lacks the extension of files of this kind; must be a name with .png, .pdf, .svg, .eps, .jpg, .jpeg, .tif, .tiff, .webp or .avif; did you mean `movie: a.mp4`?' \
     "chain: {beads: [{bead: brass}]}\noutputs: [{image: a.mp4}]"

@@ -250,7 +250,18 @@ ok "a value that is wrong" refused 'sweep.over={chain.striker.velocity: [1 m/s, 
 ok "outputs are no keys" refused 'sweep.over={outputs.0.size: [1, 2]}' 'must begin with chain, simulate or materials'
 ok "spins have no place beside it" refused sweep.magnetism=0.5 'sweep.magnetism: belongs to sweeps over spins'
 ok "pairs need as many values" refused 'sweep={combine: pairs, over: {chain.striker.velocity: [1 m/s, 2 m/s], chain.striker.mass: [1 g]}}' 'must have as many'
-ok "no such key along the axis" fails 2 "$beadsim" v.yaml -o wrong --set 'outputs=[{table: t.csv, against: chain.wall}]'
+# What an output cannot show is told by the plan, so before chains run for hours.
+early() { # OUTPUT MESSAGE
+    fails 2 "$beadreel" v.yaml --plan --set "outputs=[{$1}]" && says "$2"
+}
+ok "no such key along the axis" early 'table: t.csv, against: chain.wall' '--set:1:34: against: `chain.wall` is no key of the sweep; the first is `chain.striker.velocity`'
+ok "... no such measure" early 'plot: t.png, measure: width' '--set:1:33: measure: there is no `width`'
+ok "... no such bead" early 'plot: t.png, show: sensors, beads: [13]' '--set:1:46: beads: a chain has no bead 13: its last is 12'
+ok "... no logarithm of a range" early 'plot: t.png, scale: log, range: [auto, -2]' 'range: ends at -2; must be above 0 with `scale: log`'
+for output in 'plot: t.png' 'plot: t.png, measure: front speed' 'plot: t.png, show: sensors, beads: 3' 'image: t.png' 'sheet: t.png'; do
+    ok "... no room for {$output}" early "$output, size: [60, 20]" ': size: 60 x 20 pixels '
+done
+ok "... in a plot of one run, too" fails 2 "$beadreel" v.yaml --plan --set 'sweep={}' --set 'outputs=[{plot: t.png, size: [60, 20]}]'
 # Values between two ends have digits enough to tell them apart in names, and no more; whole numbers are written out.
 names() {
     "$beadsim" v.yaml -o n --set "sweep.over={$1}" --set 'materials.my={mass: 1 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}' --set 'outputs=[{table: n.csv, show: sensors, contacts: 3}]' >log 2>&1 || { cat log; return 1; }
