@@ -11,7 +11,7 @@ fi
 every="mp4 mov mkv webm apng gif"
 
 # What makes scenes quick, and changes no film's frames.
-lighter() { case $1 in kdv | zabusky-kruskal) echo chain.points=160 ;; shock) echo chain.points=400 ;; fput-kdv) echo chains.1.points=256 ;; cradle) echo simulate.until=100ms ;; esac; }
+lighter() { case $1 in kdv) echo chain.points=160 ;; zabusky-kruskal) echo chain.points=160 simulate.until=1.2 ;; shock) echo chain.points=400 ;; fput-kdv) echo chains.1.points=256 simulate.until=200 outputs.1.at=[0,200] ;; cradle) echo simulate.until=100ms ;; esac; }
 # film FORMATS SCENE INDEX KEY=VALUE... : arguments for a run or a plan of output INDEX as m.EXTENSION.
 film() {
     formats=$1
