@@ -146,12 +146,53 @@ static void grids_widen_as_powers_of_time_do(void **state)
     }
 }
 
+/* A run of 50 beads until `end`, and its state at `time` in the last step. */
+static struct bead_outcome outcome_at(const struct built *built, double end, double time, double state[2][51])
+{
+    struct bead_outcome outcome;
+    struct bead_run *run = start_run(built, (struct bead_run_settings){.end = 1e-3, .states = true});
+    run_until(run, end);
+    const struct bead_sample sample = sample_at(run, time);
+    memcpy(state[0], sample.field[BEAD_FIELD_DISPLACEMENT], sizeof state[0]);
+    memcpy(state[1], sample.field[BEAD_FIELD_VELOCITY], sizeof state[1]);
+    bead_run_finish(run, time, &outcome);
+    assert_true(outcome.final.time == time);
+    assert_memory_equal(outcome.final.displacement, state[0], sizeof state[0]);
+    assert_memory_equal(outcome.final.velocity, state[1], sizeof state[1]);
+    bead_run_destroy(run);
+    return outcome;
+}
+
+/* States that an outcome has are the samples of their times. */
+static void outcomes_have_the_states_of_their_times(void **state)
+{
+    (void)state;
+    struct built built = build(P1_CHAIN, "until: 1 ms");
+    double found[2][51], speed = 0;
+    const double arrival = outcome_at(&built, 0.9e-3, 0.9e-3, found).front_arrival;
+    assert_true(arrival > 0.1e-3 && arrival < 0.9e-3);
+    struct bead_outcome outcome;
+    struct bead_run *run = start_run(&built, (struct bead_run_settings){.end = 1e-3, .states = true});
+    run_until(run, arrival);
+    const struct bead_sample sample = sample_at(run, arrival);
+    bead_run_finish(run, arrival, &outcome);
+    assert_true(outcome.arrived.time == arrival);
+    for (int j = 0; j < 51; j++)
+        speed = fmax(speed, fabs(sample.field[BEAD_FIELD_VELOCITY][j]));
+    assert_true(speed > 0.1);
+    assert_memory_equal(outcome.arrived.displacement, sample.field[BEAD_FIELD_DISPLACEMENT], sizeof found[0]);
+    assert_memory_equal(outcome.arrived.velocity, sample.field[BEAD_FIELD_VELOCITY], sizeof found[1]);
+    bead_run_destroy(run);
+    release(&built);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(samples_are_as_asked),
         cmocka_unit_test(they_converge_where_a_contact_closes),
         cmocka_unit_test(grids_widen_as_powers_of_time_do),
+        cmocka_unit_test(outcomes_have_the_states_of_their_times),
     };
     return cmocka_run_group_tests_name("samples", tests, NULL, NULL);
 }
