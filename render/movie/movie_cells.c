@@ -15,12 +15,12 @@ static const double edge = 0.5;
 /* Images have a share for at most this many chains. */
 enum { PROMISED = 4 };
 
-/* share; roomy; images, values, headings, titles, facts, axes, words; gaps between views, rows; headings; least of beads, images,
- * others; least px */
+/* share, with what rounding to pixels takes; roomy; images, values, headings, titles, facts, axes, words; gaps between views, rows;
+ * headings; least of beads, images, others; least px */
 const struct bead_level bead_levels[BEAD_LEVELS] = {
-    {0.35, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
-    {0.25, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
-    {0.15, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
+    {0.354, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
+    {0.254, true, true, true, true, true, true, true, true, 0.3, 0.9, 1.5, {1.5, 3, 3.2}, 12},
+    {0.154, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
     {0, false, true, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
     {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0.9, 3, 2.6}, 12},
     {0, false, false, true, true, true, true, true, true, 0.3, 0.54, 1.25, {0}, 8},
@@ -268,8 +268,7 @@ static double image_height(const struct bead_cells *c)
     const size_t images = bead_cells_promised(c);
     if (images == 0)
         return 0;
-    return ceil((c->level->share > 0 ? c->level->share + 0.004 : 0) * w->width * w->height /
-                ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
+    return ceil(c->level->share * w->width * w->height / ((double)(images * w->chain_count) * width_of(c, halves(c) - 1)));
 }
 
 static double least_height(const struct bead_cells *c, size_t view)
