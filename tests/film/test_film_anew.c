@@ -161,7 +161,7 @@ static const struct {
     {two, "layout: overlay, views: [profile, beads]"},
     {two, "layout: grid, theme: light, field: velocity, profile: cell"},
     {two, "layout: beside, type: large"},
-    {two, "layout: images, views: [beads, spacetime], trust: true"},
+    {two, "layout: images, views: [beads, spacetime]"},
     {two, "inset: cell, light: beads, theme: light"},
     {one, "views: [stage, sensors], theme: light"},
 };
@@ -252,8 +252,7 @@ static struct png_file picture_of(const char *name)
 /* A film's samples and frames pass through buffers and threads; a single frame is drawn from the samples as they come. */
 static void posters_are_frames(void **)
 {
-    static const char *const keys[] = {"beads: [4, 11], views: [profile, spacetime]",
-                                       "beads: [4, 11], views: [beads, spacetime], trust: true"};
+    static const char *const keys[] = {"beads: [4, 11], views: [profile, spacetime]", "beads: [4, 11], views: [beads, spacetime]"};
     char scene[512], output[512], frame[512];
     in_directory("scene.yaml", scene, sizeof scene);
     in_directory("", output, sizeof output);
@@ -261,7 +260,7 @@ static void posters_are_frames(void **)
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         char text[1000];
         snprintf(text, sizeof text,
-                 "%s\nsimulate: {until: 0.2 ms}\noutputs: [{movie: m.gif, size: [320, 240], fps: 10, duration: 1 s, poster: "
+                 "%s\nsimulate: {until: 0.2 ms}\noutputs: [{movie: m.gif, size: [320, 240], fps: 10, duration: 0.4 s, poster: "
                  "poster.png, "
                  "%s}]\n",
                  one, keys[i]);

@@ -24,8 +24,7 @@ static const struct {
      "{bead: small-steel, sensor: first}, {bead: small-steel, sensor: second}, {bead: ptfe}]}\n"
      "simulate: {until: 0.4 ms}\n",
      {"image: %s", "image: %s, views: [sensors], theme: dark", "plot: %s, show: setup", "plot: %s, show: contact",
-      "plot: %s, show: bands", "plot: %s, show: eigenmodes", "plot: %s, show: profiles, at: [0.1 ms, 0.2 ms]",
-      "plot: %s, show: spectrum"}},
+      "plot: %s, show: bands", "plot: %s, show: profiles, at: [0.1 ms, 0.2 ms]", "plot: %s, show: eigenmodes"}},
     {"chain: {" STRIKER
      "beads: [{cell: [large-steel, large-steel, aluminium], count: 4, spins: random}], wall: brass, tilt: 4 deg}\n"
      "simulate: {until: 0.2 ms}\n",
@@ -139,8 +138,6 @@ static void pictures_are_the_same_in_other_units(void **)
             "image: 0.pdf",
             "image: 1.pdf, field: velocity, views: [beads, profile, sensors]",
             "image: 2.pdf, field: displacement, orientation: time-down",
-            "image: 3.pdf, field: compression",
-            "plot: 4.pdf, show: sensors",
             "plot: 5.pdf, show: peaks",
             "plot: 6.pdf, show: energy",
         };
