@@ -21,9 +21,7 @@ struct drawn {
     struct mark {
         size_t page;
         bool filled;
-        double width, rgb[3], low[2], high[2]; /* within its clip */
-        size_t count, begun;
-        double dashes;
+        double width, low[2], high[2]; /* within its clip */
         double first[2], last[2];
     } mark[STROKES_MOST];
     struct words {
@@ -113,12 +111,8 @@ static void drawn_take(struct drawn *d)
         *m = (struct mark){.page = drawn_page[i],
                            .filled = s->filled,
                            .width = s->filled ? 0 : s->width,
-                           .count = s->count,
-                           .begun = s->begun,
-                           .dashes = s->dashes > 0 ? s->dash[0] : 0,
                            .first = {s->at[0].x, s->at[0].y},
                            .last = {s->at[s->count - 1].x, s->at[s->count - 1].y}};
-        memcpy(m->rgb, s->rgb, sizeof m->rgb);
         for (int k = 0; k < 2; k++)
             m->low[k] = fmax(s->low[k], s->clip_low[k]), m->high[k] = fmin(s->high[k], s->clip_high[k]);
     }

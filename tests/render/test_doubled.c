@@ -203,6 +203,23 @@ static void stacks_have_what_there_is(void **)
     }
 }
 
+/* The striker and both beads with sensors have rings, whole ones. */
+static void sensors_have_rings(void **)
+{
+    drawn_run("chain: {" STRIKER
+              "beads: [{bead: large-steel, count: 4}, {bead: large-steel, sensor: s}, {bead: ptfe, sensor: t}]}\n"
+              "simulate: {until: 0.1 ms}\n"
+              "outputs: [{image: a.pdf, views: [beads], style: paper, size: [120 mm, 60 mm]}]\n",
+              &drawn[0]);
+    size_t rings = 0;
+    for (size_t j = 0; j < drawn[0].marks; j++) {
+        const struct mark *m = &drawn[0].mark[j];
+        const bool closed = hypot(m->last[0] - m->first[0], m->last[1] - m->first[1]) < 0.02;
+        rings += !m->filled && closed;
+    }
+    assert_int_equal(rings, 3);
+}
+
 /* The values at the lower and the upper end of the first frame of a page, from the numbers along its left side. */
 static void ends_of_axis(const struct drawn *d, size_t page, double ends[2])
 {
@@ -269,6 +286,7 @@ int main(void)
         cmocka_unit_test(pictures_are_the_same_in_other_units),
         cmocka_unit_test(equal_axes_are_labelled_once),
         cmocka_unit_test(stacks_have_what_there_is),
+        cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
