@@ -152,7 +152,7 @@ static enum bead_error fill_images(struct lines_plot *plot, struct bead_message 
         if (mean->columns < 2 || !(most > 0))
             return bead_output_wrong(&plot->lines.output, msg, "show: there are no waves, or only one column of amplitudes");
         panel->image = plot_spectral_image(mean, most, plot->axis);
-        if (line->medium) {
+        if (plot_spectral_top(line->medium) > 0) {
             BEAD_TRY(plot_new(&plot->page->store, &panel->series, 1, msg));
             BEAD_TRY(plot_new(&plot->page->store, &panel->numbers, PLOT_BAND_VALUES * line->medium->cell.count, msg));
             panel->series[0] = plot_exact_bands(line->medium, panel->numbers);

@@ -109,7 +109,9 @@ double plot_bar_of_mean(const struct bead_summary *mean, double uncertainty);
 
 /* The largest value of a spectrum. */
 double plot_spectral_largest(const struct bead_spectral *spectral);
-/* The end of its automatic axis of frequencies, Hz: beyond the highest band of its medium (NULL: none), else at the last amplitude
+/* The top of the highest band, Hz; 0: nothing presses the contacts, so at rest they are not stiff; or NULL: there is no medium. */
+double plot_spectral_top(const struct bead_medium *medium);
+/* The end of its automatic axis of frequencies, Hz: beyond the highest band of its medium if it has any, else at the last amplitude
  * that is not small compared with the largest; a transfer shows all. */
 double plot_spectral_reach(const struct bead_output *output, const struct bead_spectral *spectral, const struct bead_medium *medium,
                            double largest);

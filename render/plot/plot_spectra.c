@@ -146,7 +146,7 @@ static enum bead_error finish_curves(struct bead_plot_data *data, const struct b
 static enum bead_error add_bands(struct bead_plot_data *data, size_t p, struct bead_message *msg)
 {
     const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
-    if (!medium)
+    if (!(plot_spectral_top(medium) > 0))
         return BEAD_OK;
     BEAD_TRY(plot_reserve_series(data, p, 1, PLOT_BAND_VALUES * medium->cell.count, msg));
     data->parts[p].series[0] = plot_exact_bands(medium, data->parts[p].values);

@@ -18,15 +18,21 @@ double plot_spectral_largest(const struct bead_spectral *spectral)
     return most;
 }
 
+double plot_spectral_top(const struct bead_medium *medium)
+{
+    double ends[2] = {0, 0};
+    if (medium)
+        bead_band(medium, medium->cell.count - 1, ends);
+    return ends[1];
+}
+
 double plot_spectral_reach(const struct bead_output *output, const struct bead_spectral *spectral, const struct bead_medium *medium,
                            double largest)
 {
     const double some = output->curves.show == BEAD_SHOW_TRANSFER ? 0 : BEAD_TRANSFORM_LEAST * largest;
-    double high = 0, ends[2];
-    if (medium) {
-        bead_band(medium, medium->cell.count - 1, ends);
-        return beyond * ends[1];
-    }
+    double high = 0;
+    if (plot_spectral_top(medium) > 0)
+        return beyond * plot_spectral_top(medium);
     for (size_t i = 0; i < spectral->columns * spectral->rows; i++)
         high = spectral->values[i] > some ? fmax(high, (double)(i % spectral->rows) * spectral->step) : high;
     return high;

@@ -314,6 +314,16 @@ static enum bead_error write_report(const struct bead_output *output, const stru
     return err;
 }
 
+/* Are there such colours? */
+static enum bead_error check_report(const struct bead_output *output, const struct bead_run_context *context,
+                                    struct bead_message *msg)
+{
+    struct sweep_report r = {.output = output, .sweep = context->sweep};
+    const enum bead_error err = prepare_colours(&r, msg);
+    sweep_clear(&r);
+    return err;
+}
+
 static const char *sweep_why(const struct bead_output *)
 {
     return "a page with force against magnetism and an image behind each point: runs those chains again";
@@ -322,6 +332,7 @@ static const char *sweep_why(const struct bead_output *)
 const struct bead_sink_type bead_report_sweep_sink = {.name = "report",
                                                       .help = "a sweep as one HTML file",
                                                       .kind = BEAD_OUTPUT_REPORT,
+                                                      .check = check_report,
                                                       .why = sweep_why,
                                                       .write = write_report,
                                                       .runs_chains = true};

@@ -261,6 +261,9 @@ ok "... no logarithm of a range" early 'plot: t.png, scale: log, range: [auto, -
 for output in 'plot: t.png' 'plot: t.png, measure: front speed' 'plot: t.png, show: sensors, beads: 3' 'image: t.png' 'sheet: t.png'; do
     ok "... no room for {$output}" early "$output, size: [60, 20]" ': size: 60 x 20 pixels '
 done
+printf '%s\n' 'sweep: {cell: [large-steel, aluminium], cells: 4, configurations: 2, magnetism: [0, 1]}' \
+    'outputs: [{report: r.html, colormap: sepia}]' >spins.yaml
+ok "... no such colours" fails 2 "$beadreel" spins.yaml --plan
 ok "... in a plot of one run, too" fails 2 "$beadreel" v.yaml --plan --set 'sweep={}' --set 'outputs=[{plot: t.png, size: [60, 20]}]'
 # Values between two ends have digits enough to tell them apart in names, and no more; whole numbers are written out.
 names() {

@@ -97,6 +97,12 @@ off = [abs(edge(frame) - edge(curve)) / (max(frame) - min(frame)) for edge in (m
 sys.exit(max(off) > 0.005 and f"bands end {off} of the width beside the edges")' "$1"
 }
 ok "... from the first wave number to the last" across dispersion.svg
+loose() {
+    "$beadreel" -q -o . loose.yaml >log 2>&1 && ! grep -q "exact bands" loose.svg && grep -q ">10<" loose.svg || { cat log; return 1; }
+}
+printf '%s\n' 'chain: {beads: [{cell: [large-steel, aluminium], count: 8}]}' 'simulate: {until: 1 ms}' \
+    'outputs: [{plot: loose.svg, show: dispersion, field: velocity, frequencies: [0 Hz, auto]}]' >loose.yaml
+ok "a chain that nothing presses has none, and waves all the same" loose
 { dimers 30; cat; } >gap.yaml <<'YAML'
   drive: {displacement: noise, amplitude: 10 pm, frequency: 12 kHz} # more would make waves in the gap from two in the bands
 simulate: {until: 40 ms, accuracy: 1e-8}
