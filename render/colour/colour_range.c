@@ -125,14 +125,30 @@ void bead_colour_range_ends(const struct bead_output *output, const struct bead_
     *under = given ? both && output->colours.scale != BEAD_SCALE_LOG : found->under;
 }
 
+static bool has_own_map(const struct bead_output *output)
+{
+    return output->colours.colormap && strcmp(output->colours.colormap, "auto") != 0;
+}
+
+static enum bead_error load_map(const struct bead_output *output, const char *name, struct bead_colormap *map,
+                                struct bead_message *msg)
+{
+    struct bead_message why = {""};
+    const enum bead_error err = bead_colormap_load(name, map, &why);
+    if (err == BEAD_ERROR_SCENE)
+        return bead_output_wrong(output, msg, "colormap: %.500s", why.text);
+    return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
+}
+
 enum bead_error bead_colour_range_check(const struct bead_output *output, struct bead_message *msg)
 {
     const double *range = output->colours.range;
+    struct bead_colormap map;
     if (range[0] >= range[1])
         return bead_output_wrong(output, msg, "range: is [%g, %g]; the first must be less than the second", range[0], range[1]);
     if (output->colours.scale == BEAD_SCALE_LOG && (range[0] <= 0 || range[1] <= 0))
         return bead_output_wrong(output, msg, "range: is [%g, %g]; a logarithmic scale needs numbers above 0", range[0], range[1]);
-    return BEAD_OK;
+    return has_own_map(output) ? load_map(output, output->colours.colormap, &map, msg) : BEAD_OK;
 }
 
 enum bead_error bead_colour_range_map(const struct bead_output *output, const struct bead_chain *chain, bool dark, bool about_rest,
@@ -140,10 +156,5 @@ enum bead_error bead_colour_range_map(const struct bead_output *output, const st
 {
     static const char *const own[2][2] = {{"ember", "inferno"}, {"dawn", "dusk"}}; /* zero looks like the page */
     const bool signs = about_rest || (bead_chain_signed(chain, output->shown.field) && !(output->colours.range[0] >= 0));
-    bool automatic_map = !output->colours.colormap || strcmp(output->colours.colormap, "auto") == 0;
-    struct bead_message why = {""};
-    enum bead_error err = bead_colormap_load(!automatic_map ? output->colours.colormap : own[signs][dark], map, &why);
-    if (err == BEAD_ERROR_SCENE)
-        return bead_output_wrong(output, msg, "colormap: %.500s", why.text);
-    return err ? bead_fail(msg, err, "%s", why.text) : BEAD_OK;
+    return load_map(output, has_own_map(output) ? output->colours.colormap : own[signs][dark], map, msg);
 }

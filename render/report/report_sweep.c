@@ -314,14 +314,9 @@ static enum bead_error write_report(const struct bead_output *output, const stru
     return err;
 }
 
-/* Are there such colours? */
-static enum bead_error check_report(const struct bead_output *output, const struct bead_run_context *context,
-                                    struct bead_message *msg)
+static enum bead_error check_report(const struct bead_output *output, const struct bead_run_context *, struct bead_message *msg)
 {
-    struct sweep_report r = {.output = output, .sweep = context->sweep};
-    const enum bead_error err = prepare_colours(&r, msg);
-    sweep_clear(&r);
-    return err;
+    return bead_colour_range_check(output, msg);
 }
 
 static const char *sweep_why(const struct bead_output *)

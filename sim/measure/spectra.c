@@ -127,6 +127,9 @@ static enum bead_error reserve(struct bead_spectra *s, struct bead_message *msg)
         places += s->chains[c].count;
     if (places == 0)
         return bead_output_wrong(s->output, msg, "show: there is no sensor to show; give a bead one, or say which `beads`");
+    if (s->samples < FEWEST && s->output->curves.show != BEAD_SHOW_SENSORS)
+        return bead_output_wrong(s->output, msg, "every: %g gives %zu sample%s; spectra need %d or more", s->grid.every, s->samples,
+                                 s->samples == 1 ? "" : "s", FEWEST);
     if (s->samples > MOST_VALUES / places)
         return bead_output_wrong(s->output, msg, "every: %g gives %zu samples of %zu curves; at most %d numbers are transformed",
                                  s->grid.every, s->samples, places, MOST_VALUES);

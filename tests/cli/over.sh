@@ -264,7 +264,9 @@ done
 printf '%s\n' 'sweep: {cell: [large-steel, aluminium], cells: 4, configurations: 2, magnetism: [0, 1]}' \
     'outputs: [{report: r.html, colormap: sepia}]' >spins.yaml
 ok "... no such colours" fails 2 "$beadreel" spins.yaml --plan
-ok "... in a plot of one run, too" fails 2 "$beadreel" v.yaml --plan --set 'sweep={}' --set 'outputs=[{plot: t.png, size: [60, 20]}]'
+for output in 'plot: t.png, size: [60, 20]' 'movie: t.mp4, colormap: sepia' 'table: t.csv, show: spectrum, beads: 3, every: 1'; do
+    ok "... nor of one run: {$output}" fails 2 "$beadreel" v.yaml --plan --set 'sweep={}' --set simulate.until=1ms --set "outputs=[{$output}]"
+done
 # Values between two ends have digits enough to tell them apart in names, and no more; whole numbers are written out.
 names() {
     "$beadsim" v.yaml -o n --set "sweep.over={$1}" --set 'materials.my={mass: 1 g, radius: 5 mm, modulus: 1 GPa, poisson: 0.3}' --set 'outputs=[{table: n.csv, show: sensors, contacts: 3}]' >log 2>&1 || { cat log; return 1; }
