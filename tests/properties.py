@@ -304,10 +304,53 @@ def measures_scale_with_the_strike(speed, factor, heavy):
         assert abs(fast[name][0] - by * value) <= tolerance * abs(by * value), (name, value, fast[name][0], by)
 
 
+# ---- what the plan allows is made ----
+
+DEFINITIONS = json.load(open("assets/scene.schema.json", encoding="utf-8"))["definitions"]
+STRUCK = {"chain": {"beads": [{"cell": ["large-steel", "aluminium"], "count": 4}, {"bead": "small-steel", "sensor": "a"}],
+                    "wall": "brass"}}
+SWEPT = {**STRUCK, "sweep": {"over": {"chain.striker.velocity": ["0.1 m/s", "0.3 m/s"], "chain.wall": ["rigid", "none"]}}}
+WORDS = [0, 1, 3, 9, 20, -1, 1e-3, "0.1 ms", "5 ms", ["0 ms", "0.1 ms"], ["0.05 ms", "5 ms"], [8, 12], [20, 30], [0, 1], [30, 20],
+         "auto", "last", "all", "log", "velocity", "contact-force", ["0 Hz", "5 kHz"], ["5 kHz", "2 kHz"], "front speed", "sepia"]
+
+
+def words_of(key):
+    """Words and examples of the schema."""
+    while "$ref" in key:
+        key = DEFINITIONS[key["$ref"].split("/")[-1]]
+    found = key.get("enum", []) + key.get("examples", []) + [True, False] * (key.get("type") == "boolean")
+    for other in key.get("anyOf", []) + key.get("oneOf", []):
+        found = found + words_of(other)
+    return found
+
+
+@st.composite
+def asked(draw):
+    """A scene with one output of any kind, right or wrong."""
+    scene = draw(st.sampled_from([STRUCK, SWEPT]))
+    kind, ending = draw(st.sampled_from([("plot", "svg"), ("table", "csv"), ("image", "png")]))
+    keys = DEFINITIONS[f"outputs:{kind}{'-of-a-sweep' if scene is SWEPT else ''}"]["properties"]
+    output = {kind: f"f.{ending}"}
+    for key in draw(st.lists(st.sampled_from(sorted(set(keys) - {kind, "panels", "measured"})), max_size=3, unique=True)):
+        output[key] = draw(st.sampled_from(words_of(keys[key]) * 3 + WORDS))
+    return {**scene, "simulate": {"until": draw(st.sampled_from(["0.1 ms", "1 ms"]))}, "outputs": [output]}
+
+
+@given(asked())
+def what_a_plan_allows_is_made(scene):
+    with tempfile.TemporaryDirectory(dir=WORK.name) as folder:
+        with open(f"{folder}/scene.yaml", "w", encoding="utf-8") as file:
+            json.dump(scene, file)
+        command = [BEADSIM.replace("beadsim", "beadreel"), f"{folder}/scene.yaml", "-o", f"{folder}/out", "-q"]
+        plan, made = (subprocess.run([*command, *more], capture_output=True, text=True, check=False, timeout=120)
+                      for more in (["--plan"], []))
+        assert plan.returncode == made.returncode, (scene["outputs"], plan.stderr, made.stderr)
+
+
 def main():
     tests = [units_do_not_matter, forces_and_times_scale, mirrored_chains_are_alike, cells_may_be_written_twice,
              outputs_do_not_know_each_other, parts_make_the_whole, trajectories_say_it_again, coarse_samples_are_among_the_fine,
-             energy_and_momentum_are_kept, measures_scale_with_the_strike]
+             energy_and_momentum_are_kept, measures_scale_with_the_strike, what_a_plan_allows_is_made]
     how = settings(max_examples=CASES, derandomize=CASES <= 20, database=None, deadline=None,
                    suppress_health_check=list(HealthCheck))
     for test in tests:

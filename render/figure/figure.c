@@ -7,6 +7,7 @@
 #include "render/stage/magnify.h"
 #include "render/stage/stage_key.h"
 #include "render/view/orientation.h"
+#include "render/view/theory_line.h"
 #include "render/view/views.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
@@ -199,6 +200,8 @@ static enum bead_error figure_prepare(struct bead_figure *f, struct bead_message
     if (!err && f->at > f->context.end * (1 + 1e-9))
         err = bead_output_wrong(output, msg, "at: is %g; the run ends at %g", f->at, f->context.end);
     f->at = fmin(f->at, f->context.end);
+    for (size_t c = 0; c < f->context.chain_count && output->shown.theory && !err; c++)
+        err = bead_theory_line_check(output, f->context.chains[c], msg);
     if (!err)
         err = bead_colour_range_map(output, f->context.chains[0], f->look.dark, false, &f->map, msg);
     if (!err && bead_colour_range_rest(f->context.chains, f->context.chain_count, output->shown.field) > 0)

@@ -178,9 +178,9 @@ static const char *panels_painter(const struct bead_still *s)
 
 static bool panels_look_at_beads(const struct bead_output *output)
 {
-    bool any = output->still.panel_count == 0 && bead_figure_looks_at_beads(output);
+    bool any = output->still.panel_count == 0 && (bead_figure_looks_at_beads(output) || output->shown.theory);
     for (size_t p = 0; p < output->still.panel_count; p++)
-        any = any || bead_figure_looks_at_beads(&output->still.panels[p]);
+        any = any || bead_figure_looks_at_beads(&output->still.panels[p]) || output->still.panels[p].shown.theory;
     return any;
 }
 

@@ -23,10 +23,15 @@ static bool plot_wanted(const struct bead_output *output)
     return output->views.count == 0;
 }
 
-/* Drawings read the beads, to see whether they fit. */
 static bool is_drawing(const struct bead_output *output)
 {
     return bead_schematic_is(output->curves.show);
+}
+
+/* Drawings read the beads, to see whether they fit, and theories, whether they are alike. */
+static bool plot_looks_at_beads(const struct bead_output *output)
+{
+    return is_drawing(output) || output->shown.theory;
 }
 
 static void plot_destroy(struct bead_still *s)
@@ -68,7 +73,7 @@ static const struct bead_still_kind plot_still = {
     .size = sizeof(struct bead_still),
     .wanted = plot_wanted,
     .create = plot_create,
-    .looks_at_beads = is_drawing,
+    .looks_at_beads = plot_looks_at_beads,
     .needs = plot_needs,
     .feed = plot_feed,
     .write = plot_write,

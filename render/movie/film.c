@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "render/colour/colour_range.h"
+#include "render/view/theory_line.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/chain/system.h"
 
@@ -66,6 +67,8 @@ enum bead_error bead_film_prepare(const struct bead_output *output, const struct
                                .fields = bead_composer_fields(output, first),
                                .comparison = bead_composer_comparison(output, first)};
     BEAD_TRY(bead_colour_range_check(output, msg));
+    for (size_t c = 0; c < context->chain_count && output->shown.theory; c++)
+        BEAD_TRY(bead_theory_line_check(output, context->chains[c], msg));
     BEAD_TRY(find_size(output, &film->width, &film->height, msg));
     BEAD_TRY(bead_movie_times_choose(film, msg));
     BEAD_TRY(check_times(film, msg));

@@ -31,7 +31,7 @@ bool bead_film_looks_at_beads(const struct bead_output *output, const struct bea
     bool acts = isnan(output->movie.duration) && bead_views_any(&output->views, BEAD_ACTS);
     for (size_t c = 0; c < context->chain_count; c++)
         acts = acts && bead_chain_contacts(context->chains[c]) <= most_followed;
-    return acts;
+    return acts || output->shown.theory;
 }
 
 static double find_duration(const struct bead_film *film, const double time[2])

@@ -10,6 +10,7 @@
 #include "render/stage/along.h"
 #include "sim/base/memory.h"
 #include "sim/chain/chain_internal.h"
+#include "sim/kinds/output_kinds.h"
 #include "sim/measure/compacton.h"
 #include "sim/measure/measure.h"
 
@@ -21,30 +22,41 @@ struct bead_theory_line {
     double *before[2]; /* [end] N: forces of the last sample, and of the one before */
 };
 
+/* Contacts [*first, *end) whose pulses are compared with it: as many are behind the last bead shown as the wave is wide. */
+static void find_contacts(const struct bead_chain *chain, struct bead_span beads, size_t *first, size_t *end)
+{
+    const double last = (double)bead_chain_beads(chain) - 1 - ceil(bead_compacton_width(chain));
+    *first = beads.first > 1 ? beads.first : 1;
+    *end = (size_t)fmax(0, fmin(last, (double)beads.last));
+}
+
+enum bead_error bead_theory_line_check(const struct bead_output *output, const struct bead_chain *chain, struct bead_message *msg)
+{
+    const struct bead_chain_spec *spec = bead_chain_spec(chain);
+    size_t first, end;
+    if (!bead_compacton_is_of(chain) && !bead_compacton_of_dimers(chain))
+        return bead_output_wrong(
+            output, msg,
+            "theory: there is one for equal Hertzian beads, or two kinds in turn, without precompression, tilt, gaps or springs");
+    if (!(spec->striker_velocity > 0) || spec->start_count > 0 || spec->drive.displacement || spec->drive.force)
+        return bead_output_wrong(output, msg, "theory: the line is that of a striker's wave, which moves alone at first");
+    find_contacts(chain, output->shown.beads, &first, &end);
+    return end > first
+               ? BEAD_OK
+               : bead_output_wrong(output, msg,
+                                   "theory: too few beads are shown; the wave is %.0f contacts wide and ends before the last",
+                                   bead_compacton_width(chain));
+}
+
 enum bead_error bead_theory_line_create(const struct bead_view_setup *setup, struct bead_theory_line **line,
                                         struct bead_message *msg)
 {
-    const struct bead_chain *chain = setup->chain;
-    const struct bead_chain_spec *spec = bead_chain_spec(chain);
-    *line = NULL;
-    if (!bead_compacton_is_of(chain) && !bead_compacton_of_dimers(chain))
-        return bead_fail(
-            msg, BEAD_ERROR_UNSUPPORTED,
-            "theory: there is one for equal Hertzian beads, or two kinds in turn, without precompression, tilt, gaps or springs");
-    if (!(spec->striker_velocity > 0) || spec->start_count > 0 || spec->drive.displacement || spec->drive.force)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED, "theory: the line is that of a striker's wave, which moves alone at first");
     BEAD_TRY(bead_new(line, 1, msg, "a line of theory"));
-    const double end = (double)bead_chain_beads(chain) - 1 - ceil(bead_compacton_width(chain));
     struct bead_theory_line *l = *line;
     l->setup = *setup;
-    l->first = setup->beads.first > 1 ? setup->beads.first : 1;
-    l->end = (size_t)fmax(0, fmin(end, (double)setup->beads.last));
+    find_contacts(setup->chain, setup->beads, &l->first, &l->end);
     l->next = SIZE_MAX;
-    if (l->end <= l->first)
-        return bead_fail(msg, BEAD_ERROR_UNSUPPORTED,
-                         "theory: too few beads are shown; the wave is %.0f contacts wide and ends before the last",
-                         bead_compacton_width(chain));
-    BEAD_TRY(bead_new(&l->peak, 3 * l->end, msg, "a line of theory"));
+    BEAD_TRY(bead_new(&l->peak, 3 * l->end + 1, msg, "a line of theory"));
     l->before[0] = l->peak + l->end;
     l->before[1] = l->before[0] + l->end;
     return BEAD_OK;

@@ -9,7 +9,10 @@
 
 struct bead_theory_line;
 
-/* Errors: UNSUPPORTED (the chain has no such wave), MEMORY. */
+/* Errors: SCENE, with the output's place (the chain has no such wave, or shows too few beads). */
+BEAD_CHECK enum bead_error bead_theory_line_check(const struct bead_output *output, const struct bead_chain *chain,
+                                                  struct bead_message *msg);
+/* Of a chain that has passed the check. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_theory_line_create(const struct bead_view_setup *setup, struct bead_theory_line **line,
                                                    struct bead_message *msg);
 void bead_theory_line_destroy(struct bead_theory_line *line);

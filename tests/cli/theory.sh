@@ -5,7 +5,7 @@
 source "$(dirname "$0")/../shell.bash"
 cd "$T" || exit 1
 near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {d = a / b - 1; exit !(a != "" && (d < 0 ? -d : d) <= t)}' || { echo "$1 is not $2 to $3"; return 1; }; }
-refused() { "$beadreel" "$@" >out 2>&1; [ $? -eq 1 ] && grep -q 'theory: ' out; }
+refused() { fails 2 "$beadreel" "$@" --plan && says ': theory: '; }
 scene() { # BEADS MASS, of the second material
     cat <<YAML
 materials: {one: {radius: 0.5 m, mass: 1 kg, modulus: 1 GPa, poisson: 0}, two: {radius: 0.5 m, mass: $2 kg, modulus: 1 GPa, poisson: 0}}
