@@ -35,7 +35,7 @@ double plot_spectral_reach(const struct bead_output *output, const struct bead_s
         return beyond * plot_spectral_top(medium);
     for (size_t i = 0; i < spectral->columns * spectral->rows; i++)
         high = spectral->values[i] > some ? fmax(high, (double)(i % spectral->rows) * spectral->step) : high;
-    return high;
+    return high > 0 ? high : fmax(0, (double)spectral->rows - 1) * spectral->step; /* nothing but a mean */
 }
 
 enum bead_error plot_spectral_frequencies(const struct bead_output *output, double reach, double range[2], struct bead_message *msg)

@@ -119,6 +119,22 @@ static enum bead_error choose_grid(struct bead_spectra *s, struct bead_message *
     return BEAD_OK;
 }
 
+/* Samples of a segment; without one that is asked for, all. */
+static size_t segment_samples(const struct bead_spectra *s, size_t samples)
+{
+    const double asked = s->output->curves.segment;
+    return isfinite(asked) ? (size_t)fmin(1e15, round(asked / s->grid.every)) : samples;
+}
+
+static enum bead_error check_segment(const struct bead_spectra *s, size_t wanted, size_t samples, struct bead_message *msg)
+{
+    return wanted >= FEWEST && wanted <= samples
+               ? BEAD_OK
+               : bead_output_wrong(s->output, msg,
+                                   "segment: has %zu of %zu samples, every %g; must have %d or more, and no more than there are",
+                                   wanted, samples, s->grid.every, FEWEST);
+}
+
 static enum bead_error reserve(struct bead_spectra *s, struct bead_message *msg)
 {
     size_t places = 0;
@@ -127,9 +143,8 @@ static enum bead_error reserve(struct bead_spectra *s, struct bead_message *msg)
         places += s->chains[c].count;
     if (places == 0)
         return bead_output_wrong(s->output, msg, "show: there is no sensor to show; give a bead one, or say which `beads`");
-    if (s->samples < FEWEST && s->output->curves.show != BEAD_SHOW_SENSORS)
-        return bead_output_wrong(s->output, msg, "every: %g gives %zu sample%s; spectra need %d or more", s->grid.every, s->samples,
-                                 s->samples == 1 ? "" : "s", FEWEST);
+    if (s->output->curves.show != BEAD_SHOW_SENSORS)
+        BEAD_TRY(check_segment(s, segment_samples(s, s->samples), s->samples, msg));
     if (s->samples > MOST_VALUES / places)
         return bead_output_wrong(s->output, msg, "every: %g gives %zu samples of %zu curves; at most %d numbers are transformed",
                                  s->grid.every, s->samples, places, MOST_VALUES);
@@ -343,16 +358,12 @@ static enum bead_error balance(struct work *w, size_t *samples, struct bead_mess
 static enum bead_error choose_segments(struct work *w, size_t *points, struct bead_message *msg)
 {
     const struct bead_spectra *s = w->s;
-    const double asked = s->output->curves.segment;
     const bool film = s->output->curves.show == BEAD_SHOW_SPECTROGRAM;
     const size_t taken = w->curves->taken;
-    size_t wanted = isfinite(asked) ? (size_t)fmin(1e15, round(asked / s->grid.every)) : taken;
-    if (film && !isfinite(asked) && taken >= FEWEST)
+    size_t wanted = segment_samples(s, taken);
+    if (film && !isfinite(s->output->curves.segment) && taken >= FEWEST)
         BEAD_TRY(balance(w, &wanted, msg));
-    if (wanted < FEWEST || wanted > taken)
-        return bead_output_wrong(s->output, msg,
-                                 "segment: has %zu of %zu samples, every %g; must have %d or more, and no more than there are",
-                                 wanted, taken, s->grid.every, FEWEST);
+    BEAD_TRY(check_segment(s, wanted, taken, msg));
     *points = bead_transform_length(wanted);
     w->hop = film ? (*points + STEPS - 1) / STEPS : (*points + 1) / 2;
     w->segments = (taken - *points) / w->hop + 1;

@@ -103,6 +103,9 @@ loose() {
 printf '%s\n' 'chain: {beads: [{cell: [large-steel, aluminium], count: 8}]}' 'simulate: {until: 1 ms}' \
     'outputs: [{plot: loose.svg, show: dispersion, field: velocity, frequencies: [0 Hz, auto]}]' >loose.yaml
 ok "a chain that nothing presses has none, and waves all the same" loose
+ok "nor has one that stands still" "$beadreel" -q -o . loose.yaml --set 'chain.striker.velocity=0' --set chain.precompression=1N \
+    --set 'outputs=[{plot: still.svg, show: spectrogram, beads: 3, field: force}]'
+ok "... but all frequencies" grep -qF 'frequency (' still.svg
 { dimers 30; cat; } >gap.yaml <<'YAML'
   drive: {displacement: noise, amplitude: 10 pm, frequency: 12 kHz} # more would make waves in the gap from two in the bands
 simulate: {until: 40 ms, accuracy: 1e-8}
