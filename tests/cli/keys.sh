@@ -130,6 +130,7 @@ needs() { # SECTION KEY
     'outputs (plot): modes' | 'outputs (table): modes') scene=fput before=("outputs=[{$kind: $file, show: modes}]") ;;
     'outputs (plot): field' | 'outputs (table): field') before=("outputs=[{$kind: $file, show: profiles, at: [0]}]") ;;
     'outputs (plot of a sweep): theory') scene=over before=('outputs=[{plot: i.png, show: spreading}]' simulate.until=1ms) ;;
+    'outputs (image): theory' | 'outputs (movie): theory') before+=('chain.beads=[{bead: brass, count: 40}]') ;;
     'outputs (plot): theory') before=("outputs=[{plot: i.png, show: profiles, at: [0], field: contact-force}]") ;;
     'outputs (plot): at' | 'outputs (table): at') before=("outputs=[{$kind: $file, show: profiles, at: [0]}]") ;;
     'outputs (plot): window' | 'outputs (plot): segment' | 'outputs (plot): frequencies' | 'outputs (table): window' | 'outputs (table): segment' | 'outputs (table): frequencies')

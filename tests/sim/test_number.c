@@ -229,7 +229,7 @@ static void turns_are_closed(void **state)
                                                 RLI RLE RLO PDI,
                                                 RLI RLI RLE PDI PDI,
                                                 "\u2066\u202a\u202d" PDF PDF PDI,
-                                                "\u2068" PDI,
+                                                ("\u2068" PDI),
                                                 "\u2028"};
     for (size_t i = 0; i < sizeof open / sizeof *open; i++)
         assert_true(bead_text_turns(open[i]));
