@@ -62,13 +62,13 @@ static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_messag
     return tell_place(job, bead_graph_draw(&job->graph, &job->look, cr, job->page.width, job->page.height, &why), &why, msg);
 }
 
-/* Ends that are not known yet: numbers as narrow as any, in order. */
+/* Ends that are not known yet: numbers of one digit, or like the end that is known. */
 static void assume_ends(struct bead_graph_axis *axis)
 {
     if (isnan(axis->low))
-        axis->low = isnan(axis->high) ? 1 : axis->high > 0 ? axis->high / 2 : axis->high - 1;
+        axis->low = isnan(axis->high) ? 1 : axis->high > 0 ? axis->high / 9 : axis->high - 8;
     if (isnan(axis->high))
-        axis->high = axis->low > 0 ? 2 * axis->low : axis->low + 1;
+        axis->high = axis->low > 0 ? 9 * axis->low : axis->low + 8;
 }
 
 enum bead_error bead_graph_check(const struct bead_graph *graph, const struct bead_output *output, const struct bead_scene *scene,
