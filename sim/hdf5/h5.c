@@ -2,6 +2,7 @@
 /* HDF5 files, errors and attributes: see h5.h. h5_series.c writes growing datasets, h5_open.c opens files, h5_read.c
  * reads. */
 #include "sim/base/file.h"
+#include "sim/base/memory.h"
 #include "sim/hdf5/h5_private.h"
 
 #include <errno.h>
@@ -83,10 +84,15 @@ static bool take_file(struct bead_h5 *h5)
     return !h5->error;
 }
 
+/* HDF5 crashes where the cache of a file cannot be allocated: it has a table of 65536 pointers, and half a dozen lists. */
+static const uint64_t cache_room = 8 << 20;
+
 bool bead_h5_load_for(struct bead_h5 *h5)
 {
     struct bead_message why;
     enum bead_error err = bead_h5_load(&why);
+    if (!err && !bead_memory_room(cache_room))
+        err = bead_fail(&why, BEAD_ERROR_MEMORY, "too few addresses are free for HDF5 (ulimit -v)");
     if (err)
         h5->error = bead_fail(h5->msg, err, "%s: %s", h5->path, why.text);
     return !err;
