@@ -38,7 +38,7 @@ int bead_magnetism_decimals(const struct bead_chain *const *chains, size_t count
 
 /* Plain text: "brass wall", "rigid wall". */
 void bead_wall_name(const struct bead_chain *chain, char *out, size_t size);
-/* Plain text: "driven from 1 kHz to 20 kHz", "striker 0.5 m/s"; "" if neither moves the chain. */
+/* Plain text: "driven from 1.00 kHz to 20.0 kHz", "striker 0.5 m/s"; "" if neither moves the chain. */
 void bead_mover_name(const struct bead_chain *chain, char *out, size_t size);
 
 /* Numbers and units as people write them. */

@@ -3,6 +3,7 @@
  * height, and those of a column the same left border. */
 
 #include "render/figure/panels_private.h"
+#include "sim/kinds/output_kinds.h"
 
 /* In units of the label's font size. */
 static const double between_columns = 1.1, between_rows = 0.9;
@@ -145,9 +146,7 @@ static enum bead_error put_plot(struct bead_still *s, struct still_panel *panel,
         y->high = isnan(y->high) ? ends[1] : y->high;
     }
     enum bead_error err = graph_layout_make(&graph, &s->look, panel->area.width, panel->area.height, &frame, &layout, &why);
-    if (err)
-        return err == BEAD_ERROR_SCENE ? bead_output_wrong(panel->output, msg, "%.600s", why.text)
-                                       : bead_fail(msg, err, "%s", why.text);
+    BEAD_TRY(bead_output_tell(panel->output, err, &why, msg));
     panel->insets = bead_layout_insets(&layout.grid, (struct bead_rect){0, 0, panel->area.width, panel->area.height});
     graph_layout_free(&layout);
     return BEAD_OK;

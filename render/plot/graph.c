@@ -6,6 +6,7 @@
 #include "render/encode/page.h"
 #include "render/plot/graph_private.h"
 #include "sim/base/memory.h"
+#include "sim/kinds/output_kinds.h"
 
 enum bead_error bead_graph_draw(const struct bead_graph *graph, const struct bead_look *look, cairo_t *cr, double width,
                                 double height, struct bead_message *msg)
@@ -46,20 +47,12 @@ static enum bead_error prepare(const struct bead_graph *graph, const struct bead
     return BEAD_OK;
 }
 
-/* Adds the place of the output to what is wrong with it. */
-static enum bead_error tell_place(const struct job *job, enum bead_error err, const struct bead_message *why,
-                                  struct bead_message *msg)
-{
-    if (err == BEAD_ERROR_SCENE)
-        return bead_output_wrong(job->output, msg, "%.600s", why->text);
-    return err ? bead_fail(msg, err, "%s", why->text) : BEAD_OK;
-}
-
 static enum bead_error graph_draw(void *context, cairo_t *cr, struct bead_message *msg)
 {
     const struct job *job = context;
     struct bead_message why = {""};
-    return tell_place(job, bead_graph_draw(&job->graph, &job->look, cr, job->page.width, job->page.height, &why), &why, msg);
+    return bead_output_tell(job->output, bead_graph_draw(&job->graph, &job->look, cr, job->page.width, job->page.height, &why),
+                            &why, msg);
 }
 
 /* Ends that are not known yet: numbers of one digit, or like the end that is known. */
@@ -89,7 +82,7 @@ enum bead_error bead_graph_check(const struct bead_graph *graph, const struct be
     const enum bead_error err = graph_layout_make(&job.graph, &job.look, job.page.width, job.page.height, NULL, &layout, &why);
     if (!err)
         graph_layout_free(&layout);
-    return tell_place(&job, err, &why, msg);
+    return bead_output_tell(output, err, &why, msg);
 }
 
 /* Text without its markup. */

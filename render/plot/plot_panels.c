@@ -148,9 +148,20 @@ enum bead_error sweep_page_reserve(struct sweep_page *page, size_t panels, struc
     return plot_new(&page->store, &page->panels, panels, msg);
 }
 
+static struct bead_graph graph_of(const struct sweep_page *page)
+{
+    return (struct bead_graph){
+        .panels = page->panels, .panel_count = page->count, .letters = true, .share_x = !page->apart, .share_y = !page->apart};
+}
+
+enum bead_error sweep_page_check(const struct sweep_page *page, struct bead_message *msg)
+{
+    const struct bead_graph graph = graph_of(page);
+    return bead_graph_check(&graph, page->output, bead_sweep_scene(page->context->sweep), msg);
+}
+
 enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg)
 {
-    const struct bead_graph graph = {
-        .panels = page->panels, .panel_count = page->count, .letters = true, .share_x = !page->apart, .share_y = !page->apart};
+    const struct bead_graph graph = graph_of(page);
     return bead_graph_write(&graph, page->output, bead_sweep_scene(page->context->sweep), page->path, page->bytes, msg);
 }

@@ -428,20 +428,19 @@ static enum bead_error check_plot(const struct bead_output *output, const struct
                                   struct bead_message *msg)
 {
     const struct bead_sweep_curves_asked *asked = &output->sweep_curves;
-    const bool decay = asked->show == BEAD_SWEEP_DECAY,
-               own = asked->show == BEAD_SWEEP_SPREADING || bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT || *asked->measure;
+    const bool decay = asked->show == BEAD_SWEEP_DECAY;
     sweep_plot *const plot = plot_of(output, context->sweep);
-    const size_t panels = plot == write_spins ? bead_sweep_panels(context->sweep) * (decay ? DECAY_PANELS : 1)
-                          : own               ? 1
-                                              : bead_sweep_panel(context->sweep, 0)->places;
-    BEAD_FREED struct bead_panel *empty = NULL;
-    BEAD_TRY(bead_new(&empty, panels, msg, "a plot"));
-    for (size_t i = 0; i < panels; i++) {
-        empty[i].x = (struct bead_graph_axis){.title = "", .unit = "", .low = NAN, .high = NAN};
-        empty[i].y = empty[i].x;
-    }
-    const struct bead_graph graph = {.panels = empty, .panel_count = panels, .share_x = !decay, .share_y = !decay};
-    return bead_graph_check(&graph, output, bead_sweep_scene(context->sweep), msg);
+    const size_t panels = plot == write_spins          ? bead_sweep_panels(context->sweep) * (decay ? DECAY_PANELS : 1)
+                          : bead_sweep_runs_own(asked) ? 1
+                                                       : bead_sweep_panel(context->sweep, 0)->places;
+    struct sweep_page page = {.output = output, .context = context, .apart = decay};
+    enum bead_error err = sweep_page_reserve(&page, panels, msg);
+    for (size_t i = 0; i < panels && !err; i++)
+        page.panels[i].x = page.panels[i].y = (struct bead_graph_axis){.title = "", .unit = "", .low = NAN, .high = NAN};
+    if (!err)
+        err = sweep_page_check(&page, msg);
+    plot_store_free(&page.store);
+    return err;
 }
 
 static const char *sweep_plot_why(const struct bead_output *output)

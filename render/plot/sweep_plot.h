@@ -20,6 +20,8 @@ struct sweep_page {
 
 /* Allocates panels. Errors: MEMORY. */
 BEAD_CHECK enum bead_error sweep_page_reserve(struct sweep_page *page, size_t panels, struct bead_message *msg);
+/* Would they have room? Errors: those of bead_graph_check. */
+BEAD_CHECK enum bead_error sweep_page_check(const struct sweep_page *page, struct bead_message *msg);
 /* Writes them. Errors: those of bead_graph_write. */
 BEAD_CHECK enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg);
 

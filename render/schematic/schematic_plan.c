@@ -63,16 +63,15 @@ double bead_plan_guide(const struct bead_plan_row *row, double x)
  * and its height above the guide. */
 static void place_striker(const struct bead_plan *plan, struct bead_plan_row *row, double *width, double *top)
 {
+    const double r = row->striker_r = plan->scale * bead_chain_radius(row->chain)[0];
     if (row->level) {
-        row->striker_r = plan->scale * bead_chain_radius(row->chain)[0];
-        row->striker_x = row->first_x - row->striker_r;
+        row->striker_x = row->first_x - r;
         row->striker_y = row->guide_y - plan->scale * row->largest;
-        *width = 2 * row->striker_r;
+        *width = 2 * r;
         *top = 2 * plan->scale * row->largest;
         return;
     }
     double angle = atan(BEAD_PLAN_ANGLE_PERCENT / 100.0), em = plan->em;
-    double r = row->striker_r = plan->scale * bead_chain_radius(row->chain)[0];
     double along = (r * (1 + sin(angle)) + 0.5 * em) / cos(angle);
     *width = fmax((along + r + 0.6 * em) * cos(angle) + 0.2 * em, 2.3 * em);
     row->foot_y = row->guide_y - fmax(plan->scale * row->largest - r, 0);

@@ -12,7 +12,8 @@ enum { REACH = 8, REACH_OF_FADED = 2, VECTOR = 8 };
 static const double faded = 1e-9;
 /* Steps between updates of the largest r. */
 enum { LOOK_EVERY = 16 };
-/* h^2 K/m up to which a contact has no stiffness, and the part of the chain's speed up to which a bead is at rest. */
+/* h^2 K/m up to which a contact has no stiffness, and the part of the chain's speed up to which a bead is at
+ * rest: ahead of a front it is 0, but for what is below all rounding. */
 static const double no_stiffness = 1e-30, at_rest = 1e-20;
 
 /* A force on its way back. Beads outside low..high - 1 have r = r' = 0. */

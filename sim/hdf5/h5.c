@@ -84,7 +84,8 @@ static bool take_file(struct bead_h5 *h5)
     return !h5->error;
 }
 
-/* HDF5 crashes where the cache of a file cannot be allocated: it has a table of 65536 pointers, and half a dozen lists. */
+/* HDF5 crashes where the cache of a file cannot be allocated: it has a table of 65536 pointers, and half a dozen lists.
+ * Chosen, sixteen times the table; with it no run of 60 at the limit of addresses at which two of five did crashed. */
 static const uint64_t cache_room = 8 << 20;
 
 bool bead_h5_load_for(struct bead_h5 *h5)

@@ -80,6 +80,11 @@ struct bead_show_type {
 BEAD_INTERNAL const struct bead_show_type *bead_show_type(enum bead_show show);
 /* The `show` of a single run that curves of a sweep's chains correspond to; BEAD_SHOW_COUNT: there is none. */
 BEAD_INTERNAL enum bead_show bead_sweep_lines(enum bead_sweep_show show);
+/* Does an output of a sweep show numbers from chains that run for it, instead of peaks? */
+BEAD_INTERNAL bool bead_sweep_runs_own(const struct bead_sweep_curves_asked *asked);
+/* Passes on an error of what knows no scene: SCENE with the place in the output that `why` begins with. */
+BEAD_INTERNAL BEAD_CHECK enum bead_error bead_output_tell(const struct bead_output *output, enum bead_error err,
+                                                          const struct bead_message *why, struct bead_message *msg);
 /* The row of the output's `show`; NULL: its kind has no such key. */
 const struct bead_show_type *bead_output_show(const struct bead_output *output);
 

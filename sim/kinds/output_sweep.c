@@ -47,6 +47,12 @@ enum bead_show bead_sweep_lines(enum bead_sweep_show show)
     return show >= BEAD_SWEEP_SENSORS ? lines[show] : BEAD_SHOW_COUNT;
 }
 
+bool bead_sweep_runs_own(const struct bead_sweep_curves_asked *asked)
+{
+    return asked->show == BEAD_SWEEP_SPREADING || bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT ||
+           (asked->measure && *asked->measure);
+}
+
 /* Curves of chains: of one sweep over keys. */
 static BEAD_OUTPUT_CHECK(check_lines)
 {

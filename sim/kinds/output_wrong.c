@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/kinds/output_kinds.h"
 #include "sim/yaml/yaml.h"
 
 /* The value that `path` leads to, "captions.1.at"; as far as there is one. */
@@ -36,4 +37,12 @@ enum bead_error bead_output_wrong(const struct bead_output *output, struct bead_
     const struct bead_node *node = find(output->node, key);
     return bead_fail(msg, BEAD_ERROR_SCENE, "%s:%zu:%zu: %s", node->origin ? node->origin : output->file, node->place.line,
                      node->place.column, text);
+}
+
+enum bead_error bead_output_tell(const struct bead_output *output, enum bead_error err, const struct bead_message *why,
+                                 struct bead_message *msg)
+{
+    if (err == BEAD_ERROR_SCENE)
+        return bead_output_wrong(output, msg, "%.600s", why->text);
+    return err ? bead_fail(msg, err, "%s", why->text) : BEAD_OK;
 }

@@ -335,7 +335,9 @@ static enum bead_error read_extent(const struct bead_reader *reader, const struc
     char pair[200] = "[a, b], both ";
     bead_option_allowed(option, pair + strlen(pair), sizeof pair - strlen(pair));
     BEAD_TRY(bead_read_pair(reader, at, option, pair, value));
-    return value[0] >= value[1] ? bead_wrong(reader, at, "is [%g, %g]; the first must be before the second", value[0], value[1])
+    const char *unit = option->unit && !(option->of_motion && reader->without_units) ? option->unit : "";
+    return value[0] >= value[1] ? bead_wrong(reader, at, "is [%g, %g]%s%s; the first must be before the second", value[0], value[1],
+                                             *unit ? " " : "", unit)
                                 : BEAD_OK;
 }
 

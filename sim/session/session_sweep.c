@@ -86,20 +86,13 @@ enum bead_error bead_session_open_sweep_file(struct bead_session *s, struct bead
 
 /* ---- running ---- */
 
-/* Does the output show numbers from chains that it runs, instead of peaks? */
-static bool runs_own(const struct bead_made *made)
-{
-    const struct bead_sweep_curves_asked *curves = &made->output->sweep_curves;
-    return curves->show == BEAD_SWEEP_SPREADING || bead_sweep_lines(curves->show) != BEAD_SHOW_COUNT ||
-           (curves->measure && *curves->measure);
-}
-
 /* Does an output show results of the sweep? Sheets run their chains themselves. */
 static bool needs_results(const struct bead_session *s)
 {
     bool needs = false;
     for (size_t i = 0; i < s->made_count; i++)
-        needs = needs || (bead_session_makes(&s->made[i]) && !s->made[i].type->without_results && !runs_own(&s->made[i]));
+        needs = needs || (bead_session_makes(&s->made[i]) && !s->made[i].type->without_results &&
+                          !bead_sweep_runs_own(&s->made[i].output->sweep_curves));
     return needs;
 }
 
@@ -108,7 +101,8 @@ static bool runs_chains(const struct bead_session *s)
 {
     bool runs = false;
     for (size_t i = 0; i < s->made_count; i++)
-        runs = runs || (bead_session_makes(&s->made[i]) && (s->made[i].type->runs_chains || runs_own(&s->made[i])));
+        runs = runs || (bead_session_makes(&s->made[i]) &&
+                        (s->made[i].type->runs_chains || bead_sweep_runs_own(&s->made[i].output->sweep_curves)));
     return runs;
 }
 

@@ -53,7 +53,7 @@ static const struct {
     {two, "report: a.html, beads: [8, 10]", "beads: some chains have fewer beads"},
     {one, "report: a.html, every: 1 ms", "every: a report needs two samples or more"},
     {sensor, "plot: a.png, show: spectrum, frequencies: [2 kHz, 1 kHz]",
-     "frequencies: is [2000, 1000]; the first must be before the second"},
+     "frequencies: is [2000, 1000] Hz; the first must be before the second"},
     {sensor, "plot: a.png, show: profiles, theory: true, at: [0.05 ms], field: velocity",
      "theory: there is one for `field: contact-force` of equal Hertzian beads, without precompression, tilt, gaps or springs"},
 };
