@@ -7,7 +7,7 @@
 #include "render/draw/words.h"
 #include "render/plot/sweep_plot.h"
 #include "sim/sweep/sweep_internal.h"
-#include "sim/sweep/sweep_spreading.h"
+#include "sim/sweep/sweep_lines.h"
 
 /* Three curves, two fitted power laws, and two of theory, of two points each. */
 enum { LAWS = 4, SERIES = BEAD_SPREADING_NUMBERS + LAWS, LAW = 4 };
@@ -87,7 +87,7 @@ static enum bead_error plot_spreading_feed(struct bead_plot_data *data, const st
     struct plot_panel *part = plot_times_take(data, sample);
     if (!part)
         return BEAD_OK;
-    bead_spreading_feed(&data->spreading[part - data->parts], sample, bead_chain_beads(data->context.chains[part->chain]), numbers);
+    bead_spreading_feed(&data->spreading[part - data->parts], sample, numbers);
     plot_times_add(data, part, numbers);
     return BEAD_OK;
 }
@@ -124,37 +124,42 @@ struct means {
     double law[LAWS][LAW];
 };
 
-static void fill(const struct bead_sweep_spreads *spreads, size_t k, const struct bead_output *output, struct means *m,
+static void fill(const struct bead_sweep_line *line, const double *time, const struct bead_output *output, struct means *m,
                  struct bead_panel *panel)
 {
-    const struct bead_sweep_spread *s = &spreads->of[k];
+    const size_t rows = line->mean.rows, laws = bead_sweep_line_law(line, 0);
+    const double *mean = line->mean.values;
     size_t used = 0;
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
         struct bead_exponent e = {NAN, NAN, NAN};
         if (n != BEAD_FRONT)
-            e = (struct bead_exponent){s->exponent[n].mean, s->exponent[n].standard_error, s->offset[n]};
-        used += add(&m->series[used], &m->labels[used], n, spreads->time, s->mean[n], spreads->times, &e, m->law[n % 2]);
+            e = (struct bead_exponent){mean[laws + (size_t)n], line->error[laws + (size_t)n], mean[laws + BEAD_LAWS + (size_t)n]};
+        used += add(&m->series[used], &m->labels[used], n, time, mean + (size_t)n * rows, rows, &e, m->law[n % 2]);
     }
     if (output->shown.theory)
         used += add_theory(&m->series[used], m->law[BEAD_SECOND_MOMENT], m->law + 2);
-    bead_markup_quote(s->name, m->title, sizeof m->title);
+    bead_markup_quote(line->name, m->title, sizeof m->title);
     *panel = (struct bead_panel){.title = *m->title ? m->title : NULL, .series = m->series, .series_count = used};
     set_axes(panel, "s", output->plot.range);
 }
 
 enum bead_error bead_spreading_plot_write(struct sweep_page *page, struct bead_message *msg)
 {
-    struct bead_sweep_spreads spreads;
+    struct bead_sweep_lines lines;
     struct means *means = NULL;
-    enum bead_error err = bead_sweep_spreads_find(page->context->sweep, page->context->sweep_settings, false, &spreads, msg);
+    double time[BEAD_SWEEP_TIMES];
+    enum bead_error err =
+        bead_sweep_lines_find(page->context->sweep, page->output, page->context->sweep_settings, false, &lines, msg);
     if (!err)
-        err = sweep_page_reserve(page, spreads.count, msg);
+        err = sweep_page_reserve(page, lines.count, msg);
     if (!err)
-        err = plot_new(&page->store, &means, spreads.count, msg);
-    for (size_t k = 0; k < spreads.count && !err; k++)
-        fill(&spreads, k, page->output, &means[k], &page->panels[k]);
+        err = plot_new(&page->store, &means, lines.count, msg);
+    for (size_t i = 0; i < BEAD_SWEEP_TIMES && !err; i++)
+        time[i] = bead_grid_time(&lines.grid, i);
+    for (size_t k = 0; k < lines.count && !err; k++)
+        fill(&lines.of[k], time, page->output, &means[k], &page->panels[k]);
     if (!err)
         err = sweep_page_write(page, msg);
-    bead_sweep_spreads_free(&spreads);
+    bead_sweep_lines_free(&lines);
     return err;
 }

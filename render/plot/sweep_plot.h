@@ -26,7 +26,7 @@ BEAD_CHECK enum bead_error sweep_page_check(const struct sweep_page *page, struc
 BEAD_CHECK enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg);
 
 /* Each fills and writes a page: a plot over keys; the spread of energy, or curves, of chains, which it runs; a plane of two
- * quantities. Errors: USAGE, MEMORY, those of bead_sweep_spreads_find, bead_sweep_lines_find and bead_graph_write. */
+ * quantities. Errors: USAGE, MEMORY, those of bead_sweep_lines_find and bead_graph_write. */
 typedef enum bead_error sweep_plot(struct sweep_page *page, struct bead_message *msg);
 sweep_plot bead_over_plot_write, bead_spreading_plot_write, bead_lines_plot_write, bead_plane_plot_write;
 

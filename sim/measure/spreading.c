@@ -18,7 +18,8 @@ enum bead_error bead_spreading_begin(struct bead_spreading *s, const struct bead
 {
     const struct bead_chain_spec *spec = bead_chain_spec(chain);
     const bool struck = spec->start_count == 0 || spec->striker_velocity != 0;
-    *s = (struct bead_spreading){.room = times, .origin = struck ? 0 : spec->starts[spec->start_count / 2].bead};
+    *s = (struct bead_spreading){
+        .room = times, .beads = bead_chain_beads(chain), .origin = struck ? 0 : spec->starts[spec->start_count / 2].bead};
     for (int i = 0; i < 3; i++)
         BEAD_TRY(bead_new(&s->log[i], times, msg, "the spreading of %zu times", times));
     return BEAD_OK;
@@ -58,11 +59,10 @@ struct bead_exponent bead_spreading_exponent(const struct bead_spreading *s, int
     return (struct bead_exponent){slope, sqrt(rest / (n - 2) / sxx), my - slope * mx};
 }
 
-void bead_spreading_feed(struct bead_spreading *s, const struct bead_sample *sample, size_t beads,
-                         double numbers[BEAD_SPREADING_NUMBERS])
+void bead_spreading_feed(struct bead_spreading *s, const struct bead_sample *sample, double numbers[BEAD_SPREADING_NUMBERS])
 {
     const double *e = sample->field[BEAD_FIELD_ENERGY], origin = (double)s->origin;
-    const size_t count = sample->active < beads ? sample->active : beads;
+    const size_t count = sample->active < s->beads ? sample->active : s->beads;
     double all = 0, squares = 0, moment = 0, front = 0;
     for (size_t n = 0; n < count; n++) {
         all += e[n];

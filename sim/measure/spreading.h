@@ -18,7 +18,7 @@ enum { BEAD_SECOND_MOMENT, BEAD_PARTICIPATION, BEAD_FRONT, BEAD_SPREADING_NUMBER
 /* Logarithms of time, second moment and participation, of one chain. */
 struct bead_spreading {
     double *log[3];
-    size_t count, room;
+    size_t count, room, beads;
     size_t origin; /* the excited bead: the middle one of those that do not start at rest, or the striker */
 };
 struct bead_exponent {
@@ -30,8 +30,8 @@ struct bead_exponent {
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_spreading_begin(struct bead_spreading *spreading, const struct bead_chain *chain,
                                                               size_t times, struct bead_message *msg);
 BEAD_INTERNAL void bead_spreading_free(struct bead_spreading *spreading);
-/* A sample with energies of all `beads`: second moment, participation (beads) and front. */
-BEAD_INTERNAL void bead_spreading_feed(struct bead_spreading *spreading, const struct bead_sample *sample, size_t beads,
+/* A sample with energies of all beads: second moment, participation (beads) and front. */
+BEAD_INTERNAL void bead_spreading_feed(struct bead_spreading *spreading, const struct bead_sample *sample,
                                        double numbers[BEAD_SPREADING_NUMBERS]);
 /* The exponent of the second moment or of the participation, at the last sample; NaN with fewer than 8 samples in the window. */
 BEAD_INTERNAL struct bead_exponent bead_spreading_exponent(const struct bead_spreading *spreading, int of);

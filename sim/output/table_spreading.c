@@ -73,7 +73,7 @@ static enum bead_error spreading_sample(struct bead_sink *sink, const struct bea
     struct column *columns = &sink->columns[sample->chain * NUMBERS];
     double numbers[NUMBERS], errors[EXPONENTS];
     const size_t before = s->count;
-    bead_spreading_feed(s, sample, bead_chain_beads(sink->context.chains[sample->chain]), numbers);
+    bead_spreading_feed(s, sample, numbers);
     for (int i = 0; i < EXPONENTS; i++) {
         const struct bead_exponent e = s->count > before ? bead_spreading_exponent(s, i) : (struct bead_exponent){NAN, NAN, NAN};
         numbers[BEAD_SPREADING_NUMBERS + i] = e.slope;

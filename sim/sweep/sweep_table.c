@@ -12,7 +12,6 @@
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_lines.h"
-#include "sim/sweep/sweep_spreading.h"
 
 /* A table being written. */
 struct out {
@@ -326,42 +325,6 @@ static enum bead_error write_statistics(const struct out *o, struct bead_message
     return err;
 }
 
-static enum bead_error write_spreading(const struct out *o, struct bead_message *msg)
-{
-    struct bead_sweep_spreads spreads;
-    enum bead_error err = bead_sweep_spreads_find(o->sweep, o->settings, o->output->curves.uncertainty, &spreads, msg);
-    if (!err)
-        fputs("time_s,curve,configurations,second_moment,second_moment_error,participation,participation_error,front,front_error,"
-              "gamma,gamma_error,eta,eta_error,fit_from_s,fit_to_s,second_moment_uncertainty,participation_uncertainty,"
-              "front_uncertainty,gamma_uncertainty,eta_uncertainty\n",
-              o->file);
-    for (size_t k = 0; k < spreads.count && !err; k++) {
-        const struct bead_sweep_spread *s = &spreads.of[k];
-        const double end = spreads.time[spreads.times - 1],
-                     fits[] = {s->exponent[0].mean,           s->exponent[0].standard_error, s->exponent[1].mean,
-                               s->exponent[1].standard_error, BEAD_SPREADING_WINDOW * end,   end};
-        for (size_t i = 0; i < spreads.times; i++) {
-            bead_write_number(o->file, spreads.time[i]);
-            fputc(',', o->file);
-            bead_table_text(o->file, s->name);
-            fprintf(o->file, ",%zu", s->chains);
-            for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-                bead_table_known(o->file, s->mean[n][i]);
-                bead_table_known(o->file, s->error[n][i]);
-            }
-            for (size_t n = 0; n < sizeof fits / sizeof *fits; n++)
-                bead_table_known(o->file, fits[n]);
-            for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++)
-                bead_table_known_uncertainty(o->file, s->uncertainty[n][i]);
-            for (int n = 0; n < 2; n++)
-                bead_table_known_uncertainty(o->file, s->of_exponent[n]);
-            fputc('\n', o->file);
-        }
-    }
-    bead_sweep_spreads_free(&spreads);
-    return err;
-}
-
 static enum bead_error write_lines(const struct out *o, struct bead_message *msg)
 {
     return bead_sweep_lines_write(o->file, o->sweep, o->output, o->settings, msg);
@@ -395,7 +358,7 @@ static const struct kind *kind_of(const struct bead_output *output)
 static const struct kind over_kinds[] = {
     {BEAD_SWEEP_MAGNETISM, "peak forces against a key, averaged over seeds", true, write_statistics},
     {BEAD_SWEEP_CONFIGURATIONS, "peak force and values of the keys of every chain", true, write_every_point},
-    {BEAD_SWEEP_SPREADING, "how far energy has spread, averaged over seeds", false, write_spreading},
+    {BEAD_SWEEP_SPREADING, "how far energy has spread, averaged over seeds", false, write_lines},
     {BEAD_SWEEP_SENSORS, "curves of chains, averaged over seeds", false, write_lines}};
 
 static const struct kind *kind_for(const struct bead_sweep *sweep, const struct bead_output *output)

@@ -58,7 +58,7 @@ static void write_line(FILE *file, const struct bead_sweep_lines *lines, const s
             bead_table_known(file, line->error[p * line->mean.rows + k]);
         }
         for (size_t p = 0; line->uncertainty && p < line->mean.columns; p++)
-            bead_table_known_uncertainty(file, line->uncertainty[p]);
+            bead_table_known_uncertainty(file, line->uncertainty[p * line->mean.rows + k]);
         fputc('\n', file);
     }
 }
@@ -83,12 +83,40 @@ static void write_strongest(FILE *file, const struct bead_sweep_lines *lines, co
         const double row = round(found.found / mean->step);
         bead_table_known(file, row >= 0 ? line->error[i / bands * mean->rows + (size_t)row] : NAN);
         if (line->uncertainty) {
-            bead_table_known_uncertainty(file, line->uncertainty[i / bands]);
+            bead_table_known_uncertainty(file, line->uncertainty[i / bands * mean->rows]);
             bead_table_known_uncertainty(file, line->of_frequency[i]);
         }
         fputc('\n', file);
     }
 }
+
+/* Spreading at each time, and the exponents of all. */
+static void write_spreading(FILE *file, const struct bead_sweep_lines *lines, const struct bead_sweep_line *line)
+{
+    const size_t rows = line->mean.rows, laws = bead_sweep_line_law(line, 0);
+    const double end = bead_grid_time(&lines->grid, rows - 1);
+    for (size_t k = 0; k < rows; k++) {
+        const size_t at[] = {k, rows + k, 2 * rows + k, laws, laws + 1};
+        bead_write_number(file, bead_grid_time(&lines->grid, k));
+        fputc(',', file);
+        bead_table_text(file, line->name);
+        fprintf(file, ",%zu", line->chains);
+        for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+            bead_table_known(file, line->mean.values[at[i]]);
+            bead_table_known(file, line->error[at[i]]);
+        }
+        bead_table_known(file, BEAD_SPREADING_WINDOW * end);
+        bead_table_known(file, end);
+        for (size_t i = 0; i < sizeof at / sizeof *at; i++)
+            bead_table_known_uncertainty(file, line->uncertainty ? line->uncertainty[at[i]] : NAN);
+        fputc('\n', file);
+    }
+}
+
+static const char spreading_head[] =
+    "time_s,curve,configurations,second_moment,second_moment_error,participation,participation_error,front,front_error,gamma,"
+    "gamma_error,eta,eta_error,fit_from_s,fit_to_s,second_moment_uncertainty,participation_uncertainty,front_uncertainty,"
+    "gamma_uncertainty,eta_uncertainty\n";
 
 enum bead_error bead_sweep_lines_write(FILE *file, const struct bead_sweep *sweep, const struct bead_output *output,
                                        const struct bead_sweep_settings *settings, struct bead_message *msg)
@@ -99,11 +127,15 @@ enum bead_error bead_sweep_lines_write(FILE *file, const struct bead_sweep *swee
     if (!err && dispersion)
         fprintf(file, "curve,configurations,wave_number_cell_pi,band,exact_Hz,found_Hz,amplitude,amplitude_error%s\n",
                 output->curves.uncertainty ? ",uncertainty,found_Hz_uncertainty" : "");
+    else if (!err && lines.laws > 0)
+        fputs(spreading_head, file);
     else if (!err)
         lines_head(file, &lines);
     for (size_t i = 0; i < lines.count && !err; i++) {
         if (dispersion)
             write_strongest(file, &lines, &lines.of[i]);
+        else if (lines.laws > 0)
+            write_spreading(file, &lines, &lines.of[i]);
         else
             write_line(file, &lines, &lines.of[i]);
     }

@@ -34,7 +34,7 @@ static void feed(struct spread *t, double time, double numbers[BEAD_SPREADING_NU
 {
     struct bead_sample sample = {.time = time, .active = BEADS};
     sample.field[BEAD_FIELD_ENERGY] = t->energy;
-    bead_spreading_feed(&t->s, &sample, BEADS, numbers);
+    bead_spreading_feed(&t->s, &sample, numbers);
     memset(t->energy, 0, sizeof t->energy);
 }
 
