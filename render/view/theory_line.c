@@ -167,8 +167,7 @@ static void line_words(const struct bead_theory_line *l, const struct bead_look 
     }
     const double x = down ? plot.x + plot.width - width - 3 * pad : plot.x + pad,
                  y = low ? plot.y + plot.height - height - 3 * pad : plot.y + pad;
-    if (x - pad < part.x || y - pad < part.y || x + width + 3 * pad > part.x + part.width ||
-        y + height + 3 * pad > part.y + part.height)
+    if (x < part.x || y < part.y || x + width + 2 * pad > part.x + part.width || y + height + 2 * pad > part.y + part.height)
         return;
     cairo_rectangle(cr, x, y, width + 2 * pad, height + 2 * pad);
     cairo_set_source_rgb(cr, look->background.r, look->background.g, look->background.b);

@@ -2,201 +2,7 @@
 /* Three ways to the same picture, for each view: frames drawn one after the other, each by its changes; a frame drawn for the first
  * time; and paths filled by cairo. Differences between the first two are trails that should not be there; differences from the
  * third are misplaced parts. */
-#include "tests/scenes.h"
-
-#include "beadreel/view.h"
-#include "render/draw/looks.h"
-#include "render/paint/canvas.h"
-#include "render/stage/camera.h"
-#include "render/view/views.h"
-#include "sim/chain/chain_internal.h"
-
-enum { WIDTH = 420, HEIGHT = 150, FRAMES = 16, ROOM = 64, RUNS = 2 };
-static const struct bead_rect page = {0, 0, WIDTH, HEIGHT}, plot = {31, 17, 350, 117};
-static const double span = 0.8e-3;
-
-#define DIMERS                                                                                                                   \
-    "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{cell: [large-steel, aluminium], count: 6}, {bead: "     \
-    "small-steel, sensor: one}, {bead: large-steel, count: 9}, {bead: large-steel, sensor: two}, {bead: aluminium, count: 3}], " \
-    "wall: brass}\noutputs: [{table: a.csv}]\n"
-#define PLAIN                                                                                                                 \
-    "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel, count: 30}]}\noutputs: [{table: " \
-    "a.csv}]\n"
-#define ONE "chain: {striker: {bead: large-steel, velocity: 0.443 m/s}, beads: [{bead: large-steel}]}\noutputs: [{table: a.csv}]\n"
-#define STRING                                                                                                                    \
-    "chain: {equation: fput, points: 15, start: {mode: 1, amplitude: 1}}\nsimulate: {until: 10}\noutputs: [{table: a.csv, show: " \
-    "modes}]\n"
-
-struct film {
-    const char *name;
-    enum bead_view_kind kind;
-    const char *chain;
-    enum bead_field field;
-    double low, high, rest;
-    bool film, light;
-    enum bead_orientation orientation;
-    double window; /* m; 0: no camera */
-    bool hold, ghost, trust, theory, marked, overlaid;
-    bool row;               /* stages: of all beads; shaded in frames, flat as paths */
-    struct bead_span beads; /* {0, 0}: all */
-    enum bead_scale scale;
-    int ends; /* px at the ends of the plot where lines end, with a round end or without */
-};
-
-static void require(enum bead_error err, const struct bead_message *msg)
-{
-    if (err)
-        fail_msg("%s", msg->text);
-}
-
-/* ---- what is shown ---- */
-
-struct fields {
-    double value[BEAD_FIELD_COUNT][ROOM];
-    struct bead_sample sample;
-};
-
-/* A pulse of some beads that travels, and leaves those behind it pushed on; the comparison run's is late from the middle of the
- * span on. `lag`: of another chain. */
-static void make_values(double at, double late, double values[BEAD_FIELD_COUNT][ROOM])
-{
-    for (int i = 0; i < ROOM; i++) {
-        const double x = i - at + late, pulse = exp(-0.5 * x * x / 1.5), pushed = 1 / (1 + exp(1.5 * x));
-        const bool touched = x < 7;
-        values[BEAD_FIELD_FORCE][i] = touched ? 30 * pulse : 0;
-        values[BEAD_FIELD_CONTACT_FORCE][i] = touched ? 33 * exp(-0.5 * (x + 0.5) * (x + 0.5) / 1.5) : 0;
-        values[BEAD_FIELD_COMPRESSION][i] = 1e-6 * values[BEAD_FIELD_CONTACT_FORCE][i];
-        values[BEAD_FIELD_VELOCITY][i] = touched ? 0.2 * pulse - (i < 3 ? 0.02 * i : 0) : 0;
-        values[BEAD_FIELD_DISPLACEMENT][i] = touched ? 1e-5 * pushed : 0;
-        values[BEAD_FIELD_ENERGY][i] = touched ? 1e-3 * pulse : 0;
-    }
-}
-
-static void make_fields(struct fields run[RUNS], const struct bead_chain *chain, size_t k, double lag)
-{
-    const double at = 1.8 * (double)k - lag;
-    memset(run, 0, RUNS * sizeof *run);
-    make_values(at, 0, run[0].value);
-    make_values(at, k > FRAMES / 2 ? 0.4 * (double)(k - FRAMES / 2) : 0, run[1].value);
-    struct bead_sample *s = &run[0].sample;
-    const size_t beads = bead_chain_beads(chain);
-    *s = (struct bead_sample){.index = k, .time = span * (double)k / (FRAMES - 1), .active = beads, .comparison_active = beads};
-    for (size_t f = 0; f < BEAD_FIELD_COUNT; f++) {
-        s->field[f] = run[0].value[f];
-        s->comparison[f] = run[1].value[f];
-    }
-}
-
-/* ---- views ---- */
-
-/* A view with what it looks through. */
-struct shown {
-    struct bead_scene *scene;
-    struct bead_chain *chain;
-    struct bead_look look;
-    struct bead_colormap map;
-    struct bead_camera *camera;
-    struct bead_canvas *canvas;
-    const struct bead_view_type *type;
-    struct bead_view *view, *other; /* `other` is drawn by `view` */
-    struct bead_frame background, frame;
-};
-
-static void fill_background(struct bead_frame *frame)
-{
-    for (int y = 0; y < HEIGHT; y++) {
-        for (size_t i = 0; i < 4 * WIDTH; i++)
-            frame->pixels[(size_t)y * frame->stride + i] = (uint8_t)(20 + 7 * y % 31 + 3 * (int)(i % 4));
-    }
-}
-
-static void open_shown(struct shown *s, const struct film *film)
-{
-    struct bead_message msg = {""};
-    *s = (struct shown){.scene = parse(film->chain), .type = bead_view_find(film->kind)};
-    require(bead_chain_create(s->scene, 0, &s->chain, &msg), &msg);
-    require(bead_colormap_load("inferno", &s->map, &msg), &msg);
-    bead_look_screen(&s->look, 1280, 720, !film->light);
-    s->look.line = 4;
-    struct bead_view_setup setup = {.chain = s->chain,
-                                    .field = film->field,
-                                    .beads = film->beads,
-                                    .time = {0, span},
-                                    .colours = {&s->map, film->scale, film->low, film->high, film->rest},
-                                    .look = &s->look,
-                                    .axes = film->row,
-                                    .orientation = film->orientation,
-                                    .fill = film->film,
-                                    .hold = film->hold,
-                                    .ghost = film->ghost,
-                                    .trust = film->trust,
-                                    .theory = film->theory,
-                                    .marked = film->marked,
-                                    .mark = 0.4 * span,
-                                    .own_colour = film->overlaid,
-                                    .modes = 5,
-                                    .magnify = 150};
-    if (setup.beads.last == 0)
-        setup.beads.last = bead_chain_beads(s->chain) - 1;
-    if (film->window > 0)
-        require(bead_camera_create(s->chain, setup.beads, film->window, setup.time, &s->camera, &msg), &msg);
-    setup.camera = s->camera;
-    require(bead_canvas_create("plain", WIDTH, HEIGHT, &s->canvas, &msg), &msg);
-    require(bead_frame_create(WIDTH, HEIGHT, &s->background, &msg), &msg);
-    require(bead_frame_create(WIDTH, HEIGHT, &s->frame, &msg), &msg);
-    fill_background(&s->background);
-    bead_frame_copy(&s->frame, &s->background, page);
-    require(s->type->create(&setup, &s->view, &msg), &msg);
-    setup.chain_index = 2; /* with dashes */
-    if (film->overlaid) {
-        require(s->type->create(&setup, &s->other, &msg), &msg);
-        require(s->type->overlay(s->view, s->other, &msg), &msg);
-    }
-    require(s->type->place(s->view, plot, s->canvas, &msg), &msg);
-    cairo_surface_t *paper = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
-    cairo_t *cr = cairo_create(paper);
-    require(s->type->decorate(s->view, cr, &msg), &msg);
-    cairo_destroy(cr);
-    cairo_surface_destroy(paper);
-}
-
-static void close_shown(struct shown *s)
-{
-    s->type->destroy(s->view);
-    if (s->other)
-        s->type->destroy(s->other);
-    bead_camera_destroy(s->camera);
-    bead_canvas_destroy(s->canvas);
-    bead_frame_free(&s->background);
-    bead_frame_free(&s->frame);
-    bead_chain_destroy(s->chain);
-    bead_scene_free(s->scene);
-}
-
-/* Sample `k`; returns its time, or of every other one a time before. */
-static double feed(struct shown *s, size_t k)
-{
-    struct fields run[RUNS];
-    struct bead_message msg = {""};
-    make_fields(run, s->chain, k, 0);
-    const double time = fmax(0, run[0].sample.time - (k % 2 ? 0 : 0.3 * span / (FRAMES - 1)));
-    require(s->type->feed(s->view, &run[0].sample, &msg), &msg);
-    if (s->camera) {
-        require(bead_camera_feed(s->camera, &run[0].sample, &msg), &msg);
-        bead_camera_advance(s->camera, time);
-    }
-    if (s->other) {
-        make_fields(run, s->chain, k, 4);
-        require(s->type->feed(s->other, &run[0].sample, &msg), &msg);
-    }
-    return time;
-}
-
-static void draw(struct shown *s, double time, struct bead_changes *changes)
-{
-    struct bead_message msg = {""};
-    require(s->type->draw(s->view, time, &s->frame, &s->background, changes, &msg), &msg);
-}
+#include "view_films.h"
 
 /* ---- the two ways of frames ---- */
 
@@ -363,7 +169,7 @@ static void forces_about_rest_go_to_both_sides(void **)
     struct fields run[RUNS];
     for (int i = 0; i < 2; i++) {
         open_shown(&s[i], &films[i]);
-        make_fields(run, s[i].chain, FRAMES / 2, 0);
+        make_fields(&s[i].as, run, s[i].chain, FRAMES / 2, 0);
         for (int b = 0; b < ROOM; b++) {
             const double value = half * sin(0.8 * b);
             run[0].value[BEAD_FIELD_VELOCITY][b] = value;
@@ -446,7 +252,7 @@ static void beads_at_rest_have_no_light(void **)
     for (int i = 0; i < 2; i++) {
         static struct fields run[RUNS];
         open_shown(&s[i], &films[i]);
-        make_fields(run, s[i].chain, 0, 0);
+        make_fields(&s[i].as, run, s[i].chain, 0, 0);
         memset(run[0].value, 0, sizeof run[0].value);
         require(s[i].type->feed(s[i].view, &run[0].sample, &msg), &msg);
         draw(&s[i], 0, &(struct bead_changes){0});

@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Other ways to the same film of each view. What is shown does not depend on when it begins, how long it takes, in which units the
+ * values are, where the plot is, or how many samples there are on a straight line; a part of a chain looks as a chain of its own,
+ * and a wave from the other end as its mirror image. */
+#include "view_films.h"
+
+#define AT_REST "chain: {striker: {velocity: 0 m/s}, beads: ["
+#define PART                                                                                                               \
+    "{cell: [large-steel, aluminium], count: 6}, {bead: small-steel, sensor: one}, {bead: large-steel, count: 9}, {bead: " \
+    "large-steel, sensor: two}, {bead: aluminium, count: 3}"
+#define ENDS "]}\noutputs: [{table: a.csv}]\n"
+enum { SHOWN = 26, BEFORE = 7 }; /* bead 0 is the striker */
+static const char alone[] = AT_REST PART ENDS,
+                  among[] = AT_REST "{bead: ptfe, count: 5}, {bead: large-steel, sensor: no}, " PART
+                                    ", {bead: large-steel, count: 7}, {bead: large-steel, sensor: neither}" ENDS,
+                  reversed[] = AT_REST "{bead: aluminium, count: 3}, {bead: large-steel, sensor: one}, {bead: large-steel, count: "
+                                       "9}, {bead: small-steel, sensor: two}, {cell: [aluminium, large-steel], count: 6}" ENDS,
+                  even[] = AT_REST "{bead: large-steel, count: 26}" ENDS,
+                  odd[] = AT_REST "{bead: ptfe, count: 6}, {bead: large-steel, count: 26}, {bead: ptfe}" ENDS;
+
+/* The largest difference of two frames, of which the second has all elsewhere. */
+static int differ(const struct shown *a, const struct shown *b, int at[2])
+{
+    int most = 0;
+    for (int y = 0; y + b->as.down < HEIGHT; y++) {
+        const uint8_t *p = a->frame.pixels + (size_t)y * a->frame.stride;
+        const uint8_t *q = b->frame.pixels + (size_t)(y + b->as.down) * b->frame.stride + 4 * (size_t)b->as.right;
+        const int end = 4 * (WIDTH - b->as.right);
+        for (int i = 0; memcmp(p, q, (size_t)end) != 0 && i < end; i++) {
+            if (i % 4 == 3 || abs(p[i] - q[i]) <= most)
+                continue;
+            most = abs(p[i] - q[i]);
+            at[0] = i / 4, at[1] = y;
+        }
+    }
+    return most;
+}
+
+/* Both are drawn frame by frame. */
+static void assert_same_film(const struct film *one, const struct film *other, const char *what, int slack)
+{
+    struct shown a, b;
+    int at[2];
+    open_shown(&a, one);
+    open_shown(&b, other);
+    for (size_t k = 0; k < FRAMES; k++) {
+        const double time = feed(&a, k), then = feed(&b, k);
+        draw(&a, time, &(struct bead_changes){0});
+        draw(&b, then, &(struct bead_changes){0});
+        const int most = differ(&a, &b, at);
+        if (most > slack)
+            fail_msg("%s, %s: frame %zu differs by %d at %d, %d", one->name, what, k, most, at[0], at[1]);
+    }
+    close_shown(&a);
+    close_shown(&b);
+}
+
+enum law { LATER = 1, SLOWER = 2, STRONGER = 4, ELSEWHERE = 8, FINELY = 16, ALL = 31 };
+
+/* Strikers have the speed of the scene, which cameras wait for, too; the line of theory is that of a wave from time 0 on, with a
+ * speed; and the horizon is at a sample. */
+#define IMAGES(o)                                                                                                                  \
+    {{"image", BEAD_VIEW_SPACETIME, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o}, ALL},                        \
+        {{"image of the future", BEAD_VIEW_SPACETIME, alone, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .ghost = true,         \
+          .orientation = o},                                                                                                       \
+         LATER | SLOWER | STRONGER | ELSEWHERE},                                                                                   \
+        {{"image with a camera", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,              \
+          .window = window},                                                                                                       \
+         LATER | SLOWER | ELSEWHERE | FINELY},                                                                                     \
+        {{"image with trust", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o, .trust = true}, \
+         ALL},                                                                                                                     \
+        {{"image with theory", BEAD_VIEW_SPACETIME, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .orientation = o,                \
+          .theory = true},                                                                                                         \
+         ELSEWHERE},                                                                                                               \
+    {                                                                                                                              \
+        {"still image", BEAD_VIEW_SPACETIME, DIMERS, BEAD_FIELD_VELOCITY, -0.1, 0.25, .orientation = o, .marked = true}, ALL       \
+    }
+static const double window = 8 * 9.525e-3;
+static const struct {
+    struct film film;
+    unsigned laws;
+} films[] = {
+    {{"beads", BEAD_VIEW_BEADS, alone, BEAD_FIELD_FORCE, 0, 35, .film = true}, ALL},
+    {{"beads and a striker", BEAD_VIEW_BEADS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, LATER | ELSEWHERE | FINELY},
+    {{"beads with a camera", BEAD_VIEW_BEADS, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
+     LATER | SLOWER | ELSEWHERE | FINELY},
+    {{"profile", BEAD_VIEW_PROFILE, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, ALL},
+    {{"profile of contacts", BEAD_VIEW_PROFILE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .light = true, .beads = {2, 20}}, ALL},
+    {{"profile of velocities", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true}, ALL},
+    {{"profile held", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .hold = true}, ALL},
+    {{"profile in decades", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 1e-3, 35, .film = true, .scale = BEAD_SCALE_LOG}, ALL},
+    {{"profiles overlaid", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .overlaid = true}, ALL},
+    {{"profile with a camera", BEAD_VIEW_PROFILE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
+     LATER | SLOWER | ELSEWHERE | FINELY},
+    {{"profile of a string", BEAD_VIEW_PROFILE, STRING, BEAD_FIELD_DISPLACEMENT, 0, 2e-5, .film = true}, ALL},
+    {{"sensors", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true}, ALL},
+    {{"sensors of velocity", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true, .light = true}, ALL},
+    {{"sensors with trust", BEAD_VIEW_SENSORS, DIMERS, BEAD_FIELD_FORCE, 0, 35, .film = true, .trust = true}, ALL & ~FINELY},
+    {{"modes", BEAD_VIEW_MODES, STRING, BEAD_FIELD_DISPLACEMENT, 0, 1, .film = true}, LATER | ELSEWHERE},
+    {{"stage", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true}, ALL},
+    {{"stage and row", BEAD_VIEW_STAGE, DIMERS, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .row = true}, ALL},
+    {{"light stage with a camera", BEAD_VIEW_STAGE, PLAIN, BEAD_FIELD_FORCE, 0, 35, .film = true, .light = true, .window = window},
+     LATER | SLOWER | ELSEWHERE | FINELY},
+    IMAGES(BEAD_TIME_RIGHT),
+    IMAGES(BEAD_TIME_DOWN),
+    IMAGES(BEAD_MATRIX),
+};
+
+/* All that hold at once; edges of lines through more points differ by the last bits. */
+static void films_are_the_same_in_other_manners(void **)
+{
+    for (size_t i = 0; i < sizeof films / sizeof *films; i++) {
+        const unsigned laws = films[i].laws;
+        struct film other = films[i].film;
+        other.as = (struct manner){.later = laws & LATER ? 0x1p-7 : 0,
+                                   .slower = laws & SLOWER ? 4 : 1,
+                                   .stronger = laws & STRONGER ? 8 : 1,
+                                   .right = laws & ELSEWHERE ? 32 : 0,
+                                   .down = laws & ELSEWHERE ? 16 : 0,
+                                   .finely = laws & FINELY};
+        assert_same_film(&films[i].film, &other, "in another manner", other.kind == BEAD_VIEW_SENSORS ? 10 : 0);
+    }
+}
+
+static void parts_look_as_chains_of_their_own(void **)
+{
+#define EACH(o)                                                                                                 \
+    {"image", BEAD_VIEW_SPACETIME, alone, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .orientation = o},     \
+    {                                                                                                           \
+        "image with trust", BEAD_VIEW_SPACETIME, even, BEAD_FIELD_FORCE, 0, 35, .trust = true, .orientation = o \
+    }
+    static const struct film all[] = {
+        {"beads", BEAD_VIEW_BEADS, alone, BEAD_FIELD_FORCE, 0, 35, .film = true,
+         .beads = {1, 15}}, /* without a lens, which moves by whole pixels */
+        {"beads with a camera", BEAD_VIEW_BEADS, even, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
+        {"profile", BEAD_VIEW_PROFILE, alone, BEAD_FIELD_FORCE, 0, 35, .film = true, .hold = true},
+        {"profile of contacts", BEAD_VIEW_PROFILE, even, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true},
+        {"profiles overlaid", BEAD_VIEW_PROFILE, even, BEAD_FIELD_FORCE, 0, 35, .film = true, .overlaid = true},
+        {"profile with a camera", BEAD_VIEW_PROFILE, even, BEAD_FIELD_FORCE, 0, 35, .film = true, .window = window},
+        {"stage", BEAD_VIEW_STAGE, alone, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true},
+        {"stage and row", BEAD_VIEW_STAGE, alone, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true, .row = true},
+        EACH(BEAD_TIME_RIGHT),
+        EACH(BEAD_TIME_DOWN),
+        EACH(BEAD_MATRIX)};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct film part = all[i], whole = all[i];
+        const size_t last = part.beads.last ? part.beads.last : SHOWN - 1 - (part.field == BEAD_FIELD_CONTACT_FORCE);
+        part.beads = (struct bead_span){1, 1 + last};
+        part.as.before = 1;
+        whole.chain = all[i].chain == alone ? among : odd;
+        whole.beads = (struct bead_span){BEFORE, BEFORE + last};
+        whole.as.before = BEFORE;
+        assert_same_film(&part, &whole, "a part", 0);
+    }
+}
+
+/* Along the chain. */
+static void turn(struct shown *s, bool upright)
+{
+    for (int y = 0; y < (upright ? plot.height / 2 : plot.height); y++) {
+        for (int x = 0; x < (upright ? plot.width : plot.width / 2); x++) {
+            uint8_t *a = s->frame.pixels + (size_t)(plot.y + y) * s->frame.stride + 4 * (size_t)(plot.x + x), was[4];
+            uint8_t *b = s->frame.pixels + (size_t)(plot.y + (upright ? plot.height - 1 - y : y)) * s->frame.stride +
+                         4 * (size_t)(plot.x + (upright ? x : plot.width - 1 - x));
+            memcpy(was, a, 4), memcpy(a, b, 4), memcpy(b, was, 4);
+        }
+    }
+}
+
+/* A wave from the other end. */
+static void mirrored_chains_look_mirrored(void **)
+{
+#define TURNED(o, ...)                                                                   \
+    {                                                                                    \
+        "image", BEAD_VIEW_SPACETIME, alone, __VA_ARGS__, .film = true, .orientation = o \
+    }
+    static const struct film all[] = {
+        {"profile", BEAD_VIEW_PROFILE, even, BEAD_FIELD_FORCE, 0, 35, .film = true, .hold = true},
+        {"profile of contacts", BEAD_VIEW_PROFILE, alone, BEAD_FIELD_CONTACT_FORCE, 0, 35, .film = true},
+        {"profile of velocities", BEAD_VIEW_PROFILE, alone, BEAD_FIELD_VELOCITY, -0.1, 0.25, .film = true},
+        TURNED(BEAD_TIME_RIGHT, BEAD_FIELD_FORCE, 0, 35),
+        TURNED(BEAD_TIME_DOWN, BEAD_FIELD_CONTACT_FORCE, 0, 35),
+        TURNED(BEAD_MATRIX, BEAD_FIELD_VELOCITY, -0.1, 0.25)};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct film one = all[i], other = all[i];
+        struct shown a, b;
+        int at[2];
+        const size_t last = SHOWN - 1 - (one.field == BEAD_FIELD_CONTACT_FORCE);
+        one.beads = other.beads = (struct bead_span){1, 1 + last};
+        one.as.before = 1;
+        other.as.mirrored = SHOWN + 1; /* one of them is out of sight */
+        other.chain = one.chain == alone ? reversed : one.chain;
+        open_shown(&a, &one);
+        open_shown(&b, &other);
+        for (int y = 0; y < HEIGHT; y++) { /* the same everywhere */
+            memset(a.background.pixels + (size_t)y * a.background.stride, 20, 4 * WIDTH);
+            memset(b.background.pixels + (size_t)y * b.background.stride, 20, 4 * WIDTH);
+        }
+        bead_frame_copy(&a.frame, &a.background, page);
+        bead_frame_copy(&b.frame, &b.background, page);
+        for (size_t k = 0; k < FRAMES; k++) {
+            const double time = feed(&a, k), then = feed(&b, k);
+            const bool upright = one.kind == BEAD_VIEW_SPACETIME && one.orientation != BEAD_TIME_DOWN;
+            draw(&a, time, &(struct bead_changes){0});
+            draw(&b, then, &(struct bead_changes){0});
+            turn(&b, upright);
+            const int most = differ(&a, &b, at);
+            turn(&b, upright);
+            if (most > 16)
+                fail_msg("%s, mirrored: frame %zu differs by %d at %d, %d", one.name, k, most, at[0], at[1]);
+        }
+        close_shown(&a);
+        close_shown(&b);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(films_are_the_same_in_other_manners),
+        cmocka_unit_test(parts_look_as_chains_of_their_own),
+        cmocka_unit_test(mirrored_chains_look_mirrored),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
