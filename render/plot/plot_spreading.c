@@ -22,7 +22,7 @@ static void set_axes(struct bead_panel *panel, const char *seconds, const double
 /* Adds the curve of number `n`, and its power law in the same colour, whose values go to `law`: times, then numbers. Returns the
  * number of series. */
 static size_t add(struct bead_series *series, char (*labels)[256], int n, const double *time, const double *y, size_t count,
-                  const struct bead_exponent *exponent, double law[LAW])
+                  const struct bead_line *exponent, double law[LAW])
 {
     char slope[32], off[32] = "";
     *series = plot_line(time, y, count, labels[0], (size_t)n);
@@ -100,9 +100,8 @@ static enum bead_error plot_spreading_finish(struct bead_plot_data *data, const 
         double(*laws)[LAW] = (double(*)[LAW])(part->values + BEAD_SPREADING_NUMBERS * times);
         size_t used = 0;
         for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-            struct bead_exponent e = {NAN, NAN, NAN};
-            if (n != BEAD_FRONT)
-                e = bead_spreading_exponent(&data->spreading[p], n);
+            const struct bead_line e =
+                n == BEAD_FRONT ? bead_line_of(NULL, NULL, 0) : bead_spreading_exponent(&data->spreading[p], n);
             used += add(&part->series[used], &part->labels[used], n, data->sample, part->values + (size_t)n * times, part->taken,
                         &e, laws[n % 2]);
         }
@@ -131,9 +130,11 @@ static void fill(const struct bead_sweep_line *line, const double *time, const s
     const double *mean = line->mean.values;
     size_t used = 0;
     for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-        struct bead_exponent e = {NAN, NAN, NAN};
+        struct bead_line e = {.slope = NAN};
         if (n != BEAD_FRONT)
-            e = (struct bead_exponent){mean[laws + (size_t)n], line->error[laws + (size_t)n], mean[laws + BEAD_LAWS + (size_t)n]};
+            e = (struct bead_line){.slope = mean[laws + (size_t)n],
+                                   .error = line->error[laws + (size_t)n],
+                                   .offset = mean[laws + BEAD_LAWS + (size_t)n]};
         used += add(&m->series[used], &m->labels[used], n, time, mean + (size_t)n * rows, rows, &e, m->law[n % 2]);
     }
     if (output->shown.theory)

@@ -31,32 +31,13 @@ void bead_spreading_free(struct bead_spreading *s)
         free(s->log[i]);
 }
 
-struct bead_exponent bead_spreading_exponent(const struct bead_spreading *s, int of)
+struct bead_line bead_spreading_exponent(const struct bead_spreading *s, int of)
 {
-    if (s->count == 0)
-        return (struct bead_exponent){NAN, NAN, NAN};
-    const double *x = s->log[0], *y = s->log[of + 1], from = x[s->count - 1] + bead_log(BEAD_SPREADING_WINDOW);
     size_t first = s->count;
-    double mx = 0, my = 0, sxx = 0, sxy = 0, rest = 0;
-    while (first > 0 && x[first - 1] >= from)
+    while (first > 0 && s->log[0][first - 1] >= s->log[0][s->count - 1] + bead_log(BEAD_SPREADING_WINDOW))
         first--;
-    const double n = (double)(s->count - first);
-    if (n < FEWEST)
-        return (struct bead_exponent){NAN, NAN, NAN};
-    for (size_t i = first; i < s->count; i++) {
-        mx += x[i] / n;
-        my += y[i] / n;
-    }
-    for (size_t i = first; i < s->count; i++) {
-        sxx += (x[i] - mx) * (x[i] - mx);
-        sxy += (x[i] - mx) * (y[i] - my);
-    }
-    const double slope = sxy / sxx;
-    for (size_t i = first; i < s->count; i++) {
-        const double off = y[i] - my - slope * (x[i] - mx);
-        rest += off * off;
-    }
-    return (struct bead_exponent){slope, sqrt(rest / (n - 2) / sxx), my - slope * mx};
+    const size_t used = s->count - first;
+    return bead_line_of(s->log[0] + first, s->log[of + 1] + first, used < FEWEST ? 0 : used);
 }
 
 void bead_spreading_feed(struct bead_spreading *s, const struct bead_sample *sample, double numbers[BEAD_SPREADING_NUMBERS])

@@ -10,6 +10,7 @@
 
 #include "beadreel/sink.h"
 #include "sim/base/internal.h"
+#include "sim/statistics/statistics.h"
 
 enum { BEAD_SECOND_MOMENT, BEAD_PARTICIPATION, BEAD_FRONT, BEAD_SPREADING_NUMBERS };
 /* The window of the exponents begins at this part of the time. */
@@ -21,10 +22,6 @@ struct bead_spreading {
     size_t count, room, beads;
     size_t origin; /* the excited bead: the middle one of those that do not start at rest, or the striker */
 };
-struct bead_exponent {
-    double slope, error;
-    double offset; /* ln y at t = 1 s */
-};
 
 /* Room for `times` samples. Errors: MEMORY; to be freed even then. */
 BEAD_INTERNAL BEAD_CHECK enum bead_error bead_spreading_begin(struct bead_spreading *spreading, const struct bead_chain *chain,
@@ -33,5 +30,6 @@ BEAD_INTERNAL void bead_spreading_free(struct bead_spreading *spreading);
 /* A sample with energies of all beads: second moment, participation (beads) and front. */
 BEAD_INTERNAL void bead_spreading_feed(struct bead_spreading *spreading, const struct bead_sample *sample,
                                        double numbers[BEAD_SPREADING_NUMBERS]);
-/* The exponent of the second moment or of the participation, at the last sample; NaN with fewer than 8 samples in the window. */
-BEAD_INTERNAL struct bead_exponent bead_spreading_exponent(const struct bead_spreading *spreading, int of);
+/* The law of the second moment or of the participation, its slope the exponent, at the last sample; NaN with fewer than 8 samples
+ * in the window. */
+BEAD_INTERNAL struct bead_line bead_spreading_exponent(const struct bead_spreading *spreading, int of);

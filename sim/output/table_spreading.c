@@ -75,7 +75,7 @@ static enum bead_error spreading_sample(struct bead_sink *sink, const struct bea
     const size_t before = s->count;
     bead_spreading_feed(s, sample, numbers);
     for (int i = 0; i < EXPONENTS; i++) {
-        const struct bead_exponent e = s->count > before ? bead_spreading_exponent(s, i) : (struct bead_exponent){NAN, NAN, NAN};
+        const struct bead_line e = s->count > before ? bead_spreading_exponent(s, i) : bead_line_of(NULL, NULL, 0);
         numbers[BEAD_SPREADING_NUMBERS + i] = e.slope;
         errors[i] = e.error;
     }

@@ -74,6 +74,28 @@ void bead_summary_uncertainty(const double *values, const double *off, size_t co
         uncertainty->quartile[i] = farther(least.quartile[i], value.quartile[i], most.quartile[i]);
 }
 
+struct bead_line bead_line_of(const double *x, const double *y, size_t count)
+{
+    const double n = (double)count;
+    double mx = 0, my = 0, sxx = 0, sxy = 0, rest = 0;
+    for (size_t i = 0; i < count; i++) {
+        mx += x[i] / n;
+        my += y[i] / n;
+    }
+    for (size_t i = 0; i < count; i++) {
+        sxx += (x[i] - mx) * (x[i] - mx);
+        sxy += (x[i] - mx) * (y[i] - my);
+    }
+    if (count < 3 || !(sxx > 0) || !isfinite(sxx + sxy))
+        return (struct bead_line){NAN, NAN, NAN, NAN, NAN};
+    const double slope = sxy / sxx;
+    for (size_t i = 0; i < count; i++) {
+        const double off = y[i] - my - slope * (x[i] - mx);
+        rest += off * off;
+    }
+    return (struct bead_line){slope, sqrt(rest / (n - 2) / sxx), my - slope * mx, mx, sxx};
+}
+
 /* The normal quantile of .0013, both tails. */
 static const double z = 3.2159797607880902;
 

@@ -21,6 +21,16 @@ BEAD_INTERNAL void bead_summary_of(double *values, size_t count, struct bead_sum
 BEAD_INTERNAL void bead_summary_uncertainty(const double *values, const double *off, size_t count, double *room,
                                             struct bead_summary *uncertainty);
 
+/* A straight line by least squares. */
+struct bead_line {
+    double slope, error; /* standard error */
+    double offset;       /* y at x = 0 */
+    double centre;       /* mean of x */
+    double spread;       /* sum of (x - centre)^2 */
+};
+/* Through `count` points; all NaN of fewer than three, of equal x, or if a number is not finite. */
+BEAD_INTERNAL struct bead_line bead_line_of(const double *x, const double *y, size_t count);
+
 /* A mean of `all` numbers, of which a sample was taken: by how much that mean may differ from the sample's, with a probability of
  * .0013 for normal numbers; 0 if the sample is all of them, NaN if it is one number of several. Student's quantile times the
  * standard error of a sample without replacement (W. G. Cochran, Sampling Techniques, 1977, 2.6 to 2.8). */

@@ -384,6 +384,19 @@ static enum bead_error create_over(const struct bead_sweep *sweep, size_t panel,
     return err;
 }
 
+/* Copies the segments of a pattern, with digits for the random ones. */
+static void lay_digits(const struct bead_chain_spec *pattern, char *digits, struct bead_segment *segments)
+{
+    memcpy(segments, pattern->segments, pattern->segment_count * sizeof *segments);
+    for (size_t s = 0; s < pattern->segment_count; s++) {
+        if (segments[s].spins != BEAD_SPINS_RANDOM)
+            continue;
+        segments[s].spins = BEAD_SPINS_DIGITS;
+        segments[s].digits = digits;
+        digits += segments[s].count;
+    }
+}
+
 enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t panel, size_t index, struct bead_sweep_chain **chain,
                                         struct bead_message *msg)
 {
@@ -391,35 +404,23 @@ enum bead_error bead_sweep_chain_create(const struct bead_sweep *sweep, size_t p
     const struct bead_chain_spec *pattern = pattern_of(sweep, p);
     if (bead_sweep_is_over(p))
         return create_over(sweep, panel, index, chain, msg);
-    char *digits = p->spins + (index + 1) * p->shown.spec->cells;
-    struct bead_sweep_chain *c = *chain = calloc(1, sizeof *c);
-    if (c)
-        c->segments = calloc(pattern->segment_count, sizeof *c->segments);
-    if (!c || !c->segments) {
-        free(c);
-        *chain = NULL;
-        return out_of_memory(msg);
+    struct bead_sweep_chain *c = NULL;
+    BEAD_TRY(bead_new(&c, 1, msg, "a sweep"));
+    enum bead_error err = bead_new(&c->segments, pattern->segment_count, msg, "a sweep");
+    if (!err) {
+        lay_digits(pattern, p->spins + (index + 1) * p->shown.spec->cells, c->segments);
+        c->scene = *sweep->scene;
+        c->spec = *pattern;
+        c->spec.segments = c->segments;
+        c->scene.chains = &c->spec;
+        c->scene.chain_count = 1;
+        c->scene.sweeps = NULL;
+        c->scene.sweep_count = 0;
+        err = bead_chain_create(&c->scene, 0, &c->chain, msg);
     }
-    memcpy(c->segments, pattern->segments, pattern->segment_count * sizeof *c->segments);
-    for (size_t s = 0; s < pattern->segment_count; s++) {
-        if (c->segments[s].spins != BEAD_SPINS_RANDOM)
-            continue;
-        c->segments[s].spins = BEAD_SPINS_DIGITS;
-        c->segments[s].digits = digits;
-        digits += c->segments[s].count;
-    }
-    c->scene = *sweep->scene;
-    c->spec = *pattern;
-    c->spec.segments = c->segments;
-    c->scene.chains = &c->spec;
-    c->scene.chain_count = 1;
-    c->scene.sweeps = NULL;
-    c->scene.sweep_count = 0;
-    enum bead_error err = bead_chain_create(&c->scene, 0, &c->chain, msg);
-    if (err) {
+    if (err)
         bead_sweep_chain_destroy(c);
-        *chain = NULL;
-    }
+    *chain = err ? NULL : c;
     return err;
 }
 

@@ -97,35 +97,21 @@ static int by_x(const void *a, const void *b)
     return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->value > q->value) - (p->value < q->value);
 }
 
-/* Fits a straight line to the logarithms of the means. */
-static void fit_slope(struct bead_sweep_curve *curve)
+/* Fits a straight line to the logarithms of the means. `room`: for two numbers of each point. */
+static void fit_slope(struct bead_sweep_curve *curve, double *room)
 {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, rest = 0, off_by = 0;
-    curve->slope = curve->slope_error = curve->slope_uncertainty = curve->offset = NAN;
+    double *x = room, *y = room + curve->count, off_by = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        const double x = bead_log(curve->points[i].x), y = bead_log(curve->points[i].summary.mean);
-        if (!isfinite(x) || !isfinite(y))
-            return;
-        n++;
-        sx += x;
-        sy += y;
+        x[i] = bead_log(curve->points[i].x);
+        y[i] = bead_log(curve->points[i].summary.mean);
     }
-    for (size_t i = 0; i < curve->count; i++) {
-        const double x = bead_log(curve->points[i].x) - sx / n, y = bead_log(curve->points[i].summary.mean) - sy / n;
-        sxx += x * x;
-        sxy += x * y;
-        off_by += fabs(x) * curve->points[i].uncertainty.mean / curve->points[i].summary.mean;
-    }
-    if (n < 3 || !(sxx > 0))
-        return;
-    curve->slope = sxy / sxx;
-    curve->offset = sy / n - curve->slope * sx / n;
-    for (size_t i = 0; i < curve->count; i++) {
-        const double off = bead_log(curve->points[i].summary.mean) - curve->offset - curve->slope * bead_log(curve->points[i].x);
-        rest += off * off;
-    }
-    curve->slope_error = sqrt(rest / (n - 2) / sxx);
-    curve->slope_uncertainty = off_by / sxx; /* the slope is linear in the logarithms */
+    const struct bead_line line = bead_line_of(x, y, curve->count);
+    for (size_t i = 0; i < curve->count; i++)
+        off_by += fabs(x[i] - line.centre) * curve->points[i].uncertainty.mean / curve->points[i].summary.mean;
+    curve->slope = line.slope;
+    curve->slope_error = line.error;
+    curve->offset = line.offset;
+    curve->slope_uncertainty = off_by / line.spread; /* the slope is linear in the logarithms */
 }
 
 /* The values of a point, by how much each may be off, and room for as many numbers. */
@@ -178,7 +164,7 @@ static enum bead_error fill(const struct bead_sweep *sweep, size_t panel, size_t
         bead_summary_of(g.value, g.count, &point->summary);
     }
     qsort(curve->points, curve->count, sizeof *curve->points, by_x);
-    fit_slope(curve);
+    fit_slope(curve, memory);
     return BEAD_OK;
 }
 

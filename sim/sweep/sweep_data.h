@@ -75,7 +75,8 @@ struct sweep_generator {
     const struct bead_sweep_settings *settings; /* after bead_sweep_settings_take */
     const char *what;                           /* for progress */
     size_t count, done_before;                  /* chains to play, and chains already known */
-    /* Finds the panel of chain `index` and its number there. */
+    /* Finds the panel of chain `index` and its number there; NULL: those of `panel`, from `first` on. */
+    size_t panel, first;
     void (*find)(void *context, size_t index, size_t *panel, size_t *configuration);
     /* Plays it; `play` lacks only consumers and their needs. */
     enum bead_error (*play)(void *context, size_t index, const struct bead_play *play, struct bead_message *msg);
@@ -87,6 +88,17 @@ BEAD_CHECK enum bead_error bead_sweep_play(struct sweep_generator *generator, st
 /* Checks and copies a caller's settings; in *own, threads 0 becomes the number of cores. Errors: USAGE. */
 BEAD_CHECK enum bead_error bead_sweep_settings_take(struct bead_sweep_settings *own, const struct bead_sweep_settings *given,
                                                     struct bead_message *msg);
+
+/* The datasets of peaks, whose numbers are finite and at least 0. */
+struct sweep_peak_column {
+    const char *name, *unit; /* NULL: a whole number, a uint32_t, else a double */
+    size_t offset;           /* in a bead_sweep_peak */
+    const char *wrong;       /* about a number that is not */
+    bool unknown;            /* NaN is allowed */
+    bool optional;           /* older files have none */
+};
+enum { PEAK_COLUMNS = 6, PEAK_BEAD = 4, PEAK_OPEN = 5 };
+extern const struct sweep_peak_column bead_sweep_peak_columns[PEAK_COLUMNS];
 
 /* Names and units of the datasets of profiles. */
 struct sweep_profile_name {

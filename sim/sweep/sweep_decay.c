@@ -5,7 +5,6 @@
 #include "sim/base/elementary.h"
 #include "sim/base/memory.h"
 #include "sim/base/wide.h"
-#include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
@@ -68,19 +67,6 @@ static const double *profile_of(const struct decay_panel *p, size_t row, size_t 
     return p->sweep->panels[p->index].profiles + (PROFILES * row + which) * p->shown->beads;
 }
 
-/* The uncertainty of a mean over all chains, found as for spreading: the mean difference of the chains that were run twice, and how
- * much the mean of all may differ from it. */
-static double bound(const struct decay_panel *p, size_t used, size_t all)
-{
-    struct bead_summary sample;
-    for (size_t i = 0; i < used; i++) {
-        if (isnan(p->values[i]))
-            return NAN;
-    }
-    bead_summary_of(p->values, used, &sample);
-    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
-}
-
 /* Lists the differences of a profile's logarithms from those of finer runs; returns the number of chains that have them. */
 static size_t find_changes(const struct decay_panel *p, const struct sweep_entry *entries, size_t count, enum sweep_profile which)
 {
@@ -108,12 +94,12 @@ static void bound_fits(const struct decay_panel *p, size_t used, const struct be
         bead_decay_fit(p->changes + i * beads, p->random, of->first, of->last, &change);
         p->values[i] = change.rate;
     }
-    u->length = bound(p, used, count) * of->length * of->length;
+    u->length = bead_sweep_bound(p->values, used, count) * of->length * of->length;
     for (size_t i = 0; i < used; i++) {
         bead_decay_fit(p->changes + i * beads, p->random, of->first, of->last, &change);
         p->values[i] = change.exponent;
     }
-    u->exponent = bound(p, used, count);
+    u->exponent = bead_sweep_bound(p->values, used, count);
 }
 
 /* Finds the uncertainty of the decay of forces or energies: of `means` that of the worst bead, relative to them, since errors cross
@@ -131,7 +117,7 @@ static enum bead_error find_uncertainty(const struct decay_panel *p, const struc
     for (size_t j = 0; j < beads && !isnan(worst); j++) {
         for (size_t i = 0; i < used; i++)
             p->values[i] = p->changes[i * beads + j];
-        const double part = bound(p, used, count);
+        const double part = bead_sweep_bound(p->values, used, count);
         worst = isnan(part) ? NAN : fmax(worst, part);
     }
     for (size_t j = 0; j < beads; j++)
@@ -148,7 +134,7 @@ static enum bead_error find_uncertainty(const struct decay_panel *p, const struc
             p->values[used++] = bead_participation(profile_of(p, row, last), beads) -
                                 bead_participation(profile_of(p, row, PROFILES_OF_RUN + last), beads);
     }
-    u->participation = bound(p, used, count);
+    u->participation = bead_sweep_bound(p->values, used, count);
     return BEAD_OK;
 }
 
@@ -190,24 +176,21 @@ enum bead_error bead_sweep_decays(const struct bead_sweep *sweep, size_t panel, 
         return bead_fail(msg, BEAD_ERROR_NUMBERS, "the chain with all cells up, by which forces are normalised, is not known here");
     p.random = p.shown->spec->last + 1;
     p.cell = random_cell(sweep, p.shown);
-    struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &all);
-    *decays = calloc(all + 1, sizeof **decays);
-    p.logs = calloc(all + 1, 2 * p.random * sizeof *p.logs);
-    p.changes = calloc(all + 1, p.shown->beads * sizeof *p.changes);
-    p.values = calloc(all + 1, sizeof *p.values);
-    enum bead_error err = entries && *decays && p.logs && p.changes && p.values
-                              ? BEAD_OK
-                              : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
+    BEAD_FREED struct sweep_entry *entries = bead_sweep_entries(sweep, panel, &all);
+    BEAD_FREED double *memory = NULL;
+    if (!entries)
+        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the decay of a sweep");
+    BEAD_TRY(bead_new(&memory, (all + 1) * (2 * p.random + p.shown->beads + 1), msg, "the decay of a sweep"));
+    p.logs = memory;
+    p.changes = p.logs + (all + 1) * 2 * p.random;
+    p.values = p.changes + (all + 1) * p.shown->beads;
+    enum bead_error err = bead_new(decays, all + 1, msg, "the decay of a sweep");
     for (size_t first = 0; first < all && !err;) {
         struct bead_sweep_decay *d = &(*decays)[(*count)++];
         *d = (struct bead_sweep_decay){.magnetism = entries[first].magnetism, .count = bead_sweep_alike(entries, all, first)};
         err = find_decay(&p, entries + first, d, msg);
         first += d->count;
     }
-    free(p.logs);
-    free(p.changes);
-    free(p.values);
-    free(entries);
     if (err) {
         bead_sweep_decays_free(*decays, *count);
         *decays = NULL;

@@ -67,6 +67,10 @@ BEAD_CHECK enum bead_error bead_sweep_threshold_uncertainty(const struct bead_sw
                                                             double part, double common, double *uncertainty,
                                                             struct bead_message *msg);
 
+/* The uncertainty of a mean over `all` chains, of which `known` were also run finer: the mean of their differences, which it sorts,
+ * and how much that of all may differ from it. NaN: unknown. */
+double bead_sweep_bound(double *differences, size_t known, size_t all);
+
 /* Decay of peaks along the chain: geometric means over the configurations of a magnetism, and fits of these in units of the clean
  * chain's. */
 struct bead_sweep_decay {

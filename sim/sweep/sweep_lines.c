@@ -11,7 +11,6 @@
 #include "sim/measure/sink_grid.h"
 #include "sim/run/method_choice.h"
 #include "sim/run/run_kinds.h"
-#include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
@@ -139,7 +138,7 @@ static enum bead_error finish(struct collected *own, struct bead_message *msg)
         return bead_spectra_of(own->spectra, 0, found, msg);
     double *laws = found->values + found->columns * found->rows;
     for (int n = 0; n < BEAD_LAWS; n++) {
-        const struct bead_exponent e = bead_spreading_exponent(&own->spreading, n);
+        const struct bead_line e = bead_spreading_exponent(&own->spreading, n);
         laws[n] = e.slope;
         laws[BEAD_LAWS + n] = e.offset;
     }
@@ -229,17 +228,6 @@ static enum bead_error reduce(const struct bead_sweep_lines *lines, size_t curve
     return BEAD_OK;
 }
 
-/* The uncertainty of a mean over `all` chains whose differences are known for some: their mean, and how much that of all may differ
- * from it. */
-static double bound(double *differences, size_t known, size_t all)
-{
-    struct bead_summary sample;
-    if (known == 0)
-        return NAN;
-    bead_summary_of(differences, known, &sample);
-    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
-}
-
 static double bound_of_number(const struct bead_sweep_lines *lines, size_t curve, size_t number, double *values)
 {
     size_t used = 0;
@@ -249,7 +237,7 @@ static double bound_of_number(const struct bead_sweep_lines *lines, size_t curve
             isfinite(own->finer.found.values[number]))
             values[used++] = own->run.found.values[number] - own->finer.found.values[number];
     }
-    return bound(values, used, lines->of[curve].chains);
+    return bead_sweep_bound(values, used, lines->of[curve].chains);
 }
 
 /* Errors cross zero along a curve, so all rows have that of the worst, or of the worst so far. */
@@ -300,7 +288,7 @@ static enum bead_error find_frequencies(const struct bead_sweep_lines *lines, si
             find_moves(line, &lines->chains[c], room, chains, moves + used++);
     }
     for (size_t i = 0; i < found; i++)
-        line->of_frequency[i] = bound(moves + i * chains, used, chains);
+        line->of_frequency[i] = bead_sweep_bound(moves + i * chains, used, chains);
     return BEAD_OK;
 }
 

@@ -115,12 +115,6 @@ static void find_uncertainties(const struct work *work, size_t count, double *un
         uncertainty[i] = isnan(uncertainty[i]) ? worst * fabs(work->values[i]) : uncertainty[i];
 }
 
-static void find(void *, size_t index, size_t *panel, size_t *configuration)
-{
-    *panel = 0;
-    *configuration = index;
-}
-
 enum bead_error bead_sweep_measure_unit(const char *name, const char **unit, struct bead_message *msg)
 {
     const struct bead_measure_info *info;
@@ -151,13 +145,8 @@ enum bead_error bead_sweep_measured(const struct bead_sweep *sweep, const char *
     BEAD_TRY(bead_new(&values->uncertainty, count, msg, "measures of %zu chains", count));
     BEAD_TRY(bead_new(&finer, count, msg, "measures of %zu chains", count));
     struct work work = {name, values->value, finer, bead_sample_every(count)};
-    struct sweep_generator generator = {.sweep = sweep,
-                                        .settings = &own,
-                                        .what = "measuring",
-                                        .count = count,
-                                        .find = find,
-                                        .play = play_measured,
-                                        .context = &work};
+    struct sweep_generator generator = {
+        .sweep = sweep, .settings = &own, .what = "measuring", .count = count, .play = play_measured, .context = &work};
     BEAD_TRY(bead_sweep_play(&generator, msg));
     find_uncertainties(&work, count, values->uncertainty);
     return BEAD_OK;

@@ -42,10 +42,11 @@ static enum bead_error play_one(void *context, size_t index, bool calling, struc
     struct work *work = context;
     const struct sweep_generator *g = work->generator;
     struct bead_sweep_chain *made = NULL;
-    size_t panel, configuration;
+    size_t panel = g->panel, configuration = g->first + index;
     if (calling)
         tell(g, atomic_load(&work->done));
-    g->find(g->context, index, &panel, &configuration);
+    if (g->find)
+        g->find(g->context, index, &panel, &configuration);
     BEAD_TRY(bead_sweep_chain_create(g->sweep, panel, configuration, &made, msg));
     const struct bead_chain *chain = bead_sweep_chain_of(made);
     const struct bead_simulate *simulate = &bead_chain_scene(chain)->simulate;

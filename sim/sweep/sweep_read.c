@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the file of a sweep, without trusting its contents, and merges parts. */
+#include <float.h>
 #include <inttypes.h>
 #include <stdlib.h>
 
@@ -58,65 +59,43 @@ static void read_spins(struct reader *r, int64_t *whole)
     }
     if (bead_sweep_is_over(r->panel)) /* the scene has the values */
         return;
-    unsigned char *bits = malloc(r->count * cells + 1);
-    if (!bits) {
-        r->h5->error = bead_fail(r->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep");
+    BEAD_FREED unsigned char *bits = NULL;
+    if (r->h5->error || (r->h5->error = bead_new(&bits, r->count * cells + 1, r->h5->msg, "a sweep")))
         return;
-    }
     bead_h5_read_table(r->h5, name_of(r, "", "spins"), BEAD_H5_BYTE, r->count, cells, bits);
     for (size_t i = 0; i < r->count * cells && !r->h5->error; i++) {
         if (bits[i] > 1)
             wrong(r, "spins other than 0 and 1");
         r->panel->spins[r->row[i / cells] * cells + i % cells] = bits[i] ? '1' : '0';
     }
-    free(bits);
 }
 
-/* Older files have none. */
-static void read_time_uncertainties(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers)
+static double most_of(const struct reader *r, size_t column)
 {
-    const size_t places = r->panel->shown.places;
-    if (!bead_h5_has(r->h5, name_of(r, prefix, "peak_time_uncertainty")))
-        return;
-    bead_h5_read_table(r->h5, r->name, BEAD_H5_DOUBLE, count, places, numbers);
-    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
-        if (numbers[i] < 0 || isinf(numbers[i]))
-            wrong(r, "an uncertainty that is negative or infinite");
-        r->panel->peaks[rows[i / places] * places + i % places].time_uncertainty = numbers[i];
-    }
+    if (bead_sweep_peak_columns[column].unit)
+        return DBL_MAX;
+    if (column == PEAK_OPEN)
+        return 1;
+    return bead_sweep_is_over(r->panel) ? UINT32_MAX : (double)(r->panel->shown.beads - 1);
 }
 
 static void read_peaks(struct reader *r, const char *prefix, const size_t *rows, size_t count, double *numbers, int64_t *whole)
 {
     const size_t places = r->panel->shown.places;
-    struct bead_sweep_peak *peaks = r->panel->peaks;
-    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_force"), BEAD_H5_DOUBLE, count, places, numbers);
-    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
-        if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
-            wrong(r, "a force that is negative or not finite");
-        peaks[rows[i / places] * places + i % places].force = numbers[i];
-    }
-    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_time"), BEAD_H5_DOUBLE, count, places, numbers);
-    for (size_t i = 0; i < count * places && !r->h5->error; i++)
-        peaks[rows[i / places] * places + i % places].time = numbers[i];
-    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_uncertainty"), BEAD_H5_DOUBLE, count, places, numbers);
-    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
-        if (!(numbers[i] >= 0) || !isfinite(numbers[i]))
-            wrong(r, "an uncertainty that is negative or not finite");
-        peaks[rows[i / places] * places + i % places].uncertainty = numbers[i];
-    }
-    read_time_uncertainties(r, prefix, rows, count, numbers);
-    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_bead"), BEAD_H5_INT, count, places, whole);
-    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
-        if (whole[i] < 0 || (!bead_sweep_is_over(r->panel) && (uint64_t)whole[i] >= r->panel->shown.beads))
-            wrong(r, "a bead that the chain does not have");
-        peaks[rows[i / places] * places + i % places].bead = (uint32_t)whole[i];
-    }
-    bead_h5_read_table(r->h5, name_of(r, prefix, "peak_open"), BEAD_H5_INT, count, places, whole);
-    for (size_t i = 0; i < count * places && !r->h5->error; i++) {
-        if (whole[i] != 0 && whole[i] != 1)
-            wrong(r, "marks other than 0 and 1");
-        peaks[rows[i / places] * places + i % places].open = whole[i] == 1;
+    for (size_t c = 0; c < PEAK_COLUMNS; c++) {
+        const struct sweep_peak_column *column = &bead_sweep_peak_columns[c];
+        if (column->optional && !bead_h5_has(r->h5, name_of(r, prefix, column->name)))
+            continue;
+        bead_h5_read_table(r->h5, name_of(r, prefix, column->name), column->unit ? BEAD_H5_DOUBLE : BEAD_H5_INT, count, places,
+                           column->unit ? (void *)numbers : whole);
+        for (size_t i = 0; i < count * places && !r->h5->error; i++) {
+            const double value = column->unit ? numbers[i] : (double)whole[i];
+            const uint32_t number = (uint32_t)whole[i];
+            if (!(value >= 0 && value <= most_of(r, c)) && !(column->unknown && isnan(value)))
+                wrong(r, column->wrong);
+            memcpy((char *)&r->panel->peaks[rows[i / places] * places + i % places] + column->offset,
+                   column->unit ? (const void *)&value : &number, column->unit ? sizeof value : sizeof number);
+        }
     }
 }
 

@@ -328,13 +328,6 @@ struct trial {
     double force[TRIED];
 };
 
-static void find_tried(void *context, size_t index, size_t *panel, size_t *configuration)
-{
-    const struct trial *t = context;
-    *panel = t->panel;
-    *configuration = t->first + index;
-}
-
 static enum bead_error play_tried(void *context, size_t index, const struct bead_play *play, struct bead_message *msg)
 {
     struct trial *t = context;
@@ -373,8 +366,12 @@ static enum bead_error find_accuracy(struct bead_sweep *sweep, size_t index, con
             coarse.first = at;
         }
     }
-    struct sweep_generator generator = {
-        .sweep = sweep, .settings = settings, .find = find_tried, .play = play_tried, .count = members < TRIED ? members : TRIED};
+    struct sweep_generator generator = {.sweep = sweep,
+                                        .settings = settings,
+                                        .panel = index,
+                                        .first = coarse.first,
+                                        .play = play_tried,
+                                        .count = members < TRIED ? members : TRIED};
     bool good = members < 2 || panel->shown.places == 0;
     for (double accuracy = coarsest; !good && accuracy > finest; accuracy *= 0.1) {
         fine = coarse;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "sim/base/memory.h"
+#include "sim/run/uncertainty.h"
 #include "sim/statistics/statistics.h"
 #include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
@@ -124,6 +125,13 @@ double bead_sweep_clean_uncertainty(const struct bead_sweep *sweep, size_t panel
     struct bead_sweep_configuration clean;
     const double own = bead_sweep_configuration(sweep, panel, BEAD_SWEEP_CLEAN, &clean) ? part_of_force(&clean.peaks[place]) : NAN;
     return isnan(own) ? bead_sweep_uncertainty(sweep, panel, place) : own;
+}
+
+double bead_sweep_bound(double *differences, size_t known, size_t all)
+{
+    struct bead_summary sample;
+    bead_summary_of(differences, known, &sample);
+    return bead_uncertainty_measured(0, sample.mean, 0) + bead_sample_error(&sample, all);
 }
 
 enum bead_error bead_sweep_threshold_uncertainty(const struct bead_sweep_statistics *s, const char *threshold, double part,

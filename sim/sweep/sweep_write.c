@@ -27,9 +27,7 @@ struct writer {
 static enum bead_error list_rows(struct writer *w, struct bead_message *msg)
 {
     size_t jobs = w->panel->shown.configurations + 1;
-    w->rows = (struct rows){.row = calloc(jobs, sizeof *w->rows.row)};
-    if (!w->rows.row)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+    BEAD_TRY(bead_new(&w->rows.row, jobs, msg, "a sweep's file"));
     w->rows.clean = w->sweep->known[w->panel->first_job];
     for (size_t row = 1; row < jobs; row++) {
         if (w->sweep->known[w->panel->first_job + row])
@@ -41,18 +39,15 @@ static enum bead_error list_rows(struct writer *w, struct bead_message *msg)
 static void write_scales(struct writer *w, int64_t *numbers)
 {
     const struct bead_sweep_panel *shown = &w->panel->shown;
-    const char **places = calloc(shown->places + 1, sizeof *places);
-    if (!places) {
-        w->h5->error = bead_fail(w->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+    BEAD_FREED const char **places = NULL;
+    if (w->h5->error || (w->h5->error = bead_new(&places, shown->places + 1, w->h5->msg, "a sweep's file")))
         return;
-    }
     for (size_t i = 0; i < shown->places; i++)
         places[i] = bead_sweep_place(w->sweep, (size_t)(w->panel - w->sweep->panels), i);
     if (shown->places) {
         bead_h5_write_texts(w->h5, w->group, "place", places, sizeof *places, shown->places);
         w->place = bead_h5_open_scale(w->h5, w->group, "place", "place");
     }
-    free(places);
     if (w->panel->profiles) {
         for (size_t i = 0; i < shown->beads; i++)
             numbers[i] = (int64_t)i;
@@ -67,31 +62,34 @@ static void write_scales(struct writer *w, int64_t *numbers)
     }
 }
 
-static double number_of(const struct bead_sweep_peak *peak, int column)
-{
-    return (const double[]){peak->force, peak->time, peak->uncertainty, peak->time_uncertainty}[column];
-}
+#define PEAK(member) offsetof(struct bead_sweep_peak, member)
+const struct sweep_peak_column bead_sweep_peak_columns[] = {
+    {"peak_force", "N", PEAK(force), .wrong = "a force that is negative or not finite"},
+    {"peak_time", "s", PEAK(time), .wrong = "a time that is negative or infinite", .unknown = true},
+    {"peak_uncertainty", "N", PEAK(uncertainty), .wrong = "an uncertainty that is negative or not finite"},
+    {"peak_time_uncertainty", "s", PEAK(time_uncertainty), .wrong = "an uncertainty that is negative or infinite", .unknown = true,
+     .optional = true},
+    [PEAK_BEAD] = {"peak_bead", NULL, PEAK(bead), .wrong = "a bead that the chain does not have"},
+    [PEAK_OPEN] = {"peak_open", NULL, PEAK(open), .wrong = "marks other than 0 and 1"}};
 
 static void write_peaks(struct writer *w, const char *prefix, const size_t *rows, size_t count, hid_t scale, double *numbers,
                         int64_t *whole)
 {
-    static const struct {
-        const char *name, *unit;
-    } columns[] = {{"peak_force", "N"}, {"peak_time", "s"}, {"peak_uncertainty", "N"}, {"peak_time_uncertainty", "s"},
-                   {"peak_bead", NULL}, {"peak_open", NULL}};
     const size_t places = w->panel->shown.places;
     const hid_t scales[2] = {scale, w->place};
     char name[64];
-    for (int what = 0; what < 6; what++) {
-        const bool is_whole = columns[what].unit == NULL;
+    for (size_t c = 0; c < PEAK_COLUMNS; c++) {
+        const struct sweep_peak_column *column = &bead_sweep_peak_columns[c];
         for (size_t i = 0; i < count * places; i++) {
-            const struct bead_sweep_peak *peak = &w->panel->peaks[rows[i / places] * places + i % places];
-            numbers[i] = is_whole ? 0 : number_of(peak, what);
-            whole[i] = what == 4 ? peak->bead : peak->open;
+            const char *value = (const char *)&w->panel->peaks[rows[i / places] * places + i % places] + column->offset;
+            if (column->unit)
+                memcpy(&numbers[i], value, sizeof *numbers);
+            else
+                whole[i] = *(const uint32_t *)(const void *)value;
         }
-        snprintf(name, sizeof name, "%s%s", prefix, columns[what].name);
-        bead_h5_write_table(w->h5, w->group, name, columns[what].unit, is_whole ? BEAD_H5_INT : BEAD_H5_DOUBLE, count, places,
-                            scales, is_whole ? (const void *)whole : numbers);
+        snprintf(name, sizeof name, "%s%s", prefix, column->name);
+        bead_h5_write_table(w->h5, w->group, name, column->unit, column->unit ? BEAD_H5_DOUBLE : BEAD_H5_INT, count, places, scales,
+                            column->unit ? (const void *)numbers : whole);
     }
 }
 
@@ -131,13 +129,11 @@ static void write_values(struct writer *w)
 {
     const struct bead_over *over = &w->panel->shown.spec->over;
     const size_t panel = (size_t)(w->panel - w->sweep->panels), keys = over->key_count;
-    BEAD_FREED double *values = calloc(w->rows.count * keys + 1, sizeof *values);
+    BEAD_FREED double *values = NULL;
     const char *paths[64];
     const hid_t scales[2] = {w->configuration, -1};
-    if (!values) {
-        w->h5->error = bead_fail(w->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+    if (w->h5->error || (w->h5->error = bead_new(&values, w->rows.count * keys + 1, w->h5->msg, "a sweep's file")))
         return;
-    }
     for (size_t k = 0; k < keys; k++) {
         paths[k] = over->keys[k].path;
         for (size_t i = 0; i < w->rows.count; i++)
@@ -151,11 +147,9 @@ static void write_spins(struct writer *w, double *numbers)
 {
     const size_t cells = w->panel->shown.spec->cells, panel = (size_t)(w->panel - w->sweep->panels);
     const hid_t scales[2] = {w->configuration, -1};
-    unsigned char *bits = malloc(w->rows.count * cells + 1);
-    if (!bits) {
-        w->h5->error = bead_fail(w->h5->msg, BEAD_ERROR_MEMORY, "out of memory for a sweep's file");
+    BEAD_FREED unsigned char *bits = NULL;
+    if (w->h5->error || (w->h5->error = bead_new(&bits, w->rows.count * cells + 1, w->h5->msg, "a sweep's file")))
         return;
-    }
     for (size_t i = 0; i < w->rows.count; i++) {
         struct bead_sweep_configuration c;
         bead_sweep_configuration(w->sweep, panel, w->rows.row[i] - 1, &c);
@@ -166,7 +160,6 @@ static void write_spins(struct writer *w, double *numbers)
     bead_h5_write_table(w->h5, w->group, "spins", NULL, BEAD_H5_BYTE, w->rows.count, cells, scales, bits);
     bead_h5_write_numbers(w->h5, w->group, "magnetism", "1", w->configuration, BEAD_H5_DOUBLE, numbers, sizeof *numbers,
                           w->rows.count);
-    free(bits);
 }
 
 static enum bead_error write_panel(struct bead_h5 *h5, const struct bead_sweep *sweep, size_t index, struct bead_message *msg)

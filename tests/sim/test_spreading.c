@@ -100,11 +100,11 @@ static void powers_have_their_exponents(void **state)
         const int apart = time < 14 ? 150 : time; /* before the window anything may be */
         t.energy[ORIGIN - apart] = t.energy[ORIGIN + apart] = 1;
         feed(&t, time, is);
-        const struct bead_exponent gamma = bead_spreading_exponent(&t.s, BEAD_SECOND_MOMENT);
+        const struct bead_line gamma = bead_spreading_exponent(&t.s, BEAD_SECOND_MOMENT);
         if (time < 8)
             assert_true(isnan(gamma.slope) && isnan(gamma.error));
     }
-    const struct bead_exponent gamma = bead_spreading_exponent(&t.s, BEAD_SECOND_MOMENT),
+    const struct bead_line gamma = bead_spreading_exponent(&t.s, BEAD_SECOND_MOMENT),
                                eta = bead_spreading_exponent(&t.s, BEAD_PARTICIPATION);
     assert_near(gamma.slope, 2, 1e-12);
     assert_near(gamma.offset, 0, 1e-11);
@@ -136,7 +136,7 @@ static void errors_follow_from_the_correlation(void **state)
         yy += b * b;
     }
     const double slope = (n * xy - x * y) / (n * xx - x * x), r = (n * xy - x * y) / sqrt((n * xx - x * x) * (n * yy - y * y));
-    const struct bead_exponent eta = bead_spreading_exponent(&t.s, BEAD_PARTICIPATION);
+    const struct bead_line eta = bead_spreading_exponent(&t.s, BEAD_PARTICIPATION);
     assert_near(eta.slope, slope, 1e-10);
     assert_near(eta.error, slope * sqrt((1 / (r * r) - 1) / (n - 2)), 1e-7 * eta.error);
     assert_near(eta.offset, (y - slope * x) / n, 1e-10);
