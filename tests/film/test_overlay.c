@@ -425,6 +425,62 @@ static void rooms_are_as_large_as_words(void **)
     }
 }
 
+#define WANTED(member)                                     \
+    {                                                      \
+#member, offsetof(struct bead_movie_wants, member) \
+    }
+static const struct {
+    const char *name;
+    size_t at;
+} rooms[] = {WANTED(heading_width), WANTED(label_width), WANTED(heading_least), WANTED(bead_height),
+             WANTED(time_width),    WANTED(title_width), WANTED(left),          WANTED(image_left),
+             WANTED(below_beads),   WANTED(below_time),  WANTED(below_numbers), WANTED(time_end),
+             WANTED(along_end),     WANTED(bar),         WANTED(bar_below),     WANTED(bar_title)};
+
+static double wanted(const struct film *f, size_t room)
+{
+    double value;
+    memcpy(&value, (const char *)&f->composer->wants + rooms[room].at, sizeof value);
+    return value;
+}
+
+/* A film of two chains wants what the one that needs more does, whichever is the first. */
+static void films_want_what_their_chains_do(void **)
+{
+    static const char *const outputs[] = {"views: [beads, profile, spacetime], layout: stacked",
+                                          "views: [beads, profile, spacetime], layout: stacked, orientation: time-right",
+                                          "views: [stage, profile]"};
+    static const char *const chains[] = {
+        "{name: A, label: of many beads, striker: {bead: large-steel, velocity: 0.4 m/s}, beads: [{bead: large-steel, count: 99}, "
+        "{bead: small-steel}]}",
+        "{name: A chain with a name, label: few, striker: {bead: small-steel, velocity: 0.4 m/s}, wall: brass, beads: [{bead: "
+        "aluminium, count: 9}, {bead: ptfe, sensor: S}]}"};
+    static struct film one[2], both;
+    for (size_t o = 0; o < 3; o++) {
+        char text[1000];
+        for (int k = 0; k < 2; k++) {
+            snprintf(text, sizeof text, "chains: [%s]", chains[k]);
+            open_film(&one[k], text, outputs[o]);
+        }
+        const struct bead_movie_wants *w[2] = {&one[0].composer->wants, &one[1].composer->wants};
+        for (int first = 0; first < 2; first++) {
+            snprintf(text, sizeof text, "chains: [%s, %s]", chains[first], chains[!first]);
+            open_film(&both, text, outputs[o]);
+            for (size_t r = 0; r < sizeof rooms / sizeof *rooms; r++) {
+                const double most = fmax(wanted(&one[0], r), wanted(&one[1], r));
+                if (wanted(&both, r) != most)
+                    fail_msg("%s, %d first: %s is %g, not %g", outputs[o], first, rooms[r].name, wanted(&both, r), most);
+            }
+            const struct bead_movie_wants *all = &both.composer->wants;
+            assert_true(all->beads == w[0]->beads && w[0]->beads > w[1]->beads && all->sensors && !w[0]->sensors && w[1]->sensors);
+            assert_true(all->wall && !w[0]->wall && w[1]->wall && all->striker && !all->same_beads && w[0]->same_beads);
+            close_film(&both);
+        }
+        close_film(&one[0]);
+        close_film(&one[1]);
+    }
+}
+
 /* ---- cards ---- */
 
 /* A card has title and text, a rule, the chains with their names, and facts, of the longest cell or, of several, the one that comes
@@ -531,6 +587,7 @@ int main(void)
         cmocka_unit_test(races_say_who_leads),
         cmocka_unit_test(names_have_samples_of_lines),
         cmocka_unit_test(rooms_are_as_large_as_words),
+        cmocka_unit_test(films_want_what_their_chains_do),
         cmocka_unit_test(headings_are_as_wide_as_measured),
         cmocka_unit_test(cards_say_what_is_shown),
     };
