@@ -45,7 +45,7 @@ size_t bead_smooth_fill(const float *x, const float *y, size_t count, size_t fro
                         float bottom, float *sx, float *sy)
 {
     size_t points = 0;
-    float left = parts > 1 && to > from ? slope_at(y, count, (ptrdiff_t)from, odd) : 0;
+    float left = parts > 1 ? slope_at(y, count, (ptrdiff_t)from, odd) : 0;
     for (size_t i = from; i + 1 < to; i++) {
         float right = parts > 1 ? slope_at(y, count, (ptrdiff_t)i + 1, odd) : 0;
         for (unsigned k = 0; k < parts; k++) {

@@ -101,6 +101,24 @@ static void strings_are_straight_at_their_ends(void **state)
         assert_float_equal(sy[i], 50 - 40 * sin(5 * M_PI * sx[i] / (10 * (COUNT - 1))), 0.05);
 }
 
+/* A spline of values of a cubic is that cubic, far from the ends. */
+static void cubics_are_kept(void **state)
+{
+    (void)state;
+    float x[COUNT], y[COUNT], sx[COUNT * PARTS], sy[COUNT * PARTS];
+    for (int i = 0; i < COUNT; i++) {
+        const double t = (i - 20) / 10.0;
+        x[i] = (float)(10 * i);
+        y[i] = (float)(20 + 30 * t - 12 * t * t + 8 * t * t * t);
+    }
+    (void)bead_smooth_fill(x, y, COUNT, 0, COUNT, PARTS, false, -INFINITY, INFINITY, sx, sy);
+    for (size_t i = 10 * PARTS; i < (COUNT - 10) * PARTS; i++) {
+        const double t = ((double)i / PARTS - 20) / 10.0;
+        assert_float_equal(sx[i], 10.0 * (double)i / PARTS, 1e-4);
+        assert_float_equal(sy[i], 20 + 30 * t - 12 * t * t + 8 * t * t * t, 5e-3);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -108,6 +126,7 @@ int main(void)
         cmocka_unit_test(values_are_kept),
         cmocka_unit_test(strings_are_straight_at_their_ends),
         cmocka_unit_test(influence_ends),
+        cmocka_unit_test(cubics_are_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
