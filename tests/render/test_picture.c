@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -522,6 +523,47 @@ static void test_warnings_are_errors(void **state)
     assert_no_part_files();
 }
 
+static enum bead_error draw_or_fail(void *context, cairo_t *cr, struct bead_message *msg)
+{
+    cairo_rectangle(cr, 1, 2, 3, 4);
+    cairo_fill(cr);
+    return *(bool *)context ? BEAD_OK : bead_fail(msg, BEAD_ERROR_USAGE, "made up");
+}
+
+/* A file is whole, or not there. Its end says what it is, in any letters. */
+static void test_vector_files_are_whole(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *begins;
+        double dpi;
+    } files[] = {{"v.pdf", "%PDF-1.4", 72}, {"v.SVG", "<?xml", 72}, {"v.Eps", "%!PS-Adobe-3.0 EPSF", 72},
+                 {"v", NULL, 72},           {"v.doc", NULL, 72},    {"v.pdf", NULL, 0},
+                 {"v.pdf", NULL, -1},       {"v.pd", NULL, 72}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        for (int good = 0; good < 2; good++) {
+            const struct bead_picture_notes notes = {.size = sizeof notes, .dpi = files[i].dpi};
+            struct bead_message msg = {""};
+            bool draws = good;
+            char path[512], text[64] = "";
+            uint64_t bytes = 0;
+            in_directory(files[i].name, path, sizeof path);
+            const enum bead_error err = bead_vector_write(path, 40, 30, draw_or_fail, &draws, &notes, &bytes, &msg);
+            FILE *file = fopen(path, "r");
+            assert_int_equal(err, !files[i].begins ? BEAD_ERROR_UNSUPPORTED : good ? BEAD_OK : BEAD_ERROR_USAGE);
+            assert_true((file != NULL) == !err && (bytes > 0) == !err);
+            if (!file)
+                continue;
+            assert_true(fread(text, 1, sizeof text - 1, file) > 0 && strncmp(text, files[i].begins, strlen(files[i].begins)) == 0);
+            assert_int_equal(fseek(file, 0, SEEK_END), 0);
+            assert_int_equal(ftell(file), bytes);
+            fclose(file);
+            unlink(path);
+        }
+    }
+    assert_no_part_files();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -540,6 +582,7 @@ int main(void)
         cmocka_unit_test(test_svg_keeps_letters),
         cmocka_unit_test(test_nothing_is_cut),
         cmocka_unit_test(test_warnings_are_errors),
+        cmocka_unit_test(test_vector_files_are_whole),
     };
     return cmocka_run_group_tests_name("pictures", tests, make_directory, remove_directory);
 }
