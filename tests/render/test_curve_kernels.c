@@ -206,6 +206,129 @@ static void test_dashes_stay(void **state)
     bead_frame_free(&high);
 }
 
+enum { PIECES_WIDE = 200, PIECES_HIGH = 90 };
+static const struct bead_rect piece_rect = {11, 7, 170, 70};
+
+static void clear_frame(struct bead_frame *frame)
+{
+    memset(frame->pixels, 50, frame->stride * PIECES_HIGH);
+}
+
+static void draw_piece(const struct bead_curve *curve, const struct bead_curve *dots, float r, int from, int to,
+                       struct bead_frame *frame, const struct bead_frame *background)
+{
+    bead_curve_draw(curve, piece_rect, from, to, frame, background);
+    bead_curve_dots(dots, r, piece_rect, from, to, frame);
+}
+
+/* Lines with areas and dots, at uneven places, beyond the plot above and below: the same in pieces of any width, over what was
+ * drawn before, and nothing beside the plot. */
+static void test_pieces(void **state)
+{
+    (void)state;
+    enum { POINTS = 23 };
+    static const int blocks[] = {1, 7, 64};
+    struct bead_message msg = {""};
+    struct bead_frame background, whole, parts;
+    float x[POINTS], y[POINTS];
+    uint32_t seed = 3;
+    require(bead_frame_create(PIECES_WIDE, PIECES_HIGH, &background, &msg), &msg);
+    require(bead_frame_create(PIECES_WIDE, PIECES_HIGH, &whole, &msg), &msg);
+    require(bead_frame_create(PIECES_WIDE, PIECES_HIGH, &parts, &msg), &msg);
+    clear_frame(&background);
+    for (size_t k = 0; k < 12; k++) {
+        for (int i = 0; i < POINTS; i++) {
+            x[i] = (i > 0 ? x[i - 1] : random_place(&seed, -3, 6)) + random_place(&seed, 0.5, 14);
+            y[i] = random_place(&seed, -20, 90);
+        }
+        const struct bead_curve curve = {x,
+                                         y,
+                                         POINTS,
+                                         .base = 55.3F,
+                                         .width = random_place(&seed, 1, 6),
+                                         .line = {1, 0.5, 0.2},
+                                         .area = {0.2, 0.5, 1},
+                                         .area_alpha = 0.3,
+                                         .dashes = k % 3 ? bead_look_dashes(k % 3) : NULL,
+                                         .start = x[0]};
+        const float r = random_place(&seed, 1, 5);
+        clear_frame(&whole);
+        draw_piece(&curve, &curve, r, 0, piece_rect.width, &whole, NULL);
+        for (size_t b = 0; b < 3; b++) {
+            memset(parts.pixels, 200, parts.stride * PIECES_HIGH);
+            for (int from = 0; from < piece_rect.width; from += blocks[b])
+                draw_piece(&curve, &curve, r, from, from + blocks[b] < piece_rect.width ? from + blocks[b] : piece_rect.width,
+                           &parts, &background);
+            for (int py = 0; py < PIECES_HIGH; py++) {
+                for (int px = 0; px < PIECES_WIDE; px++) {
+                    const size_t at = (size_t)py * whole.stride + 4 * (size_t)px;
+                    const bool inside = px >= piece_rect.x && px < piece_rect.x + piece_rect.width && py >= piece_rect.y &&
+                                        py < piece_rect.y + piece_rect.height;
+                    if (inside ? memcmp(whole.pixels + at, parts.pixels + at, 3) != 0
+                               : whole.pixels[at] != 50 || parts.pixels[at] != 200)
+                        fail_msg("curve %zu in pieces of %d: differs at %d, %d", k, blocks[b], px, py);
+                }
+            }
+        }
+    }
+    bead_frame_free(&background);
+    bead_frame_free(&whole);
+    bead_frame_free(&parts);
+}
+
+/* What a frame is lighter than black, in whole pixels, and the middle of that. */
+static double ink_of(const struct bead_frame *frame, size_t channel, double middle[2])
+{
+    double sum = 0;
+    middle[0] = middle[1] = 0;
+    for (int py = 0; py < PIECES_HIGH; py++) {
+        for (int px = 0; px < PIECES_WIDE; px++) {
+            const double part = frame->pixels[(size_t)py * frame->stride + 4 * (size_t)px + channel] / 255.0;
+            sum += part;
+            middle[0] += part * (px + 0.5 - piece_rect.x), middle[1] += part * (py + 0.5 - piece_rect.y);
+        }
+    }
+    middle[0] /= sum, middle[1] /= sum;
+    return sum;
+}
+
+/* A dot has the area and the place of its disc; a line that of its band with round ends, its area reaches to the base. */
+static void test_inks(void **state)
+{
+    (void)state;
+    struct bead_message msg = {""};
+    struct bead_frame frame;
+    double middle[2];
+    uint32_t seed = 8;
+    require(bead_frame_create(PIECES_WIDE, PIECES_HIGH, &frame, &msg), &msg);
+    for (int k = 0; k < 20; k++) {
+        const float x[2] = {random_place(&seed, 20, 60), random_place(&seed, 100, 150)}, y = random_place(&seed, 12, 30),
+                    r = random_place(&seed, 1.5, 8), base = random_place(&seed, 50, 60), width = random_place(&seed, 1, 6),
+                    rise = random_place(&seed, 0, 20);
+        const struct bead_curve dot = {x, (const float[]){y, y}, 1, .line = {1, 1, 1}};
+        memset(frame.pixels, 0, frame.stride * PIECES_HIGH);
+        bead_curve_dots(&dot, r, piece_rect, 0, piece_rect.width, &frame);
+        assert_true(fabs(ink_of(&frame, 0, middle) / (M_PI * (r * r + 1.0 / 12)) - 1) < 0.02);
+        assert_true(fabs(middle[0] - x[0]) < 0.03 && fabs(middle[1] - y) < 0.03);
+        /* blue is the line, red what the area adds */
+        const struct bead_curve line = {x,
+                                        (const float[]){y, y + rise},
+                                        2,
+                                        .base = base,
+                                        .width = width,
+                                        .line = {0, 0, 1},
+                                        .area = {1, 0, 0},
+                                        .area_alpha = 1};
+        const double along = x[1] - x[0], length = hypot(along, rise);
+        memset(frame.pixels, 0, frame.stride * PIECES_HIGH);
+        bead_curve_draw(&line, piece_rect, 0, piece_rect.width, &frame, NULL);
+        assert_true(fabs(ink_of(&frame, 0, middle) / (length * width + 0.25 * M_PI * width * width) - 1) < 0.035);
+        assert_true(fabs(middle[0] - 0.5 * (x[0] + x[1])) < 0.1 && fabs(middle[1] - y - 0.5 * rise) < 0.1);
+        assert_true(fabs(ink_of(&frame, 2, middle) / (along * (base - y - 0.5 * rise) - 0.5 * length * width) - 1) < 0.01);
+    }
+    bead_frame_free(&frame);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -213,6 +336,8 @@ int main(void)
         cmocka_unit_test(test_curves_cover_transparent_frames),
         cmocka_unit_test(test_dashes),
         cmocka_unit_test(test_dashes_stay),
+        cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_inks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
