@@ -155,9 +155,8 @@ static double find_magnetism(const struct bead_chain *chain)
 static enum bead_error draw_spins(struct bead_chain *chain, struct bead_message *msg)
 {
     const struct bead_chain_spec *spec = chain->spec;
-    char *spin = chain->spins = calloc(count_spins(spec) + 1, 1);
-    if (!spin)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a chain");
+    BEAD_TRY(bead_new(&chain->spins, count_spins(spec) + 1, msg, "a chain"));
+    char *spin = chain->spins;
     for (size_t s = 0; s < spec->segment_count; s++) {
         if (spec->segments[s].cell_beads == 1)
             continue;

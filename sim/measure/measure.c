@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/measure/measure_private.h"
 #include "sim/measure/participation.h"
 #include "sim/run/uncertainty.h"
@@ -13,18 +14,16 @@
 enum bead_error bead_measures_create(const struct bead_chain *chain, struct bead_measures **measures, struct bead_message *msg)
 {
     size_t beads = bead_chain_beads(chain);
-    struct bead_measures *m = *measures = calloc(1, sizeof *m);
-    if (!m || !(m->u = calloc(2 * beads, sizeof *m->u))) {
-        free(m);
-        *measures = NULL;
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the measures of %zu beads", beads);
-    }
-    m->v = m->u + beads;
+    BEAD_TRY(bead_new(measures, 1, msg, "the measures of %zu beads", beads));
+    struct bead_measures *m = *measures;
+    enum bead_error err = bead_new(&m->u, 2 * beads, msg, "the measures of %zu beads", beads);
+    m->v = err ? NULL : m->u + beads;
     m->chain = chain;
     m->places = bead_places_find(chain);
     m->time = m->clean = m->arrived = m->strike.opened = m->strike.velocity = NAN;
     m->validity = bead_validity_begin(chain);
-    enum bead_error err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
+    if (!err)
+        err = bead_pulses_create(chain, m->places.probe, &m->pulses, msg);
     if (!err)
         err = bead_participation_clean(chain, &m->clean, msg);
     if (err) {

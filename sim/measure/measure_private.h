@@ -76,7 +76,7 @@ struct bead_pulses {
     struct bead_track *track;        /* [contacts] */
 };
 
-/* Errors: MEMORY. */
+/* To be destroyed even after an error. Errors: MEMORY. */
 BEAD_CHECK enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe, struct bead_pulses **pulses,
                                               struct bead_message *msg);
 void bead_pulses_destroy(struct bead_pulses *pulses);

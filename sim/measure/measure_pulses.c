@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds the pulses in every contact's force, see measure_private.h; measures of speed, decay and walls use them. */
+#include "sim/base/memory.h"
 #include "sim/measure/measure_private.h"
 
 #include <math.h>
@@ -17,17 +18,11 @@ enum bead_error bead_pulses_create(const struct bead_chain *chain, size_t probe,
                                    struct bead_message *msg)
 {
     size_t contacts = bead_chain_contacts(chain);
-    struct bead_pulses *p = *pulses = calloc(1, sizeof *p);
-    if (p) {
-        p->memory = calloc(contacts * BEAD_CURVE_POINTS + 1, sizeof *p->memory);
-        p->low = calloc(contacts + 1, sizeof *p->low);
-        p->track = calloc(contacts + 1, sizeof *p->track);
-    }
-    if (!p || !p->memory || !p->low || !p->track) {
-        bead_pulses_destroy(p);
-        *pulses = NULL;
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the pulses of %zu contacts", contacts);
-    }
+    BEAD_TRY(bead_new(pulses, 1, msg, "the pulses of %zu contacts", contacts));
+    struct bead_pulses *p = *pulses;
+    BEAD_TRY(bead_new(&p->memory, contacts * BEAD_CURVE_POINTS + 1, msg, "the pulses of %zu contacts", contacts));
+    BEAD_TRY(bead_new(&p->low, contacts + 1, msg, "the pulses of %zu contacts", contacts));
+    BEAD_TRY(bead_new(&p->track, contacts + 1, msg, "the pulses of %zu contacts", contacts));
     p->chain = chain;
     p->contacts = contacts;
     p->probe = probe;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "beadreel/law.h"
+#include "sim/base/memory.h"
 #include "sim/measure/measure_private.h"
 
 /* The trace begins when the probe's force exceeds this part of the largest so far. It ends this many rise times of the pulse after
@@ -25,9 +26,8 @@ static enum bead_error grow(struct bead_trace *t, struct bead_message *msg)
 {
     enum { ROWS = 3 * BEAD_PLACE_PERIOD + 2 };
     size_t room = t->room ? 2 * t->room : 512;
-    double *memory = calloc(room * ROWS, sizeof *memory), *old = t->force[0];
-    if (!memory)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the trace of a pulse");
+    double *memory, *old = t->force[0];
+    BEAD_TRY(bead_new(&memory, room * ROWS, msg, "the trace of a pulse"));
     for (size_t i = 0; old && i < ROWS; i++)
         memcpy(memory + i * room, old + i * t->room, t->count * sizeof *memory);
     free(old);

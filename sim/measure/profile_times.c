@@ -55,20 +55,19 @@ void bead_profile_times_destroy(struct bead_profile_times *m)
 static enum bead_error reserve(struct bead_profile_times *m, struct bead_message *msg)
 {
     size_t chains = m->context.chain_count, moments = m->output->curves.profile_time_count;
-    m->profiles = calloc(chains * moments, sizeof *m->profiles);
-    m->places = calloc(chains, sizeof *m->places);
-    bool got = m->profiles && m->places;
-    for (size_t c = 0; got && c < chains; c++) {
+    BEAD_TRY(bead_new(&m->profiles, chains * moments, msg, "profiles"));
+    BEAD_TRY(bead_new(&m->places, chains, msg, "profiles"));
+    for (size_t c = 0; c < chains; c++) {
         const struct bead_chain *chain = m->context.chains[c];
         const struct bead_chain_axis along = bead_chain_axis(chain, bead_chain_field(chain, m->output->shown.field)->of_contacts);
         size_t count = bead_profile_times_values(m, c);
-        got = (m->places[c] = calloc(count, sizeof(double))) != NULL;
-        for (size_t i = 0; got && i < count; i++)
+        BEAD_TRY(bead_new(&m->places[c], count, msg, "profiles"));
+        for (size_t i = 0; i < count; i++)
             m->places[c][i] = along.first + (double)i * along.spacing;
-        for (size_t i = 0; got && i < moments; i++)
-            got = (m->profiles[c * moments + i].values = calloc(count, sizeof(double))) != NULL;
+        for (size_t i = 0; i < moments; i++)
+            BEAD_TRY(bead_new(&m->profiles[c * moments + i].values, count, msg, "profiles"));
     }
-    return got ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for profiles");
+    return BEAD_OK;
 }
 
 /* Are all times on this grid? */

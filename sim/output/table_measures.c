@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/system.h"
 #include "sim/measure/sink_grid.h"
 #include "sim/output/table.h"
@@ -56,9 +57,7 @@ static enum bead_error measures_begin(struct bead_sink *sink, struct bead_messag
 {
     size_t count = sink->context.chain_count;
     enum bead_error err = BEAD_OK;
-    sink->measures = calloc(count, sizeof *sink->measures);
-    if (!sink->measures)
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "no memory for a table");
+    BEAD_TRY(bead_new(&sink->measures, count, msg, "a table"));
     for (size_t c = 0; !err && c < count; c++) {
         if (of_beads(sink->context.chains[c])) /* equations have other measures */
             err = bead_measures_create(sink->context.chains[c], &sink->measures[c], msg);

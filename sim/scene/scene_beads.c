@@ -2,6 +2,7 @@
 /* `beads`: the segments of a chain, left to right. */
 #include <stdlib.h>
 
+#include "sim/base/memory.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
 
@@ -81,9 +82,7 @@ const struct bead_options bead_segment_options = {"chain.beads", "entries of the
 static BEAD_OPTION_READER(read_bead)
 {
     struct bead_segment *segment = &((struct written *)settings)->segment;
-    segment->cell = calloc(1, sizeof *segment->cell);
-    if (!segment->cell)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&segment->cell, 1, reader->msg, "a bead"));
     segment->cell_beads = 1;
     return bead_scene_find_material(reader, at, true, segment->cell);
 }
@@ -361,25 +360,22 @@ static struct bead_at entry_of(const struct bead_at *at, const struct bead_segme
 static enum bead_error check_sensors(const struct bead_reader *reader, const struct bead_at *at,
                                      const struct bead_chain_spec *chain)
 {
-    const struct bead_segment **sensors = calloc(chain->segment_count, sizeof(struct bead_segment *));
+    BEAD_FREED const struct bead_segment **sensors = NULL;
     size_t count = 0;
-    enum bead_error err = BEAD_OK;
-    if (!sensors)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&sensors, chain->segment_count, reader->msg, "sensors"));
     for (size_t i = 0; i < chain->segment_count; i++) {
         if (chain->segments[i].sensor)
             sensors[count++] = &chain->segments[i];
     }
     qsort(sensors, count, sizeof *sensors, by_name);
-    for (size_t i = 1; i < count && !err; i++) {
+    for (size_t i = 1; i < count; i++) {
         if (strcmp(sensors[i]->sensor, sensors[i - 1]->sensor) != 0)
             continue;
         struct bead_at entry = entry_of(at, sensors[i]);
-        err = BEAD_WRONG_KEY(reader, &entry, "sensor", "`%s` is the name of another sensor of this chain; names must differ",
-                             sensors[i]->sensor);
+        return BEAD_WRONG_KEY(reader, &entry, "sensor", "`%s` is the name of another sensor of this chain; names must differ",
+                              sensors[i]->sensor);
     }
-    free(sensors);
-    return err;
+    return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_scene_read_segments)

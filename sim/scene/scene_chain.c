@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "beadreel/law.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/chain/chain_internal.h"
 #include "sim/scene/scene_private.h"
@@ -321,12 +322,10 @@ static enum bead_error check_gaps(const struct bead_reader *reader, const struct
 
 enum bead_error bead_scene_make_chains(const struct bead_reader *reader, size_t count)
 {
-    struct bead_chain_spec *chains = reader->scene->chains = calloc(count, sizeof *chains);
-    if (!chains)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&reader->scene->chains, count, reader->msg, "%zu chains", count));
     reader->scene->chain_count = count;
     for (size_t i = 0; i < count; i++)
-        chains[i].system = &bead_system_beads;
+        reader->scene->chains[i].system = &bead_system_beads;
     return BEAD_OK;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A user's own settings: finds and reads their file. */
+#include "sim/base/memory.h"
 #include "sim/scene/scene_private.h"
 
 #include <stdlib.h>
@@ -45,9 +46,7 @@ static BEAD_OPTION_READER(read_colormaps)
     struct bead_config *config = settings;
     if (at->node->kind != BEAD_NODE_MAP)
         return bead_must_be(reader, at, option->shape);
-    config->colormaps = calloc(at->node->count / 2 + 1, sizeof *config->colormaps);
-    if (!config->colormaps)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&config->colormaps, at->node->count / 2 + 1, reader->msg, "colour maps"));
     for (size_t i = 0; i + 1 < at->node->count; i += 2) {
         const struct bead_at one = {at, at->node->items[i]->text, 0, at->node->items[i + 1]};
         struct bead_config_colormap *map = &config->colormaps[config->colormap_count];

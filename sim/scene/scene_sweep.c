@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/spins.h"
 #include "sim/scene/scene_internal.h"
 #include "sim/scene/scene_private.h"
@@ -110,9 +111,7 @@ static BEAD_OPTION_READER(read_sensors)
     size_t count = list ? at->node->count : 1;
     if (count == 0 || count > SENSORS)
         return bead_wrong(reader, at, "has %zu names; must have from 1 to %d", count, SENSORS);
-    measures->sensors = calloc(count, sizeof *measures->sensors);
-    if (!measures->sensors)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&measures->sensors, count, reader->msg, "the sensors of a sweep"));
     measures->sensor_count = count;
     for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
@@ -227,8 +226,7 @@ static struct cells count_cells(const struct bead_chain_spec *chain, struct bead
 
 static enum bead_error make_groups(const struct bead_reader *reader, struct bead_sweep_spec *sweep, size_t count)
 {
-    sweep->groups = calloc(count + 1, sizeof *sweep->groups);
-    return sweep->groups ? BEAD_OK : bead_no_memory(reader);
+    return bead_new(&sweep->groups, count + 1, reader->msg, "a sweep");
 }
 
 /* Adds the group with `total` cells up; false: the fixed ones do not allow it. */
@@ -292,17 +290,13 @@ static enum bead_error given_groups(const struct bead_reader *reader, const stru
 {
     if (at->node->kind != BEAD_NODE_LIST || at->node->count == 0)
         return bead_must_be(reader, at, "a list such as [\"1101\", \"0110\"]");
-    enum bead_error err = bead_not_beside(reader, at, "magnetism");
-    if (!err)
-        err = make_groups(reader, sweep, at->node->count);
-    if (err || !(sweep->spins = calloc(at->node->count, sizeof *sweep->spins)))
-        return err ? err : bead_no_memory(reader);
+    BEAD_TRY(bead_not_beside(reader, at, "magnetism"));
+    BEAD_TRY(make_groups(reader, sweep, at->node->count));
+    BEAD_TRY(bead_new(&sweep->spins, at->node->count, reader->msg, "a sweep"));
     for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = bead_at_item(at, i);
         const char *digits = NULL;
-        err = bead_read_scalar(reader, &element, "one digit per random cell, 1 up and 0 down", &digits);
-        if (err)
-            return err;
+        BEAD_TRY(bead_read_scalar(reader, &element, "one digit per random cell, 1 up and 0 down", &digits));
         if (strspn(digits, "01") != strlen(digits))
             return bead_must_be(reader, &element, "digits 0 and 1");
         if (strlen(digits) != sweep->cells)
@@ -330,12 +324,10 @@ static enum bead_error read_groups(const struct bead_reader *reader, const struc
     if (bead_given(at, "spins"))
         return given_groups(reader, &spins, sweep);
     if (!has_magnetism && sweep->asked == 0) {
-        enum bead_error err = make_groups(reader, sweep, 1);
-        if (!err)
-            sweep->groups[0] = (struct bead_sweep_group){NAN, SIZE_MAX, sweep->configurations};
-        sweep->group_count = 1;
+        BEAD_TRY(make_groups(reader, sweep, 1));
+        sweep->groups[sweep->group_count++] = (struct bead_sweep_group){NAN, SIZE_MAX, sweep->configurations};
         sweep->own_magnetism = true;
-        return err;
+        return BEAD_OK;
     }
     if (!has_magnetism || (magnetism.node->kind == BEAD_NODE_SCALAR && strcmp(magnetism.node->text, "all") == 0))
         return all_groups(reader, sweep, &cells);
@@ -388,9 +380,7 @@ static enum bead_error read_sweeps(struct bead_reader *reader, const struct bead
                               "is given beside a sweep, which has one chain: give `chain`, or `sweeps` with `cells`");
     if (count == 0 || count > SWEEPS)
         return bead_wrong(reader, at, "has %zu sweeps; must have from 1 to %d", count, SWEEPS);
-    scene->sweeps = calloc(count, sizeof *scene->sweeps);
-    if (!scene->sweeps)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&scene->sweeps, count, reader->msg, "%zu sweeps", count));
     scene->sweep_count = count;
     BEAD_TRY(bead_scene_make_chains(reader, count));
     for (size_t i = 0; i < count; i++) {

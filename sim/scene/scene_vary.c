@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Beads that differ from their material: see scene_private.h. Each different value makes another material of the same name. */
+#include "sim/base/memory.h"
 #include "sim/scene/scene_private.h"
 
 #include <math.h>
@@ -312,10 +313,10 @@ static enum bead_error spread(const struct bead_reader *reader, struct bead_segm
     const size_t beads = segment->cell_beads * segment->count;
     if (segment->each)
         return BEAD_OK;
-    segment->each = calloc(beads, sizeof *segment->each);
-    for (size_t i = 0; segment->each && i < beads; i++)
+    BEAD_TRY(bead_new(&segment->each, beads, reader->msg, "%zu beads", beads));
+    for (size_t i = 0; i < beads; i++)
         segment->each[i] = segment->cell[i % segment->cell_beads];
-    return segment->each ? BEAD_OK : bead_no_memory(reader);
+    return BEAD_OK;
 }
 
 /* Puts the beads of each cell of a segment in random order; `k`: the number of its first bead. */

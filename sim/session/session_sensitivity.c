@@ -147,9 +147,10 @@ static enum bead_error find_of_chain(void *context, size_t chain, bool, struct b
 {
     const struct wanted *wanted = context;
     const size_t beads = bead_chain_beads(wanted->session->chains[chain]);
-    BEAD_FREED struct bead_sensitive *list = calloc(beads, sizeof *list);
-    BEAD_FREED unsigned char *mark = calloc(beads, 1);
-    BEAD_TRY(list && mark ? BEAD_OK : bead_session_out_of_memory(msg));
+    BEAD_FREED struct bead_sensitive *list = NULL;
+    BEAD_FREED unsigned char *mark = NULL;
+    BEAD_TRY(bead_new(&list, beads, msg, "sensitivities"));
+    BEAD_TRY(bead_new(&mark, beads, msg, "sensitivities"));
     if (wanted->sensitivities)
         BEAD_TRY(find_sensitivities(wanted->session, chain, list, mark, msg));
     for (int of_beads = 0; of_beads < 2; of_beads++) {

@@ -138,9 +138,10 @@ enum bead_error bead_decay_of(const struct bead_decay_profiles *profiles, size_t
                               struct bead_decay *of_force, struct bead_decay *of_energy, struct bead_message *msg)
 {
     struct bead_decay decay[2];
-    BEAD_FREED size_t *drawn = calloc(profiles->rows + 1, sizeof *drawn);
-    BEAD_FREED double *mean = calloc(profiles->places + 1, sizeof *mean);
-    BEAD_TRY(drawn && mean ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for decay lengths"));
+    BEAD_FREED size_t *drawn = NULL;
+    BEAD_FREED double *mean = NULL;
+    BEAD_TRY(bead_new(&drawn, profiles->rows + 1, msg, "decay lengths"));
+    BEAD_TRY(bead_new(&mean, profiles->places + 1, msg, "decay lengths"));
     for (size_t i = 0; i < profiles->rows; i++)
         drawn[i] = i;
     fit_both(profiles, drawn, mean, decay);

@@ -148,23 +148,21 @@ enum bead_error bead_threshold_fit(const struct bead_group_results *groups, size
                                    size_t resamples, uint64_t seed, struct bead_threshold *t, struct bead_message *msg)
 {
     *t = (struct bead_threshold){NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    double *magnetism = calloc(2 * count + 1, sizeof *magnetism), *mean = magnetism + count;
-    enum bead_error err = magnetism ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a threshold");
-    for (size_t g = 0; !err && g < count; g++) {
+    BEAD_FREED double *magnetism;
+    BEAD_TRY(bead_new(&magnetism, 2 * count + 1, msg, "a threshold"));
+    double *mean = magnetism + count;
+    for (size_t g = 0; g < count; g++) {
         magnetism[g] = groups[g].magnetism;
         mean[g] = mean_of(&groups[g], 0, 0, NULL);
         if (groups[g].count == 0 || !(mean[g] > 0) || (g > 0 && !(magnetism[g] > magnetism[g - 1])))
-            err = bead_fail(msg, BEAD_ERROR_NUMBERS, "no threshold: group %zu has no positive mean or is out of order", g);
+            return bead_fail(msg, BEAD_ERROR_NUMBERS, "no threshold: group %zu has no positive mean or is out of order", g);
     }
-    if (!err && !find_regimes(magnetism, mean, count, t))
-        err = bead_fail(msg, BEAD_ERROR_NUMBERS,
-                        "no threshold: it needs magnetisms up to 0.2, for the plateau, and some near 1 with higher forces");
-    if (!err) {
-        t->critical = how->find(magnetism, mean, count, t);
-        resample(groups, count, how, resamples, seed, magnetism, mean, t);
-    }
-    free(magnetism);
-    return err;
+    if (!find_regimes(magnetism, mean, count, t))
+        return bead_fail(msg, BEAD_ERROR_NUMBERS,
+                         "no threshold: it needs magnetisms up to 0.2, for the plateau, and some near 1 with higher forces");
+    t->critical = how->find(magnetism, mean, count, t);
+    resample(groups, count, how, resamples, seed, magnetism, mean, t);
+    return BEAD_OK;
 }
 
 /* The means of a threshold, and room to change them. */

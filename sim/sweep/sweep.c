@@ -62,11 +62,9 @@ static enum bead_error make_panel(struct bead_sweep *sweep, size_t index, struct
     panel->first_job = sweep->jobs;
     size_t jobs = panel->shown.configurations + 1;
     sweep->jobs += jobs;
-    panel->spins = calloc(jobs, spec->cells + 1);
-    panel->peaks = calloc(jobs * (panel->shown.places + 1), sizeof *panel->peaks);
-    if (spec->measures.decay)
-        panel->profiles = calloc(jobs * panel->shown.beads, PROFILES * sizeof *panel->profiles);
-    return panel->spins && panel->peaks && (panel->profiles || !spec->measures.decay) ? BEAD_OK : out_of_memory(msg);
+    BEAD_TRY(bead_new(&panel->spins, jobs * (spec->cells + 1), msg, "a sweep"));
+    BEAD_TRY(bead_new(&panel->peaks, jobs * (panel->shown.places + 1), msg, "a sweep"));
+    return spec->measures.decay ? bead_new(&panel->profiles, jobs * panel->shown.beads * PROFILES, msg, "a sweep") : BEAD_OK;
 }
 
 static enum bead_error make_plain(struct bead_sweep *sweep, struct bead_message *msg);
@@ -81,13 +79,14 @@ enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_
     BEAD_TRY(bead_new(&s, 1, msg, "a sweep"));
     s->scene = scene;
     s->part = s->parts = 1;
-    s->panels = calloc(scene->sweep_count, sizeof *s->panels);
-    s->panel_count = s->panels ? scene->sweep_count : 0;
-    enum bead_error err = s->panels && (s->version = strdup(BEADREEL_VERSION)) ? BEAD_OK : out_of_memory(msg);
+    enum bead_error err = bead_new(&s->panels, scene->sweep_count, msg, "a sweep");
+    s->panel_count = err ? 0 : scene->sweep_count;
+    if (!err && !(s->version = strdup(BEADREEL_VERSION)))
+        err = out_of_memory(msg);
     for (size_t i = 0; i < s->panel_count && !err; i++)
         err = make_panel(s, i, msg);
-    if (!err && !(s->known = calloc(s->jobs, 1)))
-        err = out_of_memory(msg);
+    if (!err)
+        err = bead_new(&s->known, s->jobs, msg, "a sweep");
     if (!err)
         err = make_plain(s, msg);
     if (err)
@@ -452,11 +451,10 @@ enum bead_error bead_sweep_single(const struct bead_sweep *sweep, size_t panel, 
         bead_scene_free(own);
         return *scene ? BEAD_OK : out_of_memory(msg);
     }
-    char *digits = strndup(p->spins + (index + 1) * cells, cells);
+    BEAD_FREED char *digits = strndup(p->spins + (index + 1) * cells, cells);
     if (!digits)
         return out_of_memory(msg);
-    enum bead_error err = bead_sweep_single_node(sweep->scene->tree, panel, digits, &made, msg);
-    free(digits);
+    BEAD_TRY(bead_sweep_single_node(sweep->scene->tree, panel, digits, &made, msg));
     *scene = made;
-    return err;
+    return BEAD_OK;
 }

@@ -128,24 +128,23 @@ static enum bead_error read_panel(struct bead_h5 *h5, struct bead_sweep *sweep, 
     const struct bead_sweep_panel *shown = &r.panel->shown;
     const size_t clean = 0, jobs = shown->configurations + 1;
     size_t wide = shown->places > shown->beads ? shown->places : shown->beads;
-    r.row = calloc(jobs, sizeof *r.row);
-    for (size_t row = 1; r.row && row < jobs; row++) {
+    BEAD_FREED size_t *rows = NULL;
+    BEAD_FREED double *numbers = NULL;
+    BEAD_FREED int64_t *whole = NULL;
+    BEAD_TRY(bead_new(&rows, jobs, msg, "a sweep"));
+    r.row = rows;
+    for (size_t row = 1; row < jobs; row++) {
         if (bead_sweep_mine(sweep, r.panel->first_job + row))
             r.row[r.count++] = row;
     }
-    BEAD_FREED double *numbers = calloc((r.count + 1) * (r.panel->profiles ? wide : shown->places + 1), sizeof *numbers);
-    BEAD_FREED int64_t *whole = calloc((r.count + 1) * (shown->places + 1), sizeof *whole);
-    enum bead_error err =
-        r.row && numbers && whole ? BEAD_OK : bead_fail(msg, BEAD_ERROR_MEMORY, "%s: out of memory for a sweep", h5->path);
+    BEAD_TRY(bead_new(&numbers, (r.count + 1) * (r.panel->profiles ? wide : shown->places + 1), msg, "a sweep"));
+    BEAD_TRY(bead_new(&whole, (r.count + 1) * (shown->places + 1), msg, "a sweep"));
     memset(r.panel->spins, '1', jobs * shown->spec->cells);
-    if (!err && r.count)
+    if (r.count)
         read_spins(&r, whole);
-    if (!err)
-        read_results(&r, "", r.row, r.count, numbers, whole);
-    if (!err)
-        read_results(&r, "reference_", &clean, bead_sweep_mine(sweep, r.panel->first_job), numbers, whole);
-    free(r.row);
-    return err ? err : h5->error;
+    read_results(&r, "", r.row, r.count, numbers, whole);
+    read_results(&r, "reference_", &clean, bead_sweep_mine(sweep, r.panel->first_job), numbers, whole);
+    return h5->error;
 }
 
 static enum bead_error read_scene(struct bead_h5 *h5, const struct bead_own *own, struct bead_scene **scene,

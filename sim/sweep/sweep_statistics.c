@@ -46,11 +46,9 @@ size_t bead_sweep_alike(const struct sweep_entry *entries, size_t count, size_t 
 static enum bead_error fill_rows(struct bead_sweep_statistics *s, const struct sweep_entry *entries, size_t count,
                                  struct bead_message *msg)
 {
-    BEAD_FREED double *sorted = calloc(count + 1, sizeof *sorted);
-    s->rows = calloc(count + 1, sizeof *s->rows);
-    if (!sorted || !s->rows) {
-        return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for the statistics of a sweep");
-    }
+    BEAD_FREED double *sorted = NULL;
+    BEAD_TRY(bead_new(&sorted, count + 1, msg, "the statistics of a sweep"));
+    BEAD_TRY(bead_new(&s->rows, count + 1, msg, "the statistics of a sweep"));
     for (size_t first = 0; first < count;) {
         struct bead_sweep_row *row = &s->rows[s->row_count++];
         *row = (struct bead_sweep_row){
