@@ -65,8 +65,10 @@ static enum bead_error plot_feed(struct bead_still *s, const struct bead_sample 
 static enum bead_error plot_write(struct bead_still *s, const struct bead_outcome *outcomes, const char *path, uint64_t *bytes,
                                   struct bead_message *msg)
 {
-    return s->plot ? bead_plot_data_write(s->plot, outcomes, path, bytes, msg)
-                   : bead_schematic_write(s->output, &s->context, path, bytes, msg);
+    if (!s->plot)
+        return bead_schematic_write(s->output, &s->context, path, bytes, msg);
+    BEAD_TRY(bead_plot_data_finish(s->plot, outcomes, msg));
+    return bead_plot_data_write(s->plot, path, bytes, msg);
 }
 
 static const struct bead_still_kind plot_still = {

@@ -4,91 +4,115 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "render/draw/markup.h"
 #include "render/plot/plane.h"
 #include "render/plot/sweep_plot.h"
-#include "sim/sweep/sweep_curves.h"
 #include "sim/sweep/sweep_internal.h"
 
-/* A panel for each place where forces are measured. */
+/* The points of a panel, until it has its colours. */
 struct plane {
     struct bead_plane_point *points;
     size_t count;
-    enum bead_scale scales[2];
-    double ends[2][2];
-    struct bead_graph_image image;
-    double *threshold; /* [sweeps] x, y and error, of those over spins */
-    struct bead_series series;
-    char axes[2][200], title[300];
-    const char *units[2];
 };
 
-static void add_point(struct plane *p, double x, double y, double value)
+static void add_point(struct plane *plane, double x, double y, double value)
 {
     if (isfinite(y) && isfinite(value))
-        p->points[p->count++] = (struct bead_plane_point){x, y, value};
+        plane->points[plane->count++] = (struct bead_plane_point){x, y, value};
+}
+
+/* Makes the colours; the axes of the panel have their titles, units and scales, and get their ends. */
+static enum bead_error colour(struct bead_plot_data *data, size_t p, const struct plane *plane, const char *title, const char *unit,
+                              struct bead_message *msg)
+{
+    struct plot_panel *part = &data->parts[p];
+    struct bead_graph_axis *x = &part->shown->x, *y = &part->shown->y;
+    struct bead_graph_image *image = &part->image;
+    const double *range = data->output->plot.range;
+    double ends[2][2];
+    if (plane->count == 0)
+        return bead_output_wrong(data->output, msg, "show: no chain of the sweep has a value for the plane");
+    BEAD_TRY(bead_plane_make(plane->points, plane->count, (const enum bead_scale[]){x->scale, y->scale}, image, ends, msg));
+    part->spectral.values = (double *)image->values;
+    image->title = title;
+    image->unit = unit;
+    /* Forces begin at 0, as on axes; measures only if one of them is nearly 0. */
+    const bool forces = !*data->output->sweep_curves.measure;
+    image->low = !isnan(range[0]) ? range[0] : forces ? fmin(0, image->low) : image->low;
+    image->high = !isnan(range[1]) ? range[1] : image->high;
+    if (!(image->high > image->low))
+        image->high = image->low + (image->low != 0 ? fabs(image->low) : 1);
+    x->low = ends[0][0];
+    x->high = ends[0][1];
+    y->low = ends[1][0];
+    y->high = ends[1][1];
+    part->shown->image = image;
+    return BEAD_OK;
 }
 
 /* ---- over spins ---- */
 
-static void add_column(struct plane *p, const struct bead_sweep_statistics *s, double cells, size_t sweeps)
+/* Adds a point of the threshold, by ascending number of cells. */
+static void add_threshold(struct bead_series *line, double *x, size_t sweeps, double cells, const struct bead_threshold *t)
 {
-    const struct bead_threshold *t = &s->threshold;
-    for (size_t i = 0; i < s->row_count; i++)
-        add_point(p, cells, s->rows[i].magnetism, s->rows[i].summary.mean);
-    if (!s->has_threshold || !isfinite(t->critical))
-        return;
-    size_t at = p->series.count++;
-    for (; at > 0 && p->threshold[at - 1] > cells; at--) { /* by ascending number of cells */
+    const double point[] = {cells, t->critical, isfinite(t->critical_error) ? t->critical_error : 0};
+    size_t at = line->count++;
+    for (; at > 0 && x[at - 1] > cells; at--) {
         for (size_t k = 0; k < 3; k++)
-            p->threshold[k * sweeps + at] = p->threshold[k * sweeps + at - 1];
+            x[k * sweeps + at] = x[k * sweeps + at - 1];
     }
-    p->threshold[at] = cells;
-    p->threshold[sweeps + at] = t->critical;
-    p->threshold[2 * sweeps + at] = isfinite(t->critical_error) ? t->critical_error : 0;
+    for (size_t k = 0; k < 3; k++)
+        x[k * sweeps + at] = point[k];
 }
 
-static enum bead_error take_spins(struct sweep_page *page, struct plane *p, size_t place, struct bead_message *msg)
+static enum bead_error take_spins(struct bead_plot_data *data, size_t p, struct plane *plane, struct bead_message *msg)
 {
-    const struct bead_sweep *sweep = page->context->sweep;
+    const struct bead_sweep *sweep = data->context.sweep;
     const size_t sweeps = bead_sweep_panels(sweep);
+    struct plot_panel *part = &data->parts[p];
     size_t room = 0;
     for (size_t i = 0; i < sweeps; i++)
         room += bead_sweep_panel(sweep, i)->spec->group_count + 1;
-    BEAD_TRY(plot_new(&page->store, &p->points, room, msg));
-    BEAD_TRY(plot_new(&page->store, &p->threshold, 3 * sweeps, msg));
+    BEAD_TRY(plot_new(&data->store, &plane->points, room, msg));
+    BEAD_TRY(plot_reserve_series(data, p, 1, 3 * sweeps, msg));
+    const struct bead_series line = {.mark = BEAD_MARK_LINE_POINTS, .label = "threshold *M*_c"};
+    double *x = plot_add_numbers(part, line, sweeps, 3);
+    plot_last(part)->error = x + 2 * sweeps;
+    plot_last(part)->count = 0;
     for (size_t i = 0; i < sweeps; i++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(sweep, i);
+        const double cells = (double)panel->spec->cells;
         struct bead_sweep_statistics s;
-        if (place >= panel->places)
+        if (p >= panel->places)
             continue;
-        BEAD_TRY(bead_sweep_statistics(sweep, i, place, page->output->sweep_curves.threshold, &s, msg));
-        add_column(p, &s, (double)panel->spec->cells, sweeps);
+        BEAD_TRY(bead_sweep_statistics(sweep, i, p, data->output->sweep_curves.threshold, &s, msg));
+        for (size_t k = 0; k < s.row_count; k++)
+            add_point(plane, cells, s.rows[k].magnetism, s.rows[k].summary.mean);
+        if (s.has_threshold && isfinite(s.threshold.critical))
+            add_threshold(plot_last(part), x, sweeps, cells, &s.threshold);
         bead_sweep_statistics_free(&s);
     }
-    p->series.x = p->threshold;
-    p->series.y = p->threshold + sweeps;
-    p->series.error = p->threshold + 2 * sweeps;
-    p->series.mark = BEAD_MARK_LINE_POINTS;
-    p->series.label = "threshold *M*_c";
-    p->scales[0] = BEAD_SCALE_LOG;
-    snprintf(p->axes[0], sizeof p->axes[0], "random cells *N*");
-    snprintf(p->axes[1], sizeof p->axes[1], "magnetism *M*");
-    p->units[0] = p->units[1] = "";
-    p->image.title = "mean *F*/\u2060*F*(*M*\u00a0=\u00a01)";
-    p->image.unit = "";
+    part->shown->series_count = plot_last(part)->count > 0;
     return BEAD_OK;
+}
+
+static enum bead_error fill_spins(struct bead_plot_data *data, size_t p, struct bead_message *msg)
+{
+    struct plane plane = {NULL, 0};
+    BEAD_TRY(take_spins(data, p, &plane, msg));
+    data->panels[p].x = (struct bead_graph_axis){.title = "random cells *N*", .unit = "", .scale = BEAD_SCALE_LOG};
+    data->panels[p].y = (struct bead_graph_axis){.title = "magnetism *M*", .unit = ""};
+    return colour(data, p, &plane, "mean *F*/\u2060*F*(*M*\u00a0=\u00a01)", "", msg);
 }
 
 /* ---- over keys ---- */
 
 /* The only key that is neither a seed nor along the axis. */
-static const struct bead_over_key *other_key(const struct bead_over *over, size_t key)
+static size_t other_key(const struct bead_over *over, size_t key)
 {
     size_t k = 0;
     while (k == key || over->keys[k].seed)
         k++;
-    return &over->keys[k];
+    return k;
 }
 
 static bool is_positive(const struct bead_over_key *key)
@@ -100,82 +124,37 @@ static bool is_positive(const struct bead_over_key *key)
     return true;
 }
 
-static enum bead_error take_keys(struct sweep_page *page, struct plane *p, size_t place, const struct bead_over_shown *what,
+static enum bead_error fill_keys(struct bead_plot_data *data, size_t p, const struct bead_sweep_curves *found, const char *unit,
                                  struct bead_message *msg)
 {
-    const struct bead_output *output = page->output;
-    const struct bead_sweep *sweep = page->context->sweep;
-    const struct bead_over *over = &bead_sweep_panel(sweep, 0)->spec->over;
-    struct bead_sweep_curves found;
-    enum bead_error err = bead_sweep_curves_find(sweep, 0, place, what->values, output->sweep_curves.against, &found, msg);
-    const struct bead_over_key *keys[2] = {&over->keys[found.key], other_key(over, found.key)};
-    if (!err)
-        err = plot_new(&page->store, &p->points, keys[0]->count * keys[1]->count, msg);
-    for (size_t i = 0; !err && i < found.count; i++) {
-        const struct bead_sweep_curve *curve = &found.curves[i];
+    const struct bead_over *over = &bead_sweep_panel(data->context.sweep, 0)->spec->over;
+    const size_t keys[2] = {found->key, other_key(over, found->key)};
+    const struct bead_over_key *other = &over->keys[keys[1]];
+    struct plane plane = {NULL, 0};
+    BEAD_TRY(plot_new(&data->store, &plane.points, over->keys[keys[0]].count * other->count, msg));
+    BEAD_TRY(plot_reserve_series(data, p, 0, 0, msg));
+    for (size_t i = 0; i < found->count; i++) {
+        const struct bead_sweep_curve *curve = &found->curves[i];
         for (size_t k = 0; k < curve->count; k++)
-            add_point(p, curve->points[k].x, keys[1]->value[i], curve->points[k].summary.mean);
+            add_point(&plane, curve->points[k].x, other->value[i], curve->points[k].summary.mean);
     }
-    bead_sweep_curves_free(&found);
     for (size_t k = 0; k < 2; k++) {
-        bead_over_axis_name(over, (size_t)(keys[k] - over->keys), p->axes[k], sizeof p->axes[k]);
-        p->units[k] = keys[k]->unit;
-        p->scales[k] = output->plot.scale == BEAD_SCALE_LOG && is_positive(keys[k]) ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR;
+        const struct bead_over_key *key = &over->keys[keys[k]];
+        const bool logarithmic = data->output->plot.scale == BEAD_SCALE_LOG && is_positive(key);
+        *(k ? &data->panels[p].y : &data->panels[p].x) =
+            (struct bead_graph_axis){.title = sweep_plot_key_name(&data->parts[p], over, keys[k]),
+                                     .unit = key->unit,
+                                     .scale = logarithmic ? BEAD_SCALE_LOG : BEAD_SCALE_LINEAR};
     }
-    p->image.title = what->title;
-    p->image.unit = what->unit;
-    return err;
+    return colour(data, p, &plane, data->axis_title, unit, msg);
 }
 
-/* ---- both ---- */
-
-static enum bead_error make_panel(struct sweep_page *page, struct plane *p, size_t place, struct bead_message *msg)
+enum bead_error bead_plane_plot_fill(struct bead_plot_data *data, struct bead_message *msg)
 {
-    const struct bead_graph_image named = p->image;
-    const double *range = page->output->plot.range;
-    if (p->count == 0)
-        return bead_output_wrong(page->output, msg, "show: no chain of the sweep has a value for the plane");
-    BEAD_TRY(bead_plane_make(p->points, p->count, p->scales, &p->image, p->ends, msg));
-    p->image.title = named.title;
-    p->image.unit = named.unit;
-    /* Forces begin at 0, as on axes; measures only if one of them is nearly 0. */
-    const bool forces = !*page->output->sweep_curves.measure;
-    p->image.low = !isnan(range[0]) ? range[0] : forces ? fmin(0, p->image.low) : p->image.low;
-    p->image.high = !isnan(range[1]) ? range[1] : p->image.high;
-    if (!(p->image.high > p->image.low))
-        p->image.high = p->image.low + (p->image.low != 0 ? fabs(p->image.low) : 1);
-    if (bead_sweep_panel(page->context->sweep, 0)->places > 1)
-        bead_markup_quote(bead_sweep_place(page->context->sweep, 0, place), p->title, sizeof p->title);
-    page->panels[place] = (struct bead_panel){.title = *p->title ? p->title : NULL,
-                                              .x = {p->axes[0], p->units[0], p->ends[0][0], p->ends[0][1], p->scales[0], false},
-                                              .y = {p->axes[1], p->units[1], p->ends[1][0], p->ends[1][1], p->scales[1], false},
-                                              .series = &p->series,
-                                              .series_count = p->series.count > 0,
-                                              .image = &p->image};
-    return BEAD_OK;
-}
-
-enum bead_error bead_plane_plot_write(struct sweep_page *page, struct bead_message *msg)
-{
-    const struct bead_sweep_panel *panel = bead_sweep_panel(page->context->sweep, 0);
-    const bool over = panel->spec->over.key_count > 0;
-    const size_t places = *page->output->sweep_curves.measure ? 1 : panel->places;
-    struct bead_over_shown what = {.values = NULL};
-    struct plane *planes = NULL;
-    enum bead_error err = over ? bead_over_shown_find(page->output, page->context, &what, msg) : BEAD_OK;
-    if (!err)
-        err = sweep_page_reserve(page, places, msg);
-    if (!err)
-        err = plot_new(&page->store, &planes, places, msg);
-    for (size_t i = 0; i < places && !err; i++) {
-        err = over ? take_keys(page, &planes[i], i, &what, msg) : take_spins(page, &planes[i], i, msg);
-        if (!err)
-            err = make_panel(page, &planes[i], i, msg);
-    }
-    if (!err)
-        err = sweep_page_write(page, msg);
-    for (size_t i = 0; planes && i < places; i++)
-        free((double *)planes[i].image.values);
-    bead_sweep_values_free(&what.of);
+    if (bead_sweep_panel(data->context.sweep, 0)->spec->over.key_count > 0)
+        return sweep_plot_fill_keys(data, fill_keys, msg);
+    enum bead_error err = sweep_plot_reserve_places(data, msg);
+    for (size_t p = 0; p < data->count && !err; p++)
+        err = fill_spins(data, p, msg);
     return err;
 }

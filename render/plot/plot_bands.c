@@ -8,7 +8,6 @@
 #include "render/draw/words.h"
 #include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
-#include "sim/base/wide.h"
 
 static void set_axes(struct bead_plot_data *data, struct bead_graph_axis x, struct bead_graph_axis y)
 {
@@ -26,25 +25,11 @@ static enum bead_error plot_bands_create(struct bead_plot_data *data, struct bea
     for (size_t p = 0; p < data->count; p++) /* of a cell, however its neighbours are turned: no M */
         bead_markup_quote(bead_chain_title(data->context.chains[data->parts[p].chain]), data->parts[p].title,
                           sizeof data->parts[p].title);
-    set_axes(data, (struct bead_graph_axis){"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, true},
+    set_axes(data, plot_wave_numbers,
              (struct bead_graph_axis){"frequency", "Hz", data->output->plot.range[0], data->output->plot.range[1],
                                       BEAD_SCALE_LINEAR, true});
     snprintf(data->why, sizeof data->why, "bands of each cell");
     return BEAD_OK;
-}
-
-/* The last point of each band is a break. */
-struct bead_series plot_bands_of(const struct bead_medium *medium, double *at)
-{
-    const size_t count = PLOT_BAND_POINTS * medium->cell.count;
-    for (size_t i = 0; i < count; i++) {
-        const double part = (double)(i % PLOT_BAND_POINTS) / (PLOT_BAND_POINTS - 2);
-        at[i] = fmin(part, 1);
-        at[count + i] =
-            part > 1 ? NAN
-                     : bead_jacobi_frequency(&medium->cell, i / PLOT_BAND_POINTS, bead_sin((0.5 - part) * 3.14159265358979323846));
-    }
-    return (struct bead_series){.x = at, .y = at + count, .count = count, .mark = BEAD_MARK_LINE};
 }
 
 /* The gaps of a chain with one kind of cell. */
@@ -70,13 +55,11 @@ static enum bead_error fill_bands(struct bead_plot_data *data, size_t p, const s
         values += PLOT_BAND_VALUES * media[i].cell.count;
     struct plot_panel *part = &data->parts[p];
     BEAD_TRY(plot_reserve_series(data, p, count, values, msg));
-    double *at = part->values;
     for (size_t i = 0; i < count; i++) {
         snprintf(part->labels[i], sizeof *part->labels, "beads %zu to %zu", media[i].first, media[i].last);
-        part->series[i] = plot_bands_of(&media[i], at);
-        part->series[i].label = count > 1 ? part->labels[i] : NULL;
-        plot_tell_apart(&part->series[i], i);
-        at += PLOT_BAND_VALUES * media[i].cell.count;
+        struct bead_series *bands = plot_add_bands(part, &media[i]);
+        bands->label = count > 1 ? part->labels[i] : NULL;
+        plot_tell_apart(bands, i);
     }
     return count == 1 ? shade_gaps(data, p, &media[0], msg) : BEAD_OK;
 }
@@ -95,7 +78,7 @@ static enum bead_error plot_bands_finish(struct bead_plot_data *data, const stru
     return err;
 }
 
-const struct plot_kind bead_plot_bands = {BEAD_SHOW_BANDS, true, plot_bands_create, NULL, NULL, plot_bands_finish};
+const struct plot_kind bead_plot_bands = {BEAD_SHOW_BANDS, plot_bands_create, NULL, NULL, plot_bands_finish};
 
 /* ---- modes ---- */
 
@@ -121,15 +104,13 @@ static enum bead_error plot_eigenmodes_finish(struct bead_plot_data *data, const
         const size_t count = bead_chain_beads(data->context.chains[part->chain]);
         BEAD_FREED struct bead_mode *modes = NULL;
         BEAD_TRY(bead_modes_find(data->context.chains[part->chain], &modes, msg));
+        double *x = plot_add_numbers(part, (struct bead_series){.mark = BEAD_MARK_POINTS}, count, 2);
         for (size_t i = 0; i < count; i++) {
-            part->values[i] = modes[i].frequency;
-            part->values[count + i] = modes[i].participation;
+            x[i] = modes[i].frequency;
+            x[count + i] = modes[i].participation;
         }
-        part->series[0] =
-            (struct bead_series){.x = part->values, .y = part->values + count, .count = count, .mark = BEAD_MARK_POINTS};
     }
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_eigenmodes = {BEAD_SHOW_EIGENMODES,  true, plot_eigenmodes_create, NULL, NULL,
-                                               plot_eigenmodes_finish};
+const struct plot_kind bead_plot_eigenmodes = {BEAD_SHOW_EIGENMODES, plot_eigenmodes_create, NULL, NULL, plot_eigenmodes_finish};

@@ -160,7 +160,7 @@ const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data
 static struct bead_graph graph_of(const struct bead_plot_data *data)
 {
     struct bead_graph graph = {
-        .letters = true, .share_x = plot_kind_of(data)->share_x, .share_y = !data->residuals, .residuals = data->residuals};
+        .letters = true, .share_x = !data->apart[0], .share_y = !data->apart[1], .residuals = data->residuals};
     graph.panels = bead_plot_data_panels(data, &graph.panel_count);
     return graph;
 }
@@ -171,10 +171,8 @@ enum bead_error bead_plot_data_check(const struct bead_plot_data *data, struct b
     return bead_graph_check(&graph, data->output, data->context.scene, msg);
 }
 
-enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
-                                     uint64_t *bytes, struct bead_message *msg)
+enum bead_error bead_plot_data_write(const struct bead_plot_data *data, const char *path, uint64_t *bytes, struct bead_message *msg)
 {
-    BEAD_TRY(bead_plot_data_finish(data, outcomes, msg));
     const struct bead_graph graph = graph_of(data);
     return bead_graph_write(&graph, data->output, data->context.scene, path, bytes, msg);
 }

@@ -21,7 +21,7 @@ BEAD_CHECK enum bead_error bead_plot_data_finish(struct bead_plot_data *data, co
 const struct bead_panel *bead_plot_data_panels(const struct bead_plot_data *data, size_t *count);
 /* Would the panels have room on the page of a plot? Errors: SCENE, MEMORY. */
 BEAD_CHECK enum bead_error bead_plot_data_check(const struct bead_plot_data *data, struct bead_message *msg);
-/* Finishes, and writes the panels as a plot. Errors: those of finish and of bead_graph_write. */
-BEAD_CHECK enum bead_error bead_plot_data_write(struct bead_plot_data *data, const struct bead_outcome *outcomes, const char *path,
-                                                uint64_t *bytes, struct bead_message *msg);
+/* After finish: writes the panels as a plot. Errors: those of bead_graph_write. */
+BEAD_CHECK enum bead_error bead_plot_data_write(const struct bead_plot_data *data, const char *path, uint64_t *bytes,
+                                                struct bead_message *msg);
 void bead_plot_data_destroy(struct bead_plot_data *data);

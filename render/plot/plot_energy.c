@@ -50,14 +50,13 @@ static unsigned parts_there(const struct bead_plot_data *data)
 static struct bead_series *next_series(struct bead_plot_data *data, size_t p, size_t k, enum bead_mark mark)
 {
     struct plot_panel *part = &data->parts[p];
-    const size_t number = data->panels[p].series_count++, times = bead_grid_count(&data->grid);
-    struct bead_series *series = &part->series[number];
+    const size_t number = part->shown->series_count;
     bead_energy_part_name(data->output, k, part->labels[number]);
-    *series = (struct bead_series){.x = data->sample,
-                                   .y = part->values + k * times,
-                                   .count = part->taken,
-                                   .mark = mark,
-                                   .label = p == 0 ? part->labels[number] : NULL};
+    struct bead_series *series = plot_add(part, (struct bead_series){.x = data->sample,
+                                                                     .y = part->values + k * bead_grid_count(&data->grid),
+                                                                     .count = part->taken,
+                                                                     .mark = mark,
+                                                                     .label = p == 0 ? part->labels[number] : NULL});
     plot_tell_apart(series, number);
     return series;
 }
@@ -68,7 +67,6 @@ static void stack(struct bead_plot_data *data, size_t p, unsigned there)
     struct plot_panel *part = &data->parts[p];
     const size_t times = bead_grid_count(&data->grid), stacked = bead_energy_parts_stacked(data->output);
     const double *below = part->values + data->numbers * times; /* zeros */
-    data->panels[p].series_count = 0;
     for (size_t k = 0; k < stacked; k++) {
         if (!(there & 1u << k))
             continue;
@@ -99,5 +97,5 @@ static enum bead_error plot_energy_finish(struct bead_plot_data *data, const str
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_energy = {BEAD_SHOW_ENERGY,  true, plot_energy_create, plot_energy_needs, plot_energy_feed,
+const struct plot_kind bead_plot_energy = {BEAD_SHOW_ENERGY, plot_energy_create, plot_energy_needs, plot_energy_feed,
                                            plot_energy_finish};

@@ -32,40 +32,38 @@ static enum bead_error reduce(const struct bead_plot_data *data, const struct pl
     return BEAD_OK;
 }
 
-static enum bead_error add(const struct bead_plot_data *data, const struct plot_panel *part, size_t k, bool difference, double **at,
-                           struct bead_series *series, struct bead_message *msg)
+/* Adds it to panel `into`: differences to another one than `part`. */
+static enum bead_error add(const struct bead_plot_data *data, const struct plot_panel *part, size_t k, struct bead_series series,
+                           struct plot_panel *into, struct bead_message *msg)
 {
     struct bead_curves curves;
-    enum bead_error err = reduce(data, part, k, difference, &curves, msg);
+    enum bead_error err = reduce(data, part, k, part != into, &curves, msg);
     if (!err)
-        *at = plot_curve_points(&curves, 0, 1, *at, series);
+        plot_add_curve(into, series, &curves, 0, 1);
     bead_curves_free(&curves);
     return err;
 }
 
-enum bead_error plot_measured_fill(struct bead_plot_data *data, size_t p, double *values, struct bead_message *msg)
+enum bead_error plot_measured_add(struct bead_plot_data *data, size_t p, struct bead_message *msg)
 {
-    const struct plot_panel *part = &data->parts[p];
+    struct plot_panel *part = &data->parts[p], *below = &data->parts[data->count + p];
     const size_t count = count_of(data, part), sensors = part->curves.curves;
-    struct plot_panel *below = &data->parts[data->count + p];
     size_t room = 0;
     for (size_t k = 0; k < count; k++)
         room += 8 * data->output->curves.measured[k].count;
     BEAD_TRY(plot_reserve_series(data, data->count + p, count, room, msg));
-    double *at = below->values;
     for (size_t k = 0; k < plot_measured_count(data, part); k++) {
         char *label = part->labels[sensors + k], text[sizeof *part->labels];
         snprintf(text, sizeof text, "%.200s%smeasured", sensors > 1 ? part->labels[k] : "", sensors > 1 ? ", " : "");
         memcpy(label, text, sizeof text);
-        part->series[sensors + k] = (struct bead_series){.mark = BEAD_MARK_POINTS, .label = label};
-        plot_tell_apart(&part->series[sensors + k], sensors + k);
-        BEAD_TRY(add(data, part, k, false, &values, &part->series[sensors + k], msg));
+        struct bead_series points = {.mark = BEAD_MARK_POINTS, .label = label};
+        plot_tell_apart(&points, sensors + k);
+        BEAD_TRY(add(data, part, k, points, part, msg));
     }
     for (size_t k = 0; k < count; k++) {
-        below->series[k] = (struct bead_series){.mark = BEAD_MARK_LINE};
-        plot_tell_apart(&below->series[k], sensors + k);
-        below->series[k].dash = k % BEAD_DASHES;
-        BEAD_TRY(add(data, part, k, true, &at, &below->series[k], msg));
+        struct bead_series line = plot_line(NULL, NULL, 0, NULL, sensors + k);
+        line.dash = k % BEAD_DASHES;
+        BEAD_TRY(add(data, part, k, line, below, msg));
     }
     return BEAD_OK;
 }

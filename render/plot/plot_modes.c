@@ -62,12 +62,11 @@ static enum bead_error plot_modes_finish(struct bead_plot_data *data, const stru
     for (size_t p = 0; p < data->count; p++) {
         struct plot_panel *part = &data->parts[p];
         for (size_t k = 0; k < output->curves.modes; k++)
-            part->series[k] = plot_line(data->sample, part->values + k * bead_grid_count(&data->grid), part->taken,
-                                        p == 0 ? part->labels[k] : NULL, k);
+            plot_add(part, plot_line(data->sample, part->values + k * bead_grid_count(&data->grid), part->taken,
+                                     p == 0 ? part->labels[k] : NULL, k));
     }
     plot_modes_make_axes(data, low);
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES,  true, plot_modes_create, plot_modes_needs, plot_modes_feed,
-                                          plot_modes_finish};
+const struct plot_kind bead_plot_modes = {BEAD_SHOW_MODES, plot_modes_create, plot_modes_needs, plot_modes_feed, plot_modes_finish};

@@ -6,11 +6,10 @@
 
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
-#include "render/plot/sweep_plot.h"
+#include "render/plot/plot_private.h"
 #include "sim/base/memory.h"
 #include "sim/kinds/output_kinds.h"
 #include "sim/measure/places.h"
-#include "sim/sweep/sweep_internal.h"
 
 bool plot_shows(const struct bead_plot_data *data, size_t chain)
 {
@@ -94,8 +93,10 @@ enum bead_error plot_reserve(struct bead_plot_data *data, size_t panels, struct 
 {
     BEAD_TRY(plot_new(&data->store, &data->parts, panels + 1, msg));
     BEAD_TRY(plot_new(&data->store, &data->panels, panels + 1, msg));
-    for (size_t p = 0; p < panels; p++)
+    for (size_t p = 0; p < panels; p++) {
         data->panels[p].title = data->parts[p].title;
+        data->parts[p].shown = &data->panels[p];
+    }
     return BEAD_OK;
 }
 
@@ -103,11 +104,38 @@ enum bead_error plot_reserve_series(struct bead_plot_data *data, size_t p, size_
 {
     struct plot_panel *part = &data->parts[p];
     BEAD_TRY(plot_new(&data->store, &part->series, series, msg));
-    BEAD_TRY(plot_new(&data->store, &part->labels, series, msg));
+    BEAD_TRY(plot_new(&data->store, &part->labels, series + PLOT_TEXTS, msg));
     BEAD_TRY(plot_new(&data->store, &part->values, values, msg));
     data->panels[p].series = part->series;
-    data->panels[p].series_count = series;
     return BEAD_OK;
+}
+
+struct bead_series *plot_add(struct plot_panel *part, struct bead_series series)
+{
+    struct bead_series *own = &part->series[part->shown->series_count++];
+    *own = series;
+    return own;
+}
+
+double *plot_add_numbers(struct plot_panel *part, struct bead_series series, size_t count, size_t columns)
+{
+    double *x = part->values;
+    part->values += count * columns;
+    series.x = x;
+    series.y = series.y ? series.y : x + count;
+    series.count = count;
+    plot_add(part, series);
+    return x;
+}
+
+struct bead_series *plot_last(const struct plot_panel *part)
+{
+    return &part->series[part->shown->series_count - 1];
+}
+
+char *plot_next_text(struct plot_panel *part)
+{
+    return part->labels[part->texts++];
 }
 
 enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, size_t values, struct bead_message *msg)
@@ -124,9 +152,9 @@ enum bead_error plot_reserve_chains(struct bead_plot_data *data, size_t series, 
     return BEAD_OK;
 }
 
-double *plot_curve_points(const struct bead_curves *curves, size_t k, double factor, double *x, struct bead_series *series)
+void plot_add_curve(struct plot_panel *part, struct bead_series series, const struct bead_curves *curves, size_t k, double factor)
 {
-    double *y = x + 4 * curves->count;
+    double *x = plot_add_numbers(part, series, 4 * curves->count, 2), *y = x + 4 * curves->count;
     size_t used = 0;
     for (size_t s = 0; s < curves->count; s++) {
         struct bead_point points[4];
@@ -136,32 +164,5 @@ double *plot_curve_points(const struct bead_curves *curves, size_t k, double fac
             y[used++] = factor * points[i].value;
         }
     }
-    series->x = x;
-    series->y = y;
-    series->count = used;
-    return y + 4 * curves->count;
-}
-
-enum bead_error sweep_page_reserve(struct sweep_page *page, size_t panels, struct bead_message *msg)
-{
-    page->count = panels;
-    return plot_new(&page->store, &page->panels, panels, msg);
-}
-
-static struct bead_graph graph_of(const struct sweep_page *page)
-{
-    return (struct bead_graph){
-        .panels = page->panels, .panel_count = page->count, .letters = true, .share_x = !page->apart, .share_y = !page->apart};
-}
-
-enum bead_error sweep_page_check(const struct sweep_page *page, struct bead_message *msg)
-{
-    const struct bead_graph graph = graph_of(page);
-    return bead_graph_check(&graph, page->output, bead_sweep_scene(page->context->sweep), msg);
-}
-
-enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg)
-{
-    const struct bead_graph graph = graph_of(page);
-    return bead_graph_write(&graph, page->output, bead_sweep_scene(page->context->sweep), page->path, page->bytes, msg);
+    plot_last(part)->count = used;
 }

@@ -82,13 +82,17 @@ static double bar_of(const struct bead_outcome *outcome, size_t contact)
 
 enum { ROWS = 4 };
 
-/* Fills two series: finished peaks, and hollow marks. Returns the reason for the hollow ones. */
-static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain, double *values,
-                                struct bead_series series[2])
+/* Adds finished peaks, and hollow marks. Returns the reason for the hollow ones. */
+static unsigned plot_peaks_fill(struct bead_plot_data *data, const struct bead_outcome *outcome, size_t chain)
 {
+    struct plot_panel *part = &data->parts[0];
     const size_t count = contacts_of(data, chain);
+    const bool alone = only_chain(data) != SIZE_MAX;
+    char *name = part->labels[chain];
     unsigned why = 0;
-    double *x = values, *done = values + count, *open = values + 2 * count, *bars = values + 3 * count;
+    plot_heading(data, chain, name, sizeof *part->labels);
+    double *x = part->values, *done = x + count, *bars = done + count, *open = bars + count;
+    part->values = open + count;
     for (size_t i = 0; i < count; i++) {
         const struct bead_peak *peak = &outcome->contact_peaks[i];
         bool is_open = has_peak(peak) && peak->open;
@@ -100,16 +104,16 @@ static unsigned plot_peaks_fill(const struct bead_plot_data *data, const struct 
         bars[i] = bar_of(outcome, i);
         why |= reasons;
     }
-    for (int s = 0; s < 2; s++) {
-        series[s] = (struct bead_series){.x = x,
-                                         .y = s ? open : done,
-                                         .error = s ? NULL : bars,
-                                         .count = count,
-                                         .mark = s ? BEAD_MARK_POINTS : BEAD_MARK_LINE_POINTS,
-                                         .hollow = s,
-                                         .arrows = true};
-        plot_tell_apart(&series[s], only_chain(data) == SIZE_MAX ? chain : 0);
-    }
+    struct bead_series series = {.x = x, .y = done, .error = bars, .count = count, .mark = BEAD_MARK_LINE_POINTS, .arrows = true};
+    series.label = !alone && *name ? name : NULL;
+    plot_tell_apart(&series, alone ? 0 : chain);
+    plot_add(part, series);
+    series.y = open;
+    series.error = NULL;
+    series.mark = BEAD_MARK_POINTS;
+    series.hollow = true;
+    series.label = NULL;
+    plot_add(part, series);
     return why;
 }
 
@@ -122,8 +126,7 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
                                         [LOST | RISING] = "hollow: not predictable, or still rising",
                                         [LOST | EXCEEDED] = "hollow: not predictable, or more later",
                                         [LOST | RISING | EXCEEDED] = "hollow: not predictable, rising, or more later"};
-    struct plot_panel *part = &data->parts[0];
-    size_t chains = data->context.chain_count, all = 0, used = 0, series = 0;
+    size_t chains = data->context.chain_count, all = 0;
     unsigned why = 0;
     for (size_t c = 0; c < chains; c++) {
         if (contacts_of(data, c) > 0 && (!outcomes || !outcomes[c].contact_peaks))
@@ -132,20 +135,13 @@ static enum bead_error plot_peaks_finish(struct bead_plot_data *data, const stru
     }
     BEAD_TRY(plot_reserve_series(data, 0, 2 * chains + 1, all, msg));
     for (size_t c = 0; c < chains; c++) {
-        if (!plot_shows(data, c))
-            continue;
-        why |= plot_peaks_fill(data, &outcomes[c], c, part->values + used, part->series + series);
-        used += ROWS * contacts_of(data, c);
-        plot_heading(data, c, part->labels[c], sizeof part->labels[c]);
-        if (only_chain(data) == SIZE_MAX && *part->labels[c])
-            part->series[series].label = part->labels[c];
-        series += 2;
+        if (plot_shows(data, c))
+            why |= plot_peaks_fill(data, &outcomes[c], c);
     }
     if (why)
-        part->series[series++] = (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = words[why]};
+        plot_add(data->parts, (struct bead_series){.mark = BEAD_MARK_POINTS, .hollow = true, .colour = 5, .label = words[why]});
     plot_peaks_find_range(data, outcomes, &data->panels[0].y);
-    data->panels[0].series_count = series;
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, true, plot_peaks_create, plot_peaks_needs, NULL, plot_peaks_finish};
+const struct plot_kind bead_plot_peaks = {BEAD_SHOW_PEAKS, plot_peaks_create, plot_peaks_needs, NULL, plot_peaks_finish};

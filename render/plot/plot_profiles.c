@@ -88,7 +88,7 @@ static enum bead_error check_theory(const struct bead_plot_data *data, struct be
 /* Adds a theory's curve over the pulse of moment `m`. */
 static void add_theory(struct bead_plot_data *data, struct plot_panel *part, size_t m)
 {
-    const size_t moments = data->output->curves.profile_time_count, series = moments + m;
+    const size_t moments = data->output->curves.profile_time_count;
     const struct bead_chain *chain = data->context.chains[part->chain];
     const double *places = bead_profile_times_places(data->moments, part->chain);
     double *x = part->values + 2 * POINTS * m;
@@ -101,12 +101,16 @@ static void add_theory(struct bead_plot_data *data, struct plot_panel *part, siz
         x[i] = places[0] + n * (places[1] - places[0]);
         x[POINTS + i] = bead_compacton_at(&wave, n);
     }
-    char *label = part->labels[series], speed[48];
+    char *label = part->labels[moments + m], speed[48];
     bead_number(wave.speed, 0, speed, sizeof speed);
     snprintf(label, sizeof *part->labels, "long waves, %s\u00a0beads/s", speed);
-    part->series[series] = (struct bead_series){
-        .x = x, .y = x + POINTS, .count = POINTS, .mark = BEAD_MARK_LINE, .colour = 5, .label = m == 0 ? label : NULL};
-    part->series[series].dash = BEAD_DASH_DOTTED;
+    plot_add(part, (struct bead_series){.x = x,
+                                        .y = x + POINTS,
+                                        .count = POINTS,
+                                        .mark = BEAD_MARK_LINE,
+                                        .colour = 5,
+                                        .dash = BEAD_DASH_DOTTED,
+                                        .label = m == 0 ? label : NULL});
 }
 
 /* Room for a chain's curves that reach the ends of its domain: places, then values at each moment. */
@@ -149,6 +153,7 @@ static void reach_ends(const struct bead_plot_data *data, size_t c, double *x, d
 static enum bead_error plot_profiles_create(struct bead_plot_data *data, struct bead_message *msg)
 {
     char time[48];
+    data->apart[0] = true;
     enum bead_error err = bead_profile_times_create(data->output, &data->context, &data->moments, msg);
     if (!err)
         err = plot_reserve_chains(
@@ -184,16 +189,17 @@ static enum bead_error plot_profiles_finish(struct bead_plot_data *data, const s
         const double *places = bead_profile_times_places(data->moments, part->chain);
         size_t count = bead_profile_times_values(data->moments, part->chain);
         for (size_t m = 0; m < output->curves.profile_time_count; m++) {
-            part->series[m] = plot_line(places, bead_profile_times_profile(data->moments, part->chain, m), count,
-                                        p == 0 ? part->labels[m] : NULL, m);
+            struct bead_series *profile =
+                plot_add(part, plot_line(places, bead_profile_times_profile(data->moments, part->chain, m), count,
+                                         p == 0 ? part->labels[m] : NULL, m));
             if (!bead_chain_spec(data->context.chains[part->chain])->system->has_contacts)
-                reach_ends(data, part->chain, part->values, part->values + (m + 1) * (count + 2), &part->series[m]);
-            if (output->shown.theory)
-                add_theory(data, part, m);
+                reach_ends(data, part->chain, part->values, part->values + (m + 1) * (count + 2), profile);
         }
+        for (size_t m = 0; output->shown.theory && m < output->curves.profile_time_count; m++)
+            add_theory(data, part, m);
     }
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_profiles = {
-    BEAD_SHOW_PROFILES, false, plot_profiles_create, plot_profiles_needs, plot_profiles_feed, plot_profiles_finish};
+const struct plot_kind bead_plot_profiles = {BEAD_SHOW_PROFILES, plot_profiles_create, plot_profiles_needs, plot_profiles_feed,
+                                             plot_profiles_finish};

@@ -91,7 +91,7 @@ static enum bead_error plot_sensors_create(struct bead_plot_data *data, struct b
         err = plot_new(&data->store, &data->sample, most, msg);
     if (err || data->count == 0)
         return err;
-    data->residuals = output->curves.measured_count > 0;
+    data->residuals = data->apart[1] = output->curves.measured_count > 0;
     data->grid = bead_picture_grid(&data->context, &output->shown, data->time, moments);
     name_axis(data);
     plot_sensors_make_axes(data);
@@ -166,15 +166,12 @@ static enum bead_error plot_sensors_fill(struct bead_plot_data *data, size_t p, 
     for (size_t k = 0; k < measured; k++)
         room += 8 * data->output->curves.measured[k].count;
     BEAD_TRY(plot_reserve_series(data, p, sensors + measured, room, msg));
-    double *at = part->values;
     for (size_t k = 0; k < sensors; k++) {
         bead_markup_quote(bead_place_shown(data->output, data->context.chains[part->chain], k).name, part->labels[k],
                           sizeof part->labels[k]);
-        part->series[k] = (struct bead_series){.mark = BEAD_MARK_LINE, .label = part->labels[k]};
-        at = plot_curve_points(curves, k, plot_sensors_factor_of(data, part, k), at, &part->series[k]);
-        plot_tell_apart(&part->series[k], k);
+        plot_add_curve(part, plot_line(NULL, NULL, 0, part->labels[k], k), curves, k, plot_sensors_factor_of(data, part, k));
     }
-    return data->residuals ? plot_measured_fill(data, p, at, msg) : BEAD_OK;
+    return data->residuals ? plot_measured_add(data, p, msg) : BEAD_OK;
 }
 
 static double axis_length(const struct bead_plot_data *data)
@@ -236,5 +233,5 @@ static enum bead_error plot_sensors_finish(struct bead_plot_data *data, const st
     return err;
 }
 
-const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS,  true, plot_sensors_create, plot_sensors_needs, plot_sensors_feed,
+const struct plot_kind bead_plot_sensors = {BEAD_SHOW_SENSORS, plot_sensors_create, plot_sensors_needs, plot_sensors_feed,
                                             plot_sensors_finish};

@@ -14,19 +14,11 @@ static enum bead_show show_of(const struct bead_plot_data *data)
     return data->output->curves.show;
 }
 
-/* The y axis of a spectrum. */
-static struct bead_graph_axis amplitudes(struct bead_plot_data *data, double low)
+/* Of the first place: all chains of a scene are of one kind. */
+static struct bead_graph_axis amplitudes(struct bead_plot_data *data, double largest)
 {
-    const bool transfer = show_of(data) == BEAD_SHOW_TRANSFER;
     const struct bead_chain *chain = data->context.chains[data->parts[0].chain];
-    const struct bead_field_info *field = bead_chain_field(chain, bead_place_shown(data->output, chain, 0).field);
-    snprintf(data->axis_title, sizeof data->axis_title, "%s of %s", transfer ? "transfer" : "amplitude", field->title);
-    return (struct bead_graph_axis){.title = data->axis_title,
-                                    .unit = transfer ? "" : field->unit,
-                                    .low = low,
-                                    .high = data->output->plot.range[1],
-                                    .scale = data->output->plot.scale,
-                                    .zero = true};
+    return plot_spectral_axis(data, bead_chain_field(chain, bead_place_shown(data->output, chain, 0).field), largest);
 }
 
 static bool is_image(const struct bead_plot_data *data)
@@ -34,16 +26,15 @@ static bool is_image(const struct bead_plot_data *data)
     return show_of(data) == BEAD_SHOW_SPECTROGRAM || show_of(data) == BEAD_SHOW_DISPERSION;
 }
 
-/* `frequencies`, `columns`: the ranges; NaN before they are known. */
-static void make_axes(struct bead_plot_data *data, const double frequencies[2], const double columns[2], double low)
+/* `frequencies`, `columns`: the ranges; NaN before they are known; so `largest` is 0. */
+static void make_axes(struct bead_plot_data *data, const double frequencies[2], const double columns[2], double largest)
 {
     const char *time = bead_chain_time_unit(data->context.chains[0]), *hertz = *time ? "Hz" : "";
     const struct bead_graph_axis frequency = {"frequency", hertz, frequencies[0], frequencies[1], BEAD_SCALE_LINEAR, false},
-                                 wave = {"wave number × cell / π", "", 0, 1, BEAD_SCALE_LINEAR, false},
                                  moment = {"time", time, columns[0], columns[1], BEAD_SCALE_LINEAR, false};
     for (size_t p = 0; p < data->count; p++) {
-        data->panels[p].x = !is_image(data) ? frequency : show_of(data) == BEAD_SHOW_DISPERSION ? wave : moment;
-        data->panels[p].y = is_image(data) ? frequency : amplitudes(data, low);
+        data->panels[p].x = !is_image(data) ? frequency : show_of(data) == BEAD_SHOW_DISPERSION ? plot_wave_numbers : moment;
+        data->panels[p].y = is_image(data) ? frequency : amplitudes(data, largest);
     }
 }
 
@@ -64,11 +55,9 @@ static void make_images(struct bead_plot_data *data)
                      : *bead_chain_title(chain) ? ": "
                                                 : ", ",
                      name);
-            data->panels[p].title = part->title;
         }
-        snprintf(data->axis_title, sizeof data->axis_title, "amplitude of %s", bead_chain_field(chain, place.field)->title);
-        part->image = plot_spectral_image(&part->spectral, 1, data->axis_title); /* none yet: its bar needs room */
-        data->panels[p].image = &part->image;
+        (void)plot_spectral_axis(data, bead_chain_field(chain, place.field), 0);
+        plot_spectral_colours(data, p, &part->spectral, 1); /* none yet: its bar needs room */
     }
 }
 
@@ -77,7 +66,7 @@ static enum bead_error create(struct bead_plot_data *data, struct bead_message *
     BEAD_TRY(bead_spectra_create(data->output, &data->context, &data->spectra, msg));
     BEAD_TRY(plot_reserve_chains(data, 0, 0, msg));
     snprintf(data->why, sizeof data->why, "spectra");
-    make_axes(data, (const double[]){NAN, NAN}, (const double[]){NAN, NAN}, data->output->plot.range[0]);
+    make_axes(data, (const double[]){NAN, NAN}, (const double[]){NAN, NAN}, 0);
     if (is_image(data))
         make_images(data);
     return BEAD_OK;
@@ -93,25 +82,16 @@ static enum bead_error feed(struct bead_plot_data *data, const struct bead_sampl
     return bead_spectra_feed(data->spectra, sample, msg);
 }
 
-static double largest_of(const struct bead_plot_data *data)
+static enum bead_error find_all(struct bead_plot_data *data, struct plot_spectrum **all, double *largest, double range[2],
+                                struct bead_message *msg)
 {
-    double most = 0;
-    for (size_t p = 0; p < data->count; p++)
-        most = fmax(most, plot_spectral_largest(&data->parts[p].spectral));
-    return most;
-}
-
-static enum bead_error find_all(struct bead_plot_data *data, double range[2], struct bead_message *msg)
-{
-    for (size_t p = 0; p < data->count; p++)
-        BEAD_TRY(bead_spectra_of(data->spectra, data->parts[p].chain, &data->parts[p].spectral, msg));
-    const double most = largest_of(data);
-    double reach = 0;
+    BEAD_TRY(plot_new(&data->store, all, data->count, msg));
     for (size_t p = 0; p < data->count; p++) {
-        const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
-        reach = fmax(reach, plot_spectral_reach(data->output, &data->parts[p].spectral, medium, most));
+        struct plot_panel *part = &data->parts[p];
+        BEAD_TRY(bead_spectra_of(data->spectra, part->chain, &part->spectral, msg));
+        (*all)[p] = (struct plot_spectrum){&part->spectral, bead_spectra_medium(data->spectra, part->chain)};
     }
-    return plot_spectral_frequencies(data->output, reach, range, msg);
+    return plot_spectral_ranges(data->output, *all, data->count, largest, range, msg);
 }
 
 /* ---- curves ---- */
@@ -126,16 +106,17 @@ static enum bead_error fill_curves(struct bead_plot_data *data, size_t p, struct
     for (size_t i = 0; i < found->columns; i++) {
         const struct bead_place_shown place = bead_place_shown(data->output, data->context.chains[part->chain], i);
         bead_markup_quote(place.name, part->labels[i], sizeof part->labels[i]);
-        part->series[i] = plot_line(part->values, found->values + i * found->rows, found->rows, part->labels[i], i);
+        plot_add(part, plot_line(part->values, found->values + i * found->rows, found->rows, part->labels[i], i));
     }
     return BEAD_OK;
 }
 
 static enum bead_error finish_curves(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
 {
-    double range[2];
-    BEAD_TRY(find_all(data, range, msg));
-    make_axes(data, range, (const double[]){NAN, NAN}, plot_spectral_low(data->output, largest_of(data)));
+    struct plot_spectrum *all = NULL;
+    double range[2], largest;
+    BEAD_TRY(find_all(data, &all, &largest, range, msg));
+    make_axes(data, range, (const double[]){NAN, NAN}, largest);
     for (size_t p = 0; p < data->count; p++)
         BEAD_TRY(fill_curves(data, p, msg));
     return BEAD_OK;
@@ -143,35 +124,24 @@ static enum bead_error finish_curves(struct bead_plot_data *data, const struct b
 
 /* ---- images ---- */
 
-static enum bead_error add_bands(struct bead_plot_data *data, size_t p, struct bead_message *msg)
-{
-    const struct bead_medium *medium = bead_spectra_medium(data->spectra, data->parts[p].chain);
-    if (!(plot_spectral_top(medium) > 0))
-        return BEAD_OK;
-    BEAD_TRY(plot_reserve_series(data, p, 1, PLOT_BAND_VALUES * medium->cell.count, msg));
-    data->parts[p].series[0] = plot_exact_bands(medium, data->parts[p].values);
-    return BEAD_OK;
-}
-
 static enum bead_error finish_image(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *msg)
 {
     const double *asked = data->output->shown.time;
-    double range[2], time[2] = {0, 0};
-    BEAD_TRY(find_all(data, range, msg));
-    const double most = largest_of(data);
+    struct plot_spectrum *all = NULL;
+    double range[2], largest, time[2] = {0, 0};
+    BEAD_TRY(find_all(data, &all, &largest, range, msg));
     for (size_t p = 0; p < data->count; p++) {
         if (data->parts[p].spectral.columns < 2)
             return bead_output_wrong(data->output, msg, "show: there is only one column of amplitudes; a picture needs two");
-        data->parts[p].image = plot_spectral_image(&data->parts[p].spectral, most, data->axis_title);
+        BEAD_TRY(plot_spectral_image(data, p, &all[p], largest, msg));
         time[0] = isnan(asked[0]) ? data->parts[p].image.x[0] : asked[0];
         time[1] = isnan(asked[1]) ? fmax(time[1], data->parts[p].image.x[1]) : asked[1];
-        BEAD_TRY(add_bands(data, p, msg));
     }
-    make_axes(data, range, time, NAN);
+    make_axes(data, range, time, largest);
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_spectrum = {BEAD_SHOW_SPECTRUM, true, create, needs_of, feed, finish_curves};
-const struct plot_kind bead_plot_transfer = {BEAD_SHOW_TRANSFER, true, create, needs_of, feed, finish_curves};
-const struct plot_kind bead_plot_spectrogram = {BEAD_SHOW_SPECTROGRAM, true, create, needs_of, feed, finish_image};
-const struct plot_kind bead_plot_dispersion = {BEAD_SHOW_DISPERSION, true, create, needs_of, feed, finish_image};
+const struct plot_kind bead_plot_spectrum = {BEAD_SHOW_SPECTRUM, create, needs_of, feed, finish_curves};
+const struct plot_kind bead_plot_transfer = {BEAD_SHOW_TRANSFER, create, needs_of, feed, finish_curves};
+const struct plot_kind bead_plot_spectrogram = {BEAD_SHOW_SPECTROGRAM, create, needs_of, feed, finish_image};
+const struct plot_kind bead_plot_dispersion = {BEAD_SHOW_DISPERSION, create, needs_of, feed, finish_image};

@@ -6,12 +6,10 @@
 #include "render/draw/markup.h"
 #include "render/draw/words.h"
 #include "render/plot/sweep_plot.h"
-#include "sim/sweep/sweep_internal.h"
 #include "sim/sweep/sweep_lines.h"
 
 /* Three curves, two fitted power laws, and two of theory, of two points each. */
-enum { LAWS = 4, SERIES = BEAD_SPREADING_NUMBERS + LAWS, LAW = 4 };
-static const char *const names[BEAD_SPREADING_NUMBERS] = {"second moment (beads²)", "participation", "front"};
+enum { THEORIES = 2, LAWS = 2 + THEORIES, SERIES = BEAD_SPREADING_NUMBERS + LAWS };
 
 static void set_axes(struct bead_panel *panel, const char *seconds, const double range[2])
 {
@@ -19,46 +17,54 @@ static void set_axes(struct bead_panel *panel, const char *seconds, const double
     panel->y = (struct bead_graph_axis){"beads", "", range[0], range[1], BEAD_SCALE_LOG, false};
 }
 
-/* Adds the curve of number `n`, and its power law in the same colour, whose values go to `law`: times, then numbers. Returns the
- * number of series. */
-static size_t add(struct bead_series *series, char (*labels)[256], int n, const double *time, const double *y, size_t count,
-                  const struct bead_line *exponent, double law[LAW])
+/* Adds the power law of number `n`, in its colour, from the beginning of the window to the last time. Returns its ends: times, then
+ * numbers; NULL: there is none. */
+static const double *add_law(struct plot_panel *part, size_t n, const double *time, const struct bead_line *exponent)
 {
-    char slope[32], off[32] = "";
-    *series = plot_line(time, y, count, labels[0], (size_t)n);
-    snprintf(labels[0], sizeof *labels, "%s", names[n]);
-    if (n == BEAD_FRONT || count == 0 || !isfinite(exponent->slope))
-        return 1;
-    for (int i = 0; i < 2; i++) {
-        law[i] = (i ? 1 : BEAD_SPREADING_WINDOW) * time[count - 1];
-        law[2 + i] = exp(exponent->offset + exponent->slope * log(law[i]));
-    }
+    char slope[32], off[32] = "", *label = plot_next_text(part);
+    if (part->taken == 0 || !isfinite(exponent->slope))
+        return NULL;
     bead_number(exponent->slope, 3, slope, sizeof slope);
     if (isfinite(exponent->error))
         bead_number(exponent->error, 3, off, sizeof off);
-    snprintf(labels[1], sizeof *labels, "exponent %s%s%s", slope, *off ? " ± " : "", off);
-    series[1] = plot_line(law, law + 2, 2, labels[1], (size_t)n);
-    series[1].dash = BEAD_DASH_DOTTED;
-    return 2;
+    snprintf(label, sizeof(plot_text), "exponent %s%s%s", slope, *off ? " ± " : "", off);
+    double *law = plot_add_numbers(part, plot_line(NULL, NULL, 0, label, n), 2, 2);
+    plot_last(part)->dash = BEAD_DASH_DOTTED;
+    for (int i = 0; i < 2; i++) {
+        law[i] = (i ? 1 : BEAD_SPREADING_WINDOW) * time[part->taken - 1];
+        law[2 + i] = exp(exponent->offset + exponent->slope * log(law[i]));
+    }
+    return law;
 }
 
 /* Adds the growth of the second moment if energy runs freely, as in an ordered chain, and if it diffuses: from the beginning of its
- * fit, for as long. Returns the number of series. */
-static size_t add_theory(struct bead_series *series, const double *fit, double (*laws)[LAW])
+ * fit, for as long. */
+static void add_theory(struct plot_panel *part, const double *fit)
 {
-    static const struct {
-        const char *name;
-        int power;
-    } theories[LAWS - 2] = {{"theory: ballistic, exponent 2", 2}, {"theory: diffusion, exponent 1", 1}};
-    if (!(fit[0] > 0 && fit[2] > 0))
-        return 0;
-    for (int i = 0; i < LAWS - 2; i++) {
-        double *law = laws[i], ratio = fit[1] / fit[0];
+    static const char *const theories[THEORIES] = {"theory: ballistic, exponent 2", "theory: diffusion, exponent 1"};
+    for (size_t i = 0; i < THEORIES && fit && fit[0] > 0 && fit[2] > 0; i++) {
+        const double ratio = fit[1] / fit[0];
+        double *law = plot_add_numbers(part, plot_line(NULL, NULL, 0, theories[i], BEAD_SPREADING_NUMBERS + i), 2, 2);
         memcpy(law, fit, 3 * sizeof *law);
-        law[3] = fit[2] * (theories[i].power == 2 ? ratio * ratio : ratio);
-        series[i] = plot_line(law, law + 2, 2, theories[i].name, (size_t)(BEAD_SPREADING_NUMBERS + i));
+        law[3] = fit[2] * (i == 0 ? ratio * ratio : ratio);
     }
-    return LAWS - 2;
+}
+
+/* Adds the curves of the numbers, which are the panel's values, [BEAD_SPREADING_NUMBERS][times], with the power laws of all but the
+ * front. */
+static void add_all(const struct bead_plot_data *data, struct plot_panel *part, size_t times,
+                    const struct bead_line exponents[BEAD_LAWS])
+{
+    static const char *const names[BEAD_SPREADING_NUMBERS] = {"second moment (beads²)", "participation", "front"};
+    const double *y = part->values, *fits[BEAD_SPREADING_NUMBERS] = {NULL};
+    part->values += BEAD_SPREADING_NUMBERS * times;
+    for (size_t n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
+        plot_add(part, plot_line(data->sample, y + n * times, part->taken, names[n], n));
+        if (n < BEAD_LAWS)
+            fits[n] = add_law(part, n, data->sample, &exponents[n]);
+    }
+    if (data->output->shown.theory)
+        add_theory(part, fits[BEAD_SECOND_MOMENT]);
 }
 
 /* ---- of a run ---- */
@@ -94,73 +100,57 @@ static enum bead_error plot_spreading_feed(struct bead_plot_data *data, const st
 
 static enum bead_error plot_spreading_finish(struct bead_plot_data *data, const struct bead_outcome *, struct bead_message *)
 {
-    const size_t times = bead_grid_count(&data->grid);
     for (size_t p = 0; p < data->count; p++) {
-        struct plot_panel *part = &data->parts[p];
-        double(*laws)[LAW] = (double(*)[LAW])(part->values + BEAD_SPREADING_NUMBERS * times);
-        size_t used = 0;
-        for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-            const struct bead_line e =
-                n == BEAD_FRONT ? bead_line_of(NULL, NULL, 0) : bead_spreading_exponent(&data->spreading[p], n);
-            used += add(&part->series[used], &part->labels[used], n, data->sample, part->values + (size_t)n * times, part->taken,
-                        &e, laws[n % 2]);
-        }
-        if (data->output->shown.theory)
-            used += add_theory(&part->series[used], laws[BEAD_SECOND_MOMENT], laws + 2);
-        data->panels[p].series_count = used;
+        struct bead_line exponents[BEAD_LAWS];
+        for (int n = 0; n < BEAD_LAWS; n++)
+            exponents[n] = bead_spreading_exponent(&data->spreading[p], n);
+        add_all(data, &data->parts[p], bead_grid_count(&data->grid), exponents);
     }
     return BEAD_OK;
 }
 
-const struct plot_kind bead_plot_spreading = {
-    BEAD_SHOW_SPREADING, true, plot_spreading_create, plot_spreading_needs, plot_spreading_feed, plot_spreading_finish};
+const struct plot_kind bead_plot_spreading = {BEAD_SHOW_SPREADING, plot_spreading_create, plot_spreading_needs, plot_spreading_feed,
+                                              plot_spreading_finish};
 
 /* ---- of a sweep ---- */
 
-struct means {
-    struct bead_series series[SERIES];
-    char labels[SERIES][256], title[300];
-    double law[LAWS][LAW];
-};
-
-static void fill(const struct bead_sweep_line *line, const double *time, const struct bead_output *output, struct means *m,
-                 struct bead_panel *panel)
+static enum bead_error fill(struct bead_plot_data *data, const struct bead_sweep_line *line, size_t p, struct bead_message *msg)
 {
-    const size_t rows = line->mean.rows, laws = bead_sweep_line_law(line, 0);
+    const size_t rows = line->mean.rows, numbers = BEAD_SPREADING_NUMBERS * rows, laws = bead_sweep_line_law(line, 0);
     const double *mean = line->mean.values;
-    size_t used = 0;
-    for (int n = 0; n < BEAD_SPREADING_NUMBERS; n++) {
-        struct bead_line e = {.slope = NAN};
-        if (n != BEAD_FRONT)
-            e = (struct bead_line){.slope = mean[laws + (size_t)n],
-                                   .error = line->error[laws + (size_t)n],
-                                   .offset = mean[laws + BEAD_LAWS + (size_t)n]};
-        used += add(&m->series[used], &m->labels[used], n, time, mean + (size_t)n * rows, rows, &e, m->law[n % 2]);
-    }
-    if (output->shown.theory)
-        used += add_theory(&m->series[used], m->law[BEAD_SECOND_MOMENT], m->law + 2);
-    bead_markup_quote(line->name, m->title, sizeof m->title);
-    *panel = (struct bead_panel){.title = *m->title ? m->title : NULL, .series = m->series, .series_count = used};
-    set_axes(panel, "s", output->plot.range);
+    struct plot_panel *part = &data->parts[p];
+    struct bead_line exponents[BEAD_LAWS];
+    BEAD_TRY(plot_reserve_series(data, p, SERIES, numbers + 4 * LAWS, msg));
+    memcpy(part->values, mean, numbers * sizeof *mean);
+    for (size_t n = 0; n < BEAD_LAWS; n++)
+        exponents[n] =
+            (struct bead_line){.slope = mean[laws + n], .error = line->error[laws + n], .offset = mean[laws + BEAD_LAWS + n]};
+    part->taken = rows;
+    add_all(data, part, rows, exponents);
+    bead_markup_quote(line->name, part->title, sizeof part->title);
+    set_axes(part->shown, "s", data->output->plot.range);
+    return BEAD_OK;
 }
 
-enum bead_error bead_spreading_plot_write(struct sweep_page *page, struct bead_message *msg)
+static enum bead_error fill_all(struct bead_plot_data *data, const struct bead_sweep_lines *lines, struct bead_message *msg)
+{
+    BEAD_TRY(plot_reserve(data, lines->count, msg));
+    BEAD_TRY(plot_new(&data->store, &data->sample, BEAD_SWEEP_TIMES, msg));
+    for (size_t i = 0; i < BEAD_SWEEP_TIMES; i++)
+        data->sample[i] = bead_grid_time(&lines->grid, i);
+    data->count = lines->count;
+    for (size_t p = 0; p < data->count; p++)
+        BEAD_TRY(fill(data, &lines->of[p], p, msg));
+    return BEAD_OK;
+}
+
+enum bead_error bead_spreading_plot_fill(struct bead_plot_data *data, struct bead_message *msg)
 {
     struct bead_sweep_lines lines;
-    struct means *means = NULL;
-    double time[BEAD_SWEEP_TIMES];
     enum bead_error err =
-        bead_sweep_lines_find(page->context->sweep, page->output, page->context->sweep_settings, false, &lines, msg);
+        bead_sweep_lines_find(data->context.sweep, data->output, data->context.sweep_settings, false, &lines, msg);
     if (!err)
-        err = sweep_page_reserve(page, lines.count, msg);
-    if (!err)
-        err = plot_new(&page->store, &means, lines.count, msg);
-    for (size_t i = 0; i < BEAD_SWEEP_TIMES && !err; i++)
-        time[i] = bead_grid_time(&lines.grid, i);
-    for (size_t k = 0; k < lines.count && !err; k++)
-        fill(&lines.of[k], time, page->output, &means[k], &page->panels[k]);
-    if (!err)
-        err = sweep_page_write(page, msg);
+        err = fill_all(data, &lines, msg);
     bead_sweep_lines_free(&lines);
     return err;
 }

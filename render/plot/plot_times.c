@@ -40,7 +40,6 @@ enum bead_error plot_times_create(struct bead_plot_data *data, size_t numbers, c
     BEAD_TRY(plot_reserve_chains(data, 3 * numbers, (times + 4) * (numbers + 2), msg));
     for (size_t p = 0; p < data->count; p++) {
         const char *unit = bead_chain_time_unit(data->context.chains[data->parts[p].chain]);
-        data->panels[p].series_count = numbers;
         data->panels[p].x = (struct bead_graph_axis){"time", unit, data->grid.start, data->grid.end, BEAD_SCALE_LINEAR, false};
     }
     snprintf(data->why, sizeof data->why, "%s at %zu times", what, times);

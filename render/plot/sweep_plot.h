@@ -6,39 +6,25 @@
 #include "render/plot/plot_private.h"
 #include "sim/sweep/sweep_curves.h"
 
-/* A plot being made. */
-struct sweep_page {
-    const struct bead_output *output;
-    const struct bead_run_context *context;
-    const char *path;
-    uint64_t *bytes;
-    struct plot_store store;
-    struct bead_panel *panels;
-    size_t count;
-    bool apart; /* each panel has its own axes */
-};
+/* Each makes the panels of a plot: over keys; of the spread of energy, or of curves, of chains, which it runs; of a plane of two
+ * quantities. Errors: USAGE, SCENE, MEMORY, those of bead_sweep_lines_find. */
+typedef enum bead_error sweep_plot(struct bead_plot_data *data, struct bead_message *msg);
+sweep_plot bead_over_plot_fill, bead_spreading_plot_fill, bead_lines_plot_fill, bead_plane_plot_fill;
 
-/* Allocates panels. Errors: MEMORY. */
-BEAD_CHECK enum bead_error sweep_page_reserve(struct sweep_page *page, size_t panels, struct bead_message *msg);
-/* Would they have room? Errors: those of bead_graph_check. */
-BEAD_CHECK enum bead_error sweep_page_check(const struct sweep_page *page, struct bead_message *msg);
-/* Writes them. Errors: those of bead_graph_write. */
-BEAD_CHECK enum bead_error sweep_page_write(const struct sweep_page *page, struct bead_message *msg);
+/* Allocates a panel for each place where forces are measured, titled with its name if there are several; one for a measure. */
+BEAD_CHECK enum bead_error sweep_plot_reserve_places(struct bead_plot_data *data, struct bead_message *msg);
+/* Fills panel `p` with results over keys, whose values have that unit and the title data->axis_title. */
+typedef enum bead_error sweep_plot_keys(struct bead_plot_data *data, size_t p, const struct bead_sweep_curves *found,
+                                        const char *unit, struct bead_message *msg);
+/* Makes all panels with `fill`; for a measure, runs the chains. Errors: USAGE, MEMORY, those of `fill` and of runs. */
+BEAD_CHECK enum bead_error sweep_plot_fill_keys(struct bead_plot_data *data, sweep_plot_keys *fill, struct bead_message *msg);
+/* "striker velocity" for chain.striker.velocity; "magnetism" for chain.beads.0.magnetism: a text of the panel. */
+const char *sweep_plot_key_name(struct plot_panel *part, const struct bead_over *over, size_t key);
 
-/* Each fills and writes a page: a plot over keys; the spread of energy, or curves, of chains, which it runs; a plane of two
- * quantities. Errors: USAGE, MEMORY, those of bead_sweep_lines_find and bead_graph_write. */
-typedef enum bead_error sweep_plot(struct sweep_page *page, struct bead_message *msg);
-sweep_plot bead_over_plot_write, bead_spreading_plot_write, bead_lines_plot_write, bead_plane_plot_write;
-
-/* The quantity on the axis of values of plots of sweeps over keys. */
-struct bead_over_shown {
-    struct bead_sweep_values of;            /* of a measure */
-    const struct bead_sweep_values *values; /* the values; NULL: peak forces */
-    const char *unit;
-    char title[120];
-};
-/* Runs the chains for a measure; what->of is to be freed even after an error. Errors: those of bead_sweep_measured. */
-BEAD_CHECK enum bead_error bead_over_shown_find(const struct bead_output *output, const struct bead_run_context *context,
-                                                struct bead_over_shown *what, struct bead_message *msg);
-/* "striker velocity" for chain.striker.velocity; "magnetism" for chain.beads.0.magnetism. */
-void bead_over_axis_name(const struct bead_over *over, size_t key, char *text, size_t size);
+/* Adds a curve of a statistic that looks like `series`, a mean with its bars, or the band between the quartiles. */
+enum sweep_plot_statistic { SWEEP_PLOT_MEAN, SWEEP_PLOT_MEDIAN, SWEEP_PLOT_QUARTILES };
+enum { SWEEP_PLOT_COLUMNS = 3 /* numbers of a point */ };
+void sweep_plot_add(struct plot_panel *part, struct bead_series series, const struct bead_sweep_curve *curve,
+                    enum sweep_plot_statistic what);
+/* The most values that one of its points has. */
+size_t sweep_plot_most_alike(const struct bead_sweep_curve *curve);
