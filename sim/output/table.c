@@ -87,6 +87,17 @@ static void table_needs(const struct bead_sink *sink, struct bead_needs *needs)
     needs->checked = sink->check != NULL;
 }
 
+static void write_header(struct bead_sink *sink)
+{
+    const struct table *table = sink->table;
+    if (table->header) {
+        table->header(sink);
+        return;
+    }
+    bead_table_begin_header(sink, table->of_times);
+    fprintf(sink->file, "%s%s\n", table->columns, bead_table_is_judged(sink) ? table->uncertainties : "");
+}
+
 static enum bead_error table_begin(struct bead_sink *sink, struct bead_range, struct bead_message *msg)
 {
     enum bead_error error = sink->table->begin ? sink->table->begin(sink, msg) : BEAD_OK;
@@ -97,7 +108,7 @@ static enum bead_error table_begin(struct bead_sink *sink, struct bead_range, st
     if (error)
         return error;
     sink->open = true;
-    sink->table->header(sink);
+    write_header(sink);
     return BEAD_OK;
 }
 

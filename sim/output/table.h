@@ -48,7 +48,10 @@ struct table {
     const char *why;
     enum bead_error (*prepare)(struct bead_sink *sink, struct bead_message *msg); /* may be NULL */
     void (*needs)(const struct bead_sink *sink, struct bead_needs *needs);        /* further needs; may be NULL */
-    void (*header)(struct bead_sink *sink);
+    const char *columns;                                                          /* after those of the chain and the time */
+    const char *uncertainties;              /* columns that follow if they are known, each after a comma; NULL: none */
+    bool of_times;                          /* has a column for the time */
+    void (*header)(struct bead_sink *sink); /* instead of `columns`, where they vary */
     enum bead_error (*sample)(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg); /* may be NULL */
     void (*end)(struct bead_sink *sink, const struct bead_outcome *outcomes);                                      /* may be NULL */
     enum bead_error (*finish)(struct bead_sink *sink, struct bead_message *msg); /* instead of `end`, where it can fail */
@@ -79,6 +82,9 @@ void bead_table_known(FILE *file, double number);
 void bead_table_uncertainties(FILE *file, size_t count, const double *numbers);
 void bead_table_known_uncertainty(FILE *file, double number);
 
+/* The beginning of a header: the columns of the chain, if there are several, and, if `times`, of the time; each ends with a comma.
+ */
+void bead_table_begin_header(struct bead_sink *sink, bool times);
 /* The name of a chain and a comma, if there are several chains. */
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain);
 /* Ends a line, and counts it as a row. */

@@ -7,11 +7,6 @@
 #include "sim/frequency/bands.h"
 #include "sim/output/table.h"
 
-static void bands_header(struct bead_sink *sink)
-{
-    fprintf(sink->file, "%sfirst_bead,last_bead,kind,number,low_Hz,high_Hz\n", sink->context.chain_count > 1 ? "chain," : "");
-}
-
 static void write_range(struct bead_sink *sink, size_t chain, const struct bead_medium *medium, const char *kind, size_t number,
                         const double ends[2])
 {
@@ -47,13 +42,8 @@ static enum bead_error bands_finish(struct bead_sink *sink, struct bead_message 
     return err;
 }
 
-const struct table bead_table_bands = {.why = "bands of each cell", .header = bands_header, .finish = bands_finish};
-
-static void eigenmodes_header(struct bead_sink *sink)
-{
-    fprintf(sink->file, "%smode,frequency_Hz,participation,localisation_length,centre\n",
-            sink->context.chain_count > 1 ? "chain," : "");
-}
+const struct table bead_table_bands = {
+    .why = "bands of each cell", .columns = "first_bead,last_bead,kind,number,low_Hz,high_Hz", .finish = bands_finish};
 
 static enum bead_error eigenmodes_finish(struct bead_sink *sink, struct bead_message *msg)
 {
@@ -71,4 +61,6 @@ static enum bead_error eigenmodes_finish(struct bead_sink *sink, struct bead_mes
     return BEAD_OK;
 }
 
-const struct table bead_table_eigenmodes = {.why = "modes of each chain", .header = eigenmodes_header, .finish = eigenmodes_finish};
+const struct table bead_table_eigenmodes = {.why = "modes of each chain",
+                                            .columns = "mode,frequency_Hz,participation,localisation_length,centre",
+                                            .finish = eigenmodes_finish};

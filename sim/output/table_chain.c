@@ -2,12 +2,6 @@
 /* Tables of chains at rest: a row for each bead, with the contact to its right. They need no run. */
 #include "sim/output/table.h"
 
-static void chain_header(struct bead_sink *sink)
-{
-    fprintf(sink->file, "%sbead,material,mass_kg,radius_m,position_m,sensor,stiffness,static_force_N\n",
-            sink->context.chain_count > 1 ? "chain," : "");
-}
-
 static void write_sensor(FILE *file, const struct bead_chain *chain, size_t bead)
 {
     size_t count = 0;
@@ -45,4 +39,6 @@ static void chain_end(struct bead_sink *sink, const struct bead_outcome *)
     }
 }
 
-const struct table bead_table_chain = {.why = "beads and contacts as in the scene", .header = chain_header, .end = chain_end};
+const struct table bead_table_chain = {.why = "beads and contacts as in the scene",
+                                       .columns = "bead,material,mass_kg,radius_m,position_m,sensor,stiffness,static_force_N",
+                                       .end = chain_end};

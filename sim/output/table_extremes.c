@@ -34,10 +34,8 @@ static void extremes_needs(const struct bead_sink *sink, struct bead_needs *need
 static void extremes_header(struct bead_sink *sink)
 {
     const struct bead_field_info *field = extremes_field(sink);
-    if (sink->context.chain_count > 1)
-        fputs("chain,", sink->file);
-    bead_table_time_header(sink);
-    fprintf(sink->file, ",largest%s%s,%s%s%s\n", *field->unit ? "_" : "", field->unit, field->of_contacts ? "contact" : "bead",
+    bead_table_begin_header(sink, true);
+    fprintf(sink->file, "largest%s%s,%s%s%s\n", *field->unit ? "_" : "", field->unit, field->of_contacts ? "contact" : "bead",
             sink->context.difference ? ",part_of_largest" : "", bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 

@@ -65,12 +65,6 @@ static enum bead_error measures_begin(struct bead_sink *sink, struct bead_messag
     return err;
 }
 
-static void measures_header(struct bead_sink *sink)
-{
-    fprintf(sink->file, "%sname,value,unit,note%s\n", sink->context.chain_count > 1 ? "chain," : "",
-            bead_table_is_judged(sink) ? ",uncertainty" : "");
-}
-
 static enum bead_error measures_sample(struct bead_sink *sink, const struct bead_sample *sample, struct bead_message *msg)
 {
     struct bead_measures *measures = sink->measures[sample->chain];
@@ -111,7 +105,8 @@ static void measures_end(struct bead_sink *sink, const struct bead_outcome *outc
 const struct table bead_table_measures = {.why = "measures of the run",
                                           .prepare = measures_prepare,
                                           .needs = measures_needs,
-                                          .header = measures_header,
+                                          .columns = "name,value,unit,note",
+                                          .uncertainties = ",uncertainty",
                                           .sample = measures_sample,
                                           .end = measures_end,
                                           .checked = true,

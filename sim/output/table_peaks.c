@@ -22,8 +22,8 @@ static void peaks_needs(const struct bead_sink *sink, struct bead_needs *needs)
 
 static void peaks_header(struct bead_sink *sink)
 {
-    fprintf(sink->file, "%s%s,peak_force_N,time_s,state%s%s%s\n", sink->context.chain_count > 1 ? "chain," : "",
-            sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead",
+    bead_table_begin_header(sink, false);
+    fprintf(sink->file, "%s,peak_force_N,time_s,state%s%s%s\n", sink->output->curves.show == BEAD_SHOW_PEAKS ? "contact" : "bead",
             sink->output->curves.uncertainty ? ",uncertainty_N" : "",
             bead_scene_tolerances(sink->context.scene) ? ",deviation_N" : "",
             sink->output->curves.uncertainty ? ",time_s_uncertainty" : "");

@@ -26,9 +26,8 @@ static void profiles_header(struct bead_sink *sink)
     const struct bead_chain *chain = sink->context.chains[0];
     const struct bead_field_info *field = bead_chain_field(chain, sink->output->shown.field);
     const char *column = bead_chain_spec(chain)->system->names_fields ? field->title : field->name;
-    fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
-    bead_table_time_header(sink);
-    fprintf(sink->file, ",%s,%s%s%s%s\n", bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "",
+    bead_table_begin_header(sink, true);
+    fprintf(sink->file, "%s,%s%s%s%s\n", bead_chain_axis(chain, field->of_contacts).title, column, *field->unit ? "_" : "",
             field->unit, bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 

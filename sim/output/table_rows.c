@@ -72,6 +72,15 @@ void bead_table_known_uncertainty(FILE *file, double number)
         bead_write_uncertainty(file, number);
 }
 
+void bead_table_begin_header(struct bead_sink *sink, bool times)
+{
+    fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
+    if (times) {
+        bead_table_time_header(sink);
+        fputc(',', sink->file);
+    }
+}
+
 void bead_table_chain_name(const struct bead_sink *sink, size_t chain)
 {
     if (sink->context.chain_count == 1)

@@ -12,18 +12,6 @@ static void sensitivities_needs(const struct bead_sink *sink, struct bead_needs 
     needs->contact_count = sink->output->curves.contacts.count;
 }
 
-static void sensitivities_header(struct bead_sink *sink)
-{
-    fprintf(sink->file,
-            "%scontact,peak_force_N,time_s,bead,by_mass_N_per_kg,by_radius_N_per_m,by_modulus_N_per_Pa,"
-            "by_striker_velocity_N_s_per_m%s\n",
-            sink->context.chain_count > 1 ? "chain," : "",
-            bead_table_is_judged(sink)
-                ? ",by_mass_N_per_kg_uncertainty,by_radius_N_per_m_uncertainty,by_modulus_N_per_Pa_uncertainty,"
-                  "by_striker_velocity_N_s_per_m_uncertainty"
-                : "");
-}
-
 /* From those of the check run: that of the worst bead, since errors cross zero along a chain. NaN: unknown. */
 static void find_uncertainties(const struct bead_sink *sink, size_t chain, const struct bead_sensitivity *s,
                                const struct bead_sensitivity *check, double uncertainty[4])
@@ -89,6 +77,10 @@ static void sensitivities_end(struct bead_sink *sink, const struct bead_outcome 
 
 const struct table bead_table_sensitivities = {.why = "derivatives of peaks by masses, radii, moduli and the striker's velocity",
                                                .needs = sensitivities_needs,
-                                               .header = sensitivities_header,
+                                               .columns = "contact,peak_force_N,time_s,bead,by_mass_N_per_kg,by_radius_N_per_m,"
+                                                          "by_modulus_N_per_Pa,by_striker_velocity_N_s_per_m",
+                                               .uncertainties = ",by_mass_N_per_kg_uncertainty,by_radius_N_per_m_uncertainty,"
+                                                                "by_modulus_N_per_Pa_uncertainty,"
+                                                                "by_striker_velocity_N_s_per_m_uncertainty",
                                                .checked = true,
                                                .end = sensitivities_end};

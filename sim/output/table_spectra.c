@@ -155,9 +155,8 @@ static enum bead_error each_chain(struct bead_sink *sink, write_chain *write, st
 
 static void spectrogram_header(struct bead_sink *sink)
 {
-    fputs(sink->context.chain_count > 1 ? "chain," : "", sink->file);
-    bead_table_time_header(sink);
-    fprintf(sink->file, ",%s,amplitude%s\n", frequency(sink), bead_table_is_judged(sink) ? ",uncertainty" : "");
+    bead_table_begin_header(sink, true);
+    fprintf(sink->file, "%s,amplitude%s\n", frequency(sink), bead_table_is_judged(sink) ? ",uncertainty" : "");
 }
 
 /* With a check run, the uncertainty is the largest of all segments so far. */
@@ -192,12 +191,6 @@ const struct table bead_table_spectrogram = {.why = "spectra over time",
                                              .sample = spectra_sample,
                                              .checked = true,
                                              .finish = spectrogram_finish};
-
-static void dispersion_header(struct bead_sink *sink)
-{
-    fprintf(sink->file, "%swave_number_cell_pi,band,exact_Hz,found_Hz,amplitude%s\n", sink->context.chain_count > 1 ? "chain," : "",
-            bead_table_is_judged(sink) ? ",uncertainty,found_Hz_uncertainty" : "");
-}
 
 /* The uncertainty of the worst amplitude of all lines. */
 static double worst_line(const struct bead_sink *sink, const struct bead_spectral *found, const struct bead_spectral *check,
@@ -241,7 +234,8 @@ static enum bead_error dispersion_finish(struct bead_sink *sink, struct bead_mes
 const struct table bead_table_dispersion = {.why = "amplitudes over wave number and frequency",
                                             .prepare = spectra_prepare,
                                             .needs = spectra_needs,
-                                            .header = dispersion_header,
+                                            .columns = "wave_number_cell_pi,band,exact_Hz,found_Hz,amplitude",
+                                            .uncertainties = ",uncertainty,found_Hz_uncertainty",
                                             .sample = spectra_sample,
                                             .checked = true,
                                             .finish = dispersion_finish};

@@ -10,12 +10,11 @@
 #include "sim/output/table.h"
 
 enum { EXPONENTS = 2, NUMBERS = BEAD_SPREADING_NUMBERS + EXPONENTS };
-static const char *const names[NUMBERS] = {"second_moment", "participation", "front", "gamma", "eta"};
 
 static enum bead_error spreading_prepare(struct bead_sink *sink, struct bead_message *msg)
 {
     for (size_t i = 0; i < sink->context.chain_count * NUMBERS; i++)
-        BEAD_TRY(bead_table_add_column(sink, i / NUMBERS, 0, names[i % NUMBERS], msg));
+        BEAD_TRY(bead_table_add_column(sink, i / NUMBERS, 0, "", msg));
     return bead_table_choose_times(sink, "the energy of every bead", msg);
 }
 
@@ -38,17 +37,6 @@ static void spreading_needs(const struct bead_sink *, struct bead_needs *needs)
 {
     needs->fields = BEAD_FIELD_BIT(BEAD_FIELD_ENERGY);
     needs->beads = (struct bead_span){0, SIZE_MAX};
-}
-
-static void spreading_header(struct bead_sink *sink)
-{
-    if (sink->context.chain_count > 1)
-        fputs("chain,", sink->file);
-    bead_table_time_header(sink);
-    fputs(",second_moment,participation,front,gamma,gamma_error,eta,eta_error", sink->file);
-    for (size_t i = 0; bead_table_is_judged(sink) && i < NUMBERS; i++)
-        fprintf(sink->file, ",%s_uncertainty", names[i]);
-    fputc('\n', sink->file);
 }
 
 /* Numbers that are not known yet are left out. */
@@ -91,6 +79,10 @@ const struct table bead_table_spreading = {.why = "how far energy has spread",
                                            .prepare = spreading_prepare,
                                            .needs = spreading_needs,
                                            .begin = spreading_begin,
-                                           .header = spreading_header,
+                                           .columns = "second_moment,participation,front,gamma,gamma_error,eta,eta_error",
+                                           .uncertainties =
+                                               ",second_moment_uncertainty,participation_uncertainty,front_uncertainty,"
+                                               "gamma_uncertainty,eta_uncertainty",
+                                           .of_times = true,
                                            .checked = true,
                                            .sample = spreading_sample};
