@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "sim/base/memory.h"
 #include "sim/kinds/outputs.h"
 
 enum { MOST_CAPTIONS = 200, MOST_SPEEDS = 100 };
@@ -74,12 +75,6 @@ static const struct bead_option card_rows[] = {
 const struct bead_options bead_card_options = {"outputs.card", "a title card with title, chains and scale of time",
                                                BEAD_OPTIONS(card_rows), NULL, NULL};
 
-/* The unit after times of the motion in messages. */
-static const char *unit_of(const struct bead_reader *reader)
-{
-    return *bead_scene_system(reader->scene)->time_unit ? " s" : "";
-}
-
 enum bead_error bead_output_check_said(struct bead_reader *reader, const struct bead_at *at, const struct bead_caption *caption)
 {
     if (!caption->text[0])
@@ -87,21 +82,18 @@ enum bead_error bead_output_check_said(struct bead_reader *reader, const struct 
     if (!isnan(caption->until) && !isnan(caption->lasting))
         return BEAD_WRONG_KEY(reader, at, "until", "is given beside `for`; give one of them");
     if (caption->until <= caption->at)
-        return BEAD_WRONG_KEY(reader, at, "until", "is %g%s; must be later than `at`, %g%s", caption->until, unit_of(reader),
-                              caption->at, unit_of(reader));
+        return BEAD_WRONG_KEY(reader, at, "until", "is %g%s; must be later than `at`, %g%s", caption->until,
+                              bead_scene_seconds(reader->scene), caption->at, bead_scene_seconds(reader->scene));
     return BEAD_OK;
 }
 
 BEAD_OPTION_READER(bead_output_read_captions)
 {
     struct bead_output *output = settings;
-    size_t count = at->node->count;
     BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_CAPTIONS, "entries"));
-    output->movie.captions = calloc(count, sizeof *output->movie.captions);
-    if (!output->movie.captions)
-        return bead_no_memory(reader);
-    output->movie.caption_count = count;
-    for (size_t i = 0; i < count; i++) {
+    BEAD_TRY(bead_new(&output->movie.captions, at->node->count, reader->msg, "an output"));
+    output->movie.caption_count = at->node->count;
+    for (size_t i = 0; i < output->movie.caption_count; i++) {
         struct bead_at element = bead_at_item(at, i);
         if (element.node->kind != BEAD_NODE_MAP)
             return bead_must_be(reader, &element, "a map such as {at: 0.2 ms, text: The front has left the striker}");
@@ -109,7 +101,8 @@ BEAD_OPTION_READER(bead_output_read_captions)
         BEAD_TRY(bead_output_check_said(reader, &element, &output->movie.captions[i]));
         if (i > 0 && output->movie.captions[i].at <= output->movie.captions[i - 1].at)
             return BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be later than that of the previous caption, %g%s",
-                                  output->movie.captions[i].at, unit_of(reader), output->movie.captions[i - 1].at, unit_of(reader));
+                                  output->movie.captions[i].at, bead_scene_seconds(reader->scene), output->movie.captions[i - 1].at,
+                                  bead_scene_seconds(reader->scene));
     }
     return BEAD_OK;
 }
@@ -118,27 +111,20 @@ BEAD_OPTION_READER(bead_output_read_speeds)
 {
     struct bead_output *output = settings;
     const bool one = at->node->kind == BEAD_NODE_SCALAR; /* a factor, from the beginning to the end */
-    size_t count = one ? 1 : at->node->count;
-    enum bead_error err = one ? BEAD_OK : bead_need_list(reader, at, option->shape, MOST_SPEEDS, "entries");
-    if (!err)
-        err = bead_not_beside(reader, at, "duration");
-    if (err)
-        return err;
-    output->movie.speeds = calloc(count, sizeof *output->movie.speeds);
-    if (!output->movie.speeds)
-        return bead_no_memory(reader);
-    output->movie.speed_count = count;
-    if (one)
-        return read_factor(reader, at, option, output->movie.speeds);
-    for (size_t i = 0; !err && i < count; i++) {
+    struct bead_movie_asked *movie = &output->movie;
+    BEAD_TRY(one ? BEAD_OK : bead_need_list(reader, at, option->shape, MOST_SPEEDS, "entries"));
+    BEAD_TRY(bead_not_beside(reader, at, "duration"));
+    movie->speed_count = one ? 1 : at->node->count;
+    BEAD_TRY(bead_new(&movie->speeds, movie->speed_count, reader->msg, "an output"));
+    for (size_t i = 0; i < movie->speed_count && !one; i++) {
         struct bead_at element = bead_at_item(at, i);
-        struct bead_speed *speed = &output->movie.speeds[i];
-        err = bead_options_read(reader, &element, &bead_speed_options, speed);
-        if (!err && i > 0 && speed->at <= speed[-1].at)
-            err = BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be later than that of the previous point, %g%s", speed->at,
-                                 unit_of(reader), speed[-1].at, unit_of(reader));
+        struct bead_speed *speed = &movie->speeds[i];
+        BEAD_TRY(bead_options_read(reader, &element, &bead_speed_options, speed));
+        if (i > 0 && speed->at <= speed[-1].at)
+            return BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be later than that of the previous point, %g%s", speed->at,
+                                  bead_scene_seconds(reader->scene), speed[-1].at, bead_scene_seconds(reader->scene));
     }
-    return err;
+    return one ? read_factor(reader, at, option, movie->speeds) : BEAD_OK;
 }
 
 /* A word, a time or a map. */
@@ -174,7 +160,8 @@ BEAD_OUTPUT_CHECK(bead_output_check_captions)
         struct bead_at element = bead_at_item(&list, i);
         if (output->movie.captions[i].at >= end)
             return BEAD_WRONG_KEY(reader, &element, "at", "is %g%s; must be before the end of what is shown, at %g%s",
-                                  output->movie.captions[i].at, unit_of(reader), end, unit_of(reader));
+                                  output->movie.captions[i].at, bead_scene_seconds(reader->scene), end,
+                                  bead_scene_seconds(reader->scene));
     }
     return BEAD_OK;
 }

@@ -9,7 +9,7 @@
 BEAD_OUTPUT_CHECK(bead_output_check_times)
 {
     double until = reader->scene->simulate.until;
-    const char *unit = *bead_scene_system(reader->scene)->time_unit ? " s" : "";
+    const char *unit = bead_scene_seconds(reader->scene);
     if (output->shown.time[0] >= until)
         return BEAD_WRONG_KEY(reader, at, "time", "begins at %g%s; must begin before the run ends at %g%s", output->shown.time[0],
                               unit, until, unit);

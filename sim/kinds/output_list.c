@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "beadreel/sink.h"
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
 
@@ -167,14 +168,11 @@ static enum bead_error read_output(struct bead_reader *reader, const struct bead
     output->file = reader->scene->file;
     output->node = at->node;
     output->entry = at->index;
-    enum bead_error err = find_kind(reader, at, output);
-    if (!err)
-        err = check_sweep(reader, at, index);
-    if (err)
-        return err;
-    err =
-        output->own ? read_own(reader, at, output) : bead_output_read_settings(reader, at, bead_output_type(output->kind), output);
-    return err ? err : check_paths(reader, at, index);
+    BEAD_TRY(find_kind(reader, at, output));
+    BEAD_TRY(check_sweep(reader, at, index));
+    BEAD_TRY(output->own ? read_own(reader, at, output)
+                         : bead_output_read_settings(reader, at, bead_output_type(output->kind), output));
+    return check_paths(reader, at, index);
 }
 
 /* ---- the list ---- */
@@ -238,9 +236,7 @@ enum bead_error bead_scene_read_outputs(struct bead_reader *reader, const struct
     if (at->node->kind != BEAD_NODE_LIST)
         return bead_must_be(reader, at, "a list such as [{image: force.png}]");
     BEAD_TRY(count_files(reader, at, &count));
-    scene->outputs = calloc(count, sizeof *scene->outputs);
-    if (!scene->outputs)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&scene->outputs, count, reader->msg, "outputs"));
     scene->output_count = count;
     enum bead_error err = BEAD_OK, kept = BEAD_OK;
     for (size_t i = 0; bead_reads_on(reader, err, &kept) && i < at->node->count; i++) {

@@ -20,20 +20,10 @@ static const char *const follows[] = {"all", "front", NULL};
 
 static const struct bead_option motion = {BEAD_TIME_OF_MOTION};
 
-static enum bead_error read_end(struct bead_reader *reader, const struct bead_at *at, double *end)
+static BEAD_OPTION_READER(read_end)
 {
     BEAD_TRY(bead_not_beside(reader, at, "time"));
-    return bead_read_number(reader, at, &motion, end);
-}
-
-static BEAD_OPTION_READER(read_from)
-{
-    return read_end(reader, at, &((struct bead_output *)settings)->shown.time[0]);
-}
-
-static BEAD_OPTION_READER(read_until)
-{
-    return read_end(reader, at, &((struct bead_output *)settings)->shown.time[1]);
+    return bead_read_number(reader, at, &motion, (double *)(void *)((char *)settings + option->offset));
 }
 
 /* A word, followed by a number or a name if it needs one. */
@@ -61,30 +51,20 @@ static BEAD_OPTION_READER(read_sound)
     return bead_must_be(reader, at, option->shape);
 }
 
-/* The name of a file with this ending, or "" for none. */
-static enum bead_error read_beside(const struct bead_reader *reader, const struct bead_at *at, const char *ending, char **name)
+/* The name of a file with the ending in the option's shape, or "" for none. */
+static BEAD_OPTION_READER(read_beside)
 {
-    char shown[64];
+    char **name = (char **)(void *)((char *)settings + option->offset), shown[64];
     BEAD_TRY(bead_read_text(reader, at, name));
     if (strcmp(*name, "none") == 0) {
         (*name)[0] = '\0';
         return BEAD_OK;
     }
-    const char *slash = strrchr(*name, '/'), *base = slash ? slash + 1 : *name, *dot = strrchr(base, '.');
-    if (!dot || dot == base || strcasecmp(dot, ending) != 0)
+    const char *ending = strrchr(option->shape, '.');
+    if (!bead_output_ends_like(ending, *name))
         return bead_wrong(reader, at, "is `%s`; must be none or the name of a %s file", bead_text_show(*name, shown, sizeof shown),
                           ending);
     return BEAD_OK;
-}
-
-static BEAD_OPTION_READER(read_poster)
-{
-    return read_beside(reader, at, ".png", &((struct bead_output *)settings)->movie.poster);
-}
-
-static BEAD_OPTION_READER(read_slides)
-{
-    return read_beside(reader, at, ".html", &((struct bead_output *)settings)->movie.slides);
 }
 
 static const struct bead_option movie_rows[] = {
@@ -151,7 +131,8 @@ static const struct bead_option movie_rows[] = {
      .read = bead_output_read_stops,
      .help = "times at which a talk halts: chapters of the file, beside those of captions, and where `slides` wait",
      .example = "[0.4 ms, 1.2 ms]"},
-    {"slides", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none or FILE.html", .like = "text", .read = read_slides,
+    {"slides", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(movie.slides), .initial = "none", .shape = "none or FILE.html", .like = "text",
+     .read = read_beside,
      .help = "the film, mp4 or webm, in one page for a browser, which needs no network: it plays from stop to stop when a key is "
              "pressed. Not with `poster`",
      .example = "talk.html"},
@@ -170,8 +151,8 @@ static const struct bead_option movie_rows[] = {
              "window. Give long chains long movies: the eye cannot follow more than half a bead per frame"},
     {"window", BEAD_OPTION_COUNT, BEAD_OF_OUTPUT(movie.window), .initial = "40", .low = 4, .high = 1000,
      .help = "most beads that `follow: front` shows", .example = "30"},
-    {"poster", BEAD_OPTION_CUSTOM, .initial = "none", .shape = "none or FILE.png", .like = "text", .read = read_poster,
-     .help = "one frame as a picture; in mp4 files also the cover", .example = "poster.png"},
+    {"poster", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(movie.poster), .initial = "none", .shape = "none or FILE.png", .like = "text",
+     .read = read_beside, .help = "one frame as a picture; in mp4 files also the cover", .example = "poster.png"},
     {"poster-at", BEAD_OPTION_NUMBER, BEAD_OF_OUTPUT(movie.poster_at), BEAD_TIME_OF_MOTION, .initial = "auto", .word = "auto",
      .word_value = NAN,
      .help =
@@ -188,10 +169,10 @@ static const struct bead_option movie_rows[] = {
 };
 /* After `time`, of which they are parts. */
 static const struct bead_option span_rows[] = {
-    {"from", BEAD_OPTION_CUSTOM, .shape = "a time of the motion such as 0.2 ms", .like = "number", .read = read_from,
-     .help = "when the movie begins; default: with the run", .example = "0.2 ms"},
-    {"until", BEAD_OPTION_CUSTOM, .shape = "a time of the motion such as 1.5 ms", .like = "number", .read = read_until,
-     .help = "when it ends; default: with the run. `time: [0.2 ms, 1.5 ms]` says both", .example = "1.5 ms"},
+    {"from", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(shown.time[0]), .shape = "a time of the motion such as 0.2 ms", .like = "number",
+     .read = read_end, .help = "when the movie begins; default: with the run", .example = "0.2 ms"},
+    {"until", BEAD_OPTION_CUSTOM, BEAD_OF_OUTPUT(shown.time[1]), .shape = "a time of the motion such as 1.5 ms", .like = "number",
+     .read = read_end, .help = "when it ends; default: with the run. `time: [0.2 ms, 1.5 ms]` says both", .example = "1.5 ms"},
 };
 static const struct bead_option_rows movie_shared[] = {
     {BEAD_OPTIONS(bead_field_row)},    {BEAD_OPTIONS(bead_time_row)},        {BEAD_OPTIONS(span_rows)},
@@ -234,7 +215,7 @@ static BEAD_OUTPUT_CHECK(check_movie)
     if (output->movie.poster_at > fmin(reader->scene->simulate.until, output->shown.time[1]) ||
         output->movie.poster_at < output->shown.time[0])
         return BEAD_WRONG_KEY(reader, at, "poster-at", "is %g%s; must be a time that the movie shows", output->movie.poster_at,
-                              *bead_scene_system(reader->scene)->time_unit ? " s" : "");
+                              bead_scene_seconds(reader->scene));
     return BEAD_OK;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "sim/base/memory.h"
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
 
@@ -56,13 +57,10 @@ const struct bead_options bead_note_options = {"outputs.notes", "a list of texts
 BEAD_OPTION_READER(bead_output_read_notes)
 {
     struct bead_output *output = settings;
-    size_t count = at->node->count;
     BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_NOTES, "entries"));
-    output->movie.notes = calloc(count, sizeof *output->movie.notes);
-    if (!output->movie.notes)
-        return bead_no_memory(reader);
-    output->movie.note_count = count;
-    for (size_t i = 0; i < count; i++) {
+    BEAD_TRY(bead_new(&output->movie.notes, at->node->count, reader->msg, "an output"));
+    output->movie.note_count = at->node->count;
+    for (size_t i = 0; i < output->movie.note_count; i++) {
         struct bead_at element = bead_at_item(at, i);
         if (element.node->kind != BEAD_NODE_MAP)
             return bead_must_be(reader, &element, "a map such as {at: 0.4 ms, bead: front, text: The front}");
@@ -76,14 +74,12 @@ static const struct bead_option stop_time = {BEAD_TIME_OF_MOTION};
 
 BEAD_OPTION_READER(bead_output_read_stops)
 {
-    struct bead_output *output = settings;
-    size_t count = at->node->count;
+    struct bead_movie_asked *movie = &((struct bead_output *)settings)->movie;
     BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_STOPS, "entries"));
-    double *stops = output->movie.stops = calloc(count, sizeof *stops);
-    if (!stops)
-        return bead_no_memory(reader);
-    output->movie.stop_count = count;
-    for (size_t i = 0; i < count; i++) {
+    BEAD_TRY(bead_new(&movie->stops, at->node->count, reader->msg, "an output"));
+    double *stops = movie->stops;
+    movie->stop_count = at->node->count;
+    for (size_t i = 0; i < movie->stop_count; i++) {
         struct bead_at element = bead_at_item(at, i);
         BEAD_TRY(bead_read_number(reader, &element, &stop_time, &stops[i]));
         if (i > 0 && stops[i] <= stops[i - 1])

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/base/suggest.h"
 #include "sim/kinds/outputs.h"
 #include "sim/kinds/view_kinds.h"
@@ -92,8 +93,8 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
     panel->file = reader->scene->file;
     panel->node = at->node;
     panel->panel.row = row;
-    enum bead_error err = bead_output_read_settings(reader, at, plot ? &plot_panel : &image_panel, panel);
-    if (!err && plot && bead_show_type(panel->curves.show)->drawing)
+    BEAD_TRY(bead_output_read_settings(reader, at, plot ? &plot_panel : &image_panel, panel));
+    if (plot && bead_show_type(panel->curves.show)->drawing)
         return BEAD_WRONG_KEY(
             reader, at, "show",
             "panels show sensors, peaks, modes or profiles; this needs a picture of its own: {plot: FILE, show: %s}",
@@ -101,19 +102,17 @@ static enum bead_error read_panel(struct bead_reader *reader, const struct bead_
     const bool listed = panel->curves.beads.all || panel->curves.contacts.all;
     const bool sensors =
         plot ? panel->curves.show == BEAD_SHOW_SENSORS && !listed : bead_views_any(&panel->views, BEAD_SHOWS_SENSORS);
-    if (!err && !reader->unsound && sensors && !bead_scene_has_sensors(reader->scene, panel->panel.chain))
-        err = BEAD_WRONG_KEY(reader, at, "chain", "has no bead with a `sensor` that could be shown%s",
-                             plot ? "; give one, or say which `beads`" : "");
-    return err;
+    if (!reader->unsound && sensors && !bead_scene_has_sensors(reader->scene, panel->panel.chain))
+        return BEAD_WRONG_KEY(reader, at, "chain", "has no bead with a `sensor` that could be shown%s",
+                              plot ? "; give one, or say which `beads`" : "");
+    return BEAD_OK;
 }
 
 static BEAD_OPTION_READER(read_panels)
 {
     struct bead_output *output = settings;
     BEAD_TRY(bead_need_list(reader, at, option->shape, MOST_ROWS, "entries"));
-    output->still.panels = calloc((size_t)MOST_COLUMNS * at->node->count, sizeof *output->still.panels);
-    if (!output->still.panels)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&output->still.panels, MOST_COLUMNS * at->node->count, reader->msg, "an output"));
     for (size_t r = 0; r < at->node->count; r++) {
         struct bead_at row = bead_at_item(at, r);
         BEAD_TRY(bead_need_list(reader, &row, "a row: a list of panels such as [{field: force}, {field: velocity}]", MOST_COLUMNS,

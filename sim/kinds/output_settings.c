@@ -98,13 +98,10 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
                                           struct bead_output *output)
 {
     const bool sweep = reader->scene->sweep_count > 0;
-    enum bead_error err = bead_options_read(reader, at, sweep ? type->sweep_options : type->options, output);
+    BEAD_TRY(bead_options_read(reader, at, sweep ? type->sweep_options : type->options, output));
     if (reader->unsound)
-        return err;
-    if (!err)
-        err = settle_size(reader, at, type->draws, output);
-    if (err)
-        return err;
+        return BEAD_OK;
+    BEAD_TRY(settle_size(reader, at, type->draws, output));
     if (sweep && bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
         output->curves.show = bead_sweep_lines(output->sweep_curves.show);
     fit_stage(reader, at, output);
@@ -112,9 +109,9 @@ enum bead_error bead_output_read_settings(struct bead_reader *reader, const stru
     fit_motion(at, output);
     if (sweep)
         return type->check_sweep ? type->check_sweep(reader, at, output) : BEAD_OK;
-    for (size_t i = 0; !err && i < BEAD_OUTPUT_CHECKS && type->checks[i]; i++)
-        err = type->checks[i](reader, at, output);
-    return err;
+    for (size_t i = 0; i < BEAD_OUTPUT_CHECKS && type->checks[i]; i++)
+        BEAD_TRY(type->checks[i](reader, at, output));
+    return BEAD_OK;
 }
 
 void bead_output_free(struct bead_output *output)

@@ -130,7 +130,7 @@ static enum bead_error check_keys(const struct bead_reader *reader, const struct
 /* `at` must lie within the run. */
 static enum bead_error check_moments(const struct bead_reader *reader, const struct bead_at *at, const struct bead_output *output)
 {
-    const char *unit = *bead_scene_system(reader->scene)->time_unit ? " s" : "";
+    const char *unit = bead_scene_seconds(reader->scene);
     double until = reader->scene->simulate.until;
     if (output->curves.profile_time_count == 0)
         return BEAD_WRONG_KEY(reader, at, "at", "is missing: the times of the profiles, such as [0, %g]", *unit ? 1e-3 : 10);
@@ -207,20 +207,15 @@ enum bead_error bead_output_check_show(const struct bead_reader *reader, const s
         return BEAD_WRONG_KEY(reader, at, "show", "%s", show->without_contacts);
     if (show->drawing || output->still.panel_count > 0)
         return BEAD_OK;
-    enum bead_error err = show->modes ? bead_output_need_modes(reader, at, "show") : BEAD_OK;
-    if (!err)
-        err = check_places(reader, at, output);
-    if (!err && output->curves.show == BEAD_SHOW_FIT && !bead_given(at->up->up, "fit"))
-        err = BEAD_WRONG_KEY(reader, at, "show", "lists what a fit has found, but there is no `fit`: the keys to find");
-    if (!err && show->vibrations)
-        err = check_vibrations(reader, at, output->curves.show);
-    if (!err)
-        err = check_listed(reader, at, output);
-    if (!err)
-        err = check_keys(reader, at, output, bead_options_find(options, "show"));
-    if (!err && show->of_field)
-        err = bead_output_check_field(reader, at, output);
-    return err || output->curves.show != BEAD_SHOW_PROFILES ? err : check_moments(reader, at, output);
+    BEAD_TRY(show->modes ? bead_output_need_modes(reader, at, "show") : BEAD_OK);
+    BEAD_TRY(check_places(reader, at, output));
+    if (output->curves.show == BEAD_SHOW_FIT && !bead_given(at->up->up, "fit"))
+        return BEAD_WRONG_KEY(reader, at, "show", "lists what a fit has found, but there is no `fit`: the keys to find");
+    BEAD_TRY(show->vibrations ? check_vibrations(reader, at, output->curves.show) : BEAD_OK);
+    BEAD_TRY(check_listed(reader, at, output));
+    BEAD_TRY(check_keys(reader, at, output, bead_options_find(options, "show")));
+    BEAD_TRY(show->of_field ? bead_output_check_field(reader, at, output) : BEAD_OK);
+    return output->curves.show == BEAD_SHOW_PROFILES ? check_moments(reader, at, output) : BEAD_OK;
 }
 
 BEAD_OUTPUT_CHECK(bead_output_check_lines)
@@ -253,13 +248,11 @@ BEAD_OUTPUT_CHECK(bead_output_check_drawing)
                              *const of_contacts[] = {"contact", "compression", NULL};
     const struct bead_scene *scene = reader->scene;
     const bool drawing = shows[output->curves.show].drawing;
-    enum bead_error err = BEAD_OK;
     if (output->curves.show != BEAD_SHOW_CONTACT)
-        err = bead_without(reader, at, of_contacts, "belongs to `show: contact`");
-    if (!err && drawing)
-        err = bead_without(reader, at, of_runs, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing");
-    if (err)
-        return err;
+        BEAD_TRY(bead_without(reader, at, of_contacts, "belongs to `show: contact`"));
+    if (drawing)
+        BEAD_TRY(
+            bead_without(reader, at, of_runs, "belongs to `show: sensors` or `show: peaks`; nothing is computed for a drawing"));
     for (size_t c = 0; c < scene->chain_count && drawing; c++) {
         if (!scene->chains[c].system->has_contacts)
             return BEAD_WRONG_KEY(reader, at, "show", "draws beads, but there are none in `%s`", scene->chains[c].system->name);
@@ -298,9 +291,7 @@ BEAD_OPTION_READER(bead_output_read_profile_times)
                           BEAD_PROFILE_TIMES);
     for (size_t i = 0; i < at->node->count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        enum bead_error err = bead_read_number(reader, &element, &number, &output->curves.profile_times[i]);
-        if (err)
-            return err;
+        BEAD_TRY(bead_read_number(reader, &element, &number, &output->curves.profile_times[i]));
         if (i > 0 && !(output->curves.profile_times[i] > output->curves.profile_times[i - 1]))
             return bead_wrong(reader, &element, "is %g, not later than the one before; times must rise",
                               output->curves.profile_times[i]);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/base/memory.h"
 #include "sim/chain/spins.h"
 #include "sim/kinds/outputs.h"
 #include "sim/statistics/statistics.h"
@@ -162,14 +163,10 @@ static BEAD_OPTION_READER(read_magnetism)
         return BEAD_OK;
     if (at->node->kind == BEAD_NODE_MAP || count == 0)
         return bead_must_be(reader, at, option->shape);
-    output->sheet.magnetism = calloc(count, sizeof *output->sheet.magnetism);
-    if (!output->sheet.magnetism)
-        return bead_no_memory(reader);
+    BEAD_TRY(bead_new(&output->sheet.magnetism, count, reader->msg, "an output"));
     for (size_t i = 0; i < count; i++) {
         struct bead_at element = bead_at_item(at, i);
-        enum bead_error err = bead_read_number(reader, &element, &number, &output->sheet.magnetism[i]);
-        if (err)
-            return err;
+        BEAD_TRY(bead_read_number(reader, &element, &number, &output->sheet.magnetism[i]));
     }
     output->sheet.magnetism_count = count;
     return BEAD_OK;

@@ -68,19 +68,16 @@ static enum bead_error check_derivatives(const struct bead_reader *reader, const
     const struct bead_scene *scene = reader->scene;
     for (size_t c = 0; c < scene->chain_count; c++) {
         const struct bead_chain_spec *chain = &scene->chains[c];
-        if (chain->damping_coefficient > 0)
-            return BEAD_WRONG_KEY(reader, at, key,
-                                  "%s do not exist for chain%s%s: it has `damping`, whose forces jump when contacts close", what,
-                                  chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
-        if (chain->absorbs)
-            return BEAD_WRONG_KEY(reader, at, key, "%s are not known for chain%s%s: its end absorbs", what,
-                                  chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
-        if (chain->drive.amplitude > 0)
-            return BEAD_WRONG_KEY(reader, at, key, "%s are not known for chain%s%s: it has a `drive`", what,
-                                  chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
-        if (bead_scene_has_springs(scene, chain))
-            return BEAD_WRONG_KEY(reader, at, key, "%s are not known for chain%s%s: springs, or a cradle, hold its beads", what,
-                                  chain->name && *chain->name ? " " : "", chain->name ? chain->name : "");
+        const char *name = chain->name ? chain->name : "";
+        const bool damped = chain->damping_coefficient > 0;
+        const char *why = damped                                 ? "it has `damping`, whose forces jump when contacts close"
+                          : chain->absorbs                       ? "its end absorbs"
+                          : chain->drive.amplitude > 0           ? "it has a `drive`"
+                          : bead_scene_has_springs(scene, chain) ? "springs, or a cradle, hold its beads"
+                                                                 : NULL;
+        if (why)
+            return BEAD_WRONG_KEY(reader, at, key, "%s %s for chain%s%s: %s", what, damped ? "do not exist" : "are not known",
+                                  *name ? " " : "", name, why);
     }
     return BEAD_OK;
 }
@@ -89,9 +86,8 @@ static BEAD_OUTPUT_CHECK(check_sensitivities)
 {
     const enum bead_show show = output->curves.show;
     const bool peaks = show == BEAD_SHOW_PEAKS || show == BEAD_SHOW_BEAD_PEAKS;
-    if (show == BEAD_SHOW_SENSITIVITIES) {
+    if (show == BEAD_SHOW_SENSITIVITIES)
         return check_derivatives(reader, at, "show", "sensitivities");
-    }
     return peaks && bead_scene_tolerances(reader->scene) ? check_derivatives(reader, at, show == BEAD_SHOW_PEAKS ? "table" : "show",
                                                                              "the deviations of peaks that follow from `tolerance`")
                                                          : BEAD_OK;

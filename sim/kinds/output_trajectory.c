@@ -11,9 +11,9 @@ static BEAD_OPTION_READER(read_xdmf)
     struct bead_output *output = settings;
     static const char ending[] = ".xdmf";
     bool asked = false;
-    enum bead_error err = bead_read_flag(reader, at, &asked);
-    if (err || !asked)
-        return err;
+    BEAD_TRY(bead_read_flag(reader, at, &asked));
+    if (!asked)
+        return BEAD_OK;
     const size_t length = (size_t)(strrchr(output->path, '.') - output->path);
     if (strchr(output->path, ':'))
         return bead_wrong(reader, at, "cannot name a file with a colon: rename the trajectory");

@@ -96,17 +96,15 @@ BEAD_OPTION_READER(bead_output_read_views)
     for (unsigned i = 0; i < BEAD_CHOICES && (i < BEAD_VIEW_KINDS || (output->views.own && output->views.own[i - BEAD_VIEW_KINDS]));
          i++)
         names[i] = bead_views_info(&(struct bead_views_asked){.kinds = {i}, .own = output->views.own}, 0)->name;
-    enum bead_error err = need_list(reader, at, option);
-    for (size_t i = 0; !err && i < at->node->count; i++) {
-        err = read_name(reader, at, i, names, &seen, &found);
-        if (err)
-            break;
+    BEAD_TRY(need_list(reader, at, option));
+    for (size_t i = 0; i < at->node->count; i++) {
+        BEAD_TRY(read_name(reader, at, i, names, &seen, &found));
         output->views.kinds[output->views.count++] = found;
         if (bead_views_info(&output->views, output->views.count - 1)->traits & BEAD_SHOWS_SENSORS && !reader->unsound &&
             !bead_scene_has_sensors(reader->scene, SIZE_MAX))
             return bead_wrong(reader, at, "shows sensors, but no bead of the chain has a `sensor`");
     }
-    return err;
+    return BEAD_OK;
 }
 
 /* `each`: in chains of different lengths `last` is the last one of each. */
@@ -140,11 +138,6 @@ static enum bead_error read_place(const struct bead_reader *reader, const struct
 enum bead_error bead_output_read_place(const struct bead_reader *reader, const struct bead_at *at, bool contact, size_t *index)
 {
     return read_place(reader, at, contact, false, index);
-}
-
-static enum bead_error read_bead(const struct bead_reader *reader, const struct bead_at *at, size_t *bead)
-{
-    return bead_output_read_place(reader, at, false, bead);
 }
 
 static int ascending(const void *a, const void *b)
@@ -187,9 +180,9 @@ static enum bead_error read_places(const struct bead_reader *reader, const struc
     struct run run;
     BEAD_TRY(split_run(reader, at, &run));
     if (!run.is) {
-        enum bead_error err = read_place(reader, at, contact, true, &ends[0]);
+        BEAD_TRY(read_place(reader, at, contact, true, &ends[0]));
         ends[1] = ends[0];
-        return err;
+        return BEAD_OK;
     }
     if (is_auto(&run.ends[0]))
         run.nodes[0].text = "0";
@@ -255,14 +248,14 @@ BEAD_OPTION_READER(bead_output_read_beads)
         (scalar && at->node->text[0] && !strchr("+-.0123456789", at->node->text[0]) && strcmp(at->node->text, "last") != 0))
         return bead_must_be(reader, at, option->shape);
     if (scalar) {
-        enum bead_error err = read_bead(reader, at, &output->shown.beads.first);
+        BEAD_TRY(bead_output_read_place(reader, at, false, &output->shown.beads.first));
         output->shown.beads.last = output->shown.beads.first;
-        return err;
+        return BEAD_OK;
     }
     const struct bead_at first = run.is ? run.ends[0] : bead_at_item(at, 0), last = run.is ? run.ends[1] : bead_at_item(at, 1);
     output->shown.beads = (struct bead_span){0, SIZE_MAX};
-    BEAD_TRY(is_auto(&first) ? BEAD_OK : read_bead(reader, &first, &output->shown.beads.first));
-    BEAD_TRY(is_auto(&last) ? BEAD_OK : read_bead(reader, &last, &output->shown.beads.last));
+    BEAD_TRY(is_auto(&first) ? BEAD_OK : bead_output_read_place(reader, &first, false, &output->shown.beads.first));
+    BEAD_TRY(is_auto(&last) ? BEAD_OK : bead_output_read_place(reader, &last, false, &output->shown.beads.last));
     if (output->shown.beads.first > output->shown.beads.last)
         return bead_wrong(reader, at, "is [%zu, %zu]; the first must not be greater than the last", output->shown.beads.first,
                           output->shown.beads.last);
@@ -305,9 +298,7 @@ static enum bead_error read_extents(const struct bead_reader *reader, const stru
         return bead_must_be(reader, at, option->shape);
     for (size_t i = 0; i < 2; i++) {
         struct bead_at element = bead_at_item(at, i);
-        enum bead_error err = read_extent(reader, &element, &paper->size[i], &length[i]);
-        if (err)
-            return err;
+        BEAD_TRY(read_extent(reader, &element, &paper->size[i], &length[i]));
     }
     if (length[0] != length[1])
         return bead_wrong(reader, at, "mixes pixels and a length; must be %s", option->shape);
@@ -327,10 +318,10 @@ BEAD_OPTION_READER(bead_output_read_size)
 BEAD_OPTION_READER(bead_output_read_frame_size)
 {
     struct bead_output *output = settings;
-    enum bead_error err = read_extents(reader, at, option, &output->paper);
-    if (!err && output->paper.size_is_length)
+    BEAD_TRY(read_extents(reader, at, option, &output->paper));
+    if (output->paper.size_is_length)
         return bead_wrong(reader, at, "is a length; the size of a movie must be in pixels, such as [1920, 1080]");
-    return err ? err : bead_output_check_size(reader, at, &output->paper);
+    return bead_output_check_size(reader, at, &output->paper);
 }
 
 /* [low, high] in `unit`; "": plain numbers. */

@@ -13,6 +13,12 @@ static inline const struct bead_system *bead_scene_system(const struct bead_scen
     return scene->chain_count > 0 ? scene->chains[0].system : &bead_system_beads;
 }
 
+/* The unit after times of the motion in messages. */
+static inline const char *bead_scene_seconds(const struct bead_scene *scene)
+{
+    return *bead_scene_system(scene)->time_unit ? " s" : "";
+}
+
 /* Beads of a chain without its striker. */
 size_t bead_scene_count_beads(const struct bead_chain_spec *chain);
 /* Number of the last bead, or point, of a chain; `simulate` must have been read. */
