@@ -20,6 +20,7 @@ struct out {
     const struct bead_output *output;
     const struct bead_sweep_settings *settings;
     bool several, places; /* has a column for the sweep's name, and for the place's */
+    bool over;            /* of a sweep over keys */
 };
 
 static void head(const struct out *o, const char *columns)
@@ -133,46 +134,71 @@ static double time_uncertainty(const struct bead_sweep_peak *peak, const struct 
     return peak->time_uncertainty != 0 ? peak->time_uncertainty : worst->time * peak->time;
 }
 
-/* A row's force and time. */
-static void write_uncertainties(const struct out *o, const struct bead_sweep_peak *peak, const struct worst *worst)
-{
-    bead_table_known_uncertainty(o->file, force_uncertainty(peak, worst));
-    bead_table_known_uncertainty(o->file, time_uncertainty(peak, worst));
-}
-
 /* The ratio of two forces, which are both uncertain. */
 static double ratio_uncertainty(const struct bead_sweep_peak *peak, const struct bead_sweep_peak *by, const struct worst *worst)
 {
     return (force_uncertainty(peak, worst) + peak->force / by->force * force_uncertainty(by, worst)) / by->force;
 }
 
+/* The keys' values of a chain, as in the scene. */
+static void write_keys(const struct out *o, size_t panel, size_t index)
+{
+    const struct bead_over *over = &bead_sweep_panel(o->sweep, panel)->spec->over;
+    for (size_t k = 0; k < over->key_count; k++) {
+        fputc(',', o->file);
+        bead_table_text(o->file, over->keys[k].text[bead_sweep_value(o->sweep, panel, index, k)]);
+    }
+}
+
+/* A row of configuration `index`: over keys without its spins, and not normalised. */
+static void write_configuration(const struct out *o, size_t panel, size_t index, size_t place, const struct worst *worst)
+{
+    struct bead_sweep_configuration clean, c;
+    const bool normal = bead_sweep_configuration(o->sweep, panel, BEAD_SWEEP_CLEAN, &clean);
+    if (!bead_sweep_configuration(o->sweep, panel, index, &c))
+        return;
+    const struct bead_sweep_peak *peak = &c.peaks[place], *by = normal ? &clean.peaks[place] : NULL;
+    names(o, panel, place);
+    fprintf(o->file, "%zu", index);
+    if (o->over) {
+        write_keys(o, panel, index);
+    } else {
+        bead_table_known(o->file, c.magnetism);
+        bead_table_known(o->file, by ? peak->force / by->force : NAN);
+    }
+    bead_table_known(o->file, peak->force);
+    bead_table_known(o->file, peak->time);
+    fprintf(o->file, ",%zu", (size_t)peak->bead);
+    if (!o->over)
+        fprintf(o->file, ",%.*s", (int)bead_sweep_panel(o->sweep, panel)->spec->cells, c.spins);
+    fprintf(o->file, ",%s", peak->open ? "open" : "");
+    bead_table_known_uncertainty(o->file, force_uncertainty(peak, worst));
+    bead_table_known_uncertainty(o->file, time_uncertainty(peak, worst));
+    if (!o->over)
+        bead_table_known_uncertainty(o->file, by ? ratio_uncertainty(peak, by, worst) : NAN);
+    fputc('\n', o->file);
+}
+
 static enum bead_error write_configurations(const struct out *o, struct bead_message *msg)
 {
-    head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state,uncertainty_N,time_s_uncertainty,"
-            "normalised_uncertainty");
+    const struct bead_over *over = &bead_sweep_panel(o->sweep, 0)->spec->over;
+    if (o->over)
+        fprintf(o->file, "%sconfiguration", o->places ? "place," : "");
+    else
+        head(o, "configuration,magnetism,normalised,peak_force_N,time_s,bead,spins,state,uncertainty_N,time_s_uncertainty,"
+                "normalised_uncertainty");
+    for (size_t k = 0; k < over->key_count; k++) {
+        fputc(',', o->file);
+        bead_table_text(o->file, over->keys[k].path);
+    }
+    if (o->over)
+        fputs(",peak_force_N,time_s,bead,state,uncertainty_N,time_s_uncertainty\n", o->file);
     for (size_t p = 0; p < bead_sweep_panels(o->sweep); p++) {
         const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, p);
-        struct bead_sweep_configuration clean, c;
         BEAD_FREED struct worst *worst = NULL;
         BEAD_TRY(find_worst(o, p, &worst, msg));
-        bool normal = bead_sweep_configuration(o->sweep, p, BEAD_SWEEP_CLEAN, &clean);
-        for (size_t i = 0; i < panel->configurations; i++) {
-            if (!bead_sweep_configuration(o->sweep, p, i, &c))
-                continue;
-            for (size_t place = 0; place < panel->places; place++) {
-                const struct bead_sweep_peak *peak = &c.peaks[place], *by = normal ? &clean.peaks[place] : NULL;
-                names(o, p, place);
-                fprintf(o->file, "%zu", i);
-                bead_table_known(o->file, c.magnetism);
-                bead_table_known(o->file, by ? peak->force / by->force : NAN);
-                bead_table_known(o->file, peak->force);
-                bead_table_known(o->file, peak->time);
-                fprintf(o->file, ",%zu,%.*s,%s", (size_t)peak->bead, (int)panel->spec->cells, c.spins, peak->open ? "open" : "");
-                write_uncertainties(o, peak, &worst[place]);
-                bead_table_known_uncertainty(o->file, by ? ratio_uncertainty(peak, by, &worst[place]) : NAN);
-                fputc('\n', o->file);
-            }
-        }
+        for (size_t i = 0; i < panel->configurations * panel->places; i++)
+            write_configuration(o, p, i / panel->places, i % panel->places, &worst[i % panel->places]);
     }
     return BEAD_OK;
 }
@@ -228,45 +254,6 @@ static enum bead_error write_decay(const struct out *o, struct bead_message *msg
 }
 
 /* ---- over keys ---- */
-
-/* The value of a key in a table: as in the scene. */
-static void write_key(const struct out *o, size_t panel, size_t index, size_t key)
-{
-    bead_table_text(o->file,
-                    bead_sweep_panel(o->sweep, panel)->spec->over.keys[key].text[bead_sweep_value(o->sweep, panel, index, key)]);
-}
-
-static enum bead_error write_every_point(const struct out *o, struct bead_message *msg)
-{
-    BEAD_FREED struct worst *worst = NULL;
-    const struct bead_sweep_panel *panel = bead_sweep_panel(o->sweep, 0);
-    const struct bead_over *over = &panel->spec->over;
-    BEAD_TRY(find_worst(o, 0, &worst, msg));
-    fprintf(o->file, "%sconfiguration", o->places ? "place," : "");
-    for (size_t k = 0; k < over->key_count; k++) {
-        fputc(',', o->file);
-        bead_table_text(o->file, over->keys[k].path);
-    }
-    fputs(",peak_force_N,time_s,bead,state,uncertainty_N,time_s_uncertainty\n", o->file);
-    for (size_t i = 0; i < panel->configurations; i++) {
-        struct bead_sweep_configuration c;
-        for (size_t place = 0; bead_sweep_configuration(o->sweep, 0, i, &c) && place < panel->places; place++) {
-            names(o, 0, place);
-            fprintf(o->file, "%zu", i);
-            for (size_t k = 0; k < over->key_count; k++) {
-                fputc(',', o->file);
-                write_key(o, 0, i, k);
-            }
-            const struct bead_sweep_peak *peak = &c.peaks[place];
-            bead_table_known(o->file, peak->force);
-            bead_table_known(o->file, peak->time);
-            fprintf(o->file, ",%zu,%s", (size_t)peak->bead, peak->open ? "open" : "");
-            write_uncertainties(o, peak, &worst[place]);
-            fputc('\n', o->file);
-        }
-    }
-    return BEAD_OK;
-}
 
 static void write_curve(const struct out *o, size_t place, const struct bead_sweep_curve *curve, const struct bead_over_key *along)
 {
@@ -330,55 +317,35 @@ static enum bead_error write_lines(const struct out *o, struct bead_message *msg
     return bead_sweep_lines_write(o->file, o->sweep, o->output, o->settings, msg);
 }
 
+/* A kind of table, over spins and over keys; NULL: not of these. */
 static const struct kind {
     enum bead_sweep_show show;
     const char *why;
     bool of_places;
-    enum bead_error (*write)(const struct out *out, struct bead_message *msg);
-} kinds[] = {
-    {BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold, or against a key", true,
-     write_magnetism},
-    {BEAD_SWEEP_CONFIGURATIONS, "peak force of every configuration, with its spins or values of keys", true, write_configurations},
-    {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay}};
-
-static const struct kind *find_kind(const struct kind *of, size_t count, enum bead_sweep_show show)
-{
-    size_t i = count - 1;
-    while (i > 0 && of[i].show != show)
-        i--;
-    return &of[i];
-}
+    enum bead_error (*write)(const struct out *out, struct bead_message *msg),
+        (*write_over)(const struct out *out, struct bead_message *msg);
+} kinds[] = {{BEAD_SWEEP_MAGNETISM, "statistics of the peak forces of every magnetism, and the threshold, or against a key", true,
+              write_magnetism, write_statistics},
+             {BEAD_SWEEP_CONFIGURATIONS, "peak force of every configuration, with its spins or values of keys", true,
+              write_configurations, write_configurations},
+             {BEAD_SWEEP_DECAY, "mean peaks along the chain, and how they decay", false, write_decay, NULL},
+             {BEAD_SWEEP_SPREADING, "how far energy has spread, in chains that are run for it, averaged over seeds", false, NULL,
+              write_lines},
+             {BEAD_SWEEP_SENSORS, "curves of chains that are run for them, averaged over seeds", false, NULL, write_lines}};
 
 static const struct kind *kind_of(const struct bead_output *output)
 {
-    return find_kind(kinds, sizeof kinds / sizeof *kinds, output->sweep_curves.show);
-}
-
-/* Tables of sweeps over keys. */
-static const struct kind over_kinds[] = {
-    {BEAD_SWEEP_MAGNETISM, "peak forces against a key, averaged over seeds", true, write_statistics},
-    {BEAD_SWEEP_CONFIGURATIONS, "peak force and values of the keys of every chain", true, write_every_point},
-    {BEAD_SWEEP_SPREADING, "how far energy has spread, averaged over seeds", false, write_lines},
-    {BEAD_SWEEP_SENSORS, "curves of chains, averaged over seeds", false, write_lines}};
-
-static const struct kind *kind_for(const struct bead_sweep *sweep, const struct bead_output *output)
-{
-    if (sweep->panels[0].shown.spec->over.key_count == 0)
-        return kind_of(output);
-    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
-        return &over_kinds[sizeof over_kinds / sizeof *over_kinds - 1];
-    return find_kind(over_kinds, sizeof over_kinds / sizeof *over_kinds, output->sweep_curves.show);
+    const enum bead_sweep_show show =
+        output->sweep_curves.show > BEAD_SWEEP_SENSORS ? BEAD_SWEEP_SENSORS : output->sweep_curves.show;
+    size_t i = sizeof kinds / sizeof *kinds - 1;
+    while (i > 0 && kinds[i].show != show)
+        i--;
+    return &kinds[i];
 }
 
 static const char *sweep_table_why(const struct bead_output *output)
 {
-    if (*output->sweep_curves.measure)
-        return "means of a measure of chains that are run for it";
-    if (bead_sweep_lines(output->sweep_curves.show) != BEAD_SHOW_COUNT)
-        return "curves of chains that are run for them, averaged over seeds";
-    return output->sweep_curves.show == BEAD_SWEEP_SPREADING
-               ? "how far energy has spread, in chains that are run for it, averaged over seeds"
-               : kind_of(output)->why;
+    return *output->sweep_curves.measure ? "means of a measure of chains that are run for it" : kind_of(output)->why;
 }
 
 static enum bead_error sweep_table_fill(void *context, FILE *file, const char *, struct bead_message *msg)
@@ -390,7 +357,8 @@ static enum bead_error sweep_table_fill(void *context, FILE *file, const char *,
     if (plain == (locale_t)0)
         return bead_fail(msg, BEAD_ERROR_MEMORY, "out of memory for a table");
     locale_t before = uselocale(plain);
-    enum bead_error err = kind_for(o->sweep, o->output)->write(o, msg);
+    const struct kind *kind = kind_of(o->output);
+    enum bead_error err = (o->over ? kind->write_over : kind->write)(o, msg);
     uselocale(before);
     freelocale(plain);
     return err;
@@ -400,9 +368,13 @@ static enum bead_error write_table(const struct bead_output *output, const struc
                                    uint64_t *bytes, struct bead_message *msg)
 {
     const struct bead_sweep *sweep = context->sweep;
-    struct out o = {.sweep = sweep, .output = output, .settings = context->sweep_settings, .several = bead_sweep_panels(sweep) > 1};
+    struct out o = {.sweep = sweep,
+                    .output = output,
+                    .settings = context->sweep_settings,
+                    .several = bead_sweep_panels(sweep) > 1,
+                    .over = bead_sweep_is_over(sweep->panels)};
     for (size_t p = 0; p < bead_sweep_panels(sweep); p++)
-        o.places = o.places || (!*output->sweep_curves.measure && kind_for(sweep, output)->of_places &&
+        o.places = o.places || (!*output->sweep_curves.measure && kind_of(output)->of_places &&
                                 bead_sweep_panel(sweep, p)->spec->measures.sensor_count > 0);
     return bead_file_write(path, sweep_table_fill, &o, bytes, msg);
 }
