@@ -38,21 +38,6 @@ static enum bead_error take(void *context, const struct bead_sample *sample, str
     return BEAD_OK;
 }
 
-/* All must have equal lengths, and run to the same time: `until`, or the last arrival of a front. */
-static enum bead_error find_end(struct ensemble *e, const struct bead_sweep_settings *settings, struct bead_message *msg)
-{
-    const double until = bead_sweep_scene(e->sweep)->simulate.until;
-    e->end = isnan(until) ? 0 : until;
-    for (size_t i = 0; i < e->count; i++)
-        e->watches[i] = (struct bead_sweep_watch){.index = i};
-    if (!isnan(until))
-        return BEAD_OK;
-    BEAD_TRY(bead_sweep_watch(e->sweep, e->watches, e->count, settings, msg));
-    for (size_t i = 0; i < e->count; i++)
-        e->end = fmax(e->end, e->watches[i].arrival);
-    return BEAD_OK;
-}
-
 static enum bead_error make_film(struct ensemble *e, size_t i, struct bead_message *msg)
 {
     struct film *film = &e->films[i];
@@ -204,7 +189,7 @@ static enum bead_error make(struct ensemble *e, const struct bead_run_context *c
     BEAD_FREED double *result = NULL;
     BEAD_TRY(bead_new(&e->films, e->count, msg, "an image of a sweep"));
     BEAD_TRY(bead_new(&e->watches, e->count, msg, "an image of a sweep"));
-    BEAD_TRY(find_end(e, context->sweep_settings, msg));
+    BEAD_TRY(bead_sweep_end(e->sweep, context->sweep_settings, &e->end, msg));
     BEAD_TRY(run(e, context->sweep_settings, msg));
     BEAD_TRY(bead_new(&result, (TIMES + 1) * e->places, msg, "an image of a sweep"));
     BEAD_TRY(reduce(e, result, msg));

@@ -55,24 +55,6 @@ void bead_sweep_lines_free(struct bead_sweep_lines *lines)
     free(lines->of);
 }
 
-/* All chains run to the same time: `until`, or the last arrival of a front. */
-static enum bead_error find_end(const struct bead_sweep *sweep, const struct bead_sweep_settings *settings, size_t count,
-                                double *end, struct bead_message *msg)
-{
-    BEAD_FREED struct bead_sweep_watch *watches = NULL;
-    *end = bead_sweep_scene(sweep)->simulate.until;
-    if (!isnan(*end))
-        return BEAD_OK;
-    BEAD_TRY(bead_new(&watches, count, msg, "the curves of %zu chains", count));
-    for (size_t i = 0; i < count; i++)
-        watches[i] = (struct bead_sweep_watch){.index = i};
-    BEAD_TRY(bead_sweep_watch(sweep, watches, count, settings, msg));
-    *end = 0;
-    for (size_t i = 0; i < count; i++)
-        *end = fmax(*end, watches[i].arrival);
-    return BEAD_OK;
-}
-
 static struct bead_run_context context_of(const struct bead_sweep *sweep, const struct bead_sweep_line_chain *own, double end)
 {
     return (struct bead_run_context){
@@ -333,7 +315,7 @@ enum bead_error bead_sweep_lines_find(const struct bead_sweep *sweep, const stru
         .output = *output, .grid = {0, INFINITY, NAN, spreading}, .laws = spreading ? BEAD_LAW_NUMBERS : 0, .chain_count = count};
     BEAD_TRY(bead_new(&lines->chains, count, msg, "the curves of %zu chains", count));
     BEAD_TRY(bead_new(&values, count, msg, "the curves of %zu chains", count));
-    BEAD_TRY(find_end(sweep, settings, count, &lines->grid.end, msg));
+    BEAD_TRY(bead_sweep_end(sweep, settings, &lines->grid.end, msg));
     for (size_t i = 0; i < count; i++)
         BEAD_TRY(make_chain(sweep, lines, i, msg));
     if (spreading)
