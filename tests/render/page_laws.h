@@ -218,11 +218,44 @@ static void titles_are_centred(const struct drawn *d)
     }
 }
 
+/* ---- panels ---- */
+
+/* Do two frames share most of their height (or width)? */
+static bool is_level(const struct stroke *a, const struct stroke *b, int k)
+{
+    return fmin(a->high[k], b->high[k]) - fmax(a->low[k], b->low[k]) > 0.5 * fmin(a->high[k] - a->low[k], b->high[k] - b->low[k]);
+}
+
+static bool is_panel(size_t stroke, size_t page)
+{
+    enum { LEAST_PANEL = 30 };
+    const struct stroke *s = &strokes.list[stroke];
+    return is_on_page(stroke, page) && is_frame(s) && fmin(s->high[0] - s->low[0], s->high[1] - s->low[1]) > LEAST_PANEL;
+}
+
+/* Panels beside each other begin or end at one height, those below each other at one place across; both do if one is no stack. */
+static void frames_are_aligned(size_t page)
+{
+    for (size_t i = 0; i < strokes.count; i++) {
+        for (size_t j = 0; j < i; j++) {
+            const struct stroke *a = &strokes.list[i], *b = &strokes.list[j];
+            for (int k = 0; k < 2 && is_panel(i, page) && is_panel(j, page); k++) {
+                const bool begin = fabs(a->low[k] - b->low[k]) < 0.3, end = fabs(a->high[k] - b->high[k]) < 0.3;
+                const double size = (a->high[k] - a->low[k]) / (b->high[k] - b->low[k]);
+                if (is_level(a, b, k) && !is_level(a, b, !k) && !(size > 0.6 && size < 1.6 ? begin && end : begin || end))
+                    fail_msg("page %zu: panels from %g to %g and from %g to %g are not aligned", page, a->low[k], a->high[k],
+                             b->low[k], b->high[k]);
+            }
+        }
+    }
+}
+
 static void page_laws(const struct drawn *d, double width, double height)
 {
     texts_are_free(d, width, height);
     titles_are_centred(d);
     for (size_t p = 0; p < d->pages; p++) {
+        frames_are_aligned(p);
         for (int along = 0; along < 2; along++)
             axes_have_scales(d, p, along);
     }
