@@ -108,6 +108,23 @@ static bool in_the_middle(const struct text *text, double top, double height)
     return fabs(text->y + text->height / 2 - top - height / 2) < 0.12 * text->height;
 }
 
+/* The smallest fill around a text is a box with round corners, in whose middle it is: as wide as needed and `air` px on each side.
+ */
+static void assert_boxed(const struct text *text, double air, double high)
+{
+    const struct stroke *box = NULL;
+    for (size_t i = 0; i < strokes.count; i++) {
+        const struct stroke *s = &strokes.list[i];
+        const bool around = s->filled && s->low[0] < text->x && s->high[0] > text->x + text->width && s->low[1] < text->y + 3 &&
+                            s->high[1] > text->y + text->height - 3;
+        box = around && (!box || s->high[0] - s->low[0] < box->high[0] - box->low[0]) ? s : box;
+    }
+    assert_non_null(box);
+    assert_true(box->count == 8 && fabs(box->high[1] - box->low[1] - high) < 1); /* four sides, four arcs */
+    assert_true(fabs(text->x - box->low[0] - air) < 1.5 && fabs(box->high[0] - text->x - text->width - air) < 1.5);
+    assert_true(fabs(box->low[1] + box->high[1] - 2 * text->y - text->height) < 0.24 * text->height);
+}
+
 /* ---- words in their lines ---- */
 
 /* The clock says the time; a caption is there from its first moment until its last; the line below has gone so far as the film. */
@@ -133,6 +150,8 @@ static void words_are_in_their_lines(void **)
         if (badge)
             assert_true(badge->x > l->badge.x && badge->x + badge->width < l->badge.x + l->badge.width &&
                         in_the_middle(badge, l->badge.y, l->badge.height) && l->badge.x >= l->time.x + l->time.width);
+        if (badge)
+            assert_boxed(badge, 0.45 * look->label, fmin(l->badge.height, 1.4 * look->label));
         const struct text *caption = find(&f.texts, "words");
         if (caption)
             assert_true(caption->y >= l->caption.y - 1 && caption->y + caption->height <= l->caption.y + l->caption.height + 1 &&
