@@ -587,6 +587,40 @@ static void titles_begin_above_the_axes(void **)
         assert_int_equal(texts.count, 1);
         free_canvas(&c);
     }
+}
+
+/* Lines of any length have the room that is measured for them, between margins. */
+static void pages_have_room_for_their_lines(void **)
+{
+    enum { MOST = 60, WIDE = 400, HIGH = 900 };
+    for (int words = 1; words <= MOST; words++) {
+        char text[5 * MOST + 1] = "";
+        struct graph_page page = {.title = text, .caption = text};
+        struct texts texts = {.count = 0};
+        const struct bead_text_watch watch = {texts_note, &texts};
+        struct canvas c = make_canvas(WIDE, HIGH);
+        double ends[2][2] = {{HIGH, 0}, {HIGH, 0}}; /* of the title, of the caption */
+        for (int i = 0; i < words; i++)
+            strcat(text, i % 3 ? "is " : "wide ");
+        assert_true(bead_text_watch(c.surface, &watch));
+        graph_page_measure(&page, &look, WIDE, HIGH);
+        graph_page_draw(&page, &look, c.cr, 77);
+        for (size_t i = 0; i < texts.count; i++) {
+            const struct text *line = &texts.text[i];
+            double *end = ends[line->y > HIGH / 2.0];
+            end[0] = fmin(end[0], line->y), end[1] = fmax(end[1], line->y + line->height);
+            assert_true(line->x > look.margin - 1 && line->x + line->width < WIDE - look.margin + 1);
+        }
+        assert_true(ends[0][0] >= look.margin - 1 &&
+                    fabs(ends[0][1] - look.margin + 0.7 * em - page.above) < 0.4 * 1.2 * look.title);
+        assert_true(fabs(ends[1][1] - HIGH + look.margin) < 0.4 * em &&
+                    fabs(ends[1][0] - HIGH + look.margin + page.below - 0.5 * em) < 0.4 * em);
+        free_canvas(&c);
+    }
+}
+
+static void panels_are_counted_in_letters(void **)
+{
     char letter[32];
     static const struct {
         size_t index;
@@ -734,6 +768,8 @@ int main(void)
         cmocka_unit_test_setup(names_stand_where_lines_end, set_up),
         cmocka_unit_test_setup(names_are_wanted_at_ends_of_lines, set_up),
         cmocka_unit_test_setup(titles_begin_above_the_axes, set_up),
+        cmocka_unit_test_setup(pages_have_room_for_their_lines, set_up),
+        cmocka_unit_test_setup(panels_are_counted_in_letters, set_up),
         cmocka_unit_test_setup(layouts_scale_with_the_page, set_up),
         cmocka_unit_test_setup(parts_keep_their_insets, set_up),
     };
