@@ -92,7 +92,7 @@ static struct bead_grid choose_grid(const struct bead_output *output, const stru
     const struct bead_grid *native = &context->native;
     size_t last = output->curves.profile_time_count - 1;
     double from = output->curves.profile_times[0], to = output->curves.profile_times[last],
-           gap = last > 0 ? output->curves.profile_times[1] - from : 1;
+           gap = last > 0 ? output->curves.profile_times[1] - from : context->resolution / 8;
     if (native->every > 0) {
         double first = fmax(0, floor((from - native->start) / native->every + 1e-6));
         double end = ceil((to - native->start) / native->every - 1e-6);

@@ -279,6 +279,77 @@ static void ranges_are_those_asked_for(void **)
     }
 }
 
+/* A scale from the first and the last number of a row below, or of a column beside what a page shows. */
+struct scale {
+    double at[2], value[2];
+    size_t count;
+};
+
+static double on_scale(const struct scale *s, double at)
+{
+    return s->value[0] + (s->value[1] - s->value[0]) * (at - s->at[0]) / (s->at[1] - s->at[0]);
+}
+
+static void find_scales(const struct drawn *d, size_t page, struct scale scale[2])
+{
+    double lowest = 0;
+    for (size_t i = 0; i < d->texts; i++)
+        lowest = d->text[i].page == page && !isnan(number_of(d->text[i].text)) ? fmax(lowest, d->text[i].centre[1]) : lowest;
+    for (size_t i = 0; i < d->texts; i++) {
+        const struct words *a = &d->text[i];
+        if (a->page != page || isnan(number_of(a->text)))
+            continue;
+        const int along = a->centre[1] < lowest - 1;
+        struct scale *s = &scale[along];
+        const int k = s->count++ > 0;
+        s->at[k] = along ? (a->low[1] + a->high[1]) / 2 : a->centre[0];
+        s->value[k] = number_of(a->text);
+    }
+    assert_true(scale[0].count > 1 && scale[1].count > 1);
+}
+
+/* What the curve with most points shows there. */
+static double shown_at(const struct drawn *d, size_t page, double x)
+{
+    struct scale scale[2] = {{.count = 0}, {.count = 0}};
+    const struct stroke *curve = NULL;
+    find_scales(d, page, scale);
+    for (size_t j = 0; j < strokes.count; j++) {
+        const struct stroke *s = &strokes.list[j];
+        curve = is_on_page(j, page) && !s->filled && s->begun == 1 && (!curve || s->count > curve->count) ? s : curve;
+    }
+    for (size_t i = 1; i < curve->count; i++) {
+        const struct stroke_point *a = &curve->at[i - 1], *b = &curve->at[i];
+        const double from = on_scale(&scale[0], a->x), to = on_scale(&scale[0], b->x);
+        if (from <= x && x <= to)
+            return on_scale(&scale[1], a->y + (b->y - a->y) * (x - from) / (to - from));
+    }
+    return NAN;
+}
+
+/* An image shows the profile that a plot of profiles has, at any time between samples. */
+static void images_show_their_time(void **)
+{
+    enum { TIMES = 5 };
+    static const char *const times[TIMES] = {"50 us", "50.2 us", "50.4 us", "50.6 us", "50.8 us"};
+    char text[3000];
+    int used = snprintf(text, sizeof text,
+                        "chain: {" STRIKER "beads: [{bead: large-steel, count: 14}]}\nsimulate: {until: 60 us}\noutputs:\n");
+    for (size_t i = 0; i < TIMES; i++)
+        used += snprintf(text + used, sizeof text - (size_t)used,
+                         "  - {image: %zua.pdf, views: [profile], field: contact-force, at: %s, every: 1 us, style: paper}\n"
+                         "  - {plot: %zub.pdf, show: profiles, field: contact-force, at: [%s], style: paper}\n",
+                         i, times[i], i, times[i]);
+    drawn_run(text, &drawn[0]);
+    assert_int_equal(drawn[0].pages, 2 * TIMES);
+    for (size_t i = 0; i < TIMES; i++) {
+        for (int contact = 2; contact < 10; contact++)
+            assert_true(fabs(shown_at(&drawn[0], 2 * i, contact) - shown_at(&drawn[0], 2 * i + 1, contact)) < 0.6); /* of 200 N */
+        for (size_t k = 0; k < i; k++)
+            assert_true(shown_at(&drawn[0], 2 * k, 2) > shown_at(&drawn[0], 2 * i, 2) + 1);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -288,6 +359,7 @@ int main(void)
         cmocka_unit_test(stacks_have_what_there_is),
         cmocka_unit_test(sensors_have_rings),
         cmocka_unit_test(ranges_are_those_asked_for),
+        cmocka_unit_test(images_show_their_time),
     };
     return cmocka_run_group_tests_name("pictures at twice the resolution", tests, make_directory, remove_directory);
 }
