@@ -118,20 +118,25 @@ static void drawn_take(struct drawn *d)
     }
 }
 
-/* Runs a scene with all its outputs. */
-static void drawn_run(const char *scene, struct drawn *d)
+static void drawn_play(struct bead_job job, struct drawn *d)
 {
-    char path[512], directory[512];
-    in_directory("scene.yaml", path, sizeof path);
-    in_directory("", directory, sizeof directory);
-    write_text(path, scene);
     *d = (struct drawn){.marks = 0};
     drawn_now = d;
     strokes_begin();
-    play_counts((struct bead_job){.input = path, .output = directory, .threads = 1});
+    play_counts(job);
     strokes.on = false;
     drawn_now = NULL;
     drawn_take(d);
+}
+
+/* Runs a scene with all its outputs. */
+static void drawn_run(const char *scene, struct drawn *d)
+{
+    char path[512], out[512];
+    in_directory("scene.yaml", path, sizeof path);
+    in_directory("", out, sizeof out);
+    write_text(path, scene);
+    drawn_play((struct bead_job){.input = path, .output = out, .threads = 1}, d);
 }
 
 #endif
