@@ -68,7 +68,7 @@ static enum bead_error make_panel(struct bead_sweep *sweep, size_t index, struct
 }
 
 static enum bead_error make_plain(struct bead_sweep *sweep, struct bead_message *msg);
-static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, struct bead_message *msg);
+static enum bead_error check_chain(void *context, const struct bead_chain *chain, size_t index, struct bead_message *msg);
 
 enum bead_error bead_sweep_allocate(const struct bead_scene *scene, struct bead_sweep **sweep, struct bead_message *msg)
 {
@@ -135,7 +135,7 @@ enum bead_error bead_sweep_create(const struct bead_scene *scene, struct bead_sw
     for (size_t p = 0; !err && p < (*sweep)->panel_count; p++)
         draw_panel(*sweep, &(*sweep)->panels[p]);
     if (!err && (*sweep)->plain)
-        err = try_values(*sweep, 0, msg);
+        err = bead_sweep_try(*sweep, check_chain, (*sweep)->panels, msg);
     if (err) {
         bead_sweep_close(*sweep);
         *sweep = NULL;
@@ -337,18 +337,22 @@ enum bead_error bead_sweep_check_places(const struct sweep_panel *panel, const s
     return BEAD_OK;
 }
 
-/* Finds values that make no valid scene before the first chain runs: tries each value of each key, only the ends of long lists. */
-static enum bead_error try_values(const struct bead_sweep *sweep, size_t panel, struct bead_message *msg)
+static enum bead_error check_chain(void *context, const struct bead_chain *chain, size_t index, struct bead_message *msg)
+{
+    return bead_sweep_check_places(context, chain, index, msg);
+}
+
+enum bead_error bead_sweep_try(const struct bead_sweep *sweep, bead_sweep_visit *visit, void *context, struct bead_message *msg)
 {
     enum { TRIED = 32 };
-    const size_t count = sweep->panels[panel].shown.configurations;
+    const size_t count = sweep->panels[0].shown.configurations;
     for (size_t i = 0; i < count; i = i == TRIED && count > 2 * TRIED ? count - TRIED : i + 1) {
         struct bead_scene *scene = NULL;
         struct bead_chain *chain = NULL;
-        BEAD_TRY(make_scene(sweep, panel, i, &scene, msg));
+        BEAD_TRY(make_scene(sweep, 0, i, &scene, msg));
         enum bead_error err = bead_chain_outline(scene, &scene->chains[0], &chain, msg);
         if (!err)
-            err = bead_sweep_check_places(&sweep->panels[panel], chain, i, msg);
+            err = visit(context, chain, i, msg);
         bead_chain_destroy(chain);
         bead_scene_free(scene);
         BEAD_TRY(err);

@@ -11,6 +11,7 @@
 #include "sim/kinds/output_kinds.h"
 #include "sim/measure/places.h"
 #include "sim/statistics/statistics.h"
+#include "sim/sweep/sweep_data.h"
 #include "sim/sweep/sweep_internal.h"
 
 static enum bead_error find_key(const struct bead_over *over, const char *against, size_t *key, struct bead_message *msg)
@@ -195,15 +196,23 @@ void bead_sweep_curves_free(struct bead_sweep_curves *curves)
     free(curves->curves);
 }
 
-/* Places of curves, in the scene as it is. */
-static enum bead_error check_places(const struct bead_sweep *sweep, const struct bead_output *output, struct bead_message *msg)
+/* An output, and the beads of the first chain. */
+struct looked {
+    const struct bead_output *output;
+    size_t beads;
+};
+
+/* Have the chains the places of curves, and are those of equal length whose means are taken in space? */
+static enum bead_error check_chain(void *context, const struct bead_chain *chain, size_t index, struct bead_message *msg)
 {
-    struct bead_sweep_chain *made = NULL;
-    enum bead_error err = bead_sweep_chain_create(sweep, 0, BEAD_SWEEP_CLEAN, &made, msg);
-    if (!err)
-        err = bead_places_check(output, bead_sweep_chain_of(made), msg);
-    bead_sweep_chain_destroy(made);
-    return err;
+    struct looked *looked = context;
+    const struct bead_output *output = looked->output;
+    const bool images = output->kind == BEAD_OUTPUT_IMAGE;
+    looked->beads = index == 0 ? bead_chain_beads(chain) : looked->beads;
+    if ((images || output->curves.show == BEAD_SHOW_DISPERSION) && bead_chain_beads(chain) != looked->beads)
+        return bead_output_wrong(output, msg, "show: chains have %zu and %zu beads; a mean needs chains of equal length",
+                                 looked->beads, bead_chain_beads(chain));
+    return images ? BEAD_OK : bead_places_check(output, chain, msg);
 }
 
 enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const struct bead_output *output, struct bead_message *msg)
@@ -214,8 +223,8 @@ enum bead_error bead_sweep_asked_check(const struct bead_sweep *sweep, const str
     size_t key;
     struct bead_message why = {""};
     enum bead_error err = BEAD_OK;
-    if (bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT)
-        return check_places(sweep, output, msg);
+    if (over->key_count > 0 && (output->kind == BEAD_OUTPUT_IMAGE || bead_sweep_lines(asked->show) != BEAD_SHOW_COUNT))
+        return bead_sweep_try(sweep, check_chain, &(struct looked){output, 0}, msg);
     if (asked->measure && *asked->measure)
         err = bead_sweep_measure_unit(asked->measure, &unit, &why);
     if (!err && asked->against && *asked->against && over->key_count > 0)

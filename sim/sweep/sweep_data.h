@@ -60,6 +60,11 @@ struct bead_span bead_sweep_place_span(const struct sweep_panel *panel, const st
 /* Fails if the chain is too short for them. */
 BEAD_CHECK enum bead_error bead_sweep_check_places(const struct sweep_panel *panel, const struct bead_chain *chain, size_t index,
                                                    struct bead_message *msg);
+/* Over keys: calls `visit` with the outlines of chains that have each value of each key, only the ends of long lists, to find what
+ * is wrong before the first chain runs. Errors: MEMORY, SCENE, those of `visit`. */
+typedef enum bead_error bead_sweep_visit(void *context, const struct bead_chain *chain, size_t index, struct bead_message *msg);
+BEAD_CHECK enum bead_error bead_sweep_try(const struct bead_sweep *sweep, bead_sweep_visit *visit, void *context,
+                                          struct bead_message *msg);
 /* Why all beads of a panel's chain are kept until its run ends; NULL: those far behind the front are dropped, see behind.h. */
 const char *bead_sweep_refusal(const struct sweep_panel *panel, const struct bead_chain *chain);
 /* Creates a sweep without spins and results, to read them from a file. */

@@ -181,7 +181,8 @@ ok "... and before any has run" eval 'fails 2 lengths --plan --set "sweep.measur
 ok "a last that is before the first" eval 'fails 2 lengths --set "sweep.measure={beads: [last, 3]}" && says "is [last, 3]"'
 ok "curves of the last of each" exits 0 lengths --set 'outputs=[{table: n.csv, show: sensors, contacts: last}]'
 ok "... each with the same peak" within "$(awk -F, 'NR > 1 && $4 > top[$2] {top[$2] = $4} END {print top["count 10"] / top["count 21"]}' n.csv)" 1 1e-3
-ok "... of a bead that is not there" eval 'fails 2 lengths --set "outputs=[{table: n.csv, show: sensors, beads: 7}]" && says "a chain has no bead 7: its last is 5"'
+ok "... of a bead that is not there" eval 'fails 2 lengths --plan --set "outputs=[{table: n.csv, show: sensors, beads: 7}]" && says "a chain has no bead 7: its last is 5"'
+ok "... a mean image has no axis for them" eval 'beadsim=$beadreel fails 2 lengths --plan --set "outputs=[{image: n.png}]" && says "chains have 6 and 11 beads; a mean needs"'
 cat >d.yaml <<'YAML'
 chain: {beads: [{bead: large-steel, count: 8}], precompression: 10 N, wall: rigid, drive: {force: sine, amplitude: 1 N, frequency: 1 kHz}}
 simulate: {until: 1 ms}
